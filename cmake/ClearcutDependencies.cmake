@@ -1,0 +1,42 @@
+# Every third-party package is asked for here, by name, and nowhere else; docs/dependencies.md says why.
+# The Debian packages are listed in scripts/packages.txt.
+find_package(Boost 1.74 REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET polyclipping)
+find_package(fmt REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(TBB REQUIRED)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+find_package(pugixml REQUIRED)
+find_path(DXFLIB_INCLUDE_DIR dxflib/dl_dxf.h REQUIRED)
+find_library(DXFLIB_LIBRARY dxflib REQUIRED)
+
+# One interface library per role, so that a module never names a package.
+link_libraries()
+add_library(clearcut_testing INTERFACE)
+if(CLEARCUT_TESTS)
+  find_package(GTest REQUIRED)
+  target_link_libraries(clearcut_testing INTERFACE GTest::gmock GTest::gtest GTest::gtest_main)
+  target_compile_definitions(clearcut_testing INTERFACE
+    CLEARCUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+    CLEARCUT_BINARY_DIR="${PROJECT_BINARY_DIR}")
+endif()
+
+function(clearcut_link_packages)
+  target_link_libraries(clearcut_base PUBLIC fmt::fmt)
+  foreach(pair "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "order|TBB::tbb"
+               "read|nlohmann_json::nlohmann_json" "read|pugixml::pugixml" "read|PkgConfig::tomlplusplus"
+               "read|${DXFLIB_LIBRARY}" "report|nlohmann_json::nlohmann_json" "pipeline|TBB::tbb"
+               "pipeline|nlohmann_json::nlohmann_json")
+    string(REPLACE "|" ";" pair "${pair}")
+    list(GET pair 0 module)
+    list(GET pair 1 package)
+    get_target_property(kind clearcut_${module} TYPE)
+    if(kind STREQUAL "INTERFACE_LIBRARY")
+      target_link_libraries(clearcut_${module} INTERFACE ${package})
+    else()
+      target_link_libraries(clearcut_${module} PUBLIC ${package})
+    endif()
+  endforeach()
+endfunction()

@@ -1,0 +1,23 @@
+// Every tolerance has a name, a unit and a reason, and is passed in.
+#pragma once
+
+namespace clearcut {
+
+struct Tolerances {
+  /// mm. Two points nearer than this are one point. Below the resolution of any controller (0.1 um printed).
+  double coincident = 1e-7;
+  /// mm. Flattening of arcs where only topology depends on it (sites of the Voronoi diagram).
+  double topology_chord = 0.005;
+  /// mm. Largest distance between a curve handed to a library as a polygon and that polygon.
+  double chord = 0.0002;
+  /// mm. A cutter that is wider than a gap by no more than this is taken to fit it exactly.
+  double fit = 0.001;
+  /// mm. Gaps in outlines up to this are closed, and reported.
+  double join_gap = 0.01;
+  /// mm. Uncut material thinner than this is not a fault (proven bound of the certificate).
+  double uncut = 0.01;
+  /// mm. Gouges shallower than this are not a fault.
+  double gouge = 0.001;
+};
+
+}  // namespace clearcut

@@ -1,0 +1,59 @@
+// Closed loops and the regions they bound.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/edge.h"
+
+namespace clearcut {
+
+/// A closed run of edges: each ends exactly where the next begins, the last where the first begins.
+using Loop = std::vector<Edge>;
+
+/// Signed area in mm2, > 0 for counter-clockwise loops.
+double signed_area(const Loop& loop);
+/// Loop from vertices with bulges: (x, y, bulge) of the edge that leaves each vertex.
+struct BulgeVertex {
+  Vec2 point;
+  double bulge = 0;
+};
+Loop loop_from_bulges(std::span<const BulgeVertex> vertices);
+Loop loop_from_points(std::span<const Vec2> points);
+std::vector<BulgeVertex> to_bulges(const Loop& loop);
+/// Polygon of a loop, without repeating the first point; see append_flattened.
+std::vector<Vec2> flattened(const Loop& loop, double chord);
+/// Non-zero winding, exact for arcs; points on the boundary (within 1e-12 relative) may fall either way.
+bool contains(const Loop& loop, Vec2 p);
+
+/// One connected area: closed, oriented (outer counter-clockwise, islands clockwise, so the material to cut
+/// lies on the left of every edge), free of crossings, islands inside the outer loop. Islands may touch each
+/// other or the outer loop in points. Valid by construction: nothing downstream asks again.
+class Region {
+ public:
+  /// Orients the loops. The caller promises the rest; readers get their regions from read/outline repair,
+  /// booleans and offsets from geometry/.
+  static Region from_valid_loops(Loop outer, std::vector<Loop> islands);
+
+  const Loop& outer() const { return outer_; }
+  const std::vector<Loop>& islands() const { return islands_; }
+  double area() const;   ///< mm2
+  Box box() const;
+  bool contains(Vec2 p) const;
+  /// Distance from p to the nearest boundary edge, >= 0 (not signed). O(edges).
+  double boundary_distance(Vec2 p) const;
+  /// All edges, outer first.
+  std::vector<Edge> edges() const;
+
+ private:
+  Loop outer_;
+  std::vector<Loop> islands_;
+};
+
+/// Regions with disjoint interiors.
+using Regions = std::vector<Region>;
+double area(const Regions& regions);
+Box box(const Regions& regions);
+bool contains(const Regions& regions, Vec2 p);
+
+}  // namespace clearcut

@@ -1,0 +1,22 @@
+// What every strategy takes: one layer of one feature with its cutter.
+#pragma once
+
+#include <vector>
+
+#include "base/tolerances.h"
+#include "geometry/region.h"
+#include "part/part.h"
+#include "toolpath/pass.h"
+
+namespace clearcut {
+
+struct Layer {
+  double z_top = 0;    ///< where material begins
+  double z = 0;        ///< where the tip runs
+  Regions target;      ///< material to remove, plan view at z
+  Regions allowed;     ///< where the cutter may be at z; true walls are its boundary
+  double tool_radius = 0;
+  double wall_stock = 0;  ///< stock to leave on walls, mm
+};
+
+}  // namespace clearcut

@@ -1,0 +1,21 @@
+// Reads programs back: any CAM's G-code (RS274/NGC subset, Fanuc, Grbl, Mach, Marlin) and Heidenhain Klartext.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/diagnostics.h"
+#include "toolpath/move.h"
+
+namespace clearcut {
+
+struct Program {
+  Toolpath toolpath;
+  Diagnostics diagnostics;  ///< words that were ignored or assumed, each with its line
+  bool ended = false;       ///< an end word was seen
+};
+
+/// Throws InputError("file:line", ...) for text that no controller would take or that cannot be understood.
+Program read_gcode(std::string_view text, const std::string& file_name);
+
+}  // namespace clearcut

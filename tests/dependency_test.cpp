@@ -1,0 +1,53 @@
+// Compares every #include in src/ with src/dependencies.txt.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kSource = fs::path(CLEARCUT_SOURCE_DIR) / "src";
+
+std::map<std::string, std::set<std::string>> allowed_edges() {
+  std::map<std::string, std::set<std::string>> allowed;
+  std::ifstream file(kSource / "dependencies.txt");
+  for (std::string line; std::getline(file, line);) {
+    const auto colon = line.find(':');
+    if (line.empty() || line[0] == '#' || colon == std::string::npos) continue;
+    auto& uses = allowed[line.substr(0, colon)];
+    std::istringstream words(line.substr(colon + 1));
+    for (std::string word; words >> word;) uses.insert(word);
+  }
+  return allowed;
+}
+
+TEST(Dependencies, EveryIncludeIsAllowed) {
+  const auto allowed = allowed_edges();
+  ASSERT_FALSE(allowed.empty());
+  const std::regex include("^\\s*#include \"([a-z_]+)/[^\"]+\"");
+  int checked = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kSource)) {
+    const auto extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp") continue;
+    const std::string folder = fs::relative(entry.path(), kSource).begin()->string();
+    ASSERT_TRUE(allowed.count(folder)) << folder << " is not in dependencies.txt";
+    std::ifstream file(entry.path());
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+      ++number;
+      std::smatch match;
+      if (!std::regex_search(line, match, include) || match[1] == folder) continue;
+      ++checked;
+      EXPECT_TRUE(allowed.at(folder).count(match[1]))
+          << entry.path() << ":" << number << ": " << folder << " may not include " << match[1];
+    }
+  }
+  EXPECT_GT(checked, 50);
+}
+
+}  // namespace
