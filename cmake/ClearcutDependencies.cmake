@@ -13,7 +13,6 @@ find_path(DXFLIB_INCLUDE_DIR dxflib/dl_dxf.h REQUIRED)
 find_library(DXFLIB_LIBRARY dxflib REQUIRED)
 
 # One interface library per role, so that a module never names a package.
-link_libraries()
 add_library(clearcut_testing INTERFACE)
 if(CLEARCUT_TESTS)
   find_package(GTest REQUIRED)
@@ -24,8 +23,7 @@ if(CLEARCUT_TESTS)
 endif()
 
 function(clearcut_link_packages)
-  target_link_libraries(clearcut_base PUBLIC fmt::fmt)
-  foreach(pair "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "order|TBB::tbb"
+  foreach(pair "base|fmt::fmt" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "order|TBB::tbb"
                "read|nlohmann_json::nlohmann_json" "read|pugixml::pugixml" "read|PkgConfig::tomlplusplus"
                "read|${DXFLIB_LIBRARY}" "report|nlohmann_json::nlohmann_json" "pipeline|TBB::tbb"
                "pipeline|nlohmann_json::nlohmann_json")
