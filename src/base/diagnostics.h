@@ -24,10 +24,18 @@ struct Diagnostic {
 class Diagnostics {
  public:
   void note(std::string where, std::string what) { add(Severity::kNote, std::move(where), std::move(what)); }
-  void repair(std::string where, std::string what) { add(Severity::kRepair, std::move(where), std::move(what)); }
-  void warn(std::string where, std::string what) { add(Severity::kWarning, std::move(where), std::move(what)); }
-  void skip(std::string where, std::string what) { add(Severity::kSkipped, std::move(where), std::move(what)); }
-  void append(const Diagnostics& other) { items_.insert(items_.end(), other.items_.begin(), other.items_.end()); }
+  void repair(std::string where, std::string what) {
+    add(Severity::kRepair, std::move(where), std::move(what));
+  }
+  void warn(std::string where, std::string what) {
+    add(Severity::kWarning, std::move(where), std::move(what));
+  }
+  void skip(std::string where, std::string what) {
+    add(Severity::kSkipped, std::move(where), std::move(what));
+  }
+  void append(const Diagnostics& other) {
+    items_.insert(items_.end(), other.items_.begin(), other.items_.end());
+  }
   const std::vector<Diagnostic>& items() const { return items_; }
 
  private:

@@ -28,7 +28,7 @@ class InternalError : public std::logic_error {
 
 }  // namespace clearcut
 
-#define CLEARCUT_ASSERT(promise) \
-  do {                           \
+#define CLEARCUT_ASSERT(promise)                                                    \
+  do {                                                                              \
     if (!(promise)) ::clearcut::throw_broken_promise(#promise, __FILE__, __LINE__); \
   } while (false)

@@ -1,0 +1,92 @@
+#include "base/file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "base/error.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool to_standard_output(const OutputFile& file) {
+  return file.path == "-";
+}
+
+std::string temporary_name(const std::string& path) {
+  return fmt::format("{}.{}.tmp", path, ::getpid());
+}
+
+void write_temporary(const OutputFile& file) {
+  const fs::path target(file.path);
+  if (fs::is_directory(target)) throw InputError(file.path, "is a folder, name a file");
+  std::ofstream out(temporary_name(file.path), std::ios::binary | std::ios::trunc);
+  out.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
+  out.close();
+  if (!out) throw InputError(file.path, "cannot be written; check that the folder exists and has room");
+}
+
+void remove_temporaries(const std::vector<OutputFile>& files) {
+  for (const auto& file : files) {
+    std::error_code ignored;
+    if (!to_standard_output(file)) fs::remove(temporary_name(file.path), ignored);
+  }
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path, std::size_t limit) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (!fs::exists(status)) throw InputError(path, "no such file; check the name");
+  if (fs::is_directory(status)) throw InputError(path, "is a folder, name a file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(path, "cannot be opened; check its permissions");
+  std::string bytes;
+  char buffer[1 << 16];
+  while (in.read(buffer, sizeof buffer) || in.gcount() > 0) {
+    bytes.append(buffer, static_cast<std::size_t>(in.gcount()));
+    if (bytes.size() > limit)
+      throw InputError(path, fmt::format("is larger than {} bytes, too large to read", limit));
+  }
+  if (in.bad()) throw InputError(path, "cannot be read to its end");
+  return bytes;
+}
+
+void write_files(const std::vector<OutputFile>& files) {
+  try {
+    for (const auto& file : files) {
+      if (!to_standard_output(file)) write_temporary(file);
+    }
+    for (const auto& file : files) {
+      if (!to_standard_output(file)) fs::rename(temporary_name(file.path), file.path);
+    }
+  } catch (const fs::filesystem_error& error) {
+    remove_temporaries(files);
+    throw InputError(error.path2().string(), "cannot be written: " + error.code().message());
+  } catch (...) {
+    remove_temporaries(files);
+    throw;
+  }
+  for (const auto& file : files) {
+    if (to_standard_output(file)) std::cout << file.content << std::flush;
+  }
+}
+
+std::string content_hash(const std::string& bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char byte : bytes) {
+    hash ^= static_cast<unsigned char>(byte);
+    hash *= 0x100000001b3ULL;
+  }
+  return fmt::format("{:016x}", hash);
+}
+
+}  // namespace clearcut
