@@ -41,12 +41,14 @@ class Clearance {
 
   /// All points of the region at distance >= d from its boundary.
   ///
-  /// Shape   zero or more regions; islands that meet merge, necks under 2d wide split; edges and runs of edges
-  ///         that vanish are gone. Arcs give exact concentric arcs, reflex corners exact arcs about the corner.
+  /// Shape   zero or more regions; islands that meet merge, necks under 2d wide split; edges and runs of
+  /// edges
+  ///         that vanish are gone. Arcs give exact concentric arcs, reflex corners exact arcs about the
+  ///         corner.
   /// Units   d in mm, d >= 0.
-  /// Error   points of the result lie at d +- 1 um from the boundary, and nothing farther than 1 um inside is missing.
-  /// Fit     where the region is 2d wide to within tol.fit, see fit_lines().
-  /// Cost    O(edges) per call.
+  /// Error   points of the result lie at d +- 1 um from the boundary, and nothing farther than 1 um inside is
+  /// missing. Fit     where the region is 2d wide to within tol.fit, see fit_lines(). Cost    O(edges) per
+  /// call.
   Regions inset(double d) const;
   /// The same for several ascending distances in one walk.
   std::vector<Regions> insets(const std::vector<double>& ascending) const;

@@ -52,15 +52,19 @@ struct Nearest {
   double t = 0;         ///< parameter in [0, 1]
 };
 Nearest nearest(const Edge& edge, Vec2 p);
+/// The parts of nearest() that need no trigonometry, for inner loops.
+Vec2 nearest_point(const Edge& edge, Vec2 p);
 double distance(const Edge& edge, Vec2 p);
 /// Smallest distance between two edges (0 when they cross). Exact for lines and arcs. mm.
 double distance(const Edge& a, const Edge& b);
-/// Places where two edges meet (at most two; shared stretches give their ends).
+/// Places where two edges come within 1e-9 mm of each other: at most two, or the ends of shared stretches.
+/// Ends of edges come back bitwise.
 std::vector<Vec2> intersections(const Edge& a, const Edge& b);
 /// Winding contribution is internal; see contains() in region.h.
 
 /// Chord points of an edge without its first point, none farther than `chord` mm from the curve
-/// (number of chords by P = sweep / (2 acos((r - e) / r)), Tour eq. 4.6, rounded up).
+/// (number of chords by P = sweep / (2 acos((r - e) / r)), Tour eq. 4.6, rounded up; at least one a quarter
+/// turn).
 void append_flattened(const Edge& edge, double chord, std::vector<Vec2>& out);
 
 /// A run of edges joined end to start.

@@ -37,7 +37,7 @@ class Region {
 
   const Loop& outer() const { return outer_; }
   const std::vector<Loop>& islands() const { return islands_; }
-  double area() const;   ///< mm2
+  double area() const;  ///< mm2
   Box box() const;
   bool contains(Vec2 p) const;
   /// Distance from p to the nearest boundary edge, >= 0 (not signed). O(edges).

@@ -18,22 +18,42 @@ struct Vec2 {
   friend constexpr Vec2 operator/(Vec2 a, double k) { return {a.x / k, a.y / k}; }
 };
 
-constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+constexpr double dot(Vec2 a, Vec2 b) {
+  return a.x * b.x + a.y * b.y;
+}
 /// z of the cross product: > 0 when b is counter-clockwise of a.
-constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-inline double norm(Vec2 a) { return std::hypot(a.x, a.y); }
-constexpr double norm_squared(Vec2 a) { return dot(a, a); }
-inline double distance(Vec2 a, Vec2 b) { return norm(a - b); }
+constexpr double cross(Vec2 a, Vec2 b) {
+  return a.x * b.y - a.y * b.x;
+}
+inline double norm(Vec2 a) {
+  return std::hypot(a.x, a.y);
+}
+constexpr double norm_squared(Vec2 a) {
+  return dot(a, a);
+}
+inline double distance(Vec2 a, Vec2 b) {
+  return norm(a - b);
+}
 /// Unit vector; `a` must not be zero.
-inline Vec2 unit(Vec2 a) { return a / norm(a); }
+inline Vec2 unit(Vec2 a) {
+  return a / norm(a);
+}
 /// Turned by +90 degrees: the left normal.
-constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
-inline Vec2 direction_of(double radians) { return {std::cos(radians), std::sin(radians)}; }
-inline double angle_of(Vec2 a) { return std::atan2(a.y, a.x); }
+constexpr Vec2 left_of(Vec2 a) {
+  return {-a.y, a.x};
+}
+inline Vec2 direction_of(double radians) {
+  return {std::cos(radians), std::sin(radians)};
+}
+inline double angle_of(Vec2 a) {
+  return std::atan2(a.y, a.x);
+}
 inline Vec2 rotated(Vec2 a, double radians) {
   const double c = std::cos(radians), s = std::sin(radians);
   return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
-constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) { return a + (b - a) * t; }
+constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) {
+  return a + (b - a) * t;
+}
 
 }  // namespace clearcut

@@ -1,0 +1,155 @@
+#include "geometry/region.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace clearcut {
+namespace {
+
+/// Side of p against the directed chord: > 0 left, < 0 right. Points on it fall as they do for a ray towards
+/// +x just above p, so that chords and bows below count each point of the plane once.
+int side_of_chord(const Edge& edge, Vec2 p) {
+  const Vec2 d = edge.to - edge.from;
+  const double side = cross(d, p - edge.from);
+  if (side != 0) return side > 0 ? 1 : -1;
+  if (d.y != 0) return d.y > 0 ? -1 : 1;
+  return d.x > 0 ? 1 : -1;
+}
+
+/// Crossings of the chord by a ray from p towards +x.
+int chord_winding(const Edge& edge, Vec2 p) {
+  if (edge.from.y <= p.y) return edge.to.y > p.y && side_of_chord(edge, p) > 0 ? 1 : 0;
+  return edge.to.y <= p.y && side_of_chord(edge, p) < 0 ? -1 : 0;
+}
+
+/// Winding of the closed curve "arc, then back along its chord": the area between the two.
+int bow_winding(const Edge& arc, Vec2 p) {
+  const double r2 = 0.5 * (norm_squared(arc.from - arc.center) + norm_squared(arc.to - arc.center));
+  if (norm_squared(p - arc.center) >= r2) return 0;
+  const int turn = static_cast<int>(arc.turn);
+  return side_of_chord(arc, p) == -turn ? turn : 0;
+}
+
+int winding(const Loop& loop, Vec2 p) {
+  int sum = 0;
+  for (const Edge& edge : loop) {
+    sum += chord_winding(edge, p);
+    if (edge.is_arc()) sum += bow_winding(edge, p);
+  }
+  return sum;
+}
+
+Loop oriented(Loop loop, bool counter_clockwise) {
+  if ((signed_area(loop) > 0) == counter_clockwise) return loop;
+  return reversed(loop);
+}
+
+}  // namespace
+
+double signed_area(const Loop& loop) {
+  if (loop.empty()) return 0;
+  // About a point of the loop: far from the origin the cross products would cancel.
+  const Vec2 origin = loop.front().from;
+  double sum = 0;
+  for (const Edge& edge : loop) {
+    sum += Edge{edge.from - origin, edge.to - origin, edge.center - origin, edge.turn}.signed_area();
+  }
+  return sum;
+}
+
+Loop loop_from_bulges(std::span<const BulgeVertex> vertices) {
+  Loop loop;
+  loop.reserve(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec2 from = vertices[i].point, to = vertices[(i + 1) % vertices.size()].point;
+    if (from != to) loop.push_back(Edge::from_bulge(from, to, vertices[i].bulge));
+  }
+  return loop;
+}
+
+Loop loop_from_points(std::span<const Vec2> points) {
+  Loop loop;
+  loop.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2 from = points[i], to = points[(i + 1) % points.size()];
+    if (from != to) loop.push_back(Edge::line(from, to));
+  }
+  return loop;
+}
+
+std::vector<BulgeVertex> to_bulges(const Loop& loop) {
+  std::vector<BulgeVertex> vertices;
+  vertices.reserve(loop.size());
+  for (const Edge& edge : loop) vertices.push_back({edge.from, edge.bulge()});
+  return vertices;
+}
+
+std::vector<Vec2> flattened(const Loop& loop, double chord) {
+  std::vector<Vec2> points;
+  points.reserve(loop.size());
+  for (const Edge& edge : loop) append_flattened(edge, chord, points);
+  // Edges append their last point: turn the first edge's first point to the front.
+  if (!points.empty()) std::rotate(points.begin(), points.end() - 1, points.end());
+  return points;
+}
+
+bool contains(const Loop& loop, Vec2 p) {
+  return winding(loop, p) != 0;
+}
+
+Region Region::from_valid_loops(Loop outer, std::vector<Loop> islands) {
+  Region region;
+  region.outer_ = oriented(std::move(outer), true);
+  region.islands_.reserve(islands.size());
+  for (Loop& island : islands) region.islands_.push_back(oriented(std::move(island), false));
+  return region;
+}
+
+double Region::area() const {
+  double sum = signed_area(outer_);
+  for (const Loop& island : islands_) sum += signed_area(island);
+  return sum;
+}
+
+Box Region::box() const {
+  return clearcut::box(outer_);
+}
+
+bool Region::contains(Vec2 p) const {
+  const auto holds = [p](const Loop& loop) { return clearcut::contains(loop, p); };
+  return holds(outer_) && std::none_of(islands_.begin(), islands_.end(), holds);
+}
+
+double Region::boundary_distance(Vec2 p) const {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : outer_) best = std::min(best, distance(edge, p));
+  for (const Loop& island : islands_) {
+    for (const Edge& edge : island) best = std::min(best, distance(edge, p));
+  }
+  return best;
+}
+
+std::vector<Edge> Region::edges() const {
+  std::vector<Edge> all = outer_;
+  for (const Loop& island : islands_) all.insert(all.end(), island.begin(), island.end());
+  return all;
+}
+
+double area(const Regions& regions) {
+  double sum = 0;
+  for (const Region& region : regions) sum += region.area();
+  return sum;
+}
+
+Box box(const Regions& regions) {
+  Box all;
+  for (const Region& region : regions) all.add(region.box());
+  return all;
+}
+
+bool contains(const Regions& regions, Vec2 p) {
+  return std::any_of(regions.begin(), regions.end(),
+                     [p](const Region& region) { return region.contains(p); });
+}
+
+}  // namespace clearcut
