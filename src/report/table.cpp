@@ -1,0 +1,109 @@
+#include "report/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/text.h"
+#include "report/text_table.h"
+
+namespace clearcut {
+
+namespace {
+
+constexpr std::size_t kFaultsShown = 10;
+constexpr std::size_t kWidth = 120;
+constexpr std::size_t kShortestName = 8;
+
+std::vector<std::string> figures_of(const Figures& f) {
+  return {fixed(f.feed_mm, 1),  fixed(f.rapid_mm, 1),           std::to_string(f.retracts),
+          clock_time(f.time_s), fixed(f.uncut_thickness_mm, 3), fixed(f.uncut_mm2, 2),
+          fixed(f.gouge_mm, 3), fixed(f.engagement.max_deg, 0), f.clean ? "yes" : "NO"};
+}
+
+std::vector<std::string> row(const std::string& name, const std::string& tool, const std::string& layers,
+                             const Figures& figures) {
+  std::vector<std::string> cells{ascii(name), tool, layers};
+  for (std::string& cell : figures_of(figures)) cells.push_back(std::move(cell));
+  return cells;
+}
+
+std::string tool_of(const FeatureFindings& feature) {
+  return fmt::format("T{} D{}", feature.tool_number, shortened(fixed(feature.tool_diameter, 1), 6));
+}
+
+std::string place_of(const Place& place) {
+  std::string text =
+      fmt::format("x {} y {} z {}", fixed(place.point.x, 3), fixed(place.point.y, 3), fixed(place.z, 3));
+  if (place.line > 0) text += fmt::format(", line {}", place.line);
+  return text;
+}
+
+std::string line_of(const Fault& fault) {
+  std::string text =
+      fmt::format("  {} {} mm at {}", name_of(fault.kind), fixed(fault.size, 3), place_of(fault.at));
+  if (!fault.feature.empty()) text += " in " + ascii(fault.feature);
+  if (!fault.text.empty()) text += ": " + ascii(fault.text);
+  return text + "\n";
+}
+
+std::string faults_of(const Findings& findings) {
+  const std::size_t count = findings.faults.size();
+  if (count == 0) {
+    return findings.all.clean
+               ? fmt::format(
+                     "clean: nothing thicker than {} mm left where the cutter can reach, nothing gouged\n",
+                     fixed(findings.all.uncut_thickness_mm, 3))
+               : "NOT clean\n";
+  }
+  std::string text = fmt::format("{} {}:\n", count, count == 1 ? "fault" : "faults");
+  for (std::size_t i = 0; i < std::min(count, kFaultsShown); ++i) text += line_of(findings.faults[i]);
+  if (count > kFaultsShown) text += fmt::format("  and {} more\n", count - kFaultsShown);
+  return text;
+}
+
+/// Shortens the names in the first column as far as the width of the other columns asks for.
+void fit_names(TextTable& text) {
+  const std::string printed = plain(text);
+  std::size_t longest_name = 0;
+  for (const auto& cells : text.rows) {
+    if (!cells.empty()) longest_name = std::max(longest_name, cells[0].size());
+  }
+  const std::size_t rule = printed.find("\n-");
+  const std::size_t width = printed.find('\n', rule + 1) - rule - 1;
+  if (width <= kWidth) return;
+  const std::size_t excess = std::min(width - kWidth, longest_name - std::min(longest_name, kShortestName));
+  for (auto& cells : text.rows) {
+    if (!cells.empty()) cells[0] = shortened(cells[0], longest_name - excess);
+  }
+}
+
+}  // namespace
+
+std::string table(const Part& part, const Findings& findings) {
+  TextTable text;
+  text.title = part.name.empty() ? "" : shortened(ascii(part.name), kWidth);
+  text.columns = {{"feature", Align::kLeft},
+                  {"tool", Align::kLeft},
+                  {"layers"},
+                  {"feed mm"},
+                  {"rapid mm"},
+                  {"retracts"},
+                  {"time"},
+                  {"uncut mm"},
+                  {"uncut mm2"},
+                  {"gouge mm"},
+                  {"eng deg"},
+                  {"clean", Align::kLeft}};
+  std::size_t layers = 0;
+  for (const FeatureFindings& feature : findings.features) {
+    layers += feature.layers.size();
+    text.add(row(feature.name, tool_of(feature), std::to_string(feature.layers.size()), feature.figures));
+  }
+  text.add_rule();
+  text.add(row("total", "", std::to_string(layers), findings.all));
+  fit_names(text);
+  return plain(text) + faults_of(findings);
+}
+
+}  // namespace clearcut

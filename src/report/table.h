@@ -1,0 +1,19 @@
+// What the command prints when it is done: one line per feature, the total, and what is wrong.
+#pragma once
+
+#include <string>
+
+#include "part/part.h"
+#include "toolpath/findings.h"
+
+namespace clearcut {
+
+/// Shape   heading, one row per feature and tool in the order of work, the total, then the faults: the worst
+/// ten
+///         with their places, and the number of the others.
+/// Units   mm, mm2, degrees, hours:minutes:seconds, each named in its heading. Uncut mm is the proven bound.
+/// Text    ASCII, no line of the table wider than 120 columns; a figure that is not a number is printed as
+/// "?".
+std::string table(const Part& part, const Findings& findings);
+
+}  // namespace clearcut

@@ -1,0 +1,27 @@
+// Words and numbers as every report writes them: no locale, no NaN, nothing a reader could mistake for
+// markup.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace clearcut {
+
+/// `value` with exactly `decimals` digits, never "-0"; "?" when it is not finite.
+std::string fixed(double value, int decimals);
+
+/// Hours, minutes and seconds: "0:07", "12:34", "1:02:03"; "?" when not finite or negative.
+std::string clock_time(double seconds);
+
+/// Printable ASCII only: every other character (one per UTF-8 code point) becomes '?', line breaks and tabs a
+/// space.
+std::string ascii(std::string_view text);
+
+/// At most `width` characters; longer text ends in "..".
+std::string shortened(const std::string& text, std::size_t width);
+
+/// For XML and HTML text and attributes: & < > " ' escaped, characters that XML forbids and broken UTF-8
+/// replaced by '?'.
+std::string xml_escaped(std::string_view text);
+
+}  // namespace clearcut
