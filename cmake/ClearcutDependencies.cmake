@@ -16,7 +16,7 @@ find_library(DXFLIB_LIBRARY dxflib REQUIRED)
 add_library(clearcut_testing INTERFACE)
 if(CLEARCUT_TESTS)
   find_package(GTest REQUIRED)
-  target_link_libraries(clearcut_testing INTERFACE GTest::gmock GTest::gtest GTest::gtest_main)
+  target_link_libraries(clearcut_testing INTERFACE GTest::gmock GTest::gtest GTest::gtest_main pugixml::pugixml)
   target_compile_definitions(clearcut_testing INTERFACE
     CLEARCUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     CLEARCUT_BINARY_DIR="${PROJECT_BINARY_DIR}")

@@ -20,8 +20,4 @@ std::string ascii(std::string_view text);
 /// At most `width` characters; longer text ends in "..".
 std::string shortened(const std::string& text, std::size_t width);
 
-/// For XML and HTML text and attributes: & < > " ' escaped, characters that XML forbids and broken UTF-8
-/// replaced by '?'.
-std::string xml_escaped(std::string_view text);
-
 }  // namespace clearcut

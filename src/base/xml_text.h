@@ -1,0 +1,13 @@
+// Text for XML and HTML.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace clearcut {
+
+/// For XML and HTML text and attributes: & < > " ' escaped, characters that XML forbids and broken UTF-8
+/// replaced by '?'.
+std::string xml_escaped(std::string_view text);
+
+}  // namespace clearcut

@@ -1,0 +1,136 @@
+#include "report/certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace clearcut {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Rounded to 1e-6, so that the same figure has the same text whatever order it was summed in.
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  const double scaled = value * 1e6;
+  if (std::abs(scaled) > 1e15) return value;
+  return std::round(scaled) / 1e6 + 0.0;
+}
+
+Json place(const std::optional<Place>& at) {
+  if (!at) return nullptr;
+  Json json;
+  json["x"] = number(at->point.x);
+  json["y"] = number(at->point.y);
+  json["z"] = number(at->z);
+  json["line"] = at->line;
+  return json;
+}
+
+Json engagement(const Engagement& e) {
+  Json json;
+  json["max_deg"] = number(e.max_deg);
+  json["max_at"] = place(e.max_at);
+  json["mean_deg"] = number(e.mean_deg);
+  json["over_limit_mm"] = number(e.over_limit_mm);
+  json["histogram"] = Json::array();
+  for (const double length : e.histogram_mm) json["histogram"].push_back(number(length));
+  json["climb_mm"] = number(e.climb_mm);
+  json["conventional_mm"] = number(e.conventional_mm);
+  return json;
+}
+
+bool all_finite(const Figures& f) {
+  const double figures[] = {f.feed_mm,
+                            f.rapid_mm,
+                            f.plunge_mm,
+                            f.turn_angle_deg,
+                            f.time_s,
+                            f.time_naive_s,
+                            f.uncut_mm2,
+                            f.uncut_thickness_mm,
+                            f.gouge_mm,
+                            f.unreachable_mm2,
+                            f.max_axial_mm,
+                            f.engagement.max_deg,
+                            f.air_cut_mm,
+                            f.lower_bound_mm,
+                            f.engagement.over_limit_mm};
+  return std::all_of(std::begin(figures), std::end(figures), [](double v) { return std::isfinite(v); });
+}
+
+void add_figures(Json& json, const Figures& f) {
+  json["clean"] = f.clean && all_finite(f);
+  json["feed_mm"] = number(f.feed_mm);
+  json["rapid_mm"] = number(f.rapid_mm);
+  json["plunge_mm"] = number(f.plunge_mm);
+  json["turns"] = f.turns;
+  json["turn_angle_deg"] = number(f.turn_angle_deg);
+  json["retracts"] = f.retracts;
+  json["time_s"] = number(f.time_s);
+  json["time_naive_s"] = number(f.time_naive_s);
+  json["uncut_mm2"] = number(f.uncut_mm2);
+  json["uncut_thickness_mm"] = number(f.uncut_thickness_mm);
+  json["uncut_at"] = place(f.uncut_at);
+  json["gouge_mm"] = number(f.gouge_mm);
+  json["gouge_at"] = place(f.gouge_at);
+  json["unreachable_mm2"] = number(f.unreachable_mm2);
+  json["rapid_in_material"] = f.rapid_in_material;
+  json["max_axial_mm"] = number(f.max_axial_mm);
+  json["engagement"] = engagement(f.engagement);
+  json["air_cut_mm"] = number(f.air_cut_mm);
+  json["lower_bound_mm"] = number(f.lower_bound_mm);
+}
+
+Json layer(const LayerFindings& findings) {
+  Json json;
+  json["z"] = number(findings.z);
+  add_figures(json, findings.figures);
+  return json;
+}
+
+Json feature(const FeatureFindings& findings) {
+  Json json;
+  json["name"] = findings.name;
+  json["workingstep"] = findings.workingstep;
+  json["tool_number"] = findings.tool_number;
+  json["tool_diameter"] = number(findings.tool_diameter);
+  add_figures(json, findings.figures);
+  json["layers"] = Json::array();
+  for (const LayerFindings& one : findings.layers) json["layers"].push_back(layer(one));
+  return json;
+}
+
+Json fault(const Fault& findings) {
+  Json json;
+  json["kind"] = name_of(findings.kind);
+  json["feature"] = findings.feature;
+  json["place"] = place(findings.at);
+  json["line"] = findings.at.line;
+  json["size_mm"] = number(findings.size);
+  json["text"] = findings.text;
+  return json;
+}
+
+}  // namespace
+
+std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info) {
+  Json json;
+  json["version"] = info.version;
+  json["seed"] = info.seed;
+  json["input_hash"] = info.input_hash;
+  json["program_hash"] = info.program_hash;
+  json["part"] = part.name;
+  json["source_file"] = part.source_file;
+  json["tool"] = info.tool;
+  json["machine"] = info.machine;
+  add_figures(json, findings.all);
+  json["features"] = Json::array();
+  for (const FeatureFindings& one : findings.features) json["features"].push_back(feature(one));
+  json["faults"] = Json::array();
+  for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace clearcut

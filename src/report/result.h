@@ -1,0 +1,24 @@
+// The result file (SPEC C7): the segments of a toolpath as plain numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "toolpath/move.h"
+
+namespace clearcut {
+
+struct ResultInfo {
+  std::string name;                   ///< of the part; one comment line
+  std::optional<double> offset_step;  ///< mm between contours, where one step holds for all
+};
+
+/// Shape   comment lines start with '#': name, columns, offset step; then for each section and layer a
+/// comment and its
+///         segments in order of cutting, "x_i y_i x_f y_f"; an arc adds "x_c y_c" and G02 (clockwise) or G03;
+///         last the total length.
+/// Units   mm, four decimals. Feed moves in plan only: rapids and vertical moves have no segment.
+/// Source  [cpo_kappa] fig. 10: the total is contours plus the passages between them.
+std::string result_file(const Toolpath& toolpath, const ResultInfo& info);
+
+}  // namespace clearcut
