@@ -1,4 +1,5 @@
-// Reads programs back: any CAM's G-code (RS274/NGC subset, Fanuc, Grbl, Mach, Marlin) and Heidenhain Klartext.
+// Reads programs back: any CAM's G-code (RS274/NGC subset, Fanuc, Grbl, Mach, Marlin) and Heidenhain
+// Klartext.
 #pragma once
 
 #include <string>

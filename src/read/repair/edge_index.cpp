@@ -1,0 +1,67 @@
+#include "read/repair/edge_index.h"
+
+#include <algorithm>
+#include <boost/function_output_iterator.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <limits>
+
+namespace clearcut {
+namespace {
+
+namespace bg = boost::geometry;
+using TreePoint = bg::model::d2::point_xy<double>;
+using TreeBox = bg::model::box<TreePoint>;
+using TreeItem = std::pair<TreeBox, EdgeId>;
+
+TreeBox tree_box(const Box& box) {
+  return {{box.min.x, box.min.y}, {box.max.x, box.max.y}};
+}
+
+}  // namespace
+
+struct EdgeIndex::Tree {
+  bg::index::rtree<TreeItem, bg::index::linear<16>> items;
+};
+
+EdgeIndex::EdgeIndex(const std::vector<Loop>& loops) : loops_(&loops), tree_(std::make_unique<Tree>()) {
+  std::vector<TreeItem> items;
+  for (std::size_t l = 0; l < loops.size(); ++l) {
+    for (std::size_t e = 0; e < loops[l].size(); ++e) {
+      items.emplace_back(tree_box(loops[l][e].box()), EdgeId{static_cast<int>(l), static_cast<int>(e)});
+    }
+  }
+  tree_->items = decltype(tree_->items)(items);  // packed: built from all items at once
+}
+
+EdgeIndex::~EdgeIndex() = default;
+EdgeIndex::EdgeIndex(EdgeIndex&&) noexcept = default;
+
+void EdgeIndex::visit(const Box& box, const std::function<bool(EdgeId)>& visit) const {
+  for (auto found = tree_->items.qbegin(bg::index::intersects(tree_box(box))); found != tree_->items.qend();
+       ++found) {
+    if (!visit(found->second)) return;
+  }
+}
+
+std::vector<int> EdgeIndex::loops_around(Vec2 p) const {
+  // Only edges level with p and not wholly to its left count in the winding about p.
+  const Box ray{p, {std::numeric_limits<double>::max(), p.y}};
+  std::vector<EdgeId> level;
+  visit(ray, [&](EdgeId id) {
+    level.push_back(id);
+    return true;
+  });
+  std::sort(level.begin(), level.end());
+  std::vector<int> around;
+  for (std::size_t i = 0; i < level.size();) {
+    const int loop = level[i].loop;
+    Loop part;
+    for (; i < level.size() && level[i].loop == loop; ++i) part.push_back(edge(level[i]));
+    if (contains(part, p)) around.push_back(loop);
+  }
+  return around;
+}
+
+}  // namespace clearcut

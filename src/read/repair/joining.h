@@ -1,0 +1,25 @@
+// Chains of curves whose ends nearly meet become closed loops.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "read/repair/repair.h"
+
+namespace clearcut {
+
+/// A closed loop and where it came from.
+struct RawLoop {
+  Loop loop;
+  std::string source;
+  int nonzero_group = -1;
+};
+
+/// Joins ends at most tol.join_gap apart, nearest first, and closes what the file calls closed. Where more
+/// than two ends meet they are paired so that the loops touch there without crossing. Curves drawn twice
+/// count once. Throws InputError naming the place of an end that nothing meets (OpenCurves::kRefuse). Cost
+/// O(n log n) unless very many ends lie within one gap, which is refused.
+std::vector<RawLoop> join(std::vector<RawCurve> curves, const RepairOptions& options,
+                          Diagnostics& diagnostics);
+
+}  // namespace clearcut

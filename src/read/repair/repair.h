@@ -1,0 +1,47 @@
+// From curves as a file holds them to valid regions: the one repair of every reader.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/tolerances.h"
+#include "geometry/region.h"
+#include "read/read_options.h"
+
+namespace clearcut {
+
+/// A curve as a reader found it. Nothing is promised: ends may miss each other, edges may have no length,
+/// centers may be wrong, numbers may be infinite.
+struct RawCurve {
+  Path edges;
+  bool closed = false;  ///< the file says that the last end meets the first start
+  std::string source;   ///< "line 120", "outer": for messages
+  /// Curves of one compound with a winding rule are areas of their own (SVG paths); -1: none, even-odd.
+  int nonzero_group = -1;
+};
+
+/// mm. Coordinates beyond this (1 km) are taken for a mistake and refused.
+inline constexpr double kLargestCoordinate = 1e6;
+
+struct RepairOptions {
+  Tolerances tol;
+  std::string where;  ///< file, or file and layer: begins every message
+  OpenCurves open_curves = OpenCurves::kRefuse;
+  bool find_arcs = false;
+};
+
+/// Shape   regions with disjoint interiors by the even-odd rule, to any depth of nesting: a loop in a pocket
+/// is an
+///         island, a loop in an island is a pocket again. Valid by construction, and checked.
+/// Units   mm.
+/// Error   boundaries move by at most tol.join_gap, and less than 1 um where nothing was mended.
+/// Throws  InputError, one line with the place, for what is beyond repair: numbers that are not finite or
+/// above
+///         1e6 mm, gaps above tol.join_gap, outlines that cross themselves or each other for more than a
+///         sliver.
+/// Cost    O(n log n) for n edges of ordinary drawings.
+/// Every mend is listed in `diagnostics` with its place and size.
+Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagnostics& diagnostics);
+
+}  // namespace clearcut
