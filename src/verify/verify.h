@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/tolerances.h"
-#include "part/machine.h"
+#include "toolpath/machine.h"
 #include "part/part.h"
 #include "toolpath/findings.h"
 #include "toolpath/move.h"
