@@ -11,10 +11,10 @@
 namespace clearcut {
 
 struct Layer {
-  double z_top = 0;    ///< where material begins
-  double z = 0;        ///< where the tip runs
-  Regions target;      ///< material to remove, plan view at z
-  Regions allowed;     ///< where the cutter may be at z; true walls are its boundary
+  double z_top = 0;  ///< where material begins
+  double z = 0;      ///< where the tip runs
+  Regions target;    ///< material to remove, plan view at z
+  Regions allowed;   ///< where the cutter may be at z; true walls are its boundary
   double tool_radius = 0;
   double wall_stock = 0;  ///< stock to leave on walls, mm
 };

@@ -1,0 +1,38 @@
+// The tree of contours of one legal area: each ring region with those inside it. Used by plan_contour alone.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "geometry/clearance.h"
+#include "geometry/region.h"
+
+namespace clearcut {
+
+/// A piece of the medial axis along which the clearance rises from `low` to `high`. Ends carry the index of
+/// their axis point, or a negative number unique within the tree where a level cut the piece.
+struct AxisPiece {
+  int low_id = 0;
+  int high_id = 0;
+  AxisPoint low;
+  AxisPoint high;
+};
+
+/// One connected region of {clearance >= level}.
+struct RingNode {
+  Region contour;
+  double level = 0;       ///< clearance of the contour, mm
+  double next_level = 0;  ///< level of its children
+  int parent = -1;
+  std::vector<int> children;
+  std::vector<AxisPiece> gap;  ///< axis pieces inside the contour and outside the children's contours
+};
+
+/// Distance from a contour to the next ones inside it.
+using StepOf = std::function<double(const Region& contour)>;
+
+/// All contours from `first_level` inwards; parents before their children.
+/// Cost: one inset per distinct level, and each piece of the axis once per level it spans.
+std::vector<RingNode> ring_tree(const Clearance& clearance, double first_level, const StepOf& step_of);
+
+}  // namespace clearcut
