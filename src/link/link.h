@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/tolerances.h"
-#include "part/machine.h"
+#include "toolpath/machine.h"
 #include "part/part.h"
 #include "toolpath/pass.h"
 

@@ -7,7 +7,7 @@
 
 #include "base/tolerances.h"
 #include "base/units.h"
-#include "part/machine.h"
+#include "toolpath/machine.h"
 #include "plan/layer.h"
 #include "toolpath/pass.h"
 
