@@ -16,9 +16,9 @@ struct PostOptions {
   std::string dialect = "linuxcnc";  ///< linuxcnc grbl fanuc haas heidenhain mach3 mach4 marlin
   bool inch = false;
   std::string program_name;
-  std::vector<std::string> header;   ///< comment lines: part, stock, tools, times, certificate summary
-  std::optional<int> decimals;       ///< default per dialect and unit
-  bool arcs = true;                  ///< false: lines only, within tol.chord
+  std::vector<std::string> header;  ///< comment lines: part, stock, tools, times, certificate summary
+  std::optional<int> decimals;      ///< default per dialect and unit
+  bool arcs = true;                 ///< false: lines only, within tol.chord
   Tolerances tol;
 };
 

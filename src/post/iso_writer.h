@@ -1,0 +1,15 @@
+// Word-address programs: LinuxCNC, Grbl, Fanuc, Haas, Mach, Marlin.
+#pragma once
+
+#include <string>
+
+#include "post/iso_dialect.h"
+#include "post/post.h"
+
+namespace clearcut {
+
+/// `toolpath` has been checked by post().
+std::string write_iso(const Toolpath& toolpath, const Part& part, const PostOptions& options,
+                      const IsoDialect& dialect);
+
+}  // namespace clearcut

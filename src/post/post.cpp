@@ -1,0 +1,62 @@
+#include "post/post.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "post/iso_writer.h"
+#include "post/print_grid.h"
+
+namespace clearcut {
+
+namespace {
+
+constexpr double kJoint = 1e-4;  // mm; moves of a section meet to within the finest grid printed
+
+void require_printable(double value, const Section& section) {
+  if (std::abs(value) <= PrintGrid::kLargest) return;  // false for NaN
+  throw InputError("", "a coordinate in operation '" + section.label + "' is " + trimmed(value, 3) +
+                           ", which no machine reaches; check the part and its units");
+}
+
+void check_move(const Move& move, const Section& section) {
+  for (const double value : {move.path.from.x, move.path.from.y, move.path.to.x, move.path.to.y, move.z_from,
+                             move.z_to, move.feed.mm_per_min()}) {
+    require_printable(value, section);
+  }
+  if (move.path.is_arc() && !std::isfinite(move.path.center.x + move.path.center.y)) {
+    require_printable(move.path.center.x + move.path.center.y, section);
+  }
+  if (!is_rapid(move.kind) && move.feed.mm_per_min() <= 0) {
+    throw InputError("", "a feed move in operation '" + section.label + "' has no feed; give one");
+  }
+}
+
+void check(const Section& section) {
+  require_printable(section.spindle_rpm, section);
+  const Move* before = nullptr;
+  for (const Move& move : section.moves) {
+    check_move(move, section);
+    if (before) {
+      CLEARCUT_ASSERT(distance(before->path.to, move.path.from) <= kJoint);
+      CLEARCUT_ASSERT(std::abs(before->z_to - move.z_from) <= kJoint);
+    }
+    before = &move;
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& post_dialects() {
+  static const std::vector<std::string> names{"linuxcnc"};
+  return names;
+}
+
+std::string post(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
+  const IsoDialect* dialect = iso_dialect_named(options.dialect);
+  if (!dialect) throw InputError("", "unknown post '" + options.dialect + "'; known: linuxcnc");
+  for (const Section& section : toolpath.sections) check(section);
+  return write_iso(toolpath, part, options, *dialect);
+}
+
+}  // namespace clearcut

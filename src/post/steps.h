@@ -1,0 +1,39 @@
+// From moves to what a program can say: lines and arcs between printed positions.
+#pragma once
+
+#include <vector>
+
+#include "post/print_grid.h"
+#include "toolpath/move.h"
+
+namespace clearcut {
+
+/// One motion word: straight to `to`, or an arc whose centre is (i, j) from the printed start.
+struct Step {
+  Ticks to;
+  Turn turn = Turn::kStraight;
+  long long i = 0;
+  long long j = 0;
+};
+
+struct StepRules {
+  PrintGrid grid;
+  bool arcs = true;
+  double largest_radius = 10000;  ///< mm; 32-bit controllers lose the centre of wider arcs
+  double chord = 0.0002;          ///< mm, where an arc has to become lines
+};
+
+/// Largest difference of the printed radii at an arc's two ends, mm: the tightest rule of any control.
+inline constexpr double kRadiusMismatch = 0.002;
+
+/// Appends the steps of `move` starting from the printed position `from` (within a step of the move's start);
+/// motion that rounds to nothing gives no step.
+///
+/// Error   ends within half a grid step per axis; arcs leave the wanted curve by at most about two grid
+/// steps,
+///         arcs that cannot be printed so well become shorter arcs or lines within rules.chord.
+/// Cost    constant per step.
+/// Returns the printed position reached.
+Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::vector<Step>& out);
+
+}  // namespace clearcut

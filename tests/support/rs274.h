@@ -1,0 +1,35 @@
+// LinuxCNC's own interpreter, where it is installed: what it makes of a program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/edge.h"
+
+namespace clearcut::testing {
+
+/// One motion of the interpreter's canonical output, in mm.
+struct CanonMove {
+  bool rapid = false;
+  int turns = 0;  ///< 0 straight; arcs in XY: > 0 counter-clockwise, number of turns begun
+  Vec2 to;
+  double z = 0;
+  Vec2 center;  ///< arcs
+  double feed = 0;
+};
+
+struct CanonProgram {
+  bool accepted = false;
+  std::string message;  ///< its complaint
+  std::vector<CanonMove> moves;
+};
+
+bool has_rs274();
+CanonProgram run_rs274(const std::string& program);
+
+}  // namespace clearcut::testing
+
+#define CLEARCUT_SKIP_WITHOUT_RS274()                                                        \
+  if (!clearcut::testing::has_rs274()) {                                                     \
+    GTEST_SKIP() << "rs274 is absent; install the package linuxcnc-uspace to run this test"; \
+  }
