@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/tolerances.h"
-#include "toolpath/machine.h"
 #include "part/part.h"
+#include "toolpath/machine.h"
 #include "toolpath/pass.h"
 
 namespace clearcut {

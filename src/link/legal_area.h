@@ -1,0 +1,39 @@
+// Answers quickly and exactly whether a straight move stays where the cutter's centre may be.
+#pragma once
+
+#include <vector>
+
+#include "geometry/region.h"
+
+namespace clearcut {
+
+/// The legal area of one layer with its boundary edges sorted into a grid. Cheap to query, built in O(edges).
+class LegalArea {
+ public:
+  explicit LegalArea(Regions regions);
+
+  /// Whether every point of the straight way a-b is inside or within `slack` mm of the boundary.
+  bool holds_line(Vec2 a, Vec2 b) const;
+  bool holds(Vec2 p) const;
+  const Box& box() const { return box_; }
+
+  /// mm. How far outside the boundary is still on it: half of the smallest gouge that counts.
+  static constexpr double kSlack = 5e-4;
+
+ private:
+  std::vector<std::size_t> edges_near(const Box& where) const;
+  bool on_boundary(Vec2 p) const;
+  std::size_t column(double x) const;
+  std::size_t row(double y) const;
+
+  Regions regions_;
+  Box box_;
+  std::vector<Edge> edges_;
+  std::vector<Box> boxes_;
+  double cell_ = 1;
+  std::size_t columns_ = 1;
+  std::size_t rows_ = 1;
+  std::vector<std::vector<std::size_t>> cells_;
+};
+
+}  // namespace clearcut
