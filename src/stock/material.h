@@ -1,0 +1,97 @@
+// What is left of the stock while a program runs, and how much of a cutter's circle is in it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "geometry/box.h"
+#include "stock/angle_set.h"
+#include "toolpath/move.h"
+
+namespace clearcut {
+
+/// Where the front half of a cutter's circle touches material, seen from its direction of travel.
+struct Contact {
+  AngleSet angles;   ///< radians from the direction of travel, in [-pi/2, pi/2], > 0 on the left
+  double angle = 0;  ///< radians, sum of the widths
+  double left = 0;   ///< radians of it on the left of the direction of travel
+  double right = 0;
+};
+
+/// A block, or solid ground without end, minus the volumes that flat cutters have swept so far.
+///
+/// Exact: sweeps are kept as lines and arcs with a radius, questions are answered by intersecting circles
+/// with their outlines; there is no raster. A cutter whose tip passes at or below z removes everything above.
+///
+/// Cost    add: O(length / radius + 1); a question: O(moves within two radii), whatever the program's length.
+class Material {
+ public:
+  /// `plan` is the block's outline, absent: no end. Material reaches down from z_top. `radii` are those of
+  /// the cutters that will be asked about (any smaller radius may be asked about too), mm, all > 0.
+  Material(std::optional<Box> plan, double z_top, const std::vector<double>& radii);
+
+  /// Takes away what a cutter of `radius` mm sweeps along `move`.
+  void add(const Move& move, double radius);
+
+  /// Whether no material reaches above z at p.
+  bool is_removed(Vec2 p, double z) const;
+  /// Height of the material at p: z_top, or the lowest tip that passed over p; -infinity beside the block. On
+  /// ramps to 1e-6 mm.
+  double height(Vec2 p) const;
+
+  /// The front half circle of a cutter at `center` that moves along `direction` (any length > 0) with its tip
+  /// at z.
+  Contact engagement(Vec2 center, Vec2 direction, double radius, double z) const;
+  /// The same at parameter t of `move`, for a cutter that has swept the move up to t (and nothing of it is
+  /// added yet).
+  Contact engagement(const Move& move, double t, double radius) const;
+  /// The parts of the whole circle in material, as absolute angles in [-pi, pi].
+  AngleSet circle_in_material(Vec2 center, double radius, double z) const;
+
+  double z_top() const { return z_top_; }
+  const std::optional<Box>& plan() const { return plan_; }
+
+ private:
+  struct Sweep {
+    Edge path;  ///< a point when from == to; arcs below a third of a turn
+    double radius = 0;
+    double z_from = 0;
+    double z_to = 0;
+    double z_low = 0;
+    double z_high = 0;
+    double direction = 0;  ///< angle of a line
+    double length = 0;     ///< of a line
+  };
+  struct Entry {
+    double z_low;
+    int sweep;
+  };
+  /// Square cells, each with all sweeps that a circle of up to `reach` around any of its points may touch.
+  struct Grid {
+    double reach = 0;
+    double cell = 0;
+    std::unordered_map<std::uint64_t, std::vector<Entry>> cells;
+    std::uint64_t key(Vec2 p) const;
+    const std::vector<Entry>* at(Vec2 p) const;
+    void insert(const Edge& path, double radius, Entry entry);
+  };
+
+  void add_piece(const Edge& path, double z_from, double z_to, double radius);
+  const Grid& grid_for(double radius) const;
+  static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);
+  static std::optional<Sweep> below(const Sweep& sweep, double z);
+  static bool covers(const Sweep& sweep, Vec2 p);
+  static void remove_sweep(AngleSet& angles, const Sweep& sweep, Vec2 center, double radius,
+                           double reference);
+  void remove_everything_else(AngleSet& angles, Vec2 center, double radius, double z, double reference) const;
+  void remove_outside(AngleSet& angles, Vec2 center, double radius, double reference) const;
+
+  std::optional<Box> plan_;
+  double z_top_;
+  std::vector<Grid> grids_;  ///< ascending reach
+  std::vector<Sweep> sweeps_;
+};
+
+}  // namespace clearcut

@@ -1,0 +1,185 @@
+#include "stock/material.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/random.h"
+
+namespace clearcut {
+namespace {
+
+Move flat(const Edge& path, double z) {
+  return {path, z, z, MoveKind::kCut, MmPerMin::of(1000), 0};
+}
+
+double degrees(double radians) {
+  return radians * 180 / kPi;
+}
+
+TEST(Material, FreshSolidIsASlot) {
+  const Material material(std::nullopt, 0, {3});
+  const Contact contact = material.engagement({0, 0}, {1, 0}, 3, -1);
+  EXPECT_DOUBLE_EQ(degrees(contact.angle), 180);
+  EXPECT_DOUBLE_EQ(contact.left, contact.right);
+}
+
+TEST(Material, AboveTheTopThereIsNothing) {
+  const Material material(std::nullopt, 0, {3});
+  EXPECT_EQ(material.engagement({0, 0}, {1, 0}, 3, 0).angle, 0);
+  EXPECT_TRUE(material.is_removed({0, 0}, 0));
+  EXPECT_FALSE(material.is_removed({0, 0}, -0.001));
+}
+
+// acos(1 - stepover / R): the closed form of a straight pass beside a straight pass.
+TEST(Material, StepoverGivesItsClosedForm) {
+  const double r = 5;
+  for (const double stepover : {0.5, 2.0, 5.0, 7.5, 9.9}) {
+    Material material(std::nullopt, 0, {r});
+    material.add(flat(Edge::line({-50, 0}, {50, 0}), -1), r);
+    const Contact on_left = material.engagement({0, stepover}, {1, 0}, r, -1);
+    EXPECT_NEAR(on_left.angle, std::acos(1 - stepover / r), 1e-12) << stepover;
+    // Material is on the left when the cleared pass is on the right.
+    EXPECT_GT(on_left.left, on_left.right - 1e-12);
+    const Contact on_right = material.engagement({0, stepover}, {-1, 0}, r, -1);
+    EXPECT_NEAR(on_right.right, on_left.left, 1e-12);
+  }
+}
+
+TEST(Material, OutsideTheBlockThereIsNothing) {
+  const Material material(Box{{0, 0}, {100, 50}}, 0, {5});
+  // Half over the long edge, travelling along it: a quarter circle is in.
+  EXPECT_NEAR(degrees(material.engagement({50, 0}, {1, 0}, 5, -1).angle), 90, 1e-9);
+  EXPECT_EQ(material.engagement({50, -6}, {1, 0}, 5, -1).angle, 0);
+  EXPECT_TRUE(material.is_removed({101, 10}, -1));
+}
+
+TEST(Material, ShallowPassesLeaveWhatIsBelow) {
+  Material material(std::nullopt, 0, {5});
+  material.add(flat(Edge::line({-50, 0}, {50, 0}), -1), 5);
+  EXPECT_NEAR(degrees(material.engagement({0, 0}, {1, 0}, 5, -2).angle), 180, 1e-9);
+  EXPECT_EQ(material.height({0, 0}), -1);
+  EXPECT_EQ(material.height({0, 6}), 0);
+}
+
+TEST(Material, PlungeRemovesADisc) {
+  Material material(std::nullopt, 0, {5});
+  material.add({Edge::line({1, 1}, {1, 1}), 2, -3, MoveKind::kPlunge, MmPerMin::of(100), 0}, 5);
+  EXPECT_EQ(material.height({1, 5.9}), -3);
+  EXPECT_EQ(material.height({1, 6.1}), 0);
+}
+
+TEST(Material, RampRemovesAsDeepAsItsTipPassed) {
+  Material material(std::nullopt, 0, {1});
+  material.add({Edge::line({0, 0}, {100, 0}), 0, -10, MoveKind::kRamp, MmPerMin::of(100), 0}, 1);
+  // The lowest disc over (50, 0) is that whose centre is 1 mm further: z = -5.1.
+  EXPECT_NEAR(material.height({50, 0}), -5.1, 1e-5);
+  EXPECT_TRUE(material.is_removed({50, 0}, -5));
+  EXPECT_FALSE(material.is_removed({50, 0}, -5.2));
+}
+
+TEST(Material, ACircleRunTwiceMeetsItsOwnStart) {
+  const Material material(std::nullopt, 0, {5});
+  // One arc of nearly a full turn: at its end the front is over where it began.
+  const Vec2 start{4, 0}, end = direction_of(-0.05) * 4;
+  const Move round = flat(Edge::arc(start, end, {0, 0}, Turn::kCounterClockwise), -1);
+  EXPECT_NEAR(degrees(material.engagement(round, 0, 5).angle), 180, 1e-9);
+  EXPECT_LT(degrees(material.engagement(round, 1, 5).angle), 3);  // the gap itself is 2.9 degrees
+}
+
+struct Scene {
+  std::vector<Move> moves;
+  std::vector<double> radii;
+};
+
+Scene random_scene(Random& random) {
+  Scene scene;
+  const auto point = [&] { return Vec2{random.between(-15, 15), random.between(-15, 15)}; };
+  for (int i = 0; i < 14; ++i) {
+    const Vec2 a = point(), b = point();
+    const double z = -static_cast<double>(1 + random.below(3));
+    const auto kind = random.below(4);
+    Edge path = Edge::line(a, b);
+    if (kind == 1) path = Edge::from_bulge(a, b, random.between(-3, 3));
+    if (kind == 2) path = Edge::line(a, a);
+    Move move = flat(path, z);
+    if (kind == 3) move.z_from = z + 1;
+    scene.moves.push_back(move);
+    scene.radii.push_back(random.below(2) == 0 ? 2.0 : 5.0);
+  }
+  return scene;
+}
+
+/// Brute force: the lowest tip over p, from points along every path.
+bool removed_by_sampling(const Scene& scene, Vec2 p, double z, double slack) {
+  for (std::size_t i = 0; i < scene.moves.size(); ++i) {
+    const Move& move = scene.moves[i];
+    if (move.is_vertical()) {
+      if (move.z_to <= z && distance(move.path.from, p) <= scene.radii[i] + slack) return true;
+      continue;
+    }
+    const int n = 400;
+    for (int k = 0; k <= n; ++k) {
+      const double t = static_cast<double>(k) / n;
+      if (move.z_from + (move.z_to - move.z_from) * t > z + slack) continue;
+      if (distance(move.path.at(t), p) <= scene.radii[i] + slack) return true;
+    }
+  }
+  return false;
+}
+
+// What correct means: a direction belongs to the contact exactly when the point of the circle there is in
+// material. The sampling is blind within 0.01 mm of an outline; such directions are left out, and must be
+// few.
+TEST(Material, EngagementAgreesWithSampledRandomScenes) {
+  Random random(11);
+  int checked = 0, unclear = 0, in_material = 0;
+  for (int round = 0; round < 25; ++round) {
+    const Scene scene = random_scene(random);
+    Material material(Box{{-14, -13}, {13, 14}}, 0, {2, 5, 3.5});
+    for (std::size_t i = 0; i < scene.moves.size(); ++i) material.add(scene.moves[i], scene.radii[i]);
+    for (int k = 0; k < 6; ++k) {
+      const Vec2 center{random.between(-15, 15), random.between(-15, 15)};
+      const double radius = random.below(2) == 0 ? 2.0 : 3.5, z = -random.between(0.5, 3.2);
+      const AngleSet circle = material.circle_in_material(center, radius, z);
+      for (int i = 0; i < 180; ++i) {
+        const double angle = -kPi + 2 * kPi * (i + 0.5) / 180;
+        const Vec2 p = center + direction_of(angle) * radius;
+        const Box block = *material.plan();
+        const bool surely_out = !block.grown(0.01).contains(p) || removed_by_sampling(scene, p, z, -0.02);
+        const bool surely_in = block.grown(-0.01).contains(p) && !removed_by_sampling(scene, p, z, 0.02);
+        bool found = false;
+        for (const AngleInterval& item : circle.intervals()) found |= item.from <= angle && angle <= item.to;
+        ++checked;
+        if (surely_in == surely_out) {
+          ++unclear;
+          continue;
+        }
+        in_material += surely_in;
+        ASSERT_EQ(found, surely_in) << "round " << round << " angle " << angle << " at " << p.x << ' ' << p.y;
+        ASSERT_EQ(material.is_removed(p, z), !surely_in);
+      }
+    }
+  }
+  EXPECT_LT(unclear, checked / 20);
+  EXPECT_GT(in_material, checked / 20);
+}
+
+TEST(Material, OrderOfQuestionsAndRadiiDoesNotMatter) {
+  Random random(3);
+  const Scene scene = random_scene(random);
+  Material fine(std::nullopt, 0, {2}), coarse(std::nullopt, 0, {2, 20});
+  for (std::size_t i = 0; i < scene.moves.size(); ++i) {
+    fine.add(scene.moves[i], scene.radii[i]);
+    coarse.add(scene.moves[i], scene.radii[i]);
+  }
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 p{random.between(-20, 20), random.between(-20, 20)};
+    EXPECT_EQ(fine.engagement(p, {0, 1}, 2, -1).angle, coarse.engagement(p, {0, 1}, 2, -1).angle);
+    EXPECT_EQ(fine.is_removed(p, -2), coarse.is_removed(p, -2));
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
