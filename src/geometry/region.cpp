@@ -30,21 +30,16 @@ int bow_winding(const Edge& arc, Vec2 p) {
   return side_of_chord(arc, p) == -turn ? turn : 0;
 }
 
-int winding(const Loop& loop, Vec2 p) {
-  int sum = 0;
-  for (const Edge& edge : loop) {
-    sum += chord_winding(edge, p);
-    if (edge.is_arc()) sum += bow_winding(edge, p);
-  }
-  return sum;
-}
-
 Loop oriented(Loop loop, bool counter_clockwise) {
   if ((signed_area(loop) > 0) == counter_clockwise) return loop;
   return reversed(loop);
 }
 
 }  // namespace
+
+int winding(const Edge& edge, Vec2 p) {
+  return chord_winding(edge, p) + (edge.is_arc() ? bow_winding(edge, p) : 0);
+}
 
 double signed_area(const Loop& loop) {
   if (loop.empty()) return 0;
@@ -94,7 +89,9 @@ std::vector<Vec2> flattened(const Loop& loop, double chord) {
 }
 
 bool contains(const Loop& loop, Vec2 p) {
-  return winding(loop, p) != 0;
+  int sum = 0;
+  for (const Edge& edge : loop) sum += winding(edge, p);
+  return sum != 0;
 }
 
 Region Region::from_valid_loops(Loop outer, std::vector<Loop> islands) {
