@@ -98,5 +98,13 @@ Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, c
 /// Sets top_z of every feature in workplan order to the height that the features before it leave standing over its
 /// target (stacking); warns where that differs from the declared top by more than tol.join_gap.
 void stack_tops(Part& part, const Tolerances& tol);
+/// The same heights, one per feature, without setting or reporting anything. Features outside the workplan keep
+/// their declared top. Slivers thinner than 0.05 mm in the mean do not count. Cost O(features) booleans per feature
+/// at worst.
+std::vector<double> stacked_tops(const Part& part, const Tolerances& tol);
+/// The part of a feature's target where material still stands above z once the features before it in the workplan
+/// are cut: what a layer down to z really has to remove (the fishhead's FACE3 begins at z -2, but only on a small
+/// part; elsewhere at -12). At the top outline; slivers as above are left out. Tops must be stacked. Same cost.
+Regions standing_target(const Part& part, int feature, double z, const Tolerances& tol);
 
 }  // namespace clearcut

@@ -1,0 +1,44 @@
+#include "part/part.h"
+
+#include <algorithm>
+
+namespace clearcut {
+
+namespace {
+
+constexpr double kSafeHeight = 10;  // mm above the part where the file gives no security plane
+
+}  // namespace
+
+const char* name_of(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::kClosedPocket:
+      return "closed_pocket";
+    case FeatureKind::kOpenPocket:
+      return "open_pocket";
+    case FeatureKind::kPlanarFace:
+      return "planar_face";
+    case FeatureKind::kSlot:
+      return "slot";
+    case FeatureKind::kStep:
+      return "step";
+    case FeatureKind::kRoundHole:
+      return "round_hole";
+    case FeatureKind::kOutsideProfile:
+      return "outside_profile";
+  }
+  return "feature";
+}
+
+double Part::top_z() const {
+  if (stock) return stock->z_top;
+  double top = features.empty() ? 0 : features.front().top_z;
+  for (const Feature& feature : features) top = std::max(top, feature.top_z);
+  return top;
+}
+
+double Part::safe_z() const {
+  return clearance_z.value_or(top_z() + kSafeHeight);
+}
+
+}  // namespace clearcut

@@ -1,0 +1,234 @@
+#include "read/stepnc/draft.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/format.h"
+
+namespace clearcut::stepnc {
+
+namespace {
+
+constexpr double kFlatFloor = 1e-6;  // radians
+
+/// z of a depth plane in the feature's frame; fails when the plane is not level.
+double depth_of(const Node& feature) {
+  const Node surface = feature.needed_ref(4, "depth");
+  if (!surface.is_any("PLANE", "ELEMENTARY_SURFACE"))
+    surface.fail("the floor is not a plane and cannot be machined yet");
+  const Frame frame = frame_of(surface.needed_ref(1, "position"));
+  if (std::hypot(frame.z.x, frame.z.y) > kFlatFloor)
+    surface.fail("the floor is not level and cannot be machined yet");
+  return frame.origin.z;
+}
+
+Frame placement_of(const Node& feature) {
+  const Frame frame = frame_of(feature.ref(3));
+  if (!is_upright(frame))
+    feature.fail(
+        "its placement is tilted; only features seen from above (+Z) can be machined in this set-up");
+  return frame;
+}
+
+void check_slope(const Node& node, double slope) {
+  if (slope < 0)
+    node.fail("walls that overhang (negative slope) cannot be milled from above; correct the slope");
+}
+
+void read_bosses(const Node& feature, std::size_t argument, const Frame& frame, Draft& draft,
+                 Context& context) {
+  for (const Node& boss : feature.refs(argument)) {
+    if (!boss.is("BOSS")) boss.fail("a BOSS is needed here; correct the reference");
+    const Frame local = frame_of(boss.ref(3));
+    const Frame placed = composed(frame, local);
+    if (!is_planar(placed)) boss.fail("its placement is tilted; only upright bosses can be machined around");
+    if (local.origin.z < -context.tol.join_gap)
+      context.note("the boss begins below the feature's top; it is left standing at full height", boss);
+    const Loop outline = closed_profile(boss.needed_ref(5, "boundary"), true, context);
+    draft.bosses.push_back(planar_map(placed).path(outline));
+    const double slope = context.lean(boss.number(6).value_or(0));
+    check_slope(boss, slope);
+    if (slope > draft.wall_slope.radians()) {
+      context.warn("the boss's walls lean more than the feature's; all walls are cut with the larger angle",
+                   boss);
+      draft.wall_slope = Radians::of(slope);
+    }
+  }
+}
+
+void read_boundary(const Node& profile, const Frame& frame, Draft& draft, Context& context) {
+  const PlanarMap map = planar_map(frame);
+  draft.boundary = map.path(closed_profile(profile, true, context));
+  if (has_own_placement(profile)) draft.unplaced_boundary = map.path(closed_profile(profile, false, context));
+}
+
+void read_pocket_walls(const Node& feature, Draft& draft, Context& context) {
+  const double slope = context.lean(feature.number(6).value_or(0));
+  check_slope(feature, slope);
+  draft.wall_slope = Radians::of(slope);
+  const auto bottom = feature.ref(7);
+  if (!bottom) context.note("no bottom condition; the floor is taken as flat", feature);
+  if (bottom && bottom->is("GENERAL_POCKET_BOTTOM_CONDITION"))
+    bottom->fail("the pocket's bottom is a free-form surface and cannot be machined yet");
+  if (bottom && bottom->is("RADIUSED_POCKET_BOTTOM_CONDITION"))
+    bottom->fail("the pocket's bottom is rounded and cannot be machined yet");
+  draft.through = bottom && bottom->is("THROUGH_POCKET_BOTTOM_CONDITION");
+  if (feature.length(8).value_or(0) > 0)
+    context.note("floor fillets (planar_radius) are left to the cutter's own corner radius", feature);
+}
+
+void read_closed_pocket(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  read_pocket_walls(feature, draft, context);
+  read_boundary(feature.needed_ref(10, "feature boundary"), frame, draft, context);
+  read_bosses(feature, 5, frame, draft, context);
+}
+
+void read_open_pocket(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  draft.kind = FeatureKind::kOpenPocket;
+  read_pocket_walls(feature, draft, context);
+  const Node open = feature.needed_ref(10, "open boundary");
+  if (is_closed_profile(open))
+    read_boundary(open, frame, draft, context);
+  else
+    draft.wall = planar_map(frame).path(open_profile(open, context));
+  if (draft.boundary.empty() && draft.wall.empty()) open.fail("the boundary has no length; give its curve");
+  if (!feature.unset(11))
+    context.note("the wall boundary is not used: the open boundary and the stock's edge bound the pocket",
+                 feature);
+  read_bosses(feature, 5, frame, draft, context);
+}
+
+/// Course of travel times removal boundary: the rectangle that a face covers.
+Loop swept_face(const Node& feature, const Frame& frame, Context& context) {
+  const Node course_node = feature.needed_ref(5, "course of travel");
+  const Path course = travel_path(course_node, context);
+  if (course.size() != 1 || course[0].is_arc())
+    course_node.fail("a face's course of travel must be one straight line");
+  const Node profile = feature.needed_ref(6, "removal boundary");
+  if (!profile.is("LINEAR_PROFILE")) profile.fail("a face's removal boundary must be a LINEAR_PROFILE");
+  const double width = profile.needed_length(1, "profile length");
+  const Frame across = frame_of(profile.ref(0));
+  const Vec2 along = course[0].to - course[0].from;
+  Vec2 side{across.x.x, across.x.y};
+  if (std::abs(cross(along, side)) < 1e-3 * norm(along)) side = {across.y.x, across.y.y};
+  if (std::abs(cross(along, side)) < 1e-3 * norm(along)) side = left_of(unit(along));
+  if (width <= 0) profile.fail("the profile length is not above zero; correct it");
+  const Vec2 start = course[0].from + Vec2{across.origin.x, across.origin.y};
+  const Vec2 corners[] = {start, start + side * width, start + side * width + along, start + along};
+  return planar_map(frame).path(loop_from_points(corners));
+}
+
+void read_planar_face(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  draft.kind = FeatureKind::kPlanarFace;
+  if (!feature.unset(7))
+    read_boundary(feature.needed_ref(7, "face boundary"), frame, draft, context);
+  else if (!feature.unset(5) && !feature.unset(6))
+    draft.boundary = swept_face(feature, frame, context);
+  else
+    context.note("no face boundary; the whole stock is faced, except bosses", feature);
+  read_bosses(feature, 8, frame, draft, context);
+}
+
+SlotEnd slot_end(const Node& end, Context& context) {
+  if (end.is("OPEN_SLOT_END_TYPE")) return SlotEnd::kOpen;
+  if (end.is("RADIUSED_SLOT_END_TYPE")) return SlotEnd::kRound;
+  if (end.is("FLAT_SLOT_END_TYPE")) {
+    context.note("corner radii of flat slot ends are left to the cutter's radius", end);
+    return SlotEnd::kFlat;
+  }
+  end.fail("a slot with this kind of end cannot be machined yet");
+}
+
+void read_slot(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  draft.kind = FeatureKind::kSlot;
+  draft.course = planar_map(frame).path(travel_path(feature.needed_ref(5, "course of travel"), context));
+  if (draft.course.empty()) feature.fail("the course of travel has no length; correct it");
+  const CrossSection section = cross_section(feature.needed_ref(6, "swept shape"), context);
+  draft.width = section.width;
+  draft.wall_slope = Radians::of(section.lean);
+  draft.raised_floor = section.rounded_below;
+  const std::vector<Node> ends = feature.refs(7);
+  const bool loop = !ends.empty() && ends[0].is("LOOP_SLOT_END_TYPE");
+  draft.ends_given = ends.size() >= 2 && !loop;
+  if (!draft.ends_given || loop) return;
+  draft.ends[0] = slot_end(ends[0], context);
+  draft.ends[1] = slot_end(ends[1], context);
+}
+
+void read_step(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  draft.kind = FeatureKind::kStep;
+  draft.wall = planar_map(frame).path(travel_path(feature.needed_ref(5, "open boundary"), context));
+  draft.wall_is_step = true;
+  if (draft.wall.empty()) feature.fail("the open boundary has no length; correct it");
+  if (const auto profile = feature.ref(6)) {
+    const auto square = [&](std::size_t i) {
+      const auto angle = profile->number(i);
+      return !angle || std::abs(context.angle(*angle) - kPi / 2) < 1e-3;
+    };
+    if (profile->is("VEE_PROFILE") && !(square(2) && square(3)))
+      profile->fail("a step whose wall is not upright cannot be machined yet");
+  }
+  read_bosses(feature, 7, frame, draft, context);
+}
+
+void read_round_hole(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  draft.kind = FeatureKind::kRoundHole;
+  const double diameter = feature.needed_length(5, "diameter");
+  if (diameter <= 0) feature.fail("the diameter is not above zero; correct it");
+  draft.hole_diameter = diameter;
+  if (!feature.unset(6)) feature.fail("a tapered hole cannot be machined yet");
+  const auto bottom = feature.ref(7);
+  draft.through = bottom && bottom->is("THROUGH_BOTTOM_CONDITION");
+  if (!bottom) context.note("no bottom condition; the hole is blind", feature);
+  const Vec2 c{frame.origin.x, frame.origin.y};
+  const Vec2 r{diameter / 2, 0};
+  draft.boundary = {Edge::arc(c + r, c - r, c, Turn::kCounterClockwise),
+                    Edge::arc(c - r, c + r, c, Turn::kCounterClockwise)};
+}
+
+void read_outside_profile(const Node& feature, const Frame& frame, std::size_t argument, Draft& draft,
+                          Context& context) {
+  draft.kind = FeatureKind::kOutsideProfile;
+  const Node profile = feature.needed_ref(argument, "boundary");
+  if (is_closed_profile(profile)) {
+    read_boundary(profile, frame, draft, context);
+    draft.bosses.push_back(draft.boundary);
+    draft.boundary.clear();
+    draft.unplaced_boundary.clear();
+  } else {
+    draft.wall = planar_map(frame).path(open_profile(profile, context));
+    if (draft.wall.empty()) profile.fail("the boundary has no length; give its curve");
+  }
+  context.note("everything of the stock outside the profile is removed", feature);
+}
+
+void read_kind(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  if (feature.is("CLOSED_POCKET")) return read_closed_pocket(feature, frame, draft, context);
+  if (feature.is("OPEN_POCKET")) return read_open_pocket(feature, frame, draft, context);
+  if (feature.is("PLANAR_FACE")) return read_planar_face(feature, frame, draft, context);
+  if (feature.is("SLOT")) return read_slot(feature, frame, draft, context);
+  if (feature.is("STEP")) return read_step(feature, frame, draft, context);
+  if (feature.is("ROUND_HOLE")) return read_round_hole(feature, frame, draft, context);
+  if (feature.is("GENERAL_OUTSIDE_PROFILE")) return read_outside_profile(feature, frame, 6, draft, context);
+  if (feature.is_any("CIRCULAR_CLOSED_SHAPE_PROFILE", "RECTANGULAR_CLOSED_SHAPE_PROFILE"))
+    return read_outside_profile(feature, frame, 8, draft, context);
+  feature.fail("features of this kind cannot be machined yet");
+}
+
+}  // namespace
+
+Draft draft_feature(const Node& feature, Context& context) {
+  Draft draft(feature);
+  draft.name = feature.text(0);
+  const bool known = feature.is_any("CLOSED_POCKET", "OPEN_POCKET", "PLANAR_FACE", "SLOT", "STEP",
+                                    "ROUND_HOLE", "GENERAL_OUTSIDE_PROFILE", "CIRCULAR_CLOSED_SHAPE_PROFILE",
+                                    "RECTANGULAR_CLOSED_SHAPE_PROFILE");
+  if (!known) feature.fail("features of this kind cannot be machined yet");
+  const Frame frame = placement_of(feature);
+  draft.placement_z = frame.origin.z;
+  draft.depth_z = depth_of(feature);
+  read_kind(feature, frame, draft, context);
+  return draft;
+}
+
+}  // namespace clearcut::stepnc

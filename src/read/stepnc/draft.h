@@ -1,0 +1,40 @@
+// A feature as its entities describe it, in workpiece coordinates, before the stock and the depth reading are
+// known.
+#pragma once
+
+#include "part/part.h"
+#include "read/stepnc/profile.h"
+
+namespace clearcut::stepnc {
+
+enum class SlotEnd { kOpen, kRound, kFlat };
+
+struct Draft {
+  explicit Draft(const Node& feature) : node(feature) {}
+
+  Node node;
+  std::string name;
+  FeatureKind kind = FeatureKind::kClosedPocket;
+
+  double placement_z = 0;
+  double depth_z = 0;       ///< of the depth plane, in the feature's frame, as written
+  bool through = false;     ///< the bottom condition says so
+  double raised_floor = 0;  ///< mm of the depth that are not prismatic, and stay
+  Radians wall_slope;
+  std::optional<double> hole_diameter;
+
+  Loop boundary;           ///< closed outline; empty where there is none
+  Loop unplaced_boundary;  ///< the same without the profile's own placement; empty if that is none
+  std::vector<Loop> bosses;
+  Path wall;  ///< steps and open pockets: material on its left
+  bool wall_is_step = false;
+  Path course;       ///< slots: middle line
+  double width = 0;  ///< slots
+  SlotEnd ends[2] = {SlotEnd::kFlat, SlotEnd::kFlat};
+  bool ends_given = false;
+};
+
+/// Reads a feature entity. Throws InputError naming it for what is missing, tilted, or not machinable yet.
+Draft draft_feature(const Node& feature, Context& context);
+
+}  // namespace clearcut::stepnc

@@ -1,0 +1,103 @@
+// Entities with their arguments, as the STEP-NC mapping sees them: lenient about what careless writers leave
+// out or write in another type, exact about where something is wrong.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/tolerances.h"
+#include "read/part21/part21.h"
+
+namespace clearcut::stepnc {
+
+/// One entity. Argument numbers count from 0; arguments beyond the end of the list are unset. A handle: the
+/// P21File must outlive it.
+class Node {
+ public:
+  Node(const P21File& file, const P21Entity& entity);
+
+  std::uint64_t id() const { return entity_->id; }
+  int line() const { return entity_->line; }
+  const std::string& keyword() const { return keyword_; }  ///< upper case; "A+B" for complex instances
+  bool is(std::string_view keyword) const { return keyword_ == keyword; }
+  template <typename... Names>
+  bool is_any(const Names&... names) const {
+    return (is(names) || ...);
+  }
+  /// "#216 CLOSED_POCKET".
+  std::string label() const { return "#" + std::to_string(id()) + " " + keyword_; }
+  /// Throws InputError("file:line", "#216 CLOSED_POCKET: ...").
+  [[noreturn]] void fail(const std::string& what_and_what_to_do) const;
+
+  bool unset(std::size_t i) const;
+  /// Integers, reals, typed numbers, and references to measures that hold one. Fails for anything else that
+  /// is set.
+  std::optional<double> number(std::size_t i) const;
+  double needed_number(std::size_t i, std::string_view what) const;
+  /// number() that must be a length within 1 km.
+  std::optional<double> length(std::size_t i) const;
+  double needed_length(std::size_t i, std::string_view what) const;
+  std::optional<Node> ref(std::size_t i) const;
+  Node needed_ref(std::size_t i, std::string_view what) const;
+  /// References in a list; unset gives none, a single reference gives one.
+  std::vector<Node> refs(std::size_t i) const;
+  std::vector<double> numbers(std::size_t i) const;
+  /// Strings decoded and trimmed; "" when unset.
+  std::string text(std::size_t i) const;
+  std::string enumeration(std::size_t i) const;  ///< upper case, "" when unset
+  std::optional<bool> flag(std::size_t i) const;
+  /// Raw values of list argument i.
+  std::vector<P21Value> list(std::size_t i) const;
+  const P21File& file() const { return *file_; }
+
+ private:
+  P21Value value(std::size_t i) const;
+  Node resolve(const P21Value& reference) const;
+  std::optional<double> number_of(const P21Value& value) const;
+
+  const P21File* file_;
+  const P21Entity* entity_;
+  const P21Record* record_;
+  std::string keyword_;
+};
+
+/// What every part of the mapping needs: tolerances, where to report, and the units that the file leaves
+/// open.
+class Context {
+ public:
+  Context(const P21File& file, const Tolerances& tol);
+
+  const P21File& file;
+  Tolerances tol;
+  Diagnostics diagnostics;
+  bool degrees = false;      ///< angles are in degrees (some angle is above 2 pi), else radians
+  bool spindle_rpm = false;  ///< spindle speeds are in rpm (some are above 700 per second), else 1/s
+
+  /// File's angle to radians.
+  double angle(double value) const;
+  /// The same for an angle that must be below 90 degrees: larger values are degrees in any file.
+  double lean(double value) const;
+  /// Notes that hold for many entities are given once, with the entities' labels; see flush().
+  void note(const std::string& what, const Node& node) { gather(Severity::kNote, what, node); }
+  void warn(const std::string& what, const Node& node) { gather(Severity::kWarning, what, node); }
+  /// Moves the gathered notes to diagnostics, in the order of their first mention.
+  void flush();
+  /// Counts work; throws InputError when references that share one another would expand without bound.
+  void spend(std::size_t amount, const Node& node);
+
+ private:
+  void gather(Severity severity, const std::string& what, const Node& node);
+  struct Group {
+    Severity severity;
+    std::string what;
+    std::vector<std::string> labels;
+  };
+  std::vector<Group> groups_;
+  std::size_t spent_ = 0;
+};
+
+}  // namespace clearcut::stepnc

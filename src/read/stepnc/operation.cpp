@@ -1,0 +1,334 @@
+#include "read/stepnc/operation.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace clearcut::stepnc {
+
+namespace {
+
+constexpr double kFastestCut = 20;  // m/s; cutting speeds above this are m/min
+constexpr double kFastestFeed = 2;  // m/s; feeds above this are mm/min
+constexpr double kMostTeeth = 100;
+
+struct BodyKind {
+  std::string_view keyword;
+  ToolKind kind;
+};
+constexpr BodyKind kBodies[] = {
+    {"ENDMILL", ToolKind::kEndMill},          {"TAPERED_ENDMILL", ToolKind::kEndMill},
+    {"BALL_ENDMILL", ToolKind::kBallEndMill}, {"BULLNOSE_ENDMILL", ToolKind::kBullNoseEndMill},
+    {"FACEMILL", ToolKind::kFaceMill},        {"TWIST_DRILL", ToolKind::kDrill},
+    {"SPADE_DRILL", ToolKind::kDrill},        {"CENTER_DRILL", ToolKind::kDrill},
+    {"TAPERED_DRILL", ToolKind::kDrill},      {"REAMER", ToolKind::kReamer},
+    {"TAPERED_REAMER", ToolKind::kReamer}};
+
+ToolKind kind_of(const Node& body) {
+  for (const BodyKind& entry : kBodies)
+    if (body.is(entry.keyword)) return entry.kind;
+  return ToolKind::kOther;
+}
+
+/// "T3" gives 3 and leaves the name; "T3 MILL 20MM" gives 3 and the rest as the name.
+std::optional<int> number_in(std::string& name) {
+  if (name.size() < 2 || (name[0] != 'T' && name[0] != 't')) return std::nullopt;
+  int number = 0;
+  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  const bool whole = end == name.data() + name.size();
+  if (error != std::errc() || number <= 0 || (!whole && *end != ' ')) return std::nullopt;
+  if (!whole) name.erase(0, static_cast<std::size_t>(end - name.data()) + 1);
+  return number;
+}
+
+double corner_radius_of(const Node& tool, const Tool& result, std::optional<double> edge_radius,
+                        Context& context) {
+  if (result.kind == ToolKind::kBallEndMill) return result.radius();
+  if (result.kind == ToolKind::kDrill || result.kind == ToolKind::kReamer) return 0;
+  if (!edge_radius) context.note("no edge radius; the cutter is taken as flat-ended", tool);
+  if (edge_radius && *edge_radius > result.radius() + 1e-9)
+    tool.fail("its edge radius is larger than half its diameter; correct it");
+  return std::max(0.0, edge_radius.value_or(0));
+}
+
+Tool read_tool(const Node& node, Context& context) {
+  if (!node.is_any("MILLING_CUTTING_TOOL", "CUTTING_TOOL"))
+    node.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
+  const Node body = node.needed_ref(1, "tool body");
+  const Node size = body.needed_ref(0, "tool dimension");
+  Tool tool;
+  tool.name = node.text(0);
+  tool.kind = kind_of(body);
+  tool.diameter = size.needed_length(0, "diameter");
+  if (tool.diameter <= 0) size.fail("the tool's diameter is not above zero; correct it");
+  tool.corner_radius = corner_radius_of(size, tool, size.length(4), context);
+  tool.flute_length = size.length(3);
+  if (tool.flute_length && *tool.flute_length <= 0) tool.flute_length.reset();
+  const double teeth = body.number(1).value_or(2);
+  tool.teeth = teeth >= 1 && teeth <= kMostTeeth ? static_cast<int>(teeth) : 2;
+  tool.center_cutting = tool.kind != ToolKind::kFaceMill;
+  const bool tapered = body.is("TAPERED_ENDMILL") && body.number(5).value_or(0) != 0;
+  if (tapered) tool.kind = ToolKind::kOther;
+  return tool;
+}
+
+bool same_tool(const Tool& a, const Tool& b) {
+  return a.name == b.name && a.kind == b.kind && a.diameter == b.diameter &&
+         a.corner_radius == b.corner_radius && a.teeth == b.teeth && a.flute_length == b.flute_length;
+}
+
+}  // namespace
+
+Tools::Tools(Context& context) {
+  for (const P21Entity& entity : context.file.entities) {
+    const Node node(context.file, entity);
+    if (!node.is("MILLING_CUTTING_TOOL")) continue;
+    try {
+      Tool tool = read_tool(node, context);
+      const auto number = number_in(tool.name);
+      if (number) tool.number = *number;
+      by_entity_[entity.id] = add(std::move(tool), number.has_value());
+    } catch (const InputError&) {
+      // find() reports it where an operation needs this tool.
+    }
+  }
+  number_the_rest();
+}
+
+int Tools::add(Tool tool, bool numbered) {
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    const bool same_number = numbered_[i] == numbered && (!numbered || tools_[i].number == tool.number);
+    if (same_number && same_tool(tools_[i], tool)) return static_cast<int>(i);
+    if (numbered && numbered_[i] && tools_[i].number == tool.number) numbered = false;
+  }
+  tools_.push_back(std::move(tool));
+  numbered_.push_back(numbered);
+  return static_cast<int>(tools_.size()) - 1;
+}
+
+/// Tools whose name holds no number (or one that is taken) get the smallest free ones.
+void Tools::number_the_rest() {
+  std::vector<int> taken;
+  for (std::size_t i = 0; i < tools_.size(); ++i)
+    if (numbered_[i]) taken.push_back(tools_[i].number);
+  std::sort(taken.begin(), taken.end());
+  int next = 1;
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    if (numbered_[i]) continue;
+    while (std::binary_search(taken.begin(), taken.end(), next)) ++next;
+    tools_[i].number = next++;
+    if (tools_[i].name.empty()) tools_[i].name = "T" + std::to_string(tools_[i].number);
+  }
+}
+
+int Tools::find(const Node& tool, Context& context) const {
+  const auto found = by_entity_.find(tool.id());
+  if (found != by_entity_.end()) return found->second;
+  read_tool(tool, context);  // throws what is wrong with it
+  tool.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
+}
+
+bool Tools::left_handed(const Node& tool) const {
+  const auto body = tool.ref(1);
+  return body && body->enumeration(2) == "LEFT";
+}
+
+namespace {
+
+struct OperationEntity {
+  std::string_view keyword;
+  OperationKind kind;
+};
+constexpr OperationEntity kOperations[] = {{"PLANE_MILLING", OperationKind::kRoughing},
+                                           {"PLANE_ROUGH_MILLING", OperationKind::kRoughing},
+                                           {"PLANE_FINISH_MILLING", OperationKind::kBottomFinishing},
+                                           {"SIDE_MILLING", OperationKind::kRoughing},
+                                           {"SIDE_ROUGH_MILLING", OperationKind::kRoughing},
+                                           {"SIDE_FINISH_MILLING", OperationKind::kSideFinishing},
+                                           {"BOTTOM_AND_SIDE_MILLING", OperationKind::kRoughing},
+                                           {"BOTTOM_AND_SIDE_ROUGH_MILLING", OperationKind::kRoughing},
+                                           {"BOTTOM_AND_SIDE_FINISH_MILLING", OperationKind::kFinishing},
+                                           {"DRILLING", OperationKind::kDrilling},
+                                           {"MULTISTEP_DRILLING", OperationKind::kDrilling}};
+
+OperationKind operation_kind(const Node& node) {
+  for (const OperationEntity& entry : kOperations)
+    if (node.is(entry.keyword)) return entry.kind;
+  if (node.is("FREEFORM_OPERATION")) node.fail("free-form milling cannot be machined yet");
+  node.fail("operations of this kind cannot be machined yet");
+}
+
+void read_spindle(const Node& technology, const Tool& tool, bool left_handed, CuttingData& cutting,
+                  Context& context) {
+  const auto spindle = technology.number(3);
+  if (spindle && *spindle != 0) {
+    if (context.spindle_rpm)
+      context.note("spindle speeds are read as rpm: some are too fast for 1/s", technology);
+    cutting.spindle_rpm = std::abs(*spindle) * (context.spindle_rpm ? 1 : 60);
+    cutting.spindle_clockwise = !(left_handed && *spindle > 0);
+    return;
+  }
+  const auto speed = technology.number(2);
+  if (!speed || *speed <= 0) {
+    context.note("no spindle speed; the planner's default is used", technology);
+    return;
+  }
+  const bool per_minute = *speed > kFastestCut;
+  if (per_minute) context.note("the cutting speed is read as m/min: it is too fast for m/s", technology);
+  const double m_per_min = *speed * (per_minute ? 1 : 60);
+  cutting.spindle_rpm = m_per_min * 1000 / (kPi * tool.diameter);
+}
+
+void read_feed(const Node& technology, const Tool& tool, CuttingData& cutting, Context& context) {
+  const auto feed = technology.number(0);
+  const auto per_tooth = technology.number(4);
+  if (feed && *feed > 0) {
+    const bool per_minute = *feed > kFastestFeed;
+    if (per_minute) context.note("the feed is read as mm/min: it is too fast for m/s", technology);
+    cutting.feed = MmPerMin::of(*feed * (per_minute ? 1 : 60000));
+  } else if (per_tooth && *per_tooth > 0 && cutting.spindle_rpm) {
+    cutting.feed = MmPerMin::of(*per_tooth * tool.teeth * *cutting.spindle_rpm);
+  } else {
+    context.note("no feed; the planner's default is used", technology);
+  }
+}
+
+/// Extra data in its place for property parameters: argument 10 of the machine functions.
+void read_properties(const Node& functions, Operation& operation) {
+  for (const Node& property : functions.refs(9)) {
+    const std::string name = property.text(0);
+    const auto number = property.is("NUMERIC_PARAMETER") ? property.number(1) : std::nullopt;
+    if (!number || *number <= 0) {
+      if (name == "CUT DIRECTION")
+        operation.direction =
+            property.text(1) == "CLIMB" ? CutDirection::kClimb : CutDirection::kConventional;
+      continue;
+    }
+    if (name == "PLUNGE FEED") operation.cutting.plunge_feed = MmPerMin::of(*number);
+    if (name == "RAMP FEED") operation.cutting.ramp_feed = MmPerMin::of(*number);
+    if (name == "SLOT FEED") operation.cutting.slot_feed = MmPerMin::of(*number);
+    if (name == "SCALLOP HEIGHT") operation.scallop = *number;
+  }
+}
+
+void read_cutting(const Node& node, const Node& tool_node, const Tool& tool, const Tools& tools,
+                  Operation& operation, Context& context) {
+  if (const auto technology = node.ref(6)) {
+    read_spindle(*technology, tool, tools.left_handed(tool_node), operation.cutting, context);
+    read_feed(*technology, tool, operation.cutting, context);
+  } else {
+    context.note("no technology; the planner's default feed and speed are used", node);
+  }
+  if (const auto functions = node.ref(7)) {
+    operation.cutting.coolant =
+        functions->flag(0) == true || functions->flag(2) == true || functions->flag(3) == true;
+    read_properties(*functions, operation);
+  }
+}
+
+void read_approach(const Node& node, Operation& operation, Context& context) {
+  const auto approach = node.ref(9);
+  if (!approach) return;
+  const auto set = [&](EntryKind kind, std::optional<std::size_t> angle_argument) {
+    operation.entry = kind;
+    if (!angle_argument) return;
+    const auto angle = approach->number(*angle_argument);
+    if (angle && *angle > 0) operation.entry_angle = Radians::of(context.lean(*angle));
+  };
+  if (approach->is("PLUNGE_TOOLAXIS")) set(EntryKind::kPlunge, std::nullopt);
+  if (approach->is("PLUNGE_RAMP")) set(EntryKind::kRamp, 1);
+  if (approach->is("PLUNGE_HELIX")) set(EntryKind::kHelix, 2);
+  if (approach->is("PLUNGE_ZIGZAG")) set(EntryKind::kZigzagRamp, 1);
+  if (!operation.entry)
+    context.note("an approach of this kind is not used; the planner chooses the entry", *approach);
+}
+
+std::string lower(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+void read_strategy(const Node& node, Operation& operation, Context& context) {
+  const auto strategy = node.ref(11);
+  if (!strategy) return;
+  operation.strategy_hint = lower(strategy->keyword());
+  for (std::size_t i = 2; i < 6; ++i) {
+    const std::string word = strategy->enumeration(i);
+    if (word == "CLIMB") operation.direction = CutDirection::kClimb;
+    if (word == "CONVENTIONAL") operation.direction = CutDirection::kConventional;
+  }
+  const auto overlap = strategy->number(0);
+  if (!overlap || operation.stepover) return;
+  if (*overlap >= 0 && *overlap < 1)
+    operation.stepover = 1 - *overlap;
+  else
+    context.note("the strategy's overlap is not a ratio from 0 to 1; it is not used", *strategy);
+}
+
+std::optional<double> positive(std::optional<double> value) {
+  return value && *value > 0 ? value : std::nullopt;
+}
+
+double allowance(const Node& node, std::size_t argument) {
+  const double value = node.length(argument).value_or(0);
+  if (value < 0) node.fail("an allowance below zero would cut into the part; correct it");
+  return value;
+}
+
+/// Arguments 13 on: which they are depends on the family of the operation.
+void read_depths(const Node& node, const Tool& tool, Operation& operation, Context& context) {
+  const bool plane = node.keyword().rfind("PLANE_", 0) == 0;
+  const bool side = node.keyword().rfind("SIDE_", 0) == 0;
+  operation.stepdown = positive(node.length(12));
+  if (!operation.stepdown) context.note("no cutting depth; the planner's default is used", node);
+  if (plane) {
+    operation.allowance_floor = allowance(node, 13);
+    return;
+  }
+  const auto radial = positive(node.length(13));
+  if (radial && *radial <= tool.diameter + 1e-9)
+    operation.stepover = *radial / tool.diameter;
+  else if (radial)
+    context.warn("its radial depth is more than the cutter's diameter; it is not used", node);
+  operation.allowance_side = allowance(node, 14);
+  if (!side) operation.allowance_floor = allowance(node, 15);
+}
+
+void check_cutter(const Node& node, const Operation& operation, const Tool& tool) {
+  const bool drill = tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
+  if (operation.kind == OperationKind::kDrilling) {
+    if (tool.kind == ToolKind::kOther) node.fail("drilling with this kind of tool cannot be machined yet");
+  } else if (drill || tool.kind == ToolKind::kOther) {
+    node.fail("milling with this kind of tool cannot be machined yet");
+  }
+}
+
+}  // namespace
+
+Operation read_operation(const Node& node, double feature_z, const Tools& tools, Context& context) {
+  Operation operation;
+  operation.kind = operation_kind(node);
+  operation.name = node.text(2);
+  operation.source = "#" + std::to_string(node.id());
+  const Node tool_node = node.needed_ref(5, "tool");
+  operation.tool = tools.find(tool_node, context);
+  const Tool& tool = tools.list()[static_cast<std::size_t>(operation.tool)];
+  check_cutter(node, operation, tool);
+  if (operation.kind != OperationKind::kDrilling) {
+    read_depths(node, tool, operation, context);
+    read_approach(node, operation, context);
+    read_strategy(node, operation, context);
+  }
+  read_cutting(node, tool_node, tool, tools, operation, context);
+  if (const auto retract = node.length(3)) operation.retract_z = feature_z + *retract;
+  if (operation.entry == EntryKind::kPlunge && !tool.center_cutting) {
+    context.note("plunging is asked for with a face mill; the planner chooses the entry", node);
+    operation.entry.reset();
+  }
+  return operation;
+}
+
+}  // namespace clearcut::stepnc

@@ -1,0 +1,30 @@
+// STEP-NC: ISO 14649-10/-11 programs in an ISO 10303-21 file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "part/part.h"
+
+namespace clearcut {
+
+/// A program's part, tools and order of work, in workpiece coordinates.
+///
+/// Shape   one Feature per feature that a workingstep machines, in the order of the workplan (nested
+/// workplans in
+///         place); one Workingstep per MACHINING_WORKINGSTEP that can be machined, the others reported as
+///         skipped.
+/// Units   feeds m/s to mm/min, spindle 1/s to rpm, angles to radians; files that write rpm or degrees are
+/// recognised
+///         by size, and it is reported. Lengths are mm in ISO 14649.
+/// Depths  the standard's: relative to the feature. Where a floor would then lie below the stock, and all
+/// floors lie
+///         inside it when read as absolute z, they are; tops come from stacking (stack_tops) in both cases.
+/// Throws  InputError("file:line") for syntax, for other schemas (AP238, STEP solids), tilted set-ups, and
+/// where no
+///         workingstep is left that can be machined.
+/// Cost    O(text), plus the booleans of features that cross the stock's edge.
+/// Source  ISO 14649-10, ISO 14649-11; see docs/stepnc.md for every default and reading.
+Part read_stepnc(std::string_view text, const std::string& file_name, const Tolerances& tol);
+
+}  // namespace clearcut
