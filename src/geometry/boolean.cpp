@@ -1,0 +1,249 @@
+// Booleans by polyclipping. Arcs are flattened, clipped, and found again: every piece of the result knows the
+// arc that it came from, because its ends are that arc's own flattened points or lie on its chords.
+#include "geometry/boolean.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <polyclipping/clipper.hpp>
+#include <unordered_map>
+
+#include "base/error.h"
+
+namespace clearcut {
+namespace {
+
+using ClipperLib::IntPoint;
+
+constexpr double kGridPerMm = 1e6;  // 1 nm
+
+IntPoint to_grid(Vec2 p) {
+  return {static_cast<ClipperLib::cInt>(std::llround(p.x * kGridPerMm)),
+          static_cast<ClipperLib::cInt>(std::llround(p.y * kGridPerMm))};
+}
+
+Vec2 from_grid(IntPoint p) {
+  return {static_cast<double>(p.X) / kGridPerMm, static_cast<double>(p.Y) / kGridPerMm};
+}
+
+struct GridHash {
+  std::size_t operator()(const std::pair<std::int64_t, std::int64_t>& p) const {
+    return std::hash<std::int64_t>()(p.first * 0x9e3779b97f4a7c15LL ^ p.second);
+  }
+};
+
+/// A point of the input: its exact place, and the source edges that run through it.
+struct SourcePoint {
+  Vec2 point;
+  std::vector<int> edges;
+};
+
+/// All input edges, and what the flattened points stand for.
+class Sources {
+ public:
+  explicit Sources(const Tolerances& tol) : tol_(tol) {}
+
+  ClipperLib::Path flatten(const Loop& loop) {
+    ClipperLib::Path path;
+    for (const auto& edge : loop) {
+      const int id = static_cast<int>(edges_.size());
+      edges_.push_back(edge);
+      std::vector<Vec2> points{edge.from};
+      append_flattened(edge, tol_.chord, points);
+      for (const auto p : points) remember(p, id);
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) path.push_back(to_grid(points[i]));
+    }
+    return path;
+  }
+
+  Vec2 exact(IntPoint p) const {
+    const auto found = points_.find({p.X, p.Y});
+    return found == points_.end() ? from_grid(p) : found->second.point;
+  }
+
+  bool is_source_point(IntPoint p) const { return points_.count({p.X, p.Y}) > 0; }
+
+  /// The input edge that the chord from p to q is a part of; -1 when none is found.
+  int edge_of(IntPoint p, IntPoint q) const {
+    bool known = false;
+    for (const auto& end : {p, q}) {
+      const auto found = points_.find({end.X, end.Y});
+      if (found == points_.end()) continue;
+      known = true;
+      for (const int id : found->second.edges) {
+        if (carries(id, p, q)) return id;
+      }
+    }
+    if (known) return -1;
+    for (int id = 0; id < static_cast<int>(edges_.size());
+         ++id) {  // a chord that was cut on both sides: rare
+      if (carries(id, p, q)) return id;
+    }
+    return -1;
+  }
+
+  const Edge& edge(int id) const { return edges_[static_cast<std::size_t>(id)]; }
+
+ private:
+  void remember(Vec2 p, int id) {
+    const auto key = to_grid(p);
+    auto& source = points_.try_emplace({key.X, key.Y}, SourcePoint{p, {}}).first->second;
+    if (std::find(source.edges.begin(), source.edges.end(), id) == source.edges.end())
+      source.edges.push_back(id);
+  }
+
+  /// Whether p, q and the middle between them lie on the edge as far as its flattening allows.
+  bool carries(int id, IntPoint p, IntPoint q) const {
+    const auto& edge = edges_[static_cast<std::size_t>(id)];
+    const double slack = 2 * tol_.chord + 4 / kGridPerMm;
+    const Vec2 a = from_grid(p), b = from_grid(q);
+    if (!edge.is_arc()) return false;
+    if (!edge.box().grown(slack).contains(a)) return false;
+    return distance(edge, a) <= slack && distance(edge, b) <= slack && distance(edge, (a + b) / 2.0) <= slack;
+  }
+
+  Tolerances tol_;
+  std::vector<Edge> edges_;
+  std::unordered_map<std::pair<std::int64_t, std::int64_t>, SourcePoint, GridHash> points_;
+};
+
+/// A run of chords of one arc, or a single straight edge (arc < 0).
+struct Piece {
+  IntPoint from;
+  IntPoint to;
+  int arc = -1;
+};
+
+std::vector<Piece> pieces_of(const ClipperLib::Path& path, const Sources& sources) {
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const IntPoint p = path[i], q = path[(i + 1) % path.size()];
+    const int arc = sources.edge_of(p, q);
+    if (!pieces.empty() && arc >= 0 && pieces.back().arc == arc) {
+      pieces.back().to = q;
+    } else {
+      pieces.push_back({p, q, arc});
+    }
+  }
+  if (pieces.size() > 2 && pieces.front().arc >= 0 && pieces.front().arc == pieces.back().arc) {
+    pieces.front().from = pieces.back().from;
+    pieces.pop_back();
+  }
+  return pieces;
+}
+
+/// The line through a straight piece or the whole source arc, for solving exact corners.
+Edge carrier(const Piece& piece, const Sources& sources) {
+  if (piece.arc >= 0) return sources.edge(piece.arc);
+  const Vec2 a = from_grid(piece.from), b = from_grid(piece.to);
+  const Vec2 reach = unit(b - a) * 0.01;
+  return Edge::line(a - reach, b + reach);
+}
+
+/// Where two pieces meet. New corners at arcs are solved on the true curves: chords put them off by
+/// tol.chord.
+Vec2 corner(const Piece& before, const Piece& after, const Sources& sources, const Tolerances& tol) {
+  const Vec2 rough = sources.exact(after.from);
+  if (sources.is_source_point(after.from) || (before.arc < 0 && after.arc < 0)) return rough;
+  Vec2 best = rough;
+  double nearest_yet = 100 * tol.chord;
+  for (const auto p : intersections(carrier(before, sources), carrier(after, sources))) {
+    if (distance(p, rough) < nearest_yet) {
+      nearest_yet = distance(p, rough);
+      best = p;
+    }
+  }
+  return best;
+}
+
+Edge joined(Vec2 from, Vec2 to, const Piece& piece, const Sources& sources) {
+  if (piece.arc < 0) return Edge::line(from, to);
+  const Edge& source = sources.edge(piece.arc);
+  const double t_from = nearest(source, from).t, t_to = nearest(source, to).t;
+  const bool along = t_from <= t_to;
+  const Turn turn =
+      along == (source.turn == Turn::kCounterClockwise) ? Turn::kCounterClockwise : Turn::kClockwise;
+  return Edge::arc(from, to, source.center, turn);
+}
+
+Loop loop_of(const ClipperLib::Path& path, const Sources& sources, const Tolerances& tol) {
+  const auto pieces = pieces_of(path, sources);
+  std::vector<Vec2> corners;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    corners.push_back(corner(pieces[(i + pieces.size() - 1) % pieces.size()], pieces[i], sources, tol));
+  }
+  Loop loop;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Vec2 from = corners[i], to = corners[(i + 1) % corners.size()];
+    if (from != to) loop.push_back(joined(from, to, pieces[i], sources));
+  }
+  return loop;
+}
+
+/// Slivers that only the flattening made: twice the area over the perimeter is about their thickness.
+bool is_sliver(const Loop& loop, const Tolerances& tol) {
+  return loop.size() < 2 || 2 * std::abs(signed_area(loop)) <= 2 * tol.chord * length(loop);
+}
+
+void append_regions(const ClipperLib::PolyNode& node, const Sources& sources, const Tolerances& tol,
+                    Regions& out) {
+  for (const auto* child : node.Childs) {
+    Loop outer = loop_of(child->Contour, sources, tol);
+    std::vector<Loop> islands;
+    for (const auto* hole : child->Childs) {
+      Loop island = loop_of(hole->Contour, sources, tol);
+      if (!is_sliver(island, tol)) islands.push_back(std::move(island));
+      append_regions(*hole, sources, tol, out);
+    }
+    if (!is_sliver(outer, tol)) out.push_back(Region::from_valid_loops(std::move(outer), std::move(islands)));
+  }
+}
+
+void add_regions(const Regions& regions, ClipperLib::PolyType type, Sources& sources,
+                 ClipperLib::Clipper& clipper) {
+  for (const auto& region : regions) {
+    clipper.AddPath(sources.flatten(region.outer()), type, true);
+    for (const auto& island : region.islands()) clipper.AddPath(sources.flatten(island), type, true);
+  }
+}
+
+Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
+                 const Sources& sources, const Tolerances& tol) {
+  ClipperLib::PolyTree tree;
+  clipper.StrictlySimple(true);
+  CLEARCUT_ASSERT(clipper.Execute(operation, tree, fill, fill));
+  Regions regions;
+  append_regions(tree, sources, tol, regions);
+  return regions;
+}
+
+Regions combined(const Regions& a, const Regions& b, ClipperLib::ClipType operation, const Tolerances& tol) {
+  Sources sources(tol);
+  ClipperLib::Clipper clipper;
+  add_regions(a, ClipperLib::ptSubject, sources, clipper);
+  add_regions(b, ClipperLib::ptClip, sources, clipper);
+  return executed(clipper, operation, ClipperLib::pftNonZero, sources, tol);
+}
+
+}  // namespace
+
+Regions unite(const Regions& a, const Regions& b, const Tolerances& tol) {
+  return combined(a, b, ClipperLib::ctUnion, tol);
+}
+
+Regions subtract(const Regions& a, const Regions& b, const Tolerances& tol) {
+  return combined(a, b, ClipperLib::ctDifference, tol);
+}
+
+Regions intersect(const Regions& a, const Regions& b, const Tolerances& tol) {
+  return combined(a, b, ClipperLib::ctIntersection, tol);
+}
+
+Regions resolve_even_odd(std::span<const Loop> loops, const Tolerances& tol) {
+  Sources sources(tol);
+  ClipperLib::Clipper clipper;
+  for (const auto& loop : loops) clipper.AddPath(sources.flatten(loop), ClipperLib::ptSubject, true);
+  return executed(clipper, ClipperLib::ctUnion, ClipperLib::pftEvenOdd, sources, tol);
+}
+
+}  // namespace clearcut

@@ -1,0 +1,112 @@
+#include "geometry/boolean.h"
+
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "base/units.h"
+
+namespace clearcut {
+namespace {
+
+const Tolerances kTol;
+
+Loop rectangle(Vec2 min, Vec2 max) {
+  return loop_from_points(std::vector<Vec2>{min, {max.x, min.y}, max, {min.x, max.y}});
+}
+
+Loop circle(Vec2 center, double radius) {
+  const Vec2 right = center + Vec2{radius, 0}, left = center - Vec2{radius, 0};
+  return {Edge::arc(right, left, center, Turn::kCounterClockwise),
+          Edge::arc(left, right, center, Turn::kCounterClockwise)};
+}
+
+Regions one(Loop outer, std::vector<Loop> islands = {}) {
+  return {Region::from_valid_loops(std::move(outer), std::move(islands))};
+}
+
+int arcs(const Regions& regions) {
+  int count = 0;
+  for (const auto& region : regions) {
+    for (const auto& edge : region.edges()) count += edge.is_arc() ? 1 : 0;
+  }
+  return count;
+}
+
+void expect_joined(const Loop& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i) EXPECT_EQ(loop[i].to, loop[(i + 1) % loop.size()].from);
+}
+
+TEST(Boolean, UnionOfOverlappingSquaresHasTheirOutline) {
+  const auto result = unite(one(rectangle({0, 0}, {10, 10})), one(rectangle({5, 5}, {15, 15})), kTol);
+  ASSERT_EQ(result.size(), 1u);
+  EXPECT_EQ(result[0].outer().size(), 8u);
+  EXPECT_NEAR(area(result), 175, 1e-9);
+}
+
+TEST(Boolean, HoleAndIslandInItAreNested) {
+  const auto ring = subtract(one(rectangle({0, 0}, {30, 30})), one(rectangle({5, 5}, {25, 25})), kTol);
+  ASSERT_EQ(ring.size(), 1u);
+  EXPECT_EQ(ring[0].islands().size(), 1u);
+  const auto both = unite(ring, one(rectangle({10, 10}, {20, 20})), kTol);
+  EXPECT_EQ(both.size(), 2u);
+  EXPECT_NEAR(area(both), 900 - 400 + 100, 1e-9);
+}
+
+TEST(Boolean, ArcsStayArcsOnTheirCircle) {
+  const auto result = subtract(one(rectangle({0, 0}, {20, 20})), one(circle({20, 10}, 5)), kTol);
+  ASSERT_EQ(result.size(), 1u);
+  EXPECT_NEAR(area(result), 400 - kPi * 25 / 2, 1e-6);
+  EXPECT_LE(arcs(result), 2);
+  for (const auto& edge : result[0].outer()) {
+    if (!edge.is_arc()) continue;
+    EXPECT_EQ(edge.center, (Vec2{20, 10}));
+    EXPECT_EQ(edge.turn, Turn::kClockwise);
+    EXPECT_NEAR(distance(edge.from, edge.center), 5, 1e-9);
+  }
+  expect_joined(result[0].outer());
+}
+
+TEST(Boolean, SharedArcWallVanishesWithoutSlivers) {
+  const auto disc = one(circle({0, 0}, 10));
+  EXPECT_TRUE(subtract(disc, disc, kTol).empty());
+  const auto same = unite(disc, disc, kTol);
+  ASSERT_EQ(same.size(), 1u);
+  EXPECT_NEAR(area(same), kPi * 100, 1e-9);
+  EXPECT_EQ(same[0].outer().size(), 2u);
+}
+
+TEST(Boolean, CrossingOutlineIsResolvedEvenOdd) {
+  const std::vector<Loop> bow_tie{loop_from_points(std::vector<Vec2>{{0, 0}, {10, 10}, {10, 0}, {0, 10}})};
+  const auto result = resolve_even_odd(bow_tie, kTol);
+  EXPECT_EQ(result.size(), 2u);
+  EXPECT_NEAR(area(result), 50, 1e-6);
+}
+
+/// Says nothing about where the result lies: that is what the point test below is for.
+TEST(Boolean, AreasOfRandomPairsAddUp) {
+  Random random(7);
+  for (int i = 0; i < 300; ++i) {
+    const auto shape = [&] {
+      const Vec2 c{random.between(0, 20), random.between(0, 20)};
+      if (random.below(2)) return one(circle(c, random.between(1, 10)));
+      return one(rectangle(c, c + Vec2{random.between(1, 15), random.between(1, 15)}));
+    };
+    const auto a = shape(), b = shape();
+    const auto both = unite(a, b, kTol), common = intersect(a, b, kTol);
+    const auto only_a = subtract(a, b, kTol), only_b = subtract(b, a, kTol);
+    EXPECT_NEAR(area(both) + area(common), area(a) + area(b), 1e-3) << i;
+    EXPECT_NEAR(area(only_a) + area(only_b) + area(common), area(both), 1e-3) << i;
+    for (int k = 0; k < 50; ++k) {
+      const Vec2 p{random.between(-10, 35), random.between(-10, 35)};
+      const double wall = std::min(a[0].boundary_distance(p), b[0].boundary_distance(p));
+      if (wall < 0.001) continue;
+      EXPECT_EQ(contains(both, p), contains(a, p) || contains(b, p)) << i;
+      EXPECT_EQ(contains(common, p), contains(a, p) && contains(b, p)) << i;
+      EXPECT_EQ(contains(only_a, p), contains(a, p) && !contains(b, p)) << i;
+    }
+    for (const auto& region : both) expect_joined(region.outer());
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
