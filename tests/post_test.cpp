@@ -177,9 +177,10 @@ PostOptions options_for(const std::string& dialect, bool inch) {
 
 class RoundTrip : public ::testing::TestWithParam<std::string> {};
 
-/// Grid step of the default decimals, mm.
-double step_of(const std::string&, bool inch) {
-  return inch ? 25.4e-5 : 1e-4;
+/// Step of the default decimals, mm.
+double step_of(const std::string& dialect, bool inch) {
+  const bool coarse = dialect == "fanuc" || dialect == "haas" || dialect == "heidenhain";
+  return (inch ? 25.4e-5 : 1e-4) * (coarse ? 10 : 1);
 }
 
 TEST_P(RoundTrip, RandomToolpathsComeBack) {

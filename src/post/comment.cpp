@@ -1,6 +1,9 @@
 #include "post/comment.h"
 
+#include <algorithm>
 #include <cctype>
+
+#include "base/format.h"
 
 namespace clearcut {
 
@@ -25,6 +28,23 @@ std::string plain_comment(std::string_view text) {
 std::string operation_comment(int workingstep, std::string_view label) {
   const std::string number = workingstep >= 0 ? " " + std::to_string(workingstep + 1) : "";
   return "OPERATION" + number + ": " + plain_comment(label);
+}
+
+std::string tool_change_comment(const Part& part, int number) {
+  const std::string change = "TOOL CHANGE T" + std::to_string(number);
+  for (const Tool& tool : part.tools) {
+    if (tool.number == number)
+      return change + ": " + plain_comment(tool.name) + " D" + trimmed(tool.diameter, 4) + " MM";
+  }
+  return change;
+}
+
+int program_number(std::string_view name) {
+  if (!name.empty() && (name.front() == 'O' || name.front() == 'o')) name.remove_prefix(1);
+  const bool digits = !name.empty() && name.size() <= 4 &&
+                      std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const int number = digits ? std::stoi(std::string(name)) : 0;
+  return number > 0 ? number : 1;
 }
 
 }  // namespace clearcut

@@ -8,10 +8,63 @@ namespace {
 
 constexpr std::array kDialects{
     IsoDialect{.name = "linuxcnc",
+               .extension = ".ngc",
                .line_length = 255,
-               .safe_start = "G17 G40 G49 G54 G80 G90 G91.1 G94",
-               .path_tolerance = true,
-               .program_end = "M2"},
+               .path_control = PathControl::kTolerance,
+               .length_offset = LengthOffset::kPlain,
+               .end = "M2"},
+    // 32-bit numbers; M6 and G43 are errors; no wait of its own for the spindle.
+    IsoDialect{.name = "grbl",
+               .line_length = 79,
+               .knows_exact_stop = false,
+               .changer = false,
+               .spindle_wait = 2,
+               .largest_radius = 1000},
+    IsoDialect{.name = "fanuc",
+               .mm_decimals = 3,
+               .inch_decimals = 4,
+               .always_point = true,
+               .tape = true,
+               .program_digits = 4,
+               .safe_start = "G17 G40 G49 G54 G80 G90 G94",
+               .length_offset = LengthOffset::kWithApproach,
+               .home = HomeForm::kReference,
+               .dwell = DwellForm::kXSeconds,
+               .dogleg_rapids = true},
+    IsoDialect{.name = "haas",
+               .mm_decimals = 3,
+               .inch_decimals = 4,
+               .always_point = true,
+               .tape = true,
+               .program_digits = 5,
+               .safe_start = "G17 G40 G49 G54 G80 G90 G94",
+               .length_offset = LengthOffset::kWithApproach,
+               .home = HomeForm::kMachineZero,
+               .dogleg_rapids = true},
+    IsoDialect{.name = "mach3",
+               .extension = ".tap",
+               .path_control = PathControl::kConstantVelocity,
+               .length_offset = LengthOffset::kNumbered,
+               .spindle_wait = 2},
+    IsoDialect{.name = "mach4",
+               .extension = ".tap",
+               .path_control = PathControl::kConstantVelocity,
+               .length_offset = LengthOffset::kNumbered,
+               .spindle_wait = 2},
+    // G21 and G17 only exist in some builds; M30 would delete a file on the card.
+    IsoDialect{.name = "marlin",
+               .extension = ".gcode",
+               .comments = CommentForm::kSemicolon,
+               .metric = "",
+               .safe_start = "G90",
+               .knows_exact_stop = false,
+               .changer = false,
+               .tool_word = false,
+               .dwell = DwellForm::kSSeconds,
+               .spindle_wait = 2,
+               .rapid_feed = true,
+               .end = "",
+               .largest_radius = 1000},
 };
 
 }  // namespace
@@ -21,6 +74,12 @@ const IsoDialect* iso_dialect_named(std::string_view name) {
     if (dialect.name == name) return &dialect;
   }
   return nullptr;
+}
+
+std::vector<std::string> iso_dialect_names() {
+  std::vector<std::string> names;
+  for (const IsoDialect& dialect : kDialects) names.emplace_back(dialect.name);
+  return names;
 }
 
 }  // namespace clearcut

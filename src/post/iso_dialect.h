@@ -1,28 +1,59 @@
 // What the word-address controls (everything but Klartext) do differently, as data.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace clearcut {
 
 enum class CommentForm { kParentheses, kSemicolon };
-enum class ToolChangeForm { kChanger, kPause };
+enum class PathControl {
+  kNone,
+  kTolerance,        ///< G64 P- Q0
+  kConstantVelocity  ///< G64
+};
+enum class LengthOffset {
+  kNone,
+  kPlain,        ///< G43
+  kNumbered,     ///< G43 H2
+  kWithApproach  ///< G43 H2 Z25. as the first move down
+};
+enum class HomeForm {
+  kSafeHeight,   ///< no machine place is used
+  kMachineZero,  ///< G53 G0 Z0.
+  kReference     ///< G91 G28 Z0. and G90
+};
+enum class DwellForm { kPSeconds, kXSeconds, kSSeconds };
 
 struct IsoDialect {
   std::string_view name;
+  std::string_view extension = ".nc";
   int mm_decimals = 4;
   int inch_decimals = 5;
   bool always_point = false;  ///< "10." not "10"
+  bool tape = false;          ///< '%' as the first and the last line
+  int program_digits = 0;     ///< of the O word; 0: none
   CommentForm comments = CommentForm::kParentheses;
   std::size_t line_length = 80;
-  std::string_view safe_start;  ///< modal words of the first block, after the unit word
-  bool path_tolerance = false;  ///< writes G64 P- Q0
-  ToolChangeForm tool_change = ToolChangeForm::kChanger;
-  std::string_view program_end;   ///< last word
+  std::string_view metric = "G21";
+  std::string_view safe_start = "G17 G40 G49 G54 G80 G90 G91.1 G94";
+  PathControl path_control = PathControl::kNone;
+  bool knows_exact_stop = true;  ///< G61
+  bool changer = true;           ///< M6; else a pause
+  bool tool_word = true;         ///< T
+  LengthOffset length_offset = LengthOffset::kNone;
+  HomeForm home = HomeForm::kSafeHeight;
+  DwellForm dwell = DwellForm::kPSeconds;
+  double spindle_wait = 0;        ///< s
+  bool rapid_feed = false;        ///< F rules G0 too
+  bool dogleg_rapids = false;     ///< G0 need not be straight: z and plan move one after the other
+  std::string_view end = "M30";   ///< last word; empty: a comment says it
   double largest_radius = 10000;  ///< mm
 };
 
 /// The row of that name, or nullptr.
 const IsoDialect* iso_dialect_named(std::string_view name);
+std::vector<std::string> iso_dialect_names();
 
 }  // namespace clearcut

@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 
 #include "base/format.h"
+#include "post/block_printer.h"
 #include "post/comment.h"
 #include "post/heights.h"
 #include "post/steps.h"
@@ -17,48 +18,66 @@ namespace {
 
 constexpr double kMmPerInch = 25.4;
 
+/// What the control holds. Modal words are forgotten at a tool change, so that everything is said again.
+struct Held {
+  Ticks at;
+  bool plan = false;    ///< x and y of `at` are known
+  bool height = false;  ///< z of `at` is known
+  int motion = -1;
+  long long feed = -1;
+  int tool = 0;
+  double spindle = 0;  ///< rpm, negative counter-clockwise, 0 stopped
+  bool coolant = false;
+  bool length_due = false;  ///< the tool's length comes with the next approach
+};
+
 class IsoWriter {
  public:
   IsoWriter(const Part& part, const PostOptions& options, const IsoDialect& dialect, double safe_z)
       : part_(part),
         options_(options),
         dialect_(dialect),
-        rules_{PrintGrid(options.inch, options.decimals.value_or(options.inch ? dialect.inch_decimals
-                                                                              : dialect.mm_decimals)),
-               options.arcs, dialect.largest_radius, options.tol.chord},
+        rules_(rules_for(options, dialect)),
         feed_grid_(options.inch, options.inch ? 3 : 2),
-        safe_z_(rules_.grid.ticks(safe_z)) {}
+        safe_z_(rules_.grid.ticks(safe_z)),
+        out_(dialect) {}
 
-  std::string program(const Toolpath& toolpath) {
-    begin_program();
-    for (const Section& section : toolpath.sections) {
-      if (!section.moves.empty()) write_section(section);
-    }
-    end_program();
-    return std::move(out_);
-  }
+  std::string program(const Toolpath& toolpath);
 
  private:
+  static StepRules rules_for(const PostOptions& options, const IsoDialect& dialect);
+
   void begin_program();
+  void set_path_control();
   void write_section(const Section& section);
   void end_program();
 
   void change_tool(int number);
+  void load_by_changer(int number);
+  void load_by_hand(int number);
+  void home();
   void set_spindle(const Section& section);
+  void dwell(double seconds);
   void set_coolant(bool on);
-  void approach(const Move& first);
-  void write_move(const Move& move);
-  void write_step(const Step& step, bool rapid, MmPerMin feed);
-  void retract();
 
-  void rapid_to(std::optional<Ticks> plan, std::optional<long long> z);
+  void approach(const Move& first);
+  void descend_with_length(const Ticks& start);
+  void retract();
+  void rapid_to_plan(const Ticks& to);
+  void rapid_to_height(long long z);
+  void end_rapid();
+
+  void write_move(const Move& move);
+  void write_rapid(const Ticks& to);
+  void write_feed(const Step& step, MmPerMin feed);
   void motion_word(int code);
-  void word(char letter, long long ticks, const PrintGrid& grid);
   void feed_word(MmPerMin feed);
-  void end_block();
-  void line(std::string_view text);
-  void comment(std::string_view text);
-  std::string tool_comment(int number) const;
+  void axis_word(char letter, long long ticks) { out_.word(letter, ticks, rules_.grid); }
+
+  bool changes_tools() const { return dialect_.changer && options_.tool_changer; }
+  LengthOffset length_offset() const {
+    return options_.length_offset && changes_tools() ? dialect_.length_offset : LengthOffset::kNone;
+  }
 
   const Part& part_;
   const PostOptions& options_;
@@ -66,39 +85,56 @@ class IsoWriter {
   StepRules rules_;
   PrintGrid feed_grid_;
   long long safe_z_;
-
-  std::string out_;
-  std::string block_;
+  BlockPrinter out_;
+  Held held_;
   std::vector<Step> steps_;
-  // What the control holds; forgotten at a tool change, so that everything is said again.
-  Ticks at_;
-  bool plan_known_ = false;
-  bool height_known_ = false;
-  int motion_ = -1;
-  long long feed_ = -1;
-  int tool_ = 0;
-  double spindle_ = 0;  ///< rpm, negative counter-clockwise, 0 stopped
-  bool coolant_ = false;
 };
 
-void IsoWriter::begin_program() {
-  if (!options_.program_name.empty()) comment(options_.program_name);
-  for (const std::string& text : options_.header) comment(text);
-  comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
-  line(fmt::format("{} {}", options_.inch ? "G20" : "G21", dialect_.safe_start));
-  if (dialect_.path_tolerance) {
-    // Blending may use half of the gouge tolerance; rounding the words needs less than the rest. Q0: no
-    // merging.
-    const double blend = options_.tol.gouge / 2;
-    line(fmt::format("G64 P{} Q0", trimmed(options_.inch ? blend / kMmPerInch : blend, 6)));
+StepRules IsoWriter::rules_for(const PostOptions& options, const IsoDialect& dialect) {
+  const int decimals = options.decimals.value_or(options.inch ? dialect.inch_decimals : dialect.mm_decimals);
+  return {PrintGrid(options.inch, decimals), options.arcs, dialect.largest_radius, options.tol.chord};
+}
+
+std::string IsoWriter::program(const Toolpath& toolpath) {
+  begin_program();
+  for (const Section& section : toolpath.sections) {
+    if (!section.moves.empty()) write_section(section);
   }
+  end_program();
+  return out_.take();
+}
+
+void IsoWriter::begin_program() {
+  if (dialect_.tape) out_.line("%");
+  if (dialect_.program_digits > 0) {
+    out_.line(fmt::format("O{:0{}}", program_number(options_.program_name), dialect_.program_digits));
+  }
+  if (!options_.program_name.empty()) out_.comment(options_.program_name);
+  for (const std::string& text : options_.header) out_.comment(text);
+  out_.comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
+  const std::string_view units = options_.inch ? "G20" : dialect_.metric;
+  if (!units.empty()) out_.line(units);
+  out_.line(dialect_.safe_start);
+  set_path_control();
+}
+
+/// Blending may use half of the gouge tolerance; rounding the words needs less than the rest. Q0: no merging.
+void IsoWriter::set_path_control() {
+  if (options_.exact_stop) {
+    if (dialect_.knows_exact_stop) out_.line("G61");
+    return;
+  }
+  const double blend = options_.tol.gouge / 2 / (options_.inch ? kMmPerInch : 1);
+  if (dialect_.path_control == PathControl::kTolerance)
+    out_.line(fmt::format("G64 P{} Q0", trimmed(blend, 6)));
+  if (dialect_.path_control == PathControl::kConstantVelocity) out_.line("G64");
 }
 
 void IsoWriter::write_section(const Section& section) {
-  const bool new_tool = section.tool_number > 0 && section.tool_number != tool_;
+  const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   // Without a tool length in force a height means nothing: the first tool change comes before any motion.
-  if (new_tool && height_known_) retract();
-  comment(operation_comment(section.workingstep, section.label));
+  if (new_tool && held_.height) retract();
+  out_.comment(operation_comment(section.workingstep, section.label));
   if (new_tool) change_tool(section.tool_number);
   set_spindle(section);
   set_coolant(section.coolant);
@@ -107,71 +143,137 @@ void IsoWriter::write_section(const Section& section) {
 }
 
 void IsoWriter::end_program() {
-  retract();
-  set_spindle({});
+  if (held_.height) retract();
   set_coolant(false);
-  line(dialect_.program_end);
+  set_spindle({});
+  home();
+  if (dialect_.end.empty()) {
+    out_.comment(kEndComment);
+  } else {
+    out_.line(dialect_.end);
+  }
+  if (dialect_.tape) out_.line("%");
 }
 
 void IsoWriter::change_tool(int number) {
-  set_spindle({});
   set_coolant(false);
-  comment(tool_comment(number));
-  line(fmt::format("T{} M6", number));
-  line("G43");
-  tool_ = number;
-  plan_known_ = height_known_ = false;
-  motion_ = -1;
-  feed_ = -1;
+  set_spindle({});
+  home();
+  out_.comment(tool_change_comment(part_, number));
+  if (changes_tools()) {
+    load_by_changer(number);
+  } else {
+    load_by_hand(number);
+  }
+  held_.tool = number;
+  held_.plan = held_.height = false;
+  held_.motion = -1;
+  held_.feed = -1;
+}
+
+void IsoWriter::load_by_changer(int number) {
+  out_.line(fmt::format("T{} M6", number));
+  if (length_offset() == LengthOffset::kPlain) out_.line("G43");
+  if (length_offset() == LengthOffset::kNumbered) out_.line(fmt::format("G43 H{}", number));
+  held_.length_due = length_offset() == LengthOffset::kWithApproach;
+}
+
+/// The first tool is in the spindle when the program starts.
+void IsoWriter::load_by_hand(int number) {
+  if (dialect_.tool_word) out_.line(fmt::format("T{}", number));
+  if (held_.tool != 0) out_.line("M0");
+}
+
+void IsoWriter::home() {
+  if (dialect_.home == HomeForm::kSafeHeight) return;
+  if (dialect_.home == HomeForm::kMachineZero) {
+    out_.line("G53 G0 Z0.");
+  } else {
+    out_.line("G91 G28 Z0.");
+    out_.line("G90");
+  }
+  held_.height = false;
 }
 
 void IsoWriter::set_spindle(const Section& section) {
   const double rpm = section.spindle_clockwise ? section.spindle_rpm : -section.spindle_rpm;
-  if (rpm == spindle_) return;
-  spindle_ = rpm;
-  if (rpm == 0) return line("M5");
-  line(fmt::format("S{} M{}", std::max(1LL, std::llround(std::abs(rpm))), rpm > 0 ? 3 : 4));
+  if (rpm == held_.spindle) return;
+  held_.spindle = rpm;
+  if (rpm == 0) return out_.line("M5");
+  out_.line(fmt::format("S{} M{}", std::max(1LL, std::llround(std::abs(rpm))), rpm > 0 ? 3 : 4));
+  dwell(options_.spindle_wait ? options_.spindle_wait->seconds() : dialect_.spindle_wait);
+}
+
+void IsoWriter::dwell(double seconds) {
+  if (seconds <= 0) return;
+  const char letter = dialect_.dwell == DwellForm::kPSeconds   ? 'P'
+                      : dialect_.dwell == DwellForm::kXSeconds ? 'X'
+                                                               : 'S';
+  out_.word("G4");
+  out_.word(letter, PrintGrid(false, 2).ticks(seconds), PrintGrid(false, 2));
+  out_.end_block();
 }
 
 void IsoWriter::set_coolant(bool on) {
-  if (on == coolant_) return;
-  coolant_ = on;
-  line(on ? "M8" : "M9");
+  if (on == held_.coolant) return;
+  held_.coolant = on;
+  out_.line(on ? "M8" : "M9");
 }
 
 /// Over the first move's start at the safe height, then down to it.
 void IsoWriter::approach(const Move& first) {
   const Ticks start = rules_.grid.ticks(first.path.from, first.z_from);
-  const bool above = plan_known_ && at_.same_plan(start);
-  if (above && height_known_ && at_.z == start.z) return;
+  if (held_.length_due) return descend_with_length(start);
+  const bool above = held_.plan && held_.at.same_plan(start);
+  if (above && held_.height && held_.at.z == start.z) return;
   if (!above) {
     retract();
-    rapid_to(start, std::nullopt);
+    rapid_to_plan(start);
   }
-  rapid_to(std::nullopt, start.z);
+  rapid_to_height(start.z);
+}
+
+/// The spindle is at its upper end after a tool change: the plan first, the tool's length on the way down.
+void IsoWriter::descend_with_length(const Ticks& start) {
+  rapid_to_plan(start);
+  out_.word(fmt::format("G43 H{}", held_.tool));
+  axis_word('Z', safe_z_);
+  out_.end_block();
+  held_.at.z = safe_z_;
+  held_.height = true;
+  held_.length_due = false;
+  rapid_to_height(start.z);
 }
 
 void IsoWriter::retract() {
-  if (!height_known_ || at_.z < safe_z_) rapid_to(std::nullopt, safe_z_);
+  if (!held_.height || held_.at.z < safe_z_) rapid_to_height(safe_z_);
 }
 
-void IsoWriter::rapid_to(std::optional<Ticks> plan, std::optional<long long> z) {
-  if (z && height_known_ && at_.z == *z) return;
+void IsoWriter::rapid_to_plan(const Ticks& to) {
   motion_word(0);
-  if (plan) {
-    word('X', plan->x, rules_.grid);
-    word('Y', plan->y, rules_.grid);
-    at_.x = plan->x;
-    at_.y = plan->y;
-    plan_known_ = true;
-  }
-  if (z) {
-    word('Z', *z, rules_.grid);
-    at_.z = *z;
-    height_known_ = true;
-  }
-  feed_ = -1;
-  end_block();
+  axis_word('X', to.x);
+  axis_word('Y', to.y);
+  held_.at.x = to.x;
+  held_.at.y = to.y;
+  held_.plan = true;
+  end_rapid();
+}
+
+void IsoWriter::rapid_to_height(long long z) {
+  if (held_.height && held_.at.z == z) return;
+  motion_word(0);
+  axis_word('Z', z);
+  held_.at.z = z;
+  held_.height = true;
+  end_rapid();
+}
+
+/// The first feed move after a rapid says its feed again.
+void IsoWriter::end_rapid() {
+  held_.feed = -1;
+  if (dialect_.rapid_feed) feed_word(options_.rapid);
+  held_.feed = -1;
+  out_.end_block();
 }
 
 void IsoWriter::write_move(const Move& move) {
@@ -179,77 +281,62 @@ void IsoWriter::write_move(const Move& move) {
   StepRules rules = rules_;
   const bool rapid = is_rapid(move.kind);
   if (rapid) rules.arcs = false;
-  append_steps(move, at_, rules, steps_);
-  for (const Step& step : steps_) write_step(step, rapid, move.feed);
+  append_steps(move, held_.at, rules, steps_);
+  for (const Step& step : steps_) {
+    if (rapid) {
+      write_rapid(step.to);
+    } else {
+      write_feed(step, move.feed);
+    }
+  }
 }
 
-void IsoWriter::write_step(const Step& step, bool rapid, MmPerMin feed) {
+void IsoWriter::write_rapid(const Ticks& to) {
+  if (dialect_.dogleg_rapids && to.z != held_.at.z && !to.same_plan(held_.at)) {
+    Ticks corner = to;  // the place beside or above: up first, down last
+    if (to.z < held_.at.z) {
+      corner.z = held_.at.z;
+    } else {
+      corner = {held_.at.x, held_.at.y, to.z};
+    }
+    write_rapid(corner);
+  }
+  motion_word(0);
+  if (to.x != held_.at.x) axis_word('X', to.x);
+  if (to.y != held_.at.y) axis_word('Y', to.y);
+  if (to.z != held_.at.z) axis_word('Z', to.z);
+  held_.at = to;
+  end_rapid();
+}
+
+/// Arcs say X, Y, I and J always: some controls want one in-plane word of each pair, none minds both.
+void IsoWriter::write_feed(const Step& step, MmPerMin feed) {
   const bool arc = step.turn != Turn::kStraight;
-  motion_word(rapid ? 0 : !arc ? 1 : step.turn == Turn::kClockwise ? 2 : 3);
-  if (arc || step.to.x != at_.x) word('X', step.to.x, rules_.grid);
-  if (arc || step.to.y != at_.y) word('Y', step.to.y, rules_.grid);
-  if (step.to.z != at_.z) word('Z', step.to.z, rules_.grid);
+  motion_word(!arc ? 1 : step.turn == Turn::kClockwise ? 2 : 3);
+  if (arc || step.to.x != held_.at.x) axis_word('X', step.to.x);
+  if (arc || step.to.y != held_.at.y) axis_word('Y', step.to.y);
+  if (step.to.z != held_.at.z) axis_word('Z', step.to.z);
   if (arc) {
-    word('I', step.i, rules_.grid);
-    word('J', step.j, rules_.grid);
+    axis_word('I', step.i);
+    axis_word('J', step.j);
   }
-  at_ = step.to;
-  if (rapid) {
-    feed_ = -1;  // the first feed move after a rapid says its feed again
-  } else {
-    feed_word(feed);
-  }
-  end_block();
+  held_.at = step.to;
+  feed_word(feed);
+  out_.end_block();
 }
 
 void IsoWriter::motion_word(int code) {
-  if (code == motion_) return;
-  motion_ = code;
-  fmt::format_to(std::back_inserter(block_), "G{}", code);
-}
-
-void IsoWriter::word(char letter, long long ticks, const PrintGrid& grid) {
-  if (!block_.empty()) block_ += ' ';
-  block_ += letter;
-  append_number(block_, ticks, grid.decimals(), dialect_.always_point);
+  if (code == held_.motion) return;
+  held_.motion = code;
+  constexpr std::string_view kWords[] = {"G0", "G1", "G2", "G3"};
+  out_.word(kWords[code]);
 }
 
 void IsoWriter::feed_word(MmPerMin feed) {
   const long long ticks = std::max(1LL, feed_grid_.ticks(feed.mm_per_min()));
-  if (ticks == feed_) return;
-  feed_ = ticks;
-  word('F', ticks, feed_grid_);
-}
-
-void IsoWriter::end_block() {
-  if (block_.size() > dialect_.line_length) std::erase(block_, ' ');
-  line(block_);
-  block_.clear();
-}
-
-void IsoWriter::line(std::string_view text) {
-  out_ += text;
-  out_ += '\n';
-}
-
-void IsoWriter::comment(std::string_view text) {
-  const std::string plain = plain_comment(text);
-  const std::size_t room = dialect_.line_length - 2;
-  std::size_t begin = 0;
-  do {
-    const std::string piece = plain.substr(begin, room);
-    line(dialect_.comments == CommentForm::kParentheses ? "(" + piece + ")" : "; " + piece);
-    begin += room;
-  } while (begin < plain.size());
-}
-
-std::string IsoWriter::tool_comment(int number) const {
-  for (const Tool& tool : part_.tools) {
-    if (tool.number == number) {
-      return fmt::format("TOOL T{}: {} D{} MM", number, tool.name, trimmed(tool.diameter, 4));
-    }
-  }
-  return fmt::format("TOOL T{}", number);
+  if (ticks == held_.feed) return;
+  held_.feed = ticks;
+  out_.word('F', ticks, feed_grid_);
 }
 
 }  // namespace

@@ -5,12 +5,14 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "post/iso_writer.h"
+#include "post/klartext_writer.h"
 #include "post/print_grid.h"
 
 namespace clearcut {
 
 namespace {
 
+constexpr const char* kKlartext = "heidenhain";
 constexpr double kJoint = 1e-4;  // mm; moves of a section meet to within the finest grid printed
 
 void require_printable(double value, const Section& section) {
@@ -45,18 +47,37 @@ void check(const Section& section) {
   }
 }
 
+[[noreturn]] void refuse_dialect(const std::string& name) {
+  std::string known;
+  for (const std::string& dialect : post_dialects()) known += (known.empty() ? "" : ", ") + dialect;
+  throw InputError("", "unknown post '" + name + "'; known: " + known);
+}
+
 }  // namespace
 
 const std::vector<std::string>& post_dialects() {
-  static const std::vector<std::string> names{"linuxcnc"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = iso_dialect_names();
+    all.emplace_back(kKlartext);
+    return all;
+  }();
   return names;
+}
+
+std::string file_extension_of(const std::string& dialect) {
+  if (dialect == kKlartext) return ".h";
+  const IsoDialect* iso = iso_dialect_named(dialect);
+  return iso ? std::string(iso->extension) : ".ngc";
 }
 
 std::string post(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
   const IsoDialect* dialect = iso_dialect_named(options.dialect);
-  if (!dialect) throw InputError("", "unknown post '" + options.dialect + "'; known: linuxcnc");
+  if (!dialect && options.dialect != kKlartext) refuse_dialect(options.dialect);
+  if (options.decimals && (*options.decimals < 1 || *options.decimals > 6)) {
+    throw InputError("", "decimals must be 1 to 6");
+  }
   for (const Section& section : toolpath.sections) check(section);
-  return write_iso(toolpath, part, options, *dialect);
+  return dialect ? write_iso(toolpath, part, options, *dialect) : write_klartext(toolpath, part, options);
 }
 
 }  // namespace clearcut

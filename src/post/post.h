@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/tolerances.h"
-#include "toolpath/machine.h"
 #include "part/part.h"
 #include "toolpath/move.h"
 
@@ -15,17 +14,31 @@ namespace clearcut {
 struct PostOptions {
   std::string dialect = "linuxcnc";  ///< linuxcnc grbl fanuc haas heidenhain mach3 mach4 marlin
   bool inch = false;
-  std::string program_name;
-  std::vector<std::string> header;  ///< comment lines: part, stock, tools, times, certificate summary
-  std::optional<int> decimals;      ///< default per dialect and unit
-  bool arcs = true;                 ///< false: lines only, within tol.chord
+  std::string program_name;             ///< "1234" or "O1234" gives Fanuc and Haas their program number
+  std::vector<std::string> header;      ///< comment lines: part, stock, tools, times, certificate summary
+  std::optional<int> decimals;          ///< 1 to 6; default per dialect and unit
+  bool arcs = true;                     ///< false: lines only, within tol.chord
+  bool tool_changer = true;             ///< false: a pause (M0) instead of M6
+  bool length_offset = true;            ///< false: no G43
+  bool exact_stop = false;              ///< G61 instead of blending, where the control knows it
+  std::optional<Seconds> spindle_wait;  ///< after the spindle starts; default per dialect
+  MmPerMin rapid = MmPerMin::of(3000);  ///< for controls whose G0 takes an F word (Marlin)
   Tolerances tol;
 };
 
 /// Names accepted as PostOptions::dialect.
 const std::vector<std::string>& post_dialects();
+/// Customary ending of a program's file name: ".ngc", ".nc", ".h", ".tap", ".gcode".
+std::string file_extension_of(const std::string& dialect);
 
-/// Throws InputError for an unknown dialect, or a number that is not finite.
+/// The program's text: LF line ends, ASCII. Same input, same bytes.
+///
+/// Shape   one OPERATION comment per section; sections are joined over the safe height.
+/// Error   see docs/posts.md: by default every point lies within 0.5 um of the toolpath in mm programs of
+/// four
+///         decimals; arcs are checked after rounding, from the previous printed point.
+/// Throws  InputError for an unknown dialect, a number that is not finite or beyond 1 km, a feed move without
+/// feed. Cost    linear.
 std::string post(const Toolpath& toolpath, const Part& part, const PostOptions& options);
 
 }  // namespace clearcut

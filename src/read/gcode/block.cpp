@@ -12,9 +12,6 @@ namespace {
 
 constexpr double kLargestNumber = 1e9;
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
 bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
@@ -52,28 +49,11 @@ void Block::set(char letter, double value) {
   present_ |= 1U << (letter - 'A');
 }
 
-BlockReader::BlockReader(std::string_view text, const std::string& file_name)
-    : rest_(text), file_name_(file_name) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (rest_.substr(0, kByteOrderMark.size()) == kByteOrderMark) rest_.remove_prefix(kByteOrderMark.size());
-}
-
-std::string_view BlockReader::next_line() {
-  const std::size_t end = rest_.find_first_of("\n\r");
-  const std::string_view line = rest_.substr(0, end);
-  std::size_t skip = line.size();
-  if (skip < rest_.size()) ++skip;
-  if (rest_.substr(line.size(), 2) == "\r\n") ++skip;
-  rest_.remove_prefix(skip);
-  ++line_;
-  return line;
-}
-
 bool BlockReader::next(Block& block) {
   block.clear();
-  if (rest_.empty()) return false;
-  const std::string_view line = next_line();
-  block.line = line_;
+  std::string_view line;
+  if (!lines_.next(line)) return false;
+  block.line = lines_.number();
   parse(line, block);
   return true;
 }

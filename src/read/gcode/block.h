@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "read/gcode/lines.h"
+
 namespace clearcut::gcode {
 
 struct Block {
@@ -30,24 +32,23 @@ struct Block {
   std::uint32_t present_ = 0;
 };
 
-/// Cuts a text into blocks: white space, letter case, comments, checksums and line ends of any kind are dealt
-/// with here. Throws InputError("file:line", ...) for what is not a word.
+/// Cuts a text into blocks: white space, letter case, comments and checksums are dealt with here. Throws
+/// InputError("file:line", ...) for what is not a word.
 class BlockReader {
  public:
-  BlockReader(std::string_view text, const std::string& file_name);
+  BlockReader(std::string_view text, std::string file_name)
+      : lines_(text), file_name_(std::move(file_name)) {}
   /// False at the end of the text.
   bool next(Block& block);
   std::string place(int line) const { return file_name_ + ":" + std::to_string(line); }
 
  private:
-  std::string_view next_line();
   void parse(std::string_view line, Block& block) const;
   void parse_word(std::string_view line, std::size_t& at, Block& block) const;
   double parse_number(std::string_view line, std::size_t& at, char letter, int number) const;
 
-  std::string_view rest_;
+  Lines lines_;
   std::string file_name_;
-  int line_ = 0;
 };
 
 }  // namespace clearcut::gcode

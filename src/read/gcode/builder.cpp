@@ -32,8 +32,9 @@ void ToolpathBuilder::begin_section(std::string label, int workingstep) {
   new_section_ = true;
 }
 
+/// A section that has not cut yet takes the new tool.
 void ToolpathBuilder::begin_section() {
-  new_section_ = true;
+  new_section_ = new_section_ || section_cuts_;
 }
 
 void ToolpathBuilder::rapid(const Target& target, int line) {

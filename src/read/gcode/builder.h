@@ -35,8 +35,9 @@ class ToolpathBuilder {
 
   Drive drive;
 
-  /// An operation comment or a tool change: the next move begins a new section.
+  /// An operation comment: the next move begins a new section.
   void begin_section(std::string label, int workingstep);
+  /// A tool change.
   void begin_section();
 
   void rapid(const Target& target, int line);

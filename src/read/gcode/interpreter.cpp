@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "read/gcode/marker.h"
 
 namespace clearcut::gcode {
 
@@ -235,16 +236,33 @@ void Interpreter::set_feed_and_drive(const Block& block) {
     if (block.value('F') < 0) refuse("F word below zero; correct it");
     feed_ = feed_mode_ == FeedMode::kInverseTime ? block.value('F') : mm(block.value('F'));
   }
-  if (block.has('S')) speed_ = std::abs(block.value('S'));
+  if (block.has('S') && !has_g(block, 40)) speed_ = std::abs(block.value('S'));
   if (block.has('T')) {
     if (block.value('T') < 0 || block.value('T') > 1e6) refuse("T word with an impossible tool; correct it");
-    next_tool_ = static_cast<int>(block.value('T'));
-    if (builder_.drive.tool == 0) builder_.drive.tool = next_tool_;
+    select_tool(static_cast<int>(block.value('T')));
   }
   for (const int m : block.m) set_drive(m, block);
   const bool turning = spindle_ == 3 || spindle_ == 4;
   builder_.drive.spindle_rpm = turning ? speed_ : 0;
   builder_.drive.clockwise = spindle_ != 4;
+}
+
+/// Without a tool so far it is in the spindle already; otherwise it waits for M6 or a pause.
+void Interpreter::select_tool(int number) {
+  next_tool_ = number;
+  if (builder_.drive.tool == 0) builder_.drive.tool = number;
+}
+
+void Interpreter::load_tool() {
+  builder_.drive.tool = next_tool_;
+  builder_.begin_section();
+}
+
+void Interpreter::comment(std::string_view text) {
+  int tool = 0;
+  const Marker marker = read_marker(text, builder_, tool);
+  if (marker == Marker::kTool) select_tool(tool);
+  if (marker == Marker::kEnd) ended_ = true;
 }
 
 void Interpreter::set_drive(int m, const Block& block) {
@@ -259,8 +277,8 @@ void Interpreter::set_drive(int m, const Block& block) {
       builder_.drive.coolant = true;
       return;
     case 60:
-      builder_.drive.tool = next_tool_;
-      return builder_.begin_section();
+      changer_ = true;
+      return load_tool();
     case 70:
     case 80:
     case 880:
@@ -272,8 +290,7 @@ void Interpreter::set_drive(int m, const Block& block) {
       return;
     case 0:
     case 10:  // a pause is where tools are changed by hand
-      if (next_tool_ != builder_.drive.tool && next_tool_ != 0) builder_.begin_section();
-      if (next_tool_ != 0) builder_.drive.tool = next_tool_;
+      if (!changer_ && next_tool_ != builder_.drive.tool) load_tool();
       return;
     case 960:
     case 970:

@@ -16,6 +16,8 @@ class Interpreter {
 
   /// Throws InputError for words no control takes together and for words that cannot be understood.
   void execute(const Block& block);
+  /// Own comments open sections and name tools; others say nothing.
+  void comment(std::string_view text);
   /// An end word was seen; what follows is not part of the program.
   bool ended() const { return ended_; }
 
@@ -29,6 +31,8 @@ class Interpreter {
   void set_unread_mode(int code);
   void set_feed_and_drive(const Block& block);
   void set_drive(int m, const Block& block);
+  void select_tool(int number);
+  void load_tool();
   void move(const Block& block);
   bool move_specially(const Block& block);
   void go_home(const Block& block);
@@ -61,6 +65,7 @@ class Interpreter {
   double speed_ = 0;  ///< S word, rpm
   int spindle_ = 0;   ///< 3, 4 or 5 as in M3, M4, M5; 0 never said
   int next_tool_ = 0;
+  bool changer_ = false;           ///< an M6 was seen: pauses no longer change tools
   int offset_word_ = 0;            ///< work offset in use, tenths
   std::array<double, 3> shift_{};  ///< G92 and G52, mm
   DrillCycle cycle_;

@@ -1,0 +1,308 @@
+// Blocks are numbered from 0 without gaps; the centre of an arc is absolute and modal (CC); a helix is polar
+// (CP).
+#include "post/klartext_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+
+#include "base/format.h"
+#include "post/comment.h"
+#include "post/heights.h"
+#include "post/steps.h"
+
+namespace clearcut {
+
+namespace {
+
+constexpr double kMmPerInch = 25.4;
+constexpr int kAngleDecimals = 4;
+constexpr std::size_t kLineLength = 80;
+/// mm; a wider helix would miss its end by more than 0.2 um, because its angle is printed with four decimals.
+constexpr double kWidestHelix = 200;
+constexpr std::size_t kNameLength = 16;
+
+std::string program_name(const std::string& wanted) {
+  std::string name;
+  for (const char c : wanted) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 128 && (std::isalnum(byte) || c == '-' || c == '_'))
+      name += static_cast<char>(std::toupper(byte));
+  }
+  return name.empty() ? "CLEARCUT" : name.substr(0, kNameLength);
+}
+
+struct Held {
+  Ticks at;
+  bool plan = false;
+  bool height = false;
+  std::optional<Ticks> center;  ///< CC
+  long long feed = -1;
+  int tool = 0;
+  double rpm = 0;
+  int spindle = 5;  ///< 3, 4, 5 as in M3, M4, M5
+  bool coolant = false;
+};
+
+class KlartextWriter {
+ public:
+  KlartextWriter(const Part& part, const PostOptions& options, double safe_z)
+      : part_(part),
+        options_(options),
+        rules_{PrintGrid(options.inch, options.decimals.value_or(options.inch ? 4 : 3)), options.arcs, 10000,
+               options.tol.chord},
+        safe_z_(rules_.grid.ticks(safe_z)),
+        name_(program_name(options.program_name)) {}
+
+  std::string program(const Toolpath& toolpath);
+
+ private:
+  void begin_program(const Toolpath& toolpath);
+  void blank_form(const Toolpath& toolpath);
+  void write_section(const Section& section);
+  void end_program();
+  void call_tool(const Section& section);
+  void set_spindle(int m);
+  void set_coolant(bool on);
+  void approach(const Move& first);
+  void retract();
+  void rapid_to_plan(const Ticks& to);
+  void rapid_to_height(long long z);
+  void write_move(const Move& move);
+  void write_line(const Ticks& to, bool rapid, MmPerMin feed);
+  void write_arc(const Step& step, MmPerMin feed);
+
+  void block(const std::string& text) { out_ += fmt::format("{} {}\n", number_++, text); }
+  void comment(std::string_view text);
+  std::string coordinate(std::string_view name, long long ticks) const;
+  std::string feed_text(MmPerMin feed);
+  const char* unit() const { return options_.inch ? "INCH" : "MM"; }
+
+  const Part& part_;
+  const PostOptions& options_;
+  StepRules rules_;
+  long long safe_z_;
+  std::string name_;
+  std::string out_;
+  int number_ = 0;
+  Held held_;
+  std::vector<Step> steps_;
+};
+
+std::string KlartextWriter::program(const Toolpath& toolpath) {
+  begin_program(toolpath);
+  for (const Section& section : toolpath.sections) {
+    if (!section.moves.empty()) write_section(section);
+  }
+  end_program();
+  return std::move(out_);
+}
+
+void KlartextWriter::begin_program(const Toolpath& toolpath) {
+  block(fmt::format("BEGIN PGM {} {}", name_, unit()));
+  for (const std::string& text : options_.header) comment(text);
+  comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
+  blank_form(toolpath);
+  block("CYCL DEF 32.0 TOLERANCE");
+  block("CYCL DEF 32.1 T" + trimmed(options_.tol.gouge / (options_.inch ? kMmPerInch : 1), 6));
+}
+
+/// The stock, or what the tool's centre covers where no stock is known.
+void KlartextWriter::blank_form(const Toolpath& toolpath) {
+  Box plan = part_.stock ? part_.stock->plan : Box{};
+  double bottom = part_.stock ? part_.stock->z_bottom : -1, top = part_.stock ? part_.stock->z_top : 0;
+  if (!part_.stock) {
+    for (const Section& section : toolpath.sections) {
+      for (const Move& move : section.moves) {
+        plan.add(move.path.box());
+        bottom = std::min(bottom, move.z_to);
+      }
+    }
+    if (plan.empty()) plan.add(Vec2{});
+    plan = plan.grown(1);
+  }
+  const Ticks low = rules_.grid.ticks(plan.min, bottom), high = rules_.grid.ticks(plan.max, top);
+  block("BLK FORM 0.1 Z" + coordinate(" X", low.x) + coordinate(" Y", low.y) + coordinate(" Z", low.z));
+  block("BLK FORM 0.2" + coordinate(" X", high.x) + coordinate(" Y", high.y) + coordinate(" Z", high.z));
+}
+
+void KlartextWriter::write_section(const Section& section) {
+  const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
+  if (new_tool && held_.height) retract();
+  comment(operation_comment(section.workingstep, section.label));
+  if (new_tool) {
+    set_coolant(false);
+    set_spindle(5);
+    comment(tool_change_comment(part_, section.tool_number));
+  }
+  call_tool(section);
+  set_spindle(section.spindle_rpm <= 0 ? 5 : section.spindle_clockwise ? 3 : 4);
+  set_coolant(section.coolant);
+  approach(section.moves.front());
+  for (const Move& move : section.moves) write_move(move);
+}
+
+void KlartextWriter::end_program() {
+  if (held_.height) retract();
+  set_coolant(false);
+  set_spindle(5);
+  block("M30");
+  block(fmt::format("END PGM {} {}", name_, unit()));
+}
+
+/// A call without a number changes the speed alone. The length comes from the control's own table.
+void KlartextWriter::call_tool(const Section& section) {
+  const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
+  const bool new_speed = section.spindle_rpm > 0 && section.spindle_rpm != held_.rpm;
+  if (!new_tool && !new_speed) return;
+  std::string text = "TOOL CALL";
+  if (new_tool) text += fmt::format(" {}", section.tool_number);
+  text += " Z";
+  if (section.spindle_rpm > 0) text += fmt::format(" S{}", std::max(1LL, std::llround(section.spindle_rpm)));
+  block(text);
+  held_.rpm = section.spindle_rpm;
+  if (!new_tool) return;
+  held_.tool = section.tool_number;
+  held_.plan = held_.height = false;
+  held_.center.reset();
+  held_.feed = -1;
+}
+
+void KlartextWriter::set_spindle(int m) {
+  if (m == held_.spindle) return;
+  held_.spindle = m;
+  block(fmt::format("M{}", m));
+  const double wait = options_.spindle_wait ? options_.spindle_wait->seconds() : 0;
+  if (m == 5 || wait <= 0) return;
+  block("CYCL DEF 9.0 DWELL TIME");
+  block("CYCL DEF 9.1 DWELL " + trimmed(wait, 3));
+}
+
+void KlartextWriter::set_coolant(bool on) {
+  if (on == held_.coolant) return;
+  held_.coolant = on;
+  block(on ? "M8" : "M9");
+}
+
+void KlartextWriter::approach(const Move& first) {
+  const Ticks start = rules_.grid.ticks(first.path.from, first.z_from);
+  const bool above = held_.plan && held_.at.same_plan(start);
+  if (above && held_.height && held_.at.z == start.z) return;
+  if (!above) {
+    retract();
+    rapid_to_plan(start);
+  }
+  rapid_to_height(start.z);
+}
+
+void KlartextWriter::retract() {
+  if (!held_.height || held_.at.z < safe_z_) rapid_to_height(safe_z_);
+}
+
+void KlartextWriter::rapid_to_plan(const Ticks& to) {
+  block("L" + coordinate(" X", to.x) + coordinate(" Y", to.y) + " R0 FMAX");
+  held_.at.x = to.x;
+  held_.at.y = to.y;
+  held_.plan = true;
+  held_.feed = -1;
+}
+
+void KlartextWriter::rapid_to_height(long long z) {
+  if (held_.height && held_.at.z == z) return;
+  block("L" + coordinate(" Z", z) + " R0 FMAX");
+  held_.at.z = z;
+  held_.height = true;
+  held_.feed = -1;
+}
+
+void KlartextWriter::write_move(const Move& move) {
+  const bool rapid = is_rapid(move.kind);
+  const bool wide_helix = move.path.is_arc() && move.z_from != move.z_to && move.path.radius() > kWidestHelix;
+  StepRules rules = rules_;
+  if (rapid || wide_helix) rules.arcs = false;
+  steps_.clear();
+  append_steps(move, held_.at, rules, steps_);
+  for (const Step& step : steps_) {
+    if (step.turn == Turn::kStraight) {
+      write_line(step.to, rapid, move.feed);
+    } else {
+      write_arc(step, move.feed);
+    }
+  }
+}
+
+void KlartextWriter::write_line(const Ticks& to, bool rapid, MmPerMin feed) {
+  std::string text = "L";
+  if (to.x != held_.at.x) text += coordinate(" X", to.x);
+  if (to.y != held_.at.y) text += coordinate(" Y", to.y);
+  if (to.z != held_.at.z) text += coordinate(" Z", to.z);
+  held_.at = to;
+  if (rapid) held_.feed = -1;
+  block(text + (rapid ? " R0 FMAX" : feed_text(feed)));
+}
+
+/// Signed angle of an arc step in degrees, as printed: from the start over the side it turns to.
+double swept_degrees(const Step& step, const Ticks& from) {
+  const Vec2 start{static_cast<double>(-step.i), static_cast<double>(-step.j)};
+  const Vec2 end{static_cast<double>(step.to.x - from.x - step.i),
+                 static_cast<double>(step.to.y - from.y - step.j)};
+  const double side = step.turn == Turn::kCounterClockwise ? 1 : -1;
+  const double angle = side * std::atan2(cross(start, end), dot(start, end));
+  return side * (angle > 0 ? angle : angle + 2 * kPi) * 180 / kPi;
+}
+
+void KlartextWriter::write_arc(const Step& step, MmPerMin feed) {
+  const Ticks center{held_.at.x + step.i, held_.at.y + step.j, 0};
+  if (held_.center != center) {
+    block("CC" + coordinate(" X", center.x) + coordinate(" Y", center.y));
+    held_.center = center;
+  }
+  const char* turn = step.turn == Turn::kCounterClockwise ? " DR+" : " DR-";
+  std::string text;
+  if (step.to.z == held_.at.z) {
+    text = "C" + coordinate(" X", step.to.x) + coordinate(" Y", step.to.y);
+  } else {
+    text = fmt::format("CP IPA{:+.{}f}", swept_degrees(step, held_.at), kAngleDecimals) +
+           coordinate(" IZ", step.to.z - held_.at.z);
+  }
+  held_.at = step.to;
+  block(text + turn + feed_text(feed));
+}
+
+/// Comments that are too long go on in a block of their own.
+void KlartextWriter::comment(std::string_view text) {
+  const std::string plain = plain_comment(text);
+  constexpr std::size_t kRoom = kLineLength - 12;
+  for (std::size_t begin = 0; begin == 0 || begin < plain.size(); begin += kRoom) {
+    block("; " + plain.substr(begin, kRoom));
+  }
+}
+
+std::string KlartextWriter::coordinate(std::string_view name, long long ticks) const {
+  std::string text(name);
+  if (ticks >= 0) text += '+';
+  append_number(text, ticks, rules_.grid.decimals(), false);
+  return text;
+}
+
+/// F counts tenths of an inch in inch programs.
+std::string KlartextWriter::feed_text(MmPerMin feed) {
+  const double units = feed.mm_per_min() * (options_.inch ? 10 / kMmPerInch : 1);
+  const long long hundredths = std::max(1LL, std::llround(units * 100));
+  if (hundredths == held_.feed) return "";
+  held_.feed = hundredths;
+  std::string text = " F";
+  append_number(text, hundredths, 2, false);
+  return text;
+}
+
+}  // namespace
+
+std::string write_klartext(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
+  return KlartextWriter(part, options, safe_height(toolpath, part)).program(toolpath);
+}
+
+}  // namespace clearcut

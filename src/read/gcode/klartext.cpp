@@ -1,0 +1,377 @@
+#include "read/gcode/klartext.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "read/gcode/arc.h"
+#include "read/gcode/lines.h"
+#include "read/gcode/marker.h"
+
+namespace clearcut::gcode {
+
+namespace {
+
+constexpr double kMmPerInch = 25.4;
+constexpr double kLargestNumber = 1e6;
+constexpr double kMostTurns = 10000;
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// A block without its number: upper-case words and the comment.
+struct Words {
+  std::vector<std::string> words;
+  std::string_view comment;
+};
+
+Words words_of(std::string_view line) {
+  Words found;
+  const std::size_t mark = line.find(';');
+  if (mark != std::string_view::npos) found.comment = line.substr(mark + 1);
+  std::string word;
+  for (const char c : line.substr(0, mark)) {
+    if (!is_blank(c)) {
+      word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    } else if (!word.empty()) {
+      found.words.push_back(std::move(word));
+      word.clear();
+    }
+  }
+  if (!word.empty()) found.words.push_back(std::move(word));
+  const bool numbered =
+      !found.words.empty() && std::all_of(found.words[0].begin(), found.words[0].end(), is_digit);
+  if (numbered) found.words.erase(found.words.begin());
+  return found;
+}
+
+/// What the words of a path block say. mm and degrees.
+struct PathWords {
+  Target absolute;
+  Target incremental;
+  std::optional<double> polar_angle, polar_step, polar_radius, radius, feed;
+  std::optional<Turn> turn;
+  bool rapid = false;
+  bool machine_frame = false;
+  std::vector<int> m;
+};
+
+class Reader {
+ public:
+  explicit Reader(ToolpathBuilder& builder) : builder_(builder) {}
+
+  bool read(std::string_view text);
+
+ private:
+  void block(const Words& block);
+  void path_block(const std::string& kind, const std::vector<std::string>& words);
+  PathWords path_words(const std::vector<std::string>& words);
+  void path_word(const std::string& word, PathWords& found);
+  void tool_call(const std::vector<std::string>& words);
+  void cycle(const std::vector<std::string>& words);
+  void m_word(int m);
+  void set_drive();
+
+  void line(const PathWords& words, bool polar);
+  void circle_center(const PathWords& words);
+  void circle(const PathWords& words);
+  void circle_by_radius(const PathWords& words);
+  void polar_circle(const PathWords& words);
+  void arc(const ArcShape& shape, double z_to);
+  Vec2 plan_target(const PathWords& words);
+  double height_target(const PathWords& words);
+  Vec2 here();
+  RadiusRule radius_rule() const;
+  std::string place() const { return builder_.place(line_); }
+
+  double number(std::string_view text) const;
+  [[noreturn]] void refuse(const std::string& what) const { throw InputError(place(), what); }
+
+  ToolpathBuilder& builder_;
+  int line_ = 0;
+  double unit_ = 1;
+  double feed_ = 0;
+  double speed_ = 0;
+  int spindle_ = 5;
+  std::optional<Vec2> pole_;
+  bool ended_ = false;
+};
+
+bool Reader::read(std::string_view text) {
+  Lines lines(text);
+  std::string_view line;
+  while (!ended_ && lines.next(line)) {
+    line_ = lines.number();
+    const Words words = words_of(line);
+    int tool = 0;
+    read_marker(words.comment, builder_, tool);
+    if (!words.words.empty()) block(words);
+  }
+  return ended_;
+}
+
+void Reader::block(const Words& found) {
+  const auto& words = found.words;
+  const std::string& first = words[0];
+  const std::string second = words.size() > 1 ? words[1] : "";
+  if (first == "BEGIN" || first == "END") {
+    ended_ = first == "END";
+    unit_ = words.back() == "INCH" ? kMmPerInch : 1;
+  } else if (first == "TOOL" && second == "CALL") {
+    tool_call(words);
+  } else if (first == "CYCL") {
+    cycle(words);
+  } else if (first == "BLK" || first == "TOOL" || first == "LBL" || first == "STOP" || first == "FUNCTION") {
+    if (first == "FUNCTION" && second != "MODE")
+      refuse("FUNCTION " + second + " is not read; post without it");
+  } else if (first == "L" || first == "LP" || first == "C" || first == "CC" || first == "CR" ||
+             first == "CP") {
+    path_block(first, words);
+  } else if (first[0] == 'M' && first.size() > 1 && is_digit(first[1])) {
+    for (const std::string& word : words) m_word(static_cast<int>(number(word.substr(1))));
+  } else {
+    refuse("block '" + first.substr(0, 20) +
+           "' is not read; post the program with L, C, CR and CP blocks only");
+  }
+}
+
+/// A number without a tool is a new speed; DL, DR and F are the control's business.
+void Reader::tool_call(const std::vector<std::string>& words) {
+  for (std::size_t k = 2; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (k == 2 && is_digit(word[0])) {
+      builder_.drive.tool = static_cast<int>(number(word));
+      builder_.begin_section();
+    } else if (word[0] == '"') {
+      builder_.drive.tool = 0;
+      builder_.begin_section();
+      builder_.warn(line_, "tools called by name have no number here");
+    } else if (word[0] == 'S') {
+      speed_ = std::abs(number(word.substr(1)));
+    } else if (word.rfind("DR", 0) == 0 && number(word.substr(2)) != 0) {
+      refuse("TOOL CALL with a radius correction DR; post the path of the tool's centre");
+    } else if (word[0] == 'F') {
+      feed_ = number(word.substr(1)) * (unit_ == 1 ? 1 : unit_ / 10);
+    }
+  }
+  set_drive();
+}
+
+/// Dwell, tolerance and the choice of a datum leave the path alone.
+void Reader::cycle(const std::vector<std::string>& words) {
+  const std::string cycle = words.size() > 2 ? words[2].substr(0, words[2].find('.')) : "";
+  if (words.size() > 2 && words[1] == "DEF" && (cycle == "9" || cycle == "32" || cycle == "247")) return;
+  refuse("cycle " + cycle.substr(0, 20) + " is not read; post its moves one by one");
+}
+
+void Reader::m_word(int m) {
+  if (m == 3 || m == 4 || m == 5) spindle_ = m;
+  if (m == 13 || m == 14) spindle_ = m - 10;
+  if (m == 8 || m == 13 || m == 14) builder_.drive.coolant = true;
+  if (m == 9) builder_.drive.coolant = false;
+  if (m == 2 || m == 30) ended_ = true;
+  if (m == 97 || m == 98 || m == 99)
+    refuse("M" + std::to_string(m) + " is not read; post the program without it");
+  set_drive();
+}
+
+void Reader::set_drive() {
+  builder_.drive.spindle_rpm = spindle_ == 5 ? 0 : speed_;
+  builder_.drive.clockwise = spindle_ != 4;
+}
+
+double Reader::number(std::string_view text) const {
+  std::string_view digits = text;
+  if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
+  const bool plain = !digits.empty() && (is_digit(digits.back()) || digits.back() == '.') &&
+                     (is_digit(digits.front()) || digits.front() == '-' || digits.front() == '.');
+  double value = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
+  if (!plain || error != std::errc{} || end != digits.data() + digits.size()) {
+    refuse("'" + std::string(text.substr(0, 20)) +
+           "' is no plain number (Q parameters are not read); correct it");
+  }
+  if (!(std::abs(value) <= kLargestNumber)) refuse("number no machine takes; correct it");
+  return value;
+}
+
+PathWords Reader::path_words(const std::vector<std::string>& words) {
+  PathWords found;
+  for (std::size_t k = 1; k < words.size(); ++k) path_word(words[k], found);
+  return found;
+}
+
+void Reader::path_word(const std::string& word, PathWords& found) {
+  const auto rest = [&](std::size_t skip) { return number(std::string_view(word).substr(skip)); };
+  if (word == "R0") return;
+  if (word == "RL" || word == "RR")
+    refuse(word + " radius compensation is not read; post the tool's centre (R0)");
+  if (word == "FMAX") {
+    found.rapid = true;
+  } else if (word == "DR+" || word == "DR-") {
+    found.turn = word == "DR+" ? Turn::kCounterClockwise : Turn::kClockwise;
+  } else if (word.rfind("IPA", 0) == 0) {
+    found.polar_step = rest(3);
+  } else if (word.rfind("PA", 0) == 0) {
+    found.polar_angle = rest(2);
+  } else if (word.rfind("PR", 0) == 0) {
+    found.polar_radius = rest(2) * unit_;
+  } else if (word[0] >= 'X' && word[0] <= 'Z') {
+    found.absolute[static_cast<std::size_t>(word[0] - 'X')] = rest(1) * unit_;
+  } else if (word.size() > 1 && word[0] == 'I' && word[1] >= 'X' && word[1] <= 'Z') {
+    found.incremental[static_cast<std::size_t>(word[1] - 'X')] = rest(2) * unit_;
+  } else if (word[0] == 'R') {
+    found.radius = rest(1) * unit_;
+  } else if (word[0] == 'F') {
+    found.feed = rest(1) * (unit_ == 1 ? 1 : unit_ / 10);
+  } else if (word[0] == 'M') {
+    const int m = static_cast<int>(rest(1));
+    found.machine_frame = found.machine_frame || m == 91 || m == 92 || m == 140;
+    if (m == 140) refuse("M140 is not read; post the retract as a move");
+    found.m.push_back(m);
+  } else {
+    refuse("word '" + word.substr(0, 20) + "' is not read; post the program without it");
+  }
+}
+
+/// M words of a block act before its motion, except the stops.
+void Reader::path_block(const std::string& kind, const std::vector<std::string>& block_words) {
+  const PathWords words = path_words(block_words);
+  if (words.feed) feed_ = *words.feed;
+  for (const int m : words.m) {
+    if (m != 2 && m != 30) m_word(m);
+  }
+  if (words.machine_frame) {
+    if (words.absolute[2]) builder_.lift_home(line_);
+    builder_.note(line_,
+                  "moves in the machine's own frame (M91, M92) are taken as straight up to Z 100 or higher");
+  } else if (kind == "L" || kind == "LP") {
+    line(words, kind == "LP");
+  } else if (kind == "CC") {
+    circle_center(words);
+  } else if (kind == "C") {
+    circle(words);
+  } else if (kind == "CR") {
+    circle_by_radius(words);
+  } else {
+    polar_circle(words);
+  }
+  ended_ = std::any_of(words.m.begin(), words.m.end(), [](int m) { return m == 2 || m == 30; });
+}
+
+Vec2 Reader::here() {
+  return {builder_.known(0, line_), builder_.known(1, line_)};
+}
+
+void Reader::line(const PathWords& words, bool polar) {
+  Target to = words.absolute;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (words.incremental[axis]) to[axis] = builder_.known(axis, line_) + *words.incremental[axis];
+  }
+  if (polar) {
+    if (!pole_) refuse("LP without a pole; give CC before it");
+    const Vec2 arm = here() - *pole_;
+    const double angle = words.polar_angle
+                             ? Radians::of_degrees(*words.polar_angle).radians()
+                             : angle_of(arm) + Radians::of_degrees(words.polar_step.value_or(0)).radians();
+    const Vec2 end = *pole_ + direction_of(angle) * words.polar_radius.value_or(norm(arm));
+    to[0] = end.x;
+    to[1] = end.y;
+  }
+  if (words.rapid) {
+    builder_.rapid(to, line_);
+  } else {
+    builder_.feed(to, MmPerMin::of(feed_), line_);
+  }
+}
+
+Vec2 Reader::plan_target(const PathWords& words) {
+  const Vec2 from = here();
+  return {words.incremental[0] ? from.x + *words.incremental[0] : words.absolute[0].value_or(from.x),
+          words.incremental[1] ? from.y + *words.incremental[1] : words.absolute[1].value_or(from.y)};
+}
+
+double Reader::height_target(const PathWords& words) {
+  const double from = builder_.known(2, line_);
+  return words.incremental[2] ? from + *words.incremental[2] : words.absolute[2].value_or(from);
+}
+
+/// Without coordinates the pole is where the tool is.
+void Reader::circle_center(const PathWords& words) {
+  if (words.absolute[0] && words.absolute[1]) {
+    pole_ = Vec2{*words.absolute[0], *words.absolute[1]};
+    return;
+  }
+  pole_ = plan_target(words);
+}
+
+RadiusRule Reader::radius_rule() const {
+  return unit_ == 1 ? RadiusRule{} : RadiusRule{0.0005 * kMmPerInch, 0.05 * kMmPerInch};
+}
+
+void Reader::circle(const PathWords& words) {
+  if (!pole_ || !words.turn) refuse("arc without its centre (CC) or direction (DR); give both");
+  const Vec2 from = here(), to = plan_target(words);
+  arc(arc_about(from, to, *pole_, *words.turn, 1, radius_rule(), place()), height_target(words));
+}
+
+void Reader::circle_by_radius(const PathWords& words) {
+  if (!words.radius || !words.turn) refuse("CR without R or DR; give both");
+  const Vec2 from = here(), to = plan_target(words);
+  arc(arc_of_radius(from, to, *words.radius, *words.turn, radius_rule(), place()), height_target(words));
+}
+
+void Reader::polar_circle(const PathWords& words) {
+  if (!pole_ || !words.turn || !(words.polar_angle || words.polar_step)) {
+    refuse("CP without its pole (CC), angle or direction (DR); give all three");
+  }
+  const Vec2 from = here(), arm = from - *pole_;
+  const double side = *words.turn == Turn::kCounterClockwise ? 1 : -1;
+  double sweep = 0;
+  if (words.polar_step) {
+    sweep = side * Radians::of_degrees(*words.polar_step).radians();
+    if (!(sweep > 0) || sweep > kMostTurns)
+      refuse("CP whose angle IPA and direction DR disagree; correct it");
+  } else {
+    sweep =
+        std::remainder(side * (Radians::of_degrees(*words.polar_angle).radians() - angle_of(arm)), 2 * kPi);
+    if (sweep <= 0) sweep += 2 * kPi;
+  }
+  if (norm(arm) <= 1e-7) refuse("arc of radius zero; correct CC");
+  const Vec2 to = *pole_ + rotated(arm, side * sweep);
+  arc({from, to, *pole_, *words.turn, sweep}, height_target(words));
+}
+
+void Reader::arc(const ArcShape& shape, double z_to) {
+  const std::vector<Edge> edges = arc_edges(shape);
+  const double z_from = builder_.known(2, line_);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
+    builder_.arc(edges[k], std::lerp(z_from, z_to, t), MmPerMin::of(feed_), line_);
+  }
+}
+
+}  // namespace
+
+bool is_klartext(std::string_view text) {
+  Lines lines(text);
+  std::string_view line;
+  while (lines.next(line)) {
+    const Words found = words_of(line);
+    if (!found.words.empty())
+      return found.words.size() > 1 && found.words[0] == "BEGIN" && found.words[1] == "PGM";
+  }
+  return false;
+}
+
+bool read_klartext(std::string_view text, ToolpathBuilder& builder) {
+  return Reader(builder).read(text);
+}
+
+}  // namespace clearcut::gcode

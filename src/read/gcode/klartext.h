@@ -1,0 +1,17 @@
+// Heidenhain conversational programs.
+#pragma once
+
+#include <string_view>
+
+#include "read/gcode/builder.h"
+
+namespace clearcut::gcode {
+
+/// Whether the text's first line that says anything is "BEGIN PGM".
+bool is_klartext(std::string_view text);
+
+/// Returns whether END PGM or M30 was seen. Throws InputError for blocks that would move the tool in ways
+/// that are not understood.
+bool read_klartext(std::string_view text, ToolpathBuilder& builder);
+
+}  // namespace clearcut::gcode

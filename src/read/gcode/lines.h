@@ -1,0 +1,27 @@
+// The lines of a program's text.
+#pragma once
+
+#include <string_view>
+
+namespace clearcut::gcode {
+
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+/// Without blanks at either end.
+std::string_view stripped(std::string_view text);
+
+/// Ends may be LF, CR LF or CR; a byte order mark is skipped.
+class Lines {
+ public:
+  explicit Lines(std::string_view text);
+  /// False at the end of the text.
+  bool next(std::string_view& line);
+  int number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  int number_ = 0;
+};
+
+}  // namespace clearcut::gcode

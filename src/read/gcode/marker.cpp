@@ -1,0 +1,39 @@
+#include "read/gcode/marker.h"
+
+#include <charconv>
+#include <string>
+
+#include "read/gcode/lines.h"
+
+namespace clearcut::gcode {
+
+namespace {
+
+bool skip(std::string_view& text, std::string_view word) {
+  if (text.substr(0, word.size()) != word) return false;
+  text.remove_prefix(word.size());
+  return true;
+}
+
+bool read_count(std::string_view& text, int& count) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc{} || count < 1) return false;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return true;
+}
+
+}  // namespace
+
+Marker read_marker(std::string_view comment, ToolpathBuilder& builder, int& tool) {
+  comment = stripped(comment);
+  if (comment == "END OF PROGRAM") return Marker::kEnd;
+  if (skip(comment, "TOOL CHANGE T")) return read_count(comment, tool) ? Marker::kTool : Marker::kNone;
+  if (!skip(comment, "OPERATION")) return Marker::kNone;
+  int counted = 0;
+  if (skip(comment, " ") && !read_count(comment, counted)) return Marker::kNone;
+  if (!skip(comment, ":")) return Marker::kNone;
+  builder.begin_section(std::string(stripped(comment)), counted - 1);
+  return Marker::kSection;
+}
+
+}  // namespace clearcut::gcode
