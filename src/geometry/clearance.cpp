@@ -1,0 +1,129 @@
+// Symbol table and reasons: docs/offset.md.
+#include "geometry/clearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "geometry/boolean.h"
+#include "geometry/voronoi/axis.h"
+#include "geometry/voronoi/fit_lines.h"
+#include "geometry/voronoi/level_curves.h"
+#include "geometry/voronoi/offset_loop.h"
+
+namespace clearcut {
+namespace {
+
+/// mm. Chords of arcs and runs of lines made one lie this near to the boundary at most: half of the promised
+/// 1 um.
+constexpr double kTopologyError = 0.0005;
+constexpr double kSimplify = 0.0004;
+/// mm. Offsets smaller than this return the region: its own points are within the promise.
+constexpr double kNoOffset = 0.0005;
+/// mm. Clearance above a level that a place must have to belong to it: above the noise of the grid, so that
+/// walls just 2d apart give a fit line and not slivers.
+constexpr double kMargin = 0.0003;
+/// Dead ends of fit lines shorter than this many times the fit tolerance are corners, not slots.
+constexpr double kStubFactor = 100;
+
+/// Loops of one level, nested: counter-clockwise ones hold the clockwise ones inside them.
+Regions nested(std::vector<Loop> loops) {
+  std::vector<std::pair<double, Loop>> outers;
+  std::vector<Loop> islands;
+  for (Loop& loop : loops) {
+    const double area = signed_area(loop);
+    if (area > 0) outers.emplace_back(area, std::move(loop));
+    if (area < 0) islands.push_back(std::move(loop));
+  }
+  // Smallest first: the first that holds an island is the one around it.
+  std::vector<std::size_t> by_area(outers.size());
+  for (std::size_t i = 0; i < by_area.size(); ++i) by_area[i] = i;
+  std::stable_sort(by_area.begin(), by_area.end(),
+                   [&](std::size_t a, std::size_t b) { return outers[a].first < outers[b].first; });
+  std::vector<Box> boxes;
+  for (const auto& outer : outers) boxes.push_back(box(outer.second));
+  std::vector<std::vector<Loop>> inside(outers.size());
+  for (Loop& island : islands) {
+    const Vec2 p = island.front().at(0.5);
+    const auto holder = std::find_if(by_area.begin(), by_area.end(), [&](std::size_t i) {
+      return outers.size() == 1 || (boxes[i].contains(p) && contains(outers[i].second, p));
+    });
+    if (holder != by_area.end()) inside[*holder].push_back(std::move(island));
+  }
+  Regions regions;
+  for (std::size_t i = 0; i < outers.size(); ++i) {
+    regions.push_back(Region::from_valid_loops(std::move(outers[i].second), std::move(inside[i])));
+  }
+  return regions;
+}
+
+}  // namespace
+
+struct Clearance::Impl {
+  Region region;
+  Tolerances tol;
+  voronoi::Diagram diagram;
+  voronoi::Axis axis;
+  std::vector<AxisPoint> centers;
+
+  Impl(const Region& of, const Tolerances& with)
+      : region(of),
+        tol(with),
+        diagram(voronoi::make_diagram(voronoi::make_sites(of, kTopologyError, kSimplify))) {
+    axis = voronoi::make_axis(diagram);
+    centers = voronoi::find_centers(axis, diagram, tol.fit);
+  }
+
+  std::vector<Regions> insets(const std::vector<double>& ascending) const {
+    std::vector<double> levels;
+    for (const double d : ascending) {
+      CLEARCUT_ASSERT(d >= 0 && (levels.empty() || d >= levels.back()));
+      if (d >= kNoOffset) levels.push_back(d);
+    }
+    const std::size_t unchanged = ascending.size() - levels.size();
+    std::vector<std::vector<Loop>> loops(levels.size());
+    for (const auto& curve : voronoi::level_curves(diagram, levels, kMargin)) {
+      const auto level = static_cast<std::size_t>(curve.level);
+      auto loop = voronoi::offset_loop(diagram, curve, levels[level], kTopologyError);
+      if (loop) loops[level].push_back(std::move(*loop));
+    }
+    std::vector<Regions> result(unchanged, Regions{region});
+    for (auto& of_level : loops) result.push_back(nested(std::move(of_level)));
+    return result;
+  }
+};
+
+Clearance::Clearance(const Region& region, const Tolerances& tol)
+    : impl_(std::make_unique<Impl>(region, tol)) {}
+Clearance::~Clearance() = default;
+Clearance::Clearance(Clearance&&) noexcept = default;
+Clearance& Clearance::operator=(Clearance&&) noexcept = default;
+
+Regions Clearance::inset(double d) const {
+  return std::move(impl_->insets({d}).front());
+}
+
+std::vector<Regions> Clearance::insets(const std::vector<double>& ascending) const {
+  return impl_->insets(ascending);
+}
+
+std::vector<Path> Clearance::fit_lines(double d) const {
+  return voronoi::fit_lines(impl_->axis, impl_->diagram, d - impl_->tol.fit, d + kMargin,
+                            kStubFactor * impl_->tol.fit);
+}
+
+const MedialAxis& Clearance::axis() const {
+  return impl_->axis.graph;
+}
+const std::vector<AxisPoint>& Clearance::centers() const {
+  return impl_->centers;
+}
+double Clearance::max() const {
+  return impl_->diagram.largest;
+}
+
+Regions inset(const Region& region, double d, const Tolerances& tol) {
+  return Clearance(region, tol).inset(d);
+}
+
+}  // namespace clearcut

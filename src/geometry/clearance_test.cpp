@@ -1,0 +1,190 @@
+#include "geometry/clearance.h"
+
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+
+namespace clearcut {
+namespace {
+
+const Tolerances kTol;
+
+Loop rectangle(Vec2 a, Vec2 b) {
+  const Vec2 points[] = {a, {b.x, a.y}, b, {a.x, b.y}};
+  return loop_from_points(points);
+}
+Loop circle(Vec2 c, double r) {
+  const BulgeVertex vertices[] = {{c - Vec2{r, 0}, 1}, {c + Vec2{r, 0}, 1}};
+  return loop_from_bulges(vertices);
+}
+Loop filleted(double w, double h, double r) {
+  const double q = std::tan(kPi / 8);
+  const BulgeVertex v[] = {{{r, 0}, 0},     {{w - r, 0}, q}, {{w, r}, 0},     {{w, h - r}, q},
+                           {{w - r, h}, 0}, {{r, h}, q},     {{0, h - r}, 0}, {{0, r}, q}};
+  return loop_from_bulges(v);
+}
+Region region(Loop outer, std::vector<Loop> islands = {}) {
+  return Region::from_valid_loops(std::move(outer), std::move(islands));
+}
+void expect_closed(const Regions& regions) {
+  for (const Region& r : regions) {
+    std::vector<Loop> loops = r.islands();
+    loops.push_back(r.outer());
+    for (const Loop& loop : loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) EXPECT_EQ(loop[i].to, loop[(i + 1) % loop.size()].from);
+    }
+  }
+}
+
+TEST(Inset, ZeroIsTheRegionItself) {
+  const Region square = region(rectangle({0, 0}, {50, 50}));
+  const Regions same = inset(square, 0, kTol);
+  ASSERT_EQ(same.size(), 1U);
+  EXPECT_EQ(same[0].outer(), square.outer());
+}
+
+TEST(Inset, RectangleShrinksToARectangle) {
+  const Regions r = inset(region(rectangle({0, 0}, {100, 60})), 5, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  EXPECT_EQ(r[0].outer().size(), 4U);
+  EXPECT_NEAR(r[0].area(), 90 * 50, 1e-6);
+  expect_closed(r);
+}
+
+TEST(Inset, TriangleOfThePaper) {
+  const double s = 79.9861;
+  const Vec2 points[] = {{0, 0}, {s, 0}, {s / 2, s * std::sqrt(3.0) / 2}};
+  const Regions r = inset(region(loop_from_points(points)), 5, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  ASSERT_EQ(r[0].outer().size(), 3U);
+  const Box b = r[0].box();
+  EXPECT_NEAR(b.min.x, 8.6603, 1e-3);
+  EXPECT_NEAR(b.min.y, 5.0, 1e-3);
+  EXPECT_NEAR(b.max.x, 71.3259, 1e-3);
+}
+
+TEST(Inset, ArcsStayConcentric) {
+  const Regions r = inset(region(filleted(100, 60, 10)), 4, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  ASSERT_EQ(r[0].outer().size(), 8U);
+  for (const Edge& e : r[0].outer()) {
+    if (e.is_arc()) {
+      EXPECT_NEAR(e.radius(), 6, 1e-9);
+    }
+  }
+  EXPECT_NEAR(r[0].area(), 92 * 52 - (4 - kPi) * 36, 1e-6);
+}
+
+TEST(Inset, ArcsOfTheCuttersRadiusVanish) {
+  for (const double noise : {0.0, 1e-7, -1e-7, 2e-4, -2e-4, -0.006}) {
+    const Regions r = inset(region(filleted(100, 60, 5 + noise)), 5, kTol);
+    ASSERT_EQ(r.size(), 1U) << noise;
+    EXPECT_EQ(r[0].outer().size(), 4U) << noise;
+    EXPECT_NEAR(r[0].area(), 90 * 50, 1e-3) << noise;
+  }
+  EXPECT_EQ(inset(region(filleted(100, 60, 5.006)), 5, kTol)[0].outer().size(), 8U);
+}
+
+TEST(Inset, ReflexCornerIsAnExactArc) {
+  const Vec2 points[] = {{0, 0}, {60, 0}, {60, 30}, {30, 30}, {30, 60}, {0, 60}};
+  const Regions r = inset(region(loop_from_points(points)), 10, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  int arcs = 0;
+  for (const Edge& e : r[0].outer()) {
+    if (!e.is_arc()) continue;
+    ++arcs;
+    EXPECT_NEAR(norm(e.center - Vec2{30, 30}), 0, 1e-9);
+    EXPECT_NEAR(e.radius(), 10, 1e-9);
+    EXPECT_EQ(e.turn, Turn::kClockwise);
+  }
+  EXPECT_EQ(arcs, 1);
+  expect_closed(r);
+}
+
+TEST(Inset, IslandsGrowAndMeet) {
+  const Region r = region(rectangle({0, 0}, {100, 60}), {circle({35, 30}, 8), rectangle({60, 25}, {70, 35})});
+  const Regions apart = inset(r, 5, kTol);
+  ASSERT_EQ(apart.size(), 1U);
+  EXPECT_EQ(apart[0].islands().size(), 2U);
+  const Regions met = inset(r, 9, kTol);
+  ASSERT_EQ(met.size(), 1U);
+  EXPECT_EQ(met[0].islands().size(), 1U);
+  EXPECT_TRUE(inset(r, 40, kTol).empty());
+}
+
+TEST(Inset, NecksSplit) {
+  const Vec2 points[] = {{0, 0},   {30, 0},  {30, 10}, {50, 10}, {50, 0},  {80, 0},
+                         {80, 30}, {50, 30}, {50, 18}, {30, 18}, {30, 30}, {0, 30}};
+  const Clearance c(region(loop_from_points(points)), kTol);
+  EXPECT_EQ(c.inset(3.9).size(), 1U);
+  EXPECT_EQ(c.inset(4.1).size(), 2U);
+  EXPECT_EQ(c.centers().size(), 2U);
+  EXPECT_NEAR(c.max(), 15, 1e-3);
+}
+
+TEST(FitLines, SlotOfTheCuttersWidthIsOneLine) {
+  const Clearance c(region(rectangle({0, 0}, {30, 2})), kTol);
+  EXPECT_TRUE(c.inset(1).empty());
+  const auto lines = c.fit_lines(1);
+  ASSERT_EQ(lines.size(), 1U);
+  ASSERT_EQ(lines[0].size(), 1U);
+  EXPECT_NEAR(length(lines[0]), 28, 0.01);
+  EXPECT_TRUE(c.fit_lines(0.9).empty());
+  EXPECT_TRUE(c.fit_lines(1.1).empty());
+}
+
+TEST(FitLines, SlotBetweenTwoRooms) {
+  const Vec2 points[] = {{0, 0},   {30, 0},  {30, 10}, {50, 10}, {50, 0},  {80, 0},
+                         {80, 30}, {50, 30}, {50, 18}, {30, 18}, {30, 30}, {0, 30}};
+  const Clearance c(region(loop_from_points(points)), kTol);
+  EXPECT_EQ(c.inset(4).size(), 2U);
+  const auto lines = c.fit_lines(4);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NEAR(length(lines[0]), 20, 0.2);
+}
+
+TEST(FitLines, RingSlotGivesAClosedCurve) {
+  const Clearance c(region(circle({0, 0}, 12), {circle({0, 0}, 8)}), kTol);
+  EXPECT_TRUE(c.inset(2).empty());
+  const auto lines = c.fit_lines(2);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].front().from, lines[0].back().to);
+  EXPECT_NEAR(length(lines[0]), 20 * kPi, 1e-6);
+  EXPECT_EQ(c.inset(1.9).size(), 1U);
+}
+
+TEST(FitLines, PolygonHoleWiderThanTheCutterIsARegion) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 24; ++i) points.push_back(direction_of(2 * kPi * i / 24) * (1.65 / std::cos(kPi / 24)));
+  const Clearance c(region(loop_from_points(points)), kTol);
+  EXPECT_EQ(c.inset(3.175 / 2).size(), 1U);
+  EXPECT_TRUE(c.fit_lines(3.175 / 2).empty());
+  EXPECT_NEAR(c.max(), 1.65, 1e-4);
+}
+
+TEST(Centers, CircleSquareAndRidge) {
+  const Clearance round(region(circle({3, 4}, 7)), kTol);
+  ASSERT_EQ(round.centers().size(), 1U);
+  EXPECT_NEAR(norm(round.centers()[0].point - Vec2{3, 4}), 0, 1e-6);
+  EXPECT_NEAR(round.max(), 7, 1e-9);
+  const Clearance ridge(region(rectangle({0, 0}, {100, 20})), kTol);
+  ASSERT_EQ(ridge.centers().size(), 1U);
+  EXPECT_NEAR(norm(ridge.centers()[0].point - Vec2{50, 10}), 0, 1e-3);
+}
+
+TEST(Axis, RectangleHasFiveEdges) {
+  const Clearance c(region(rectangle({0, 0}, {100, 20})), kTol);
+  EXPECT_EQ(c.axis().edges.size(), 5U);
+  EXPECT_EQ(c.axis().points.size(), 6U);
+}
+
+TEST(Axis, FilletsLeaveTheRidgeAndItsForks) {
+  const Clearance c(region(filleted(100, 20, 5)), kTol);
+  for (const AxisEdge& e : c.axis().edges) {
+    EXPECT_GE(c.axis().points[e.a].clearance, 5 - 1e-3);
+    EXPECT_GE(c.axis().points[e.b].clearance, 5 - 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace clearcut

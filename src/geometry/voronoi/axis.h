@@ -1,0 +1,31 @@
+// The medial axis, its peaks, and the parts of it on which a cutter just fits.
+#pragma once
+
+#include <vector>
+
+#include "geometry/clearance.h"
+#include "geometry/voronoi/diagram.h"
+
+namespace clearcut::voronoi {
+
+/// Elements on both sides of an axis edge.
+struct Walls {
+  int a = 0;
+  int b = 0;
+};
+
+struct Axis {
+  MedialAxis graph;
+  std::vector<Walls> walls;                ///< of each edge of the graph
+  std::vector<std::vector<int>> incident;  ///< edges at each point of the graph
+};
+
+/// The diagram inside the region without the edges that only divide one wall from itself or from its smooth
+/// continuation; coincident nodes become one. A point without edges is the centre of a round pocket.
+Axis make_axis(const Diagram& diagram);
+
+/// Local maxima that rise more than `prominence` above every way to a higher place; the middle of a plateau.
+/// Largest first.
+std::vector<AxisPoint> find_centers(const Axis& axis, const Diagram& diagram, double prominence);
+
+}  // namespace clearcut::voronoi

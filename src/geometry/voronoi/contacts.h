@@ -1,0 +1,28 @@
+// The exact check that the Voronoi builder needs: which segments touch, overlap or cross.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/voronoi/sites.h"
+
+namespace clearcut::voronoi {
+
+/// Segment `segment` passes through `at`, which is not one of its ends.
+struct Contact {
+  int segment = 0;
+  GridPoint at;
+  int element = -1;  ///< of the end point that touches; -1 for a crossing
+};
+
+struct Contacts {
+  std::vector<Contact> places;  ///< sorted by segment and along it, without repeats
+  bool doubled = false;         ///< two segments have the same two ends
+  bool mixed = false;           ///< two ends at one grid point stand for different elements
+};
+
+/// Integer arithmetic: exact, but for the rounding of crossing points to the grid. O(n) expected for
+/// outlines, over a grid of buckets.
+Contacts find_contacts(std::span<const Segment> segments);
+
+}  // namespace clearcut::voronoi

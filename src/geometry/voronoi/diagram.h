@@ -1,0 +1,40 @@
+// The segment Voronoi diagram of a region in flat arrays, its vertices corrected to the exact elements.
+#pragma once
+
+#include <vector>
+
+#include "geometry/voronoi/sites.h"
+
+namespace clearcut::voronoi {
+
+/// A place of the diagram and its clearance.
+struct Node {
+  Vec2 point;
+  double clearance = 0;
+};
+
+/// Half-edges come in pairs (2k, 2k + 1) of opposite directions: edge k. Half-edge h starts at node
+/// origin[h] (-1: at infinity), has the cell cell[h] on its left, and next[h] runs on around that cell.
+struct Diagram {
+  Sites sites;
+  std::vector<Node> nodes;
+  std::vector<char> inside;  ///< of each node: in the material to cut, away from the boundary
+  std::vector<int> origin, next, cell;
+  std::vector<int>
+      critical;  ///< of each edge: node of smallest or largest clearance strictly inside it, or -1
+  std::vector<int> cell_start;    ///< of each cell: one half-edge around it, -1 for degenerate cells
+  std::vector<int> cell_element;  ///< of each cell: element, for doubled walls that on the left side
+  std::vector<int> cell_back;     ///< of each cell: element on the right side of a doubled wall, or -1
+  std::vector<int> cell_segment;  ///< of each cell: its segment, -1 for points
+  double largest = 0;             ///< largest clearance inside
+
+  int edge_count() const { return static_cast<int>(origin.size() / 2); }
+  static int twin(int half_edge) { return half_edge ^ 1; }
+  /// Element that bounds the material in a cell near p.
+  int element_near(int cell_index, Vec2 p) const;
+  const Element& element(int i) const { return sites.elements[static_cast<std::size_t>(i)]; }
+};
+
+Diagram make_diagram(Sites sites);
+
+}  // namespace clearcut::voronoi

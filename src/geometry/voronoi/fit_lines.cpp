@@ -1,0 +1,206 @@
+#include "geometry/voronoi/fit_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/units.h"
+
+namespace clearcut::voronoi {
+namespace {
+
+std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// mm. Curves that part by less are merged.
+constexpr double kSameCurve = 1e-6;
+
+/// The axis cut to a band of clearances, as a graph of its own.
+class Band {
+ public:
+  Band(const Axis& axis, const Diagram& diagram, double low, double high)
+      : axis_(axis), d_(diagram), low_(low), high_(high) {
+    for (std::size_t i = 0; i < axis.graph.edges.size(); ++i) add_edge(static_cast<int>(i));
+  }
+
+  std::vector<Path> run(double stub) {
+    prune_stubs(stub);
+    std::vector<Path> paths;
+    // Ends and forks first, then what is left are rings.
+    for (const bool rings : {false, true}) {
+      for (std::size_t i = 0; i < parts_.size(); ++i) {
+        for (const bool forward : {true, false}) {
+          if (!parts_[i].used && (rings || degree(start(i, forward)) != 2)) collect(i, forward, stub, paths);
+        }
+      }
+    }
+    return paths;
+  }
+
+ private:
+  struct Place {
+    Vec2 point;
+    bool into_region = false;  ///< cut at the upper limit: a wider place follows
+    std::vector<std::size_t> parts;
+  };
+  struct Part {
+    int a, b;  ///< places
+    Walls walls;
+    bool used = false;
+  };
+
+  void add_edge(int edge) {
+    AxisEdge e = axis_.graph.edges[index(edge)];
+    if (point(e.a).clearance > point(e.b).clearance) std::swap(e.a, e.b);
+    const double ca = point(e.a).clearance, cb = point(e.b).clearance;
+    if (cb < low_ || ca >= high_) return;
+    const int a = ca >= low_ ? place_at(e.a) : cut(e, (low_ - ca) / (cb - ca), false);
+    const int b = cb < high_ ? place_at(e.b) : cut(e, (high_ - ca) / (cb - ca), true);
+    if (places_[index(a)].point == places_[index(b)].point) return;
+    places_[index(a)].parts.push_back(parts_.size());
+    places_[index(b)].parts.push_back(parts_.size());
+    parts_.push_back({a, b, axis_.walls[index(edge)], false});
+  }
+
+  const AxisPoint& point(int p) const { return axis_.graph.points[index(p)]; }
+
+  int place_at(int p) {
+    const auto [found, added] = place_of_.try_emplace(p, static_cast<int>(places_.size()));
+    if (added) places_.push_back({point(p).point, false, {}});
+    return found->second;
+  }
+
+  int cut(const AxisEdge& e, double t, bool into_region) {
+    places_.push_back({lerp(point(e.a).point, point(e.b).point, t), into_region, {}});
+    return static_cast<int>(places_.size()) - 1;
+  }
+
+  int start(std::size_t part, bool forward) const { return forward ? parts_[part].a : parts_[part].b; }
+  int end(std::size_t part, bool forward) const { return start(part, !forward); }
+
+  std::size_t degree(int place) const {
+    const auto& parts = places_[index(place)].parts;
+    return static_cast<std::size_t>(
+        std::count_if(parts.begin(), parts.end(), [this](std::size_t i) { return !parts_[i].used; }));
+  }
+
+  struct Chain {
+    std::vector<std::pair<std::size_t, bool>> parts;  ///< with their direction
+    int first = 0, last = 0;
+    double length = 0;
+  };
+
+  /// Parts from one end, fork or start of a ring to the next.
+  Chain chain_from(std::size_t part, bool forward) const {
+    Chain chain;
+    chain.first = start(part, forward);
+    for (;;) {
+      chain.parts.emplace_back(part, forward);
+      chain.last = end(part, forward);
+      chain.length += norm(places_[index(parts_[part].a)].point - places_[index(parts_[part].b)].point);
+      if (chain.last == chain.first || degree(chain.last) != 2) return chain;
+      const auto& parts = places_[index(chain.last)].parts;
+      const auto next = std::find_if(parts.begin(), parts.end(),
+                                     [&](std::size_t i) { return i != part && !parts_[i].used; });
+      if (next == parts.end()) return chain;
+      part = *next;
+      forward = parts_[part].a == chain.last;
+    }
+  }
+
+  bool is_dead_end(int place) const { return degree(place) == 1 && !places_[index(place)].into_region; }
+
+  /// Short dead ends go, but for the two longest of a star that is nothing else.
+  void prune_stubs(double stub) {
+    std::map<int, std::vector<Chain>> at_fork;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      for (const bool forward : {true, false}) {
+        if (!is_dead_end(start(i, forward))) continue;
+        Chain chain = chain_from(i, forward);
+        if (degree(chain.last) > 2 && chain.length < stub) at_fork[chain.last].push_back(std::move(chain));
+      }
+    }
+    for (auto& [fork, stubs] : at_fork) {
+      std::stable_sort(stubs.begin(), stubs.end(),
+                       [](const Chain& a, const Chain& b) { return a.length < b.length; });
+      if (stubs.size() == degree(fork)) stubs.resize(stubs.size() - 2);
+      for (const Chain& chain : stubs) {
+        for (const auto& [part, forward] : chain.parts) parts_[part].used = true;
+      }
+    }
+  }
+
+  void collect(std::size_t part, bool forward, double stub, std::vector<Path>& paths) {
+    const Chain chain = chain_from(part, forward);
+    const bool from_region = places_[index(chain.first)].into_region,
+               to_region = places_[index(chain.last)].into_region;
+    const bool dead_first = is_dead_end(chain.first), dead_last = is_dead_end(chain.last);
+    for (const auto& [i, along] : chain.parts) parts_[i].used = true;
+    const bool mouth = (from_region && dead_last) || (to_region && dead_first);
+    if (mouth && chain.length < stub) return;
+    Path path;
+    for (const auto& [i, along] : chain.parts) {
+      append(path, curve(places_[index(start(i, along))].point, places_[index(end(i, along))].point,
+                         parts_[i].walls));
+    }
+    paths.push_back(path);
+  }
+
+  /// The bisector of two walls between two of its places: a line, or the arc through its middle.
+  Edge curve(Vec2 from, Vec2 to, Walls walls) const {
+    const Element &a = d_.element(walls.a), &b = d_.element(walls.b);
+    if (!a.is_round() && !b.is_round()) return Edge::line(from, to);
+    if (a.is_round() && b.is_round() && norm(a.edge.center - b.edge.center) < kSameCurve) {
+      const bool ccw = cross(from - a.edge.center, to - a.edge.center) > 0;
+      return Edge::arc(from, to, a.edge.center, ccw ? Turn::kCounterClockwise : Turn::kClockwise);
+    }
+    const Vec2 chord = to - from, middle = lerp(from, to, 0.5);
+    const double sagitta = dot(on_bisector(a, b, middle) - middle, left_of(chord)) / norm_squared(chord);
+    // A bow to the left of the chord runs clockwise.
+    return std::abs(sagitta) * norm(chord) < kSameCurve ? Edge::line(from, to)
+                                                        : Edge::from_bulge(from, to, -2 * sagitta);
+  }
+
+  static Vec2 on_bisector(const Element& a, const Element& b, Vec2 p) {
+    for (int step = 0; step < 4; ++step) {
+      const Vec2 g = away_from(a, p) - away_from(b, p);
+      const double f = distance(a, p) - distance(b, p);
+      if (norm_squared(g) < 1e-12) break;
+      p = p - g * (f / norm_squared(g));
+    }
+    return p;
+  }
+
+  static void append(Path& path, const Edge& edge) {
+    if (!path.empty() && try_merge(path.back(), edge)) return;
+    path.push_back(edge);
+  }
+
+  static bool try_merge(Edge& last, const Edge& next) {
+    if (last.turn != next.turn || last.from == next.to) return false;
+    if (last.is_arc()) {
+      if (norm(last.center - next.center) > kSameCurve || std::abs(last.sweep() + next.sweep()) > kPi)
+        return false;
+    } else if (distance(Edge::line(last.from, next.to), last.to) > kSameCurve) {
+      return false;
+    }
+    last.to = next.to;
+    return true;
+  }
+
+  const Axis& axis_;
+  const Diagram& d_;
+  double low_, high_;
+  std::vector<Place> places_;
+  std::vector<Part> parts_;
+  std::map<int, int> place_of_;
+};
+
+}  // namespace
+
+std::vector<Path> fit_lines(const Axis& axis, const Diagram& diagram, double low, double high, double stub) {
+  return Band(axis, diagram, low, high).run(stub);
+}
+
+}  // namespace clearcut::voronoi

@@ -1,0 +1,32 @@
+// All offsets of a diagram at given distances, as closed runs of pieces, one piece a cell.
+#pragma once
+
+#include <vector>
+
+#include "geometry/voronoi/diagram.h"
+
+namespace clearcut::voronoi {
+
+/// The part of a level's curve in the cells of one element. It starts on the bisector with the piece before
+/// it, between the places `low` and `high` of that bisector, near `guess`.
+struct Piece {
+  int element = 0;
+  Vec2 guess;
+  Vec2 low;
+  Vec2 high;
+};
+
+/// Closed; the material at this depth lies on the left. Neighbouring pieces are of different elements, but
+/// for a single piece that is a full circle.
+struct LevelCurve {
+  int level = 0;
+  std::vector<Piece> pieces;
+};
+
+/// Curves at the ascending distances `levels` (mm, > 0), ordered by level. A node belongs to a level when its
+/// clearance exceeds it by `margin`: the same for all, so that widths of twice a level within rounding give
+/// nothing. O(edges + pieces).
+std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<double>& levels,
+                                     double margin);
+
+}  // namespace clearcut::voronoi

@@ -1,0 +1,280 @@
+#include "geometry/voronoi/sites.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+#include "geometry/voronoi/contacts.h"
+
+namespace clearcut::voronoi {
+namespace {
+
+/// Coordinates stay under 2^29 units, so that exact predicates fit 64 bits; 0.1 um up to 100 m.
+constexpr double kFinestUnit = 1e-4;
+constexpr double kLargestExtent = 1e9;
+/// Crossings made by rounding are split at rounded points, which can cross again: a few rounds settle it.
+constexpr int kMostRounds = 20;
+
+Grid grid_for(const Region& region) {
+  const Box box = region.box();
+  const Vec2 c = box.center();
+  // Whole mm, so that drawings on a 0.1 um raster stay exact.
+  return {{std::round(c.x), std::round(c.y)},
+          std::max(kFinestUnit, (std::max(box.width(), box.height()) + 2) / kLargestExtent)};
+}
+
+/// Directions from an anchor whose line passes within `slack` of all points seen so far.
+class Cone {
+ public:
+  Cone(Vec2 anchor, double slack) : anchor_(anchor), slack_(slack) {}
+  bool accepts(Vec2 p) const {
+    const Vec2 w = p - anchor_;
+    if (norm_squared(w) < farthest_squared_) return false;
+    return !limited_ || (cross(low_, w) >= 0 && cross(w, high_) >= 0 && dot(low_, w) > 0);
+  }
+  void add(Vec2 p) {
+    const Vec2 w = p - anchor_;
+    const double m = std::sqrt(norm_squared(w));
+    farthest_squared_ = std::max(farthest_squared_, m * m);
+    if (m <= slack_) return;
+    const Vec2 u = w / m, side = left_of(u) * (slack_ / m);
+    const double c = std::sqrt(1 - slack_ * slack_ / (m * m));
+    const Vec2 low = u * c - side, high = u * c + side;
+    if (!limited_ || cross(low_, low) > 0) low_ = low;
+    if (!limited_ || cross(high_, high) < 0) high_ = high;
+    limited_ = true;
+  }
+
+ private:
+  Vec2 anchor_;
+  double slack_;
+  bool limited_ = false;
+  Vec2 low_, high_;
+  double farthest_squared_ = 0;
+};
+
+/// Runs of lines within `slack` of one line become that line, by one pass of a narrowing cone. O(edges).
+Loop simplified(const Loop& loop, double slack) {
+  if (slack <= 0) return loop;
+  Loop out;
+  out.reserve(loop.size());
+  std::size_t i = 0;
+  while (i < loop.size()) {
+    Edge edge = loop[i++];
+    if (!edge.is_arc()) {
+      Cone cone(edge.from, slack);
+      cone.add(edge.to);
+      while (i < loop.size() && !loop[i].is_arc() && cone.accepts(loop[i].to)) {
+        edge.to = loop[i++].to;
+        cone.add(edge.to);
+      }
+    }
+    out.push_back(edge);
+  }
+  return out;
+}
+
+/// The edge between slightly moved ends; an arc's centre moves along the chord until both ends are equally
+/// far.
+Edge with_ends(const Edge& edge, Vec2 from, Vec2 to) {
+  Edge moved{from, to, edge.center, edge.turn};
+  if (!edge.is_arc() || (edge.from == from && edge.to == to)) return moved;
+  const double chord_squared = norm_squared(to - from);
+  if (chord_squared == 0) return moved;
+  const double excess = norm_squared(from - edge.center) - norm_squared(to - edge.center);
+  const Vec2 shift = (to - from) * (-excess / (2 * chord_squared));
+  if (norm(shift) < 0.01) moved.center = edge.center + shift;
+  return moved;
+}
+
+class Builder {
+ public:
+  Builder(const Region& region, double chord, double simplify) : chord_(chord) {
+    sites_.grid = grid_for(region);
+    std::vector<Loop> loops{simplified(region.outer(), simplify)};
+    for (const Loop& island : region.islands()) loops.push_back(simplified(island, simplify));
+    collect_corners(loops);
+    for (const Loop& loop : loops) add_loop(loop);
+  }
+
+  Sites run() {
+    CLEARCUT_ASSERT(!sites_.segments.empty());
+    for (int round = 0;; ++round) {
+      const Contacts contacts = find_contacts(sites_.segments);
+      if (contacts.mixed) name_points();
+      if (contacts.doubled) merge_doubled();
+      if (contacts.places.empty()) break;
+      CLEARCUT_ASSERT(round < kMostRounds);
+      split(contacts.places);
+    }
+    return std::move(sites_);
+  }
+
+ private:
+  struct Corner {
+    GridPoint at;
+    Vec2 exact;
+  };
+
+  /// One point element for each grid point that holds a vertex, at the first vertex found there.
+  void collect_corners(const std::vector<Loop>& loops) {
+    for (const Loop& loop : loops) {
+      for (const Edge& edge : loop) corners_.push_back({sites_.grid.to_grid(edge.from), edge.from});
+    }
+    std::stable_sort(corners_.begin(), corners_.end(),
+                     [](const Corner& a, const Corner& b) { return a.at < b.at; });
+    const auto same = [](const Corner& a, const Corner& b) { return a.at == b.at; };
+    corners_.erase(std::unique(corners_.begin(), corners_.end(), same), corners_.end());
+    for (const Corner& corner : corners_) sites_.elements.push_back(Element::of_point(corner.exact));
+  }
+
+  /// Index of the corner at p, which is also that of its element; -1 if there is none.
+  int corner_at(GridPoint p) const {
+    const auto found = std::lower_bound(corners_.begin(), corners_.end(), p,
+                                        [](const Corner& c, GridPoint q) { return c.at < q; });
+    return found != corners_.end() && found->at == p ? static_cast<int>(found - corners_.begin()) : -1;
+  }
+
+  int add_element(const Element& element) {
+    sites_.elements.push_back(element);
+    return static_cast<int>(sites_.elements.size()) - 1;
+  }
+
+  void add_loop(const Loop& loop) {
+    const std::size_t before = sites_.segments.size();
+    for (const Edge& edge : loop) add_edge(edge);
+    if (sites_.segments.size() == before) add_speck(sites_.grid.to_grid(loop.front().from));
+  }
+
+  void add_edge(const Edge& edge) {
+    const int from = corner_at(sites_.grid.to_grid(edge.from)), to = corner_at(sites_.grid.to_grid(edge.to));
+    if (from == to && edge.length() < 100 * sites_.grid.unit) return;
+    const Edge moved = with_ends(edge, corners_[index(from)].exact, corners_[index(to)].exact);
+    const int element = add_element(Element::of_edge(moved));
+    sites_.elements.back().end_vertex = to;
+    points_.clear();
+    append_flattened(moved, chord_, points_);
+    Segment next{corners_[index(from)].at, {}, element, from, element, -1};
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const bool last = i + 1 == points_.size();
+      next.to = last ? corners_[index(to)].at : sites_.grid.to_grid(points_[i]);
+      next.to_element = last ? to : element;
+      if (next.to == next.from) continue;
+      sites_.segments.push_back(next);
+      next.from = next.to;
+      next.from_element = element;
+    }
+    // The last points of a tiny arc may have fallen on its end: that point is the vertex all the same.
+    if (!sites_.segments.empty() && sites_.segments.back().element == element) {
+      sites_.segments.back().to_element = to;
+    }
+  }
+
+  /// A loop within one square of the grid is a point: a wall of one unit, all of it one element.
+  void add_speck(GridPoint p) {
+    const int element = corner_at(p);
+    sites_.segments.push_back({p, {p.x + 1, p.y}, element, element, element, element});
+  }
+
+  void split(const std::vector<Contact>& places) {
+    sites_.repaired = true;
+    std::vector<Segment> whole = std::move(sites_.segments);
+    sites_.segments.clear();
+    auto place = places.begin();
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      Segment part = whole[i];
+      for (; place != places.end() && index(place->segment) == i; ++place) {
+        part.to = place->at;
+        part.to_element = place->element >= 0 ? place->element : point_element(place->at);
+        sites_.segments.push_back(part);
+        part.from = part.to;
+        part.from_element = part.to_element;
+      }
+      part.to = whole[i].to;
+      part.to_element = whole[i].to_element;
+      sites_.segments.push_back(part);
+    }
+  }
+
+  int point_element(GridPoint p) {
+    if (const int corner = corner_at(p); corner >= 0) return corner;
+    const auto [place, added] = crossings_.try_emplace(p, 0);
+    if (added) place->second = add_element(Element::of_point(sites_.grid.to_mm(p)));
+    return place->second;
+  }
+
+  /// Ends at one grid point stand for one element: the vertex there, or else the first named.
+  void name_points() {
+    std::map<GridPoint, int> names;
+    const auto name = [&](GridPoint p, int element) {
+      const auto [place, added] = names.try_emplace(p, element);
+      if (!added && sites_.elements[index(element)].is_point()) place->second = element;
+    };
+    for (const Segment& s : sites_.segments) {
+      name(s.from, s.from_element);
+      name(s.to, s.to_element);
+    }
+    for (Segment& s : sites_.segments) {
+      s.from_element = names[s.from];
+      s.to_element = names[s.to];
+    }
+  }
+
+  /// Segments with the same ends become one. Where as many run there as back, it is a wall of no thickness
+  /// and keeps both elements; else it keeps the direction that prevails.
+  void merge_doubled() {
+    sites_.repaired = true;
+    std::map<std::pair<GridPoint, GridPoint>, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < sites_.segments.size(); ++i) {
+      const Segment& s = sites_.segments[i];
+      groups[std::minmax(s.from, s.to)].push_back(i);
+    }
+    std::vector<char> keep(sites_.segments.size(), 1);
+    for (const auto& [ends, members] : groups) {
+      if (members.size() > 1) merge(members, ends.first, keep);
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+      if (keep[i] != 0) sites_.segments[kept++] = sites_.segments[i];
+    }
+    sites_.segments.resize(kept);
+  }
+
+  void merge(const std::vector<std::size_t>& members, GridPoint start, std::vector<char>& keep) {
+    int balance = 0;
+    int forward = -1, backward = -1;
+    for (const std::size_t i : members) {
+      const Segment& s = sites_.segments[i];
+      const bool is_forward = s.from == start;
+      balance += is_forward ? 1 : -1;
+      (is_forward ? forward : backward) = static_cast<int>(i);
+      if (s.back_element >= 0) balance -= is_forward ? 1 : -1;
+      keep[i] = 0;
+    }
+    const int winner = balance > 0 ? forward : balance < 0 ? backward : static_cast<int>(members.front());
+    Segment& s = sites_.segments[index(winner)];
+    keep[index(winner)] = 1;
+    if (balance != 0) {
+      s.back_element = -1;
+    } else if (s.back_element < 0) {
+      s.back_element = sites_.segments[index(s.from == start ? backward : forward)].element;
+    }
+  }
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  Sites sites_;
+  double chord_;
+  std::vector<Corner> corners_;
+  std::map<GridPoint, int> crossings_;
+  std::vector<Vec2> points_;
+};
+
+}  // namespace
+
+Sites make_sites(const Region& region, double chord, double simplify) {
+  return Builder(region, chord, simplify).run();
+}
+
+}  // namespace clearcut::voronoi

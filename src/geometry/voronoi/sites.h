@@ -1,0 +1,57 @@
+// The boundary of a region as segments between points of an integer grid: the input of the Voronoi builder,
+// which trusts it blindly. Every segment and point knows the exact element it stands for.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/tolerances.h"
+#include "geometry/region.h"
+#include "geometry/voronoi/element.h"
+
+namespace clearcut::voronoi {
+
+struct GridPoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  friend bool operator==(GridPoint, GridPoint) = default;
+  friend auto operator<=>(GridPoint, GridPoint) = default;
+};
+
+/// Indices are those of Sites::elements.
+struct Segment {
+  GridPoint from;
+  GridPoint to;
+  int element = 0;
+  int from_element = 0;
+  int to_element = 0;
+  /// A wall of no thickness: the element on its right side, whose edge runs the other way; -1 for all others.
+  int back_element = -1;
+};
+
+/// Maps between mm and the grid.
+struct Grid {
+  Vec2 origin;
+  double unit = 1e-4;  ///< mm
+  GridPoint to_grid(Vec2 p) const {
+    return {static_cast<std::int32_t>(std::lround((p.x - origin.x) / unit)),
+            static_cast<std::int32_t>(std::lround((p.y - origin.y) / unit))};
+  }
+  Vec2 to_mm(double x, double y) const { return {origin.x + x * unit, origin.y + y * unit}; }
+  Vec2 to_mm(GridPoint p) const { return to_mm(p.x, p.y); }
+};
+
+/// Distinct segments that meet in their end points only.
+struct Sites {
+  Grid grid;
+  std::vector<Element> elements;
+  std::vector<Segment> segments;
+  /// Segments crossed, touched or overlapped after rounding and had to be split.
+  bool repaired = false;
+};
+
+/// Arcs become chords within `chord` mm, runs of short lines one line within `simplify` mm; vertices in one
+/// square of the grid become one. Segments are split where they touch, doubled ones made one.
+Sites make_sites(const Region& region, double chord, double simplify);
+
+}  // namespace clearcut::voronoi
