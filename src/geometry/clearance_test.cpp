@@ -122,6 +122,31 @@ TEST(Inset, NecksSplit) {
   EXPECT_NEAR(c.max(), 15, 1e-3);
 }
 
+TEST(Dilate, SquareGetsRoundCorners) {
+  const Regions r = dilate({region(rectangle({0, 0}, {20, 10}))}, 3, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  EXPECT_EQ(r[0].outer().size(), 8U);
+  EXPECT_NEAR(area(r), 200 + 60 * 3 + 9 * kPi, 1e-6);
+}
+
+TEST(Dilate, IslandsShrinkAndBaysClose) {
+  const Regions ring =
+      dilate({region(rectangle({0, 0}, {40, 40}), {rectangle({10, 10}, {30, 30})})}, 3, kTol);
+  ASSERT_EQ(ring.size(), 1U);
+  EXPECT_NEAR(area(ring), 1600 + 160 * 3 + 9 * kPi - 14 * 14, 1e-6);
+  const Vec2 c[] = {{0, 0},   {40, 0},  {40, 19}, {30, 19}, {30, 10}, {10, 10},
+                    {10, 30}, {30, 30}, {30, 21}, {40, 21}, {40, 40}, {0, 40}};
+  const Regions closed = dilate({region(loop_from_points(c))}, 3, kTol);
+  ASSERT_EQ(closed.size(), 1U);
+  EXPECT_EQ(closed[0].islands().size(), 1U);
+}
+
+TEST(Dilate, NeighboursMerge) {
+  const Regions two{region(rectangle({0, 0}, {10, 10})), region(rectangle({14, 0}, {24, 10}))};
+  EXPECT_EQ(dilate(two, 1, kTol).size(), 2U);
+  EXPECT_EQ(dilate(two, 3, kTol).size(), 1U);
+}
+
 TEST(FitLines, SlotOfTheCuttersWidthIsOneLine) {
   const Clearance c(region(rectangle({0, 0}, {30, 2})), kTol);
   EXPECT_TRUE(c.inset(1).empty());
