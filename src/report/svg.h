@@ -1,0 +1,29 @@
+// A picture of the job that a person can judge it by.
+#pragma once
+
+#include <string>
+
+#include "part/part.h"
+#include "toolpath/findings.h"
+#include "toolpath/move.h"
+
+namespace clearcut {
+
+struct SvgOptions {
+  std::string title;        ///< default: the name of the part
+  bool all_layers = false;  ///< false: each feature shows its last layer
+};
+
+/// Shape   one SVG document: verdict and figures, the whole part from above (floors in shades of depth), a
+/// legend, and
+///         one panel for each feature: floor, rest (reachable red, out of reach amber), tool impact, cuts,
+///         links, entries, rapids, worst places, faults. A part with one feature has that panel alone, large.
+/// Units   paths are in mm in the part's own frame, arcs are true arcs; what shows a rest or a gouge is drawn
+/// from the
+///         moves' exact strips, not from the findings.
+/// Text    names are escaped; moves that are not finite are left out.
+/// Cost    O(moves + boundary edges) per feature.
+std::string svg(const Part& part, const Toolpath& toolpath, const Findings& findings,
+                const SvgOptions& options);
+
+}  // namespace clearcut
