@@ -24,6 +24,6 @@ struct HtmlOptions {
 /// Size    about 25 bytes a move.
 /// Text    every name is data, never markup; moves that are not finite are left out.
 std::string html(const Part& part, const Toolpath& toolpath, const Findings& findings,
-                 const HtmlOptions& options = {});
+                 const HtmlOptions& options);
 
 }  // namespace clearcut

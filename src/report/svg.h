@@ -24,6 +24,6 @@ struct SvgOptions {
 /// Text    names are escaped; moves that are not finite are left out.
 /// Cost    O(moves + boundary edges) per feature.
 std::string svg(const Part& part, const Toolpath& toolpath, const Findings& findings,
-                const SvgOptions& options = {});
+                const SvgOptions& options);
 
 }  // namespace clearcut

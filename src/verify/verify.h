@@ -1,13 +1,14 @@
-// The judge: what a program does to a part. Shares distances to lines and arcs with the planner, and nothing else.
+// The judge: what a program does to a part. Shares distances to lines and arcs with the planner, and nothing
+// else.
 #pragma once
 
 #include <functional>
 #include <optional>
 
 #include "base/tolerances.h"
-#include "toolpath/machine.h"
 #include "part/part.h"
 #include "toolpath/findings.h"
+#include "toolpath/machine.h"
 #include "toolpath/move.h"
 
 namespace clearcut {

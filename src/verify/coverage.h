@@ -1,0 +1,51 @@
+// Proof that everything a cutter can reach was cut.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/tolerances.h"
+#include "geometry/region.h"
+#include "verify/finished_part.h"
+
+namespace clearcut {
+
+/// A stretch of a program that cuts at the depth in question: the tip at or below it all along.
+struct Swath {
+  Edge path;  ///< a point for a plunge
+  double radius = 0;
+};
+
+struct CoverageQuestion {
+  const FinishedPart* part = nullptr;
+  const Regions* target = nullptr;  ///< what is to be cut, plan view, before allowance and lean
+  double z = 0;                     ///< at this depth
+  double radius = 0;     ///< of the smallest cutter the work is given: what it reaches can be asked for
+  double allowance = 0;  ///< stock to leave on walls
+  std::vector<Swath> swaths;
+};
+
+struct Coverage {
+  double uncut_mm2 =
+      0;  ///< upper bound of the reachable area left; films thinner than tol.uncut are not counted
+  double thickness_mm = 0;    ///< upper bound: no reachable point lies farther than this from what was cut
+  std::optional<Vec2> worst;  ///< where thickness_mm was met, if uncut_mm2 > 0
+  double unreachable_mm2 =
+      0;  ///< area of the target no legal centre reaches (estimate, error below 1 % of R^2 a corner)
+  double target_mm2 = 0;
+};
+
+/// Target points that a legal centre reaches, minus the swept discs; SPEC F2.
+///
+/// Method  A quadtree over the target. A cell is proven cut when its part of the target lies in one swath, or
+/// in
+///         the convex rest that swaths before it left; beside the target; unreachable, when no boundary of
+///         the legal area comes within the radius; or, wholly outside the legal area, cut because the program
+///         runs along every stretch of the legal area's boundary within reach of it: the centre that reaches
+///         a point is the nearest legal one, which lies on that boundary. All other cells are split, down to
+///         half of tol.uncut.
+/// Error   thickness_mm and uncut_mm2 are proven bounds for walls and paths as given (rounding 1e-7 mm).
+/// Cost    O((swaths + walls + cells) log n); cells grow with area / R^2 and with the length of what is left.
+Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol);
+
+}  // namespace clearcut

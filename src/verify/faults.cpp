@@ -1,0 +1,207 @@
+#include "verify/faults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "base/format.h"
+
+namespace clearcut {
+namespace {
+
+/// mm. How much deeper than the stepdown a pass may be before it counts as too deep.
+constexpr double kStepdownSlack = 2e-3;
+
+std::string mm(double value) {
+  return trimmed(value, 3) + " mm";
+}
+
+std::string at(const Place& place) {
+  std::string text =
+      " at x " + trimmed(place.point.x, 3) + " y " + trimmed(place.point.y, 3) + " z " + trimmed(place.z, 3);
+  if (place.line > 0) text += ", line " + std::to_string(place.line);
+  return text;
+}
+
+std::string name_of_work(const Part& part, int workingstep) {
+  return workingstep < 0 ? "" : part.features[part.workplan[workingstep].feature].name;
+}
+
+/// What one move is found guilty of, as far as one kind of fault is asked.
+using Judge = std::function<std::optional<Fault>(const JudgedMove&)>;
+
+class FaultFinder {
+ public:
+  FaultFinder(const Part& part, const VerifyOptions& options) : part_(part), options_(options) {}
+
+  std::optional<Fault> gouge(const JudgedMove& judged) const {
+    if (!judged.gouge || judged.gouge->depth <= options_.tol.gouge) return std::nullopt;
+    const Gouge& gouge = *judged.gouge;
+    const Place place{gouge.point, gouge.z, judged.move->line};
+    const std::string owner =
+        gouge.feature >= 0 ? "the wall of " + part_.features[gouge.feature].name : "the part";
+    const std::string what = gouge.floor ? "goes " + mm(gouge.depth) + " below where the part begins"
+                                         : "goes " + mm(gouge.depth) + " into " + owner;
+    return fault(FaultKind::kGouge, judged, place, gouge.depth,
+                 (judged.feeds() ? "The cutter " : "A rapid ") + what);
+  }
+
+  std::optional<Fault> rapid(const JudgedMove& judged) const {
+    if (!judged.load.rapid_contact) return std::nullopt;
+    return fault(FaultKind::kRapidInMaterial, judged, *judged.load.rapid_contact, judged.move->length(),
+                 "A rapid passes through material");
+  }
+
+  std::optional<Fault> plunge(const JudgedMove& judged) const {
+    if (!judged.load.plunge_contact) return std::nullopt;
+    return fault(FaultKind::kPlungeTooFast, judged, *judged.load.plunge_contact, judged.move->length(),
+                 "A cutter that may not plunge goes straight down into material");
+  }
+
+  std::optional<Fault> depth(const JudgedMove& judged) const {
+    if (judged.workingstep < 0) return std::nullopt;
+    const std::optional<double> stepdown = part_.workplan[judged.workingstep].operation.stepdown;
+    if (!stepdown || judged.load.axial_mm <= *stepdown + kStepdownSlack) return std::nullopt;
+    return fault(
+        FaultKind::kTooDeep, judged, judged.load.axial_at, judged.load.axial_mm,
+        "A pass takes " + mm(judged.load.axial_mm) + " at once where the stepdown is " + mm(*stepdown));
+  }
+
+  std::optional<Fault> travel(const JudgedMove& judged) const {
+    if (!options_.machine.travel) return std::nullopt;
+    const auto& limits = *options_.machine.travel;
+    const Move& move = *judged.move;
+    Box box = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+    const double low[] = {box.min.x, box.min.y, std::min(move.z_from, move.z_to)};
+    const double high[] = {box.max.x, box.max.y, std::max(move.z_from, move.z_to)};
+    double most = 0;
+    int axis = -1;
+    for (int i = 0; i < 3; ++i) {
+      const double over = std::max(limits[i][0] - low[i], high[i] - limits[i][1]);
+      if (over > most + 1e-9) most = over, axis = i;
+    }
+    if (axis < 0) return std::nullopt;
+    return fault(FaultKind::kOutsideTravel, judged, {move.path.to, move.z_to, move.line}, most,
+                 std::string("A move leaves the machine's ") + "XYZ"[axis] + " travel by " + mm(most));
+  }
+
+  std::optional<Fault> feed(const JudgedMove& judged) const {
+    if (!judged.feeds() || judged.move->feed.mm_per_min() > 0) return std::nullopt;
+    return fault(FaultKind::kNoFeed, judged, {judged.move->path.from, judged.move->z_from, judged.move->line},
+                 judged.move->length(), "A feed move has no feed");
+  }
+
+  std::optional<Fault> tool(const JudgedMove& judged) const {
+    if (!judged.feeds() || (judged.tool && judged.tool->diameter > 0)) return std::nullopt;
+    return fault(FaultKind::kWrongTool, judged,
+                 {judged.move->path.from, judged.move->z_from, judged.move->line}, 0,
+                 "Tool " + std::to_string(judged.tool_number) +
+                     " is not among the part's tools; nothing is known of its moves");
+  }
+
+ private:
+  Fault fault(FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+              const std::string& what) const {
+    const std::string feature = name_of_work(part_, judged.workingstep);
+    return {kind, feature, place, size, (feature.empty() ? "" : feature + ": ") + what + at(place) + "."};
+  }
+
+  const Part& part_;
+  const VerifyOptions& options_;
+};
+
+/// One fault for each run of successive guilty moves of one workingstep.
+void collect(const std::vector<JudgedMove>& moves, const Judge& judge, std::vector<Fault>& out) {
+  std::optional<Fault> run;
+  int run_length = 0, workingstep = -1;
+  const auto finish = [&] {
+    if (!run) return;
+    if (run_length > 1) run->text += " " + std::to_string(run_length) + " successive moves do so.";
+    out.push_back(*run);
+    run.reset();
+    run_length = 0;
+  };
+  for (const JudgedMove& judged : moves) {
+    std::optional<Fault> found = judge(judged);
+    if (!found || judged.workingstep != workingstep) finish();
+    workingstep = judged.workingstep;
+    if (!found) continue;
+    ++run_length;
+    if (!run || found->size > run->size) run = std::move(found);
+  }
+  finish();
+}
+
+int severity(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::kRapidInMaterial:
+      return 0;
+    case FaultKind::kGouge:
+      return 1;
+    case FaultKind::kPlungeTooFast:
+      return 2;
+    case FaultKind::kTooDeep:
+      return 3;
+    case FaultKind::kOutsideTravel:
+      return 4;
+    case FaultKind::kWrongTool:
+      return 5;
+    case FaultKind::kNoFeed:
+      return 6;
+    case FaultKind::kNothingCut:
+      return 7;
+    case FaultKind::kUncut:
+      return 8;
+  }
+  return 9;
+}
+
+}  // namespace
+
+std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
+                                   const VerifyOptions& options) {
+  const FaultFinder finder(part, options);
+  std::vector<Fault> faults;
+  collect(
+      program.moves, [&](const JudgedMove& m) { return finder.gouge(m); }, faults);
+  collect(
+      program.moves, [&](const JudgedMove& m) { return finder.rapid(m); }, faults);
+  collect(
+      program.moves, [&](const JudgedMove& m) { return finder.plunge(m); }, faults);
+  collect(
+      program.moves, [&](const JudgedMove& m) { return finder.depth(m); }, faults);
+  collect(
+      program.moves, [&](const JudgedMove& m) { return finder.travel(m); }, faults);
+  collect(
+      program.moves, [&](const JudgedMove& m) { return finder.feed(m); }, faults);
+  collect(
+      program.moves, [&](const JudgedMove& m) { return finder.tool(m); }, faults);
+  return faults;
+}
+
+std::vector<Fault> faults_of_coverage(const Feature& feature, const Coverage& coverage, bool any_cut,
+                                      double z, const Tolerances& tol) {
+  const Box box = clearcut::box(feature.target);
+  if (!any_cut || coverage.unreachable_mm2 >= coverage.target_mm2 * 0.9999) {
+    const Place place{box.empty() ? Vec2{} : box.center(), z, 0};
+    const std::string why = any_cut || coverage.uncut_mm2 == 0 ? "no cutter of its work fits into it"
+                                                               : "the program has no feed move down there";
+    return {{FaultKind::kNothingCut, feature.name, place, std::sqrt(std::max(0.0, coverage.target_mm2)),
+             feature.name + ": nothing is cut at z " + trimmed(z, 3) + "; " + why + "."}};
+  }
+  if (coverage.thickness_mm <= tol.uncut) return {};
+  const Place place{coverage.worst.value_or(box.center()), z, 0};
+  return {{FaultKind::kUncut, feature.name, place, coverage.thickness_mm,
+           feature.name + ": " + trimmed(coverage.uncut_mm2, 4) + " mm2 within reach is left uncut, up to " +
+               mm(coverage.thickness_mm) + " thick," + at(place) + "."}};
+}
+
+void sort_worst_first(std::vector<Fault>& faults) {
+  std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
+    if (a.kind != b.kind) return severity(a.kind) < severity(b.kind);
+    return a.size > b.size;
+  });
+}
+
+}  // namespace clearcut

@@ -1,0 +1,94 @@
+#include "verify/figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearcut {
+namespace {
+
+/// Degrees. Smaller changes of direction are rounding, not turns.
+constexpr double kTurn = 0.1;
+
+double degrees_between(Vec2 a, Vec2 b) {
+  return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / kPi;
+}
+
+void add_lengths(Figures& figures, const JudgedMove& judged) {
+  const Move& move = *judged.move;
+  const double length = move.length();
+  (judged.feeds() ? figures.feed_mm : figures.rapid_mm) += length;
+  if (judged.feeds() && move.is_vertical() && move.z_to < move.z_from) figures.plunge_mm += length;
+  figures.time_s += judged.time_s;
+  figures.time_naive_s += judged.time_naive_s;
+}
+
+void add_turns(Figures& figures, std::span<const JudgedMove* const> moves) {
+  const Move* before = nullptr;
+  for (const JudgedMove* judged : moves) {
+    const Move& move = *judged->move;
+    if (!judged->feeds() || move.is_vertical()) {
+      before = nullptr;
+      continue;
+    }
+    if (before && distance(before->path.to, move.path.from) < 1e-9) {
+      const double turn = degrees_between(before->path.tangent_at(1), move.path.tangent_at(0));
+      if (turn > kTurn) {
+        ++figures.turns;
+        figures.turn_angle_deg += turn;
+      }
+    }
+    before = &move;
+  }
+}
+
+void add_retracts(Figures& figures, std::span<const JudgedMove* const> moves, double top_z) {
+  bool cutting = false, risen = false;
+  for (const JudgedMove* judged : moves) {
+    const Move& move = *judged->move;
+    if (cutting && std::max(move.z_from, move.z_to) >= top_z) risen = true;
+    if (judged->feeds() && judged->low_z() < top_z) {
+      if (risen) ++figures.retracts;
+      risen = false;
+      cutting = true;
+    }
+  }
+}
+
+void add_load(Figures& figures, const MoveLoad& load) {
+  Engagement& engagement = figures.engagement;
+  if (load.max_deg > engagement.max_deg) {
+    engagement.max_deg = load.max_deg;
+    engagement.max_at = load.max_at;
+  }
+  engagement.over_limit_mm += load.over_limit_mm;
+  engagement.climb_mm += load.climb_mm;
+  engagement.conventional_mm += load.conventional_mm;
+  for (std::size_t i = 0; i < load.histogram_mm.size(); ++i)
+    engagement.histogram_mm[i] += load.histogram_mm[i];
+  figures.air_cut_mm += load.air_mm;
+  figures.max_axial_mm = std::max(figures.max_axial_mm, load.axial_mm);
+  if (load.rapid_contact) ++figures.rapid_in_material;
+}
+
+}  // namespace
+
+Figures figures_of(std::span<const JudgedMove* const> moves, double top_z) {
+  Figures figures;
+  double cutting_mm = 0, angle_mm_deg = 0;
+  for (const JudgedMove* judged : moves) {
+    add_lengths(figures, *judged);
+    add_load(figures, judged->load);
+    cutting_mm += judged->load.cutting_mm;
+    angle_mm_deg += judged->load.angle_mm_deg;
+    if (judged->gouge && judged->gouge->depth > figures.gouge_mm) {
+      figures.gouge_mm = judged->gouge->depth;
+      figures.gouge_at = Place{judged->gouge->point, judged->gouge->z, judged->move->line};
+    }
+  }
+  if (cutting_mm > 0) figures.engagement.mean_deg = angle_mm_deg / cutting_mm;
+  add_turns(figures, moves);
+  add_retracts(figures, moves, top_z);
+  return figures;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,154 @@
+#include "verify/finished_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace clearcut {
+namespace {
+
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+std::vector<Edge> edges_of(const Regions& regions) {
+  std::vector<Edge> edges;
+  for (const Region& region : regions) {
+    const std::vector<Edge> own = region.edges();
+    edges.insert(edges.end(), own.begin(), own.end());
+  }
+  return edges;
+}
+
+double top_of(const Part& part) {
+  if (part.stock) return part.stock->z_top;
+  double top = kNothing;
+  for (const Feature& feature : part.features) top = std::max(top, feature.top_z);
+  return top;
+}
+
+Vec2 left_normal_at_middle(const Edge& edge) {
+  return left_of(edge.tangent_at(0.5));
+}
+
+}  // namespace
+
+FinishedPart::FinishedPart(const Part& part) : top_z_(top_of(part)) {
+  if (part.stock) add_stock(*part.stock);
+  for (std::size_t i = 0; i < part.features.size(); ++i) add_feature(part.features[i], static_cast<int>(i));
+  find_walls();
+  for (const Shape& shape : shapes_) {
+    if (shape.feature < 0) continue;
+    heights_.push_back(shape.floor);
+    heights_.push_back(shape.top);
+  }
+  heights_.push_back(top_z_);
+  std::sort(heights_.begin(), heights_.end());
+  heights_.erase(std::unique(heights_.begin(), heights_.end()), heights_.end());
+}
+
+void FinishedPart::add_feature(const Feature& feature, int index) {
+  Shape shape;
+  shape.feature = index;
+  shape.outline = EdgeTree(edges_of(feature.allowed));
+  shape.box = shape.outline.box();
+  shape.floor = feature.floor_z;
+  shape.top = feature.top_z;
+  shape.slope = std::tan(feature.wall_slope.radians());
+  shape.single = feature.allowed.size() <= 1;
+  greatest_lean_ = std::max(greatest_lean_, (shape.top - shape.floor) * shape.slope);
+  shapes_.push_back(std::move(shape));
+}
+
+void FinishedPart::add_stock(const Stock& stock) {
+  const Vec2 a = stock.plan.min, c = stock.plan.max, b{c.x, a.y}, d{a.x, c.y};
+  Shape shape;
+  shape.outline = EdgeTree({Edge::line(a, d), Edge::line(d, c), Edge::line(c, b), Edge::line(b, a)});
+  shape.box = stock.plan;
+  shape.floor = shape.top = kNothing;
+  shapes_.push_back(std::move(shape));
+}
+
+bool FinishedPart::holds(const Shape& shape, Vec2 p) const {
+  if (shape.feature < 0) return !shape.box.contains(p);
+  return shape.box.contains(p) && shape.outline.winding(p) != 0;
+}
+
+/// Height of the part at p as far as this feature, which holds p, is asked.
+double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
+  if (shape.slope <= 0) return shape.floor;
+  const double far = (shape.top - shape.floor) * shape.slope;
+  const double d = std::min(far, shape.outline.nearest(p, far).distance);
+  return std::max(shape.floor, shape.top - d / shape.slope);
+}
+
+double FinishedPart::height(Vec2 p) const {
+  double height = top_z_;
+  for (const Shape& shape : shapes_) {
+    if (shape.floor < height && holds(shape, p)) height = std::min(height, height_in(shape, p));
+  }
+  return height;
+}
+
+/// Height near a piece of the outline of shape `own`; leaning walls are taken as upright, they are walls of
+/// their own.
+double FinishedPart::height_beside(Vec2 p, int own, bool inside_own) const {
+  double height = top_z_;
+  for (int i = 0; i < static_cast<int>(shapes_.size()); ++i) {
+    const Shape& shape = shapes_[i];
+    if (shape.floor >= height) continue;
+    const bool inside = i == own && (shape.single || inside_own) ? inside_own : holds(shape, p);
+    if (inside) height = shape.floor;
+  }
+  return height;
+}
+
+/// Parameters at which the outlines of other shapes meet this edge, with 0 and 1, ascending.
+std::vector<double> FinishedPart::cuts_of(const Edge& edge, int shape, const EdgeTree& all,
+                                          const std::vector<int>& owner) const {
+  std::vector<double> cuts{0, 1};
+  all.overlapping(edge.box().grown(kProbe), [&](int other) {
+    if (owner[other] == shape) return;
+    for (const Vec2 p : intersections(edge, all.edges()[other])) cuts.push_back(nearest(edge, p).t);
+  });
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+void FinishedPart::find_walls() {
+  std::vector<Edge> edges;
+  std::vector<int> owner;
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const std::vector<Edge>& own = shapes_[i].outline.edges();
+    edges.insert(edges.end(), own.begin(), own.end());
+    owner.insert(owner.end(), own.size(), static_cast<int>(i));
+  }
+  const EdgeTree all(std::move(edges));
+  for (std::size_t k = 0; k < owner.size(); ++k) {
+    const Edge& edge = all.edges()[k];
+    const std::vector<double> cuts =
+        shapes_.size() == 1 ? std::vector<double>{0, 1} : cuts_of(edge, owner[k], all, owner);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if ((cuts[i + 1] - cuts[i]) * edge.length() < 1e-9) continue;
+      add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
+    }
+  }
+  std::vector<Edge> wall_edges;
+  for (const Wall& wall : walls_) wall_edges.push_back(wall.edge);
+  tree_ = EdgeTree(std::move(wall_edges));
+}
+
+void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
+  const Vec2 middle = piece.at(0.5), aside = left_normal_at_middle(piece) * kProbe;
+  const double left = height_beside(middle + aside, index, true);
+  const double right = height_beside(middle - aside, index, false);
+  if (shape.slope > 0) {
+    const double upright = std::min(right, shape.floor);
+    if (left < upright) walls_.push_back({piece, left, upright, shape.feature, 0, 0});
+    const double high = left < right ? right : shape.top;
+    walls_.push_back({piece, shape.floor, high, shape.feature, shape.top, shape.slope});
+    return;
+  }
+  if (left < right) walls_.push_back({piece, left, right, shape.feature, 0, 0});
+  if (right < left) walls_.push_back({piece.reversed(), right, left, shape.feature, 0, 0});
+}
+
+}  // namespace clearcut

@@ -1,0 +1,43 @@
+// Where a cutter's centre may be: the boundary of that area.
+#pragma once
+
+#include "base/tolerances.h"
+#include "verify/edge_tree.h"
+#include "verify/finished_part.h"
+
+namespace clearcut {
+
+/// The legal centres of a cutter whose tip is at z: free places at `reach` mm or more from every wall (reach
+/// = radius + stock to leave).
+class LegalCenters {
+ public:
+  /// Only the part of the boundary within `area` is found.
+  LegalCenters(const FinishedPart& part, double z, double reach, const Box& area, const Tolerances& tol);
+
+  /// Boundary of the area, unordered: parts of lines and arcs at `reach` from one wall and no nearer to
+  /// another. A stretch where the cutter just fits (to tol.fit) is a curve of its own; a place where it just
+  /// fits is a point.
+  ///
+  /// Every wall gives its parallel curve, every corner of the part its arc; from each, the stretches nearer
+  /// than `reach` to another wall are cut away. O(walls * walls near).
+  const EdgeTree& boundary() const { return boundary_; }
+
+  /// Whether the centre may be at p, a free place.
+  bool contains(Vec2 p) const;
+
+ private:
+  void add_wall_curves(const std::vector<int>& walls);
+  void add_corner_curves(const std::vector<int>& walls);
+  void add_legal_parts(const Edge& curve);
+  void add_fit_point(Vec2 p);
+  /// Parameter intervals of `curve` that no wall comes nearer to than its reach less `allowed`.
+  std::vector<std::pair<double, double>> legal_parts(const Edge& curve, double allowed) const;
+  double clearance_over_reach(Vec2 p) const;
+
+  const FinishedPart& part_;
+  double z_, reach_, fit_;
+  std::vector<Edge> found_;
+  EdgeTree boundary_;
+};
+
+}  // namespace clearcut

@@ -1,0 +1,185 @@
+#include "verify/load.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stock/material.h"
+
+namespace clearcut {
+namespace {
+
+/// mm. Material thinner than this, beside or below the cutter, is rounding of printed coordinates.
+constexpr double kFilm = 1e-3;
+/// mm. Longest step between places where contact is measured.
+constexpr double kLongestStep = 0.25;
+
+double degrees(double radians) {
+  return radians * 180 / kPi;
+}
+
+Vec2 direction_at(const Move& move, double t) {
+  return move.path.tangent_at(t);
+}
+
+class LoadMeter {
+ public:
+  LoadMeter(Material& material, const LoadOptions& options) : material_(material), options_(options) {}
+
+  void measure(JudgedMove& judged) {
+    const Move& move = *judged.move;
+    const double radius = judged.radius();
+    if (judged.low_z() < material_.z_top() - kFilm && radius > kFilm) {
+      if (!judged.feeds()) {
+        measure_rapid(judged);
+      } else if (move.is_vertical()) {
+        measure_plunge(judged);
+      } else {
+        measure_feed(judged);
+      }
+    }
+    if (radius > 0 && judged.feeds()) material_.add(move, radius);
+  }
+
+ private:
+  static int steps_of(double length, double radius) {
+    return std::max(1, static_cast<int>(std::ceil(length / std::min(radius / 10, kLongestStep))));
+  }
+
+  void measure_feed(JudgedMove& judged) {
+    const Move& move = *judged.move;
+    const double length = move.length(), radius = judged.radius();
+    const int steps = steps_of(length, radius);
+    for (int i = 0; i < steps; ++i) measure_at(judged, (i + 0.5) / steps, length / steps);
+    // Just after the start and at the end: corners are where a cutter is loaded most.
+    measure_at(judged, std::min(0.01 / length, 0.25 / steps), 0);
+    measure_at(judged, 1, 0);
+  }
+
+  void measure_at(JudgedMove& judged, double t, double length) {
+    const Move& move = *judged.move;
+    const double z = move.z_from + (move.z_to - move.z_from) * t;
+    if (z >= material_.z_top() - kFilm) return;
+    Move lifted = move;
+    lifted.z_from += kFilm;
+    lifted.z_to += kFilm;
+    const Contact contact = material_.engagement(lifted, t, judged.radius() - kFilm);
+    MoveLoad& load = judged.load;
+    if (contact.angle > 0)
+      measure_axial(judged, move.path.at(t), angle_of(direction_at(move, t)), z, contact.angles);
+    if (!judged.is_flat()) return;
+    if (contact.angle <= 0) {
+      load.air_mm += length;
+      return;
+    }
+    const double angle = degrees(contact.angle);
+    load.cutting_mm += length;
+    load.angle_mm_deg += angle * length;
+    load.histogram_mm[std::min<std::size_t>(17, static_cast<std::size_t>(angle / 10))] += length;
+    if (options_.limit_deg && angle > *options_.limit_deg) load.over_limit_mm += length;
+    const double climb = climb_share(contact, judged.clockwise);
+    load.climb_mm += length * climb;
+    load.conventional_mm += length * (1 - climb);
+    if (angle > load.max_deg) {
+      load.max_deg = angle;
+      load.max_at = {move.path.at(t), z, move.line};
+    }
+  }
+
+  /// 1: the material is on the climb side, 0: on the other; a slot is half of each.
+  static double climb_share(const Contact& contact, bool clockwise) {
+    const double difference = clockwise ? contact.right - contact.left : contact.left - contact.right;
+    if (std::abs(difference) < 0.01 * contact.angle) return 0.5;
+    return difference > 0 ? 1 : 0;
+  }
+
+  /// Height of the material before the cutter, well inside what it takes away.
+  void measure_axial(JudgedMove& judged, Vec2 center, double heading, double z, const AngleSet& contact) {
+    const double inside = judged.radius() - options_.tol.uncut;
+    if (inside <= 0) return;
+    for (const AngleInterval& item : contact.intervals()) {
+      for (const double part : {0.1, 0.5, 0.9}) {
+        const double angle = heading + item.from + part * item.width();
+        measure_axial_at(judged, center + direction_of(angle) * inside, center, z);
+      }
+    }
+  }
+
+  void measure_axial_at(JudgedMove& judged, Vec2 p, Vec2 center, double z) {
+    MoveLoad& load = judged.load;
+    if (material_.is_removed(p, z + load.axial_mm + kFilm)) return;
+    const double axial = material_.height(p) - z;
+    if (axial <= load.axial_mm) return;
+    load.axial_mm = axial;
+    load.axial_at = {center, z, judged.move->line};
+  }
+
+  void measure_plunge(JudgedMove& judged) {
+    const Move& move = *judged.move;
+    if (move.z_to >= move.z_from) return;
+    const Vec2 center = move.path.from;
+    const double radius = judged.radius(), z = move.z_to;
+    for (const double share : {0.0, 0.5, 1.0}) {
+      for (int i = 0; i < 8; ++i) {
+        const Vec2 p = center + direction_of(kPi / 4 * i) * (share * (radius - options_.tol.uncut));
+        measure_axial_at(judged, p, center, z);
+      }
+    }
+    if (judged.tool->center_cutting) return;
+    if (touches(center, radius - kFilm, z)) judged.load.plunge_contact = Place{center, z, move.line};
+  }
+
+  /// Whether the disc holds material above z: on its circle, or on circles inside it.
+  bool touches(Vec2 center, double radius, double z) const {
+    for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2}) {
+      if (material_.circle_in_material(center, radius * share, z + kFilm).measure() > 1e-9) return true;
+    }
+    return !material_.is_removed(center, z + kFilm);
+  }
+
+  void measure_rapid(JudgedMove& judged) {
+    const Move& move = *judged.move;
+    const double radius = judged.radius() - kFilm;
+    // A rapid straight up or down meets most where it is lowest.
+    if (move.is_vertical()) {
+      if (touches(move.path.from, radius, judged.low_z()))
+        report_rapid(judged, move.path.from, judged.low_z());
+      return;
+    }
+    const int steps = steps_of(move.path.length(), judged.radius());
+    for (int i = 0; i <= steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      const double z = move.z_from + (move.z_to - move.z_from) * t;
+      if (z >= material_.z_top() - kFilm) continue;
+      const Vec2 center = move.path.at(t);
+      const bool ends = i == 0 || i == steps;
+      if (ends ? touches(center, radius, z)
+               : material_.circle_in_material(center, radius, z + kFilm).measure() > 1e-9) {
+        return report_rapid(judged, center, z);
+      }
+    }
+  }
+
+  static void report_rapid(JudgedMove& judged, Vec2 center, double z) {
+    judged.load.rapid_contact = Place{center, z, judged.move->line};
+  }
+
+  Material& material_;
+  const LoadOptions& options_;
+};
+
+}  // namespace
+
+void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options) {
+  std::vector<double> radii;
+  for (const JudgedMove& judged : moves) {
+    if (judged.radius() > 0) radii.push_back(judged.radius());
+  }
+  if (radii.empty()) return;
+  std::optional<Box> plan;
+  if (part.stock) plan = part.stock->plan;
+  Material material(plan, part.top_z(), radii);
+  LoadMeter meter(material, options);
+  for (JudgedMove& judged : moves) meter.measure(judged);
+}
+
+}  // namespace clearcut

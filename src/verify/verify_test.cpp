@@ -1,0 +1,457 @@
+#include "verify/verify.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "verify/test_program.h"
+
+namespace clearcut {
+namespace {
+
+using testing::circle_loop;
+using testing::cut_square_rings;
+using testing::pocket_part;
+using testing::rectangle;
+using testing::Writer;
+
+std::string report_of(const Findings& findings) {
+  std::string text;
+  for (const Fault& fault : findings.faults)
+    text += std::string(name_of(fault.kind)) + ": " + fault.text + "\n";
+  return text;
+}
+
+bool has(const Findings& findings, FaultKind kind) {
+  for (const Fault& fault : findings.faults) {
+    if (fault.kind == kind) return true;
+  }
+  return false;
+}
+
+const Fault& fault_of(const Findings& findings, FaultKind kind) {
+  for (const Fault& fault : findings.faults) {
+    if (fault.kind == kind) return fault;
+  }
+  throw std::runtime_error("no such fault");
+}
+
+/// The square pocket 0..50, 2 mm deep, in rings for a 6 mm cutter: half widths of the rings about (25, 25).
+const std::vector<double> kRings{2, 6.5, 11, 15.5, 19.5, 22};
+
+Part square_part() {
+  return pocket_part(rectangle(0, 0, 50, 50), 6, -2);
+}
+
+Toolpath square_program(const std::vector<double>& rings, double z = -2, Vec2 center = {25, 25}) {
+  Writer writer;
+  cut_square_rings(writer, center, rings, 0, z);
+  return writer.done();
+}
+
+TEST(Verify, ARightProgramIsClean) {
+  const Findings findings = verify(square_part(), square_program(kRings), {});
+  EXPECT_TRUE(findings.all.clean) << report_of(findings);
+  EXPECT_LE(findings.all.uncut_thickness_mm, 0.005);
+  EXPECT_EQ(findings.all.uncut_mm2, 0);
+  EXPECT_LE(findings.all.gouge_mm, 1e-9);
+  ASSERT_EQ(findings.features.size(), 1u);
+  EXPECT_TRUE(findings.features[0].figures.clean);
+  ASSERT_EQ(findings.features[0].layers.size(), 1u);
+  EXPECT_EQ(findings.features[0].layers[0].z, -2);
+  // Four corners of (1 - pi/4) R^2.
+  EXPECT_NEAR(findings.all.unreachable_mm2, 4 * (1 - kPi / 4) * 9, 0.2);
+  EXPECT_NEAR(findings.all.lower_bound_mm, (2500 - 4 * (1 - kPi / 4) * 9 - kPi * 9) / 6, 0.1);
+}
+
+TEST(Verify, FiguresAreThoseOfTheMoves) {
+  const Findings findings = verify(square_part(), square_program(kRings), {});
+  double rings = 0, links = 0;
+  for (std::size_t i = 0; i < kRings.size(); ++i) {
+    rings += 8 * kRings[i];
+    if (i > 0) links += std::sqrt(2.0) * (kRings[i] - kRings[i - 1]);
+  }
+  EXPECT_NEAR(findings.all.feed_mm, rings + links + 3, 1e-9);
+  EXPECT_NEAR(findings.all.plunge_mm, 3, 1e-12);
+  EXPECT_EQ(findings.all.retracts, 0);
+  // Three corners a ring, two turns at each link of 45 and 135 degrees.
+  EXPECT_EQ(findings.all.turns, 6 * 3 + 5 * 2);
+  EXPECT_NEAR(findings.all.turn_angle_deg, 6 * 270 + 5 * (45 + 135), 1e-6);
+  EXPECT_EQ(findings.all.feed_mm, findings.features[0].figures.feed_mm);
+  EXPECT_GT(findings.all.time_s, findings.all.time_naive_s);
+}
+
+TEST(Verify, AMissingRingIsNamedWhereItWas) {
+  std::vector<double> rings = kRings;
+  rings.erase(rings.begin() + 2);  // the one at 11: leaves 9.5 .. 12.5
+  const Findings findings = verify(square_part(), square_program(rings), {});
+  EXPECT_FALSE(findings.all.clean);
+  ASSERT_TRUE(has(findings, FaultKind::kUncut)) << report_of(findings);
+  const Fault& fault = fault_of(findings, FaultKind::kUncut);
+  const double from_center = std::max(std::abs(fault.at.point.x - 25), std::abs(fault.at.point.y - 25));
+  EXPECT_GT(from_center, 9.4);
+  EXPECT_LT(from_center, 12.6);
+  // Four sides of 9.5 .. 12.5 less what the links cut; the middle is 1.5 from both sides.
+  EXPECT_NEAR(findings.all.uncut_thickness_mm, 1.5 * std::sqrt(2.0), 0.7);
+  EXPECT_GT(findings.all.uncut_mm2, 230);
+  EXPECT_LT(findings.all.uncut_mm2, 265);
+}
+
+TEST(Verify, AMissingWallRingIsNamed) {
+  std::vector<double> rings = kRings;
+  rings.back() = 21.9;
+  const Findings findings = verify(square_part(), square_program(rings), {});
+  ASSERT_TRUE(has(findings, FaultKind::kUncut)) << report_of(findings);
+  EXPECT_NEAR(findings.all.uncut_thickness_mm, 0.1 * std::sqrt(2.0), 0.03);
+}
+
+TEST(Verify, AThinFilmWithinToleranceIsNoFault) {
+  std::vector<double> rings = kRings;
+  rings.back() = 22 - 0.004;
+  const Findings findings = verify(square_part(), square_program(rings), {});
+  EXPECT_FALSE(has(findings, FaultKind::kUncut)) << report_of(findings);
+  EXPECT_GE(findings.all.uncut_thickness_mm, 0.004);
+  EXPECT_LE(findings.all.uncut_thickness_mm, 0.01);
+}
+
+TEST(Verify, StepoverJustOverTheCuttersWidthLeavesARidge) {
+  // Straight passes in an open field of view: a slot of 12.06 mm width in two passes of a 6 mm cutter.
+  const auto judged = [](double gap) {
+    Part part = pocket_part(rectangle(0, 0, 60, 12 + gap), 6, -2);
+    Writer writer;
+    writer.enter({3, 3}, 0, -2).feed({57, 3}).feed({57, 9 + gap}).feed({3, 9 + gap}).feed({3, 3});
+    return verify(part, writer.done(), {});
+  };
+  EXPECT_TRUE(judged(0).all.clean) << report_of(judged(0));
+  EXPECT_TRUE(judged(-0.06).all.clean);
+  const Findings wide = judged(0.06);
+  ASSERT_TRUE(has(wide, FaultKind::kUncut)) << report_of(wide);
+  EXPECT_NEAR(wide.all.uncut_thickness_mm, 0.03, 0.008);
+  EXPECT_NEAR(wide.all.uncut_mm2, 48 * 0.06, 0.8);
+  EXPECT_NEAR(fault_of(wide, FaultKind::kUncut).at.point.y, 6.03, 0.03);
+}
+
+TEST(Verify, AShiftedProgramGougesAndLeaves) {
+  const Findings findings = verify(square_part(), square_program(kRings, -2, {25.5, 25}), {});
+  ASSERT_TRUE(has(findings, FaultKind::kGouge)) << report_of(findings);
+  const Fault& fault = fault_of(findings, FaultKind::kGouge);
+  EXPECT_NEAR(fault.size, 0.5, 1e-9);
+  EXPECT_NEAR(fault.at.point.x, 47.5, 1e-9);
+  EXPECT_EQ(fault.at.z, -2);
+  EXPECT_GT(fault.at.line, 0);
+  EXPECT_NEAR(findings.all.uncut_thickness_mm, 0.5 * std::sqrt(2.0), 0.3);
+}
+
+TEST(Verify, AGougeOfFiveMicrometresIsFoundAndHalfAMicrometreIsNot) {
+  std::vector<double> rings = kRings;
+  rings.back() = 22.005;
+  const Findings deep = verify(square_part(), square_program(rings), {});
+  ASSERT_TRUE(has(deep, FaultKind::kGouge));
+  EXPECT_NEAR(deep.all.gouge_mm, 0.005, 1e-9);
+  rings.back() = 22.0005;
+  const Findings rounding = verify(square_part(), square_program(rings), {});
+  EXPECT_TRUE(rounding.all.clean) << report_of(rounding);
+  EXPECT_NEAR(rounding.all.gouge_mm, 0.0005, 1e-9);
+}
+
+TEST(Verify, AFloorCutTooDeepIsAGouge) {
+  const Findings findings = verify(square_part(), square_program(kRings, -2.01), {});
+  ASSERT_TRUE(has(findings, FaultKind::kGouge)) << report_of(findings);
+  EXPECT_NEAR(findings.all.gouge_mm, 0.01, 1e-9);
+  EXPECT_NE(fault_of(findings, FaultKind::kGouge).text.find("below"), std::string::npos);
+}
+
+TEST(Verify, AFloorNotReachedIsNothingCut) {
+  const Findings findings = verify(square_part(), square_program(kRings, -1.9), {});
+  EXPECT_TRUE(has(findings, FaultKind::kNothingCut)) << report_of(findings);
+  EXPECT_NEAR(findings.all.uncut_mm2, 2500 - 4 * (1 - kPi / 4) * 9, 2);
+}
+
+TEST(Verify, ACutterThatDoesNotFitIsSaid) {
+  const Part part = pocket_part(rectangle(0, 0, 50, 5), 6, -2);
+  const Findings findings = verify(part, Writer().done(), {});
+  ASSERT_TRUE(has(findings, FaultKind::kNothingCut)) << report_of(findings);
+  EXPECT_NE(fault_of(findings, FaultKind::kNothingCut).text.find("fits"), std::string::npos);
+  EXPECT_EQ(findings.all.uncut_mm2, 0);
+}
+
+TEST(Verify, ASlotAsWideAsTheCutterIsCutByOnePass) {
+  for (const double width : {6.0, 6.0 - 0.0009, 6.0 + 0.0009}) {
+    const Part part = pocket_part(rectangle(0, 0, 50, width), 6, -2);
+    Writer writer;
+    writer.enter({3, width / 2}, 0, -2).feed({47, width / 2});
+    const Findings findings = verify(part, writer.done(), {});
+    EXPECT_TRUE(findings.all.clean) << width << "\n" << report_of(findings);
+    EXPECT_NEAR(findings.all.unreachable_mm2, 2 * 2 * (1 - kPi / 4) * 9, 0.3) << width;
+    Writer half;
+    half.enter({3, width / 2}, 0, -2).feed({40, width / 2});
+    EXPECT_TRUE(has(verify(part, half.done(), {}), FaultKind::kUncut)) << width;
+  }
+}
+
+TEST(Verify, ADrilledHoleIsCutByAPlunge) {
+  Part part = pocket_part({Region::from_valid_loops(circle_loop({10, 10}, 4), {})}, 8, -5);
+  Writer writer;
+  writer.enter({10, 10}, 0, -5);
+  const Findings findings = verify(part, writer.done(), {});
+  EXPECT_TRUE(findings.all.clean) << report_of(findings);
+  EXPECT_NEAR(findings.all.unreachable_mm2, 0, 0.05);
+}
+
+TEST(Verify, ACircularPocketCutInCirclesIsClean) {
+  const Vec2 c{30, 30};
+  Part part = pocket_part({Region::from_valid_loops(circle_loop(c, 20), {})}, 10, -3);
+  Writer writer;
+  bool down = false;
+  for (const double r : {4.0, 8.0, 12.0, 15.0}) {
+    if (!down) writer.enter(c + Vec2{r, 0}, 0, -3);
+    down = true;
+    writer.feed(c + Vec2{r, 0});
+    writer.arc(c - Vec2{r, 0}, c, Turn::kCounterClockwise).arc(c + Vec2{r, 0}, c, Turn::kCounterClockwise);
+  }
+  const Findings findings = verify(part, writer.done(), {});
+  EXPECT_TRUE(findings.all.clean) << report_of(findings);
+  EXPECT_NEAR(findings.all.unreachable_mm2, 0, 0.2);
+  EXPECT_LE(findings.all.uncut_thickness_mm, 0.005);
+}
+
+Part island_part() {
+  const Regions outer = rectangle(0, 0, 60, 60);
+  const Regions outline{Region::from_valid_loops(outer[0].outer(), {circle_loop({30, 30}, 10)})};
+  return pocket_part(outline, 10, -2);
+}
+
+Toolpath island_program(double ring) {
+  Writer writer;
+  const Vec2 c{30, 30};
+  writer.enter({5, 5}, 0, -2).feed({55, 5}).feed({55, 55}).feed({5, 55}).feed({5, 5});
+  writer.feed({9, 9}).feed({51, 9}).feed({51, 51}).feed({9, 51}).feed({9, 9});
+  for (const double r : {23.0, 19.0, ring}) {
+    writer.feed(c + Vec2{-r, 0});
+    writer.arc(c + Vec2{r, 0}, c, Turn::kCounterClockwise).arc(c - Vec2{r, 0}, c, Turn::kCounterClockwise);
+  }
+  return writer.done();
+}
+
+TEST(Verify, AnIslandIsLeftStanding) {
+  const Findings findings = verify(island_part(), island_program(15), {});
+  EXPECT_TRUE(findings.all.clean) << report_of(findings);
+}
+
+TEST(Verify, AnIslandCutByFiveMicrometresIsNamed) {
+  const Findings findings = verify(island_part(), island_program(14.995), {});
+  ASSERT_TRUE(has(findings, FaultKind::kGouge));
+  EXPECT_NEAR(findings.all.gouge_mm, 0.005, 1e-9);
+  EXPECT_NEAR(distance(fault_of(findings, FaultKind::kGouge).at.point, {30, 30}), 14.995, 1e-6);
+}
+
+TEST(Verify, AMoveAcrossAnIslandIsNamed) {
+  Writer writer;
+  writer.enter({5, 30}, 0, -2).feed({55, 30});
+  const Findings findings = verify(island_part(), writer.done(), {});
+  ASSERT_TRUE(has(findings, FaultKind::kGouge));
+  EXPECT_GE(findings.all.gouge_mm,
+            2 - 1e-9);  // the island is 2 mm high: lifting that much would have spared it
+}
+
+TEST(Verify, ARapidThroughStockIsNamed) {
+  Writer writer;
+  cut_square_rings(writer, {25, 25}, {2, 6.5}, 0, -2);
+  writer.rapid({40, 25}, -2);
+  const int line = writer.line();
+  const Findings findings = verify(square_part(), writer.done(), {});
+  ASSERT_TRUE(has(findings, FaultKind::kRapidInMaterial));
+  EXPECT_EQ(fault_of(findings, FaultKind::kRapidInMaterial).at.line, line);
+  EXPECT_EQ(findings.all.rapid_in_material, 2);  // and the way up from where it ended
+}
+
+TEST(Verify, ARapidDownIntoStockIsNamed) {
+  Writer writer;
+  writer.rapid({25, 25}, 10).rapid({25, 25}, -0.5);
+  const int line = writer.line();
+  writer.feed({25, 25}, -2).feed({30, 25});
+  const Findings findings = verify(square_part(), writer.done(), {});
+  ASSERT_TRUE(has(findings, FaultKind::kRapidInMaterial));
+  EXPECT_EQ(fault_of(findings, FaultKind::kRapidInMaterial).at.line, line);
+}
+
+TEST(Verify, RapidsInWhatIsClearedAreFine) {
+  Writer writer;
+  cut_square_rings(writer, {25, 25}, kRings, 0, -2);
+  writer.rapid({25, 25}, -2).rapid({25, 25}, 10).rapid({10, 10}, 10).rapid({10, 10}, -2);
+  const Findings findings = verify(square_part(), writer.done(), {});
+  EXPECT_TRUE(findings.all.clean) << report_of(findings);
+  EXPECT_EQ(findings.all.rapid_in_material, 0);
+}
+
+TEST(Verify, ARapidThatBrushesUncutStockByTwentyMicrometresIsNamed) {
+  const auto judged = [](double y) {
+    Writer writer;
+    writer.enter({10, 25}, 0, -2).feed({40, 25});
+    writer.rapid({10, y}, -2);
+    return verify(square_part(), writer.done(), {});
+  };
+  EXPECT_FALSE(has(judged(25), FaultKind::kRapidInMaterial));
+  EXPECT_TRUE(has(judged(25.02), FaultKind::kRapidInMaterial));
+}
+
+TEST(Verify, AMissingLevelIsTooDeep) {
+  Part part = pocket_part(rectangle(0, 0, 50, 50), 6, -6);
+  part.workplan[0].operation.stepdown = 2;
+  const auto program = [](const std::vector<double>& levels) {
+    Writer writer;
+    double top = 0;
+    for (const double z : levels) {
+      cut_square_rings(writer, {25, 25}, kRings, top, z);
+      top = z;
+    }
+    return writer.done();
+  };
+  const Findings right = verify(part, program({-2, -4, -6}), {});
+  EXPECT_TRUE(right.all.clean) << report_of(right);
+  EXPECT_NEAR(right.all.max_axial_mm, 2, 1e-6);
+  ASSERT_EQ(right.features[0].layers.size(), 3u);
+  EXPECT_GT(right.features[0].layers[1].figures.feed_mm, 600);
+  const Findings wrong = verify(part, program({-2, -6}), {});
+  ASSERT_TRUE(has(wrong, FaultKind::kTooDeep)) << report_of(wrong);
+  EXPECT_NEAR(fault_of(wrong, FaultKind::kTooDeep).size, 4, 1e-6);
+  EXPECT_EQ(fault_of(wrong, FaultKind::kTooDeep).at.z, -6);
+}
+
+TEST(Verify, AnAllowanceOnTheWallIsLeft) {
+  Part part = square_part();
+  part.workplan[0].operation.allowance_side = 0.5;
+  std::vector<double> rings = kRings;
+  rings.back() = 21.5;
+  const Findings findings = verify(part, square_program(rings), {});
+  EXPECT_TRUE(findings.all.clean) << report_of(findings);
+  EXPECT_NEAR(findings.all.unreachable_mm2, 4 * (1 - kPi / 4) * 9, 0.5);
+}
+
+TEST(Verify, OpenSidesMayBePassedOver) {
+  Part part = pocket_part(rectangle(0, 0, 100, 40), 20, -1);
+  part.stock = Stock{{{0, 0}, {100, 40}}, -20, 0};
+  part.features[0].kind = FeatureKind::kPlanarFace;
+  part.features[0].allowed = rectangle(-1000, -1000, 1100, 1040);
+  Writer writer;
+  writer.rapid({-15, 8}, 10)
+      .rapid({-15, 8}, -1)
+      .feed({115, 8})
+      .feed({115, 24})
+      .feed({-15, 24})
+      .feed({-15, 36})
+      .feed({115, 36});
+  const Findings findings = verify(part, writer.done(), {});
+  EXPECT_TRUE(findings.all.clean) << report_of(findings);
+  EXPECT_NEAR(findings.all.unreachable_mm2, 0, 1e-9);
+  EXPECT_GT(findings.all.air_cut_mm, 20);
+  EXPECT_EQ(findings.features[0].figures.feed_mm, findings.all.feed_mm);
+}
+
+TEST(Verify, APocketUnderAPocketOpensItsFloor) {
+  Part part = pocket_part(rectangle(0, 0, 50, 50), 6, -2);
+  Feature deep = part.features[0];
+  deep.name = "DEEP";
+  deep.target = deep.allowed = rectangle(0, 0, 20, 50);  // shares three walls with the first
+  deep.top_z = -2;
+  deep.floor_z = -4;
+  part.features.push_back(deep);
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[1].feature = 1;
+  Writer writer;
+  cut_square_rings(writer, {25, 25}, kRings, 0, -2);
+  writer.enter({10, 10}, -2, -4)
+      .feed({10, 40})
+      .feed({7, 43})
+      .feed({7, 7})
+      .feed({13, 7})
+      .feed({13, 43})
+      .feed({7, 43});
+  writer.feed({3, 47}).feed({3, 3}).feed({17, 3}).feed({17, 47}).feed({3, 47});
+  const Findings right = verify(part, writer.done(), {});
+  EXPECT_TRUE(right.all.clean) << report_of(right);
+  ASSERT_EQ(right.features.size(), 2u);
+  EXPECT_GT(right.features[1].figures.feed_mm, 200);
+  EXPECT_NEAR(right.features[0].figures.feed_mm + right.features[1].figures.feed_mm, right.all.feed_mm, 1e-9);
+  writer.enter({16, 25}, -2, -4).feed({17.1, 25});
+  const Findings wrong = verify(part, writer.done(), {});
+  ASSERT_TRUE(has(wrong, FaultKind::kGouge)) << report_of(wrong);
+  EXPECT_NEAR(wrong.all.gouge_mm, 0.1, 1e-9);
+}
+
+TEST(Verify, LeaningWallsStandNearerBelow) {
+  Part part = square_part();
+  part.features[0].wall_slope = Radians::of_degrees(45);
+  std::vector<double> rings = kRings;
+  rings.back() = 20;
+  rings[4] = 18;
+  const Findings right = verify(part, square_program(rings), {});
+  EXPECT_TRUE(right.all.clean) << report_of(right);
+  rings.back() = 20.1;
+  const Findings wrong = verify(part, square_program(rings), {});
+  ASSERT_TRUE(has(wrong, FaultKind::kGouge));
+  EXPECT_NEAR(wrong.all.gouge_mm, 0.1, 1e-9);
+}
+
+TEST(Verify, APlungeByACutterThatMayNotIsNamed) {
+  Part part = square_part();
+  part.tools[0].center_cutting = false;
+  const Findings findings = verify(part, square_program(kRings), {});
+  ASSERT_TRUE(has(findings, FaultKind::kPlungeTooFast));
+  part.tools[0].center_cutting = true;
+  EXPECT_FALSE(has(verify(part, square_program(kRings), {}), FaultKind::kPlungeTooFast));
+}
+
+TEST(Verify, TravelFeedAndToolAreChecked) {
+  VerifyOptions options;
+  options.machine.travel = {{{0, 40}, {0, 50}, {-10, 20}}};
+  EXPECT_TRUE(has(verify(square_part(), square_program(kRings), options), FaultKind::kOutsideTravel));
+  Writer still;
+  still.enter({10, 10}, 0, -2).feed({20, 10}, -2, 0);
+  EXPECT_TRUE(has(verify(square_part(), still.done(), {}), FaultKind::kNoFeed));
+  Writer other(7);
+  other.enter({10, 10}, 0, -2).feed({20, 10});
+  EXPECT_TRUE(has(verify(square_part(), other.done(), {}), FaultKind::kWrongTool));
+}
+
+TEST(Verify, AnEmptyProgramIsNotClean) {
+  const Findings findings = verify(square_part(), Toolpath{}, {});
+  EXPECT_FALSE(findings.all.clean);
+  EXPECT_TRUE(has(findings, FaultKind::kNothingCut));
+}
+
+TEST(Verify, ThreadsDoNotChangeTheResult) {
+  VerifyOptions one, four;
+  four.threads = 4;
+  const Findings a = verify(island_part(), island_program(15), one),
+                 b = verify(island_part(), island_program(15), four);
+  EXPECT_EQ(a.all.uncut_thickness_mm, b.all.uncut_thickness_mm);
+  EXPECT_EQ(a.all.unreachable_mm2, b.all.unreachable_mm2);
+  EXPECT_EQ(a.all.engagement.mean_deg, b.all.engagement.mean_deg);
+}
+
+TEST(Verify, EngagementOfStraightPasses) {
+  const Part part = pocket_part(rectangle(0, 0, 200, 50), 10, -2);
+  Writer writer;
+  writer.enter({20, 20}, 0, -2)
+      .feed({180, 20})
+      .rapid({180, 20}, 10)
+      .rapid({20, 22.6}, 10)
+      .rapid({20, 22.6}, 1);
+  writer.feed({20, 22.6}, -2).feed({180, 22.6});
+  VerifyOptions options;
+  options.engagement_limit_deg = 100;
+  const Engagement engagement = verify(part, writer.done(), options).all.engagement;
+  EXPECT_NEAR(engagement.max_deg, 180, 1);
+  EXPECT_NEAR(engagement.histogram_mm[6], 160, 3);  // acos(1 - 2.6 / 5) = 61.3 degrees, less at both ends
+  EXPECT_NEAR(engagement.histogram_mm[17], 160, 0.5);
+  EXPECT_NEAR(engagement.over_limit_mm, 160, 0.5);
+  EXPECT_NEAR(engagement.mean_deg, (180 + 61.3) / 2, 1);
+  EXPECT_NEAR(engagement.conventional_mm, 160 + 80,
+              0.5);  // fresh material on the left; the slot is half of each
+  EXPECT_NEAR(engagement.climb_mm, 80, 3);
+}
+
+}  // namespace
+}  // namespace clearcut
