@@ -34,7 +34,7 @@ std::string tool_change_comment(const Part& part, int number) {
   const std::string change = "TOOL CHANGE T" + std::to_string(number);
   for (const Tool& tool : part.tools) {
     if (tool.number == number)
-      return change + ": " + plain_comment(tool.name) + " D" + trimmed(tool.diameter, 4) + " MM";
+      return change + ": " + plain_comment(name_of(tool.kind)) + " D" + trimmed(tool.diameter, 4) + " MM";
   }
   return change;
 }

@@ -1,10 +1,15 @@
 #include "support/rs274.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
 
 #include "base/file.h"
+#include "base/units.h"
 #include "support/command.h"
 
 namespace clearcut::testing {
@@ -28,8 +33,10 @@ class CanonReader {
   CanonProgram read(const std::string& text) {
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-      const auto mark = line.find("N..... ");
-      if (mark != std::string::npos) call(line.substr(mark + 7));
+      // "   26 N99    STRAIGHT_FEED(...)": count, line number or dots, call.
+      const auto mark = line.find('N');
+      const auto name = line.find_first_not_of(' ', line.find(' ', mark));
+      if (name != std::string::npos) call(line.substr(name));
     }
     return program_;
   }
@@ -69,6 +76,118 @@ class CanonReader {
   double feed_ = 0;
 };
 
+struct Place3 {
+  Vec2 point;
+  double z = 0;
+};
+
+/// A canonical motion, its beginning included, sampled without the reader's geometry.
+struct CanonCurve {
+  Place3 from;
+  CanonMove move;
+
+  double sweep() const {
+    const Vec2 a = from.point - move.center, b = move.to - move.center;
+    const double side = move.turns > 0 ? 1 : -1;
+    double angle = side * (angle_of(b) - angle_of(a));
+    while (angle <= 1e-6) angle += 2 * kPi;
+    while (angle > 2 * kPi + 1e-6) angle -= 2 * kPi;
+    return side * (angle + 2 * kPi * (std::abs(move.turns) - 1));
+  }
+  double length() const {
+    const double rise = move.z - from.z;
+    if (move.turns == 0) return std::hypot(distance(from.point, move.to), rise);
+    const double radius = (distance(from.point, move.center) + distance(move.to, move.center)) / 2;
+    return std::hypot(radius * sweep(), rise);
+  }
+  Place3 at(double t) const {
+    const double z = std::lerp(from.z, move.z, t);
+    if (move.turns == 0) return {lerp(from.point, move.to, t), z};
+    const Vec2 arm = from.point - move.center;
+    const double radius = std::lerp(norm(arm), distance(move.to, move.center), t);
+    return {move.center + rotated(unit(arm), sweep() * t) * radius, z};
+  }
+};
+
+double distance_to(const Move& move, const Place3& p) {
+  if (move.is_vertical()) {
+    const double z = std::clamp(p.z, std::min(move.z_from, move.z_to), std::max(move.z_from, move.z_to));
+    return std::hypot(distance(move.path.to, p.point), p.z - z);
+  }
+  const Nearest near = nearest(move.path, p.point);
+  // On a steep helix the nearest point lies a little farther along than the nearest one in plan.
+  const double slope = (move.z_to - move.z_from) / move.path.length();
+  const double beside = (p.z - std::lerp(move.z_from, move.z_to, near.t)) / std::hypot(1, slope);
+  return std::hypot(near.distance, beside);
+}
+
+double distance_to(const std::vector<Move>& moves, const Place3& p) {
+  double least = HUGE_VAL;
+  for (const Move& move : moves) least = std::min(least, distance_to(move, p));
+  return least;
+}
+
+class Comparison {
+ public:
+  explicit Comparison(double tolerance) : tolerance_(tolerance) {}
+
+  void compare(const std::vector<CanonMove>& canon, const std::vector<Move>& ours) {
+    std::size_t next = first_feed(ours);
+    Place3 at;
+    bool begun = false;
+    int compared = 0;
+    for (const CanonMove& move : canon) {
+      const CanonCurve curve{at, move};
+      begun = begun || !move.rapid;
+      at = {move.to, move.z};
+      if (!begun || curve.length() < 1e-6) continue;
+      const std::vector<Move> group = take(ours, next, curve.length());
+      ASSERT_FALSE(group.empty()) << "no move left for one to " << move.to.x << " " << move.to.y << " "
+                                  << move.z;
+      compare(curve, group);
+      if (::testing::Test::HasFailure()) return;
+      ++compared;
+    }
+    EXPECT_EQ(next, ours.size());
+    EXPECT_GT(compared, 2);
+  }
+
+ private:
+  static std::size_t first_feed(const std::vector<Move>& moves) {
+    std::size_t k = 0;
+    while (k < moves.size() && is_rapid(moves[k].kind)) ++k;
+    return k;
+  }
+
+  std::vector<Move> take(const std::vector<Move>& ours, std::size_t& next, double length) const {
+    std::vector<Move> group;
+    double taken = 0;
+    while (next < ours.size() && (group.empty() || taken < length - 2 * tolerance_)) {
+      taken += ours[next].length();
+      group.push_back(ours[next++]);
+    }
+    return group;
+  }
+
+  void compare(const CanonCurve& curve, const std::vector<Move>& group) const {
+    const int line = group.front().line;
+    EXPECT_EQ(group.back().line, line);
+    EXPECT_EQ(is_rapid(group.front().kind), curve.move.rapid) << "line " << line;
+    if (!curve.move.rapid) {
+      EXPECT_NEAR(group.front().feed.mm_per_min(), curve.move.feed, 1e-3) << "line " << line;
+    }
+    double length = 0;
+    for (const Move& move : group) length += move.length();
+    EXPECT_NEAR(length, curve.length(), 4 * tolerance_) << "line " << line;
+    for (int k = 0; k <= 24; ++k)
+      EXPECT_LE(distance_to(group, curve.at(k / 24.0)), tolerance_) << "line " << line;
+    EXPECT_LE(distance(group.back().path.to, curve.move.to), tolerance_) << "line " << line;
+    EXPECT_NEAR(group.back().z_to, curve.move.z, tolerance_) << "line " << line;
+  }
+
+  double tolerance_;
+};
+
 }  // namespace
 
 bool has_rs274() {
@@ -89,6 +208,14 @@ CanonProgram run_rs274(const std::string& program) {
   canon.message = read_file(folder.path("err.txt"));
   canon.accepted = canon.accepted && status == 0;
   return canon;
+}
+
+void expect_same_motion(const CanonProgram& canon, const Toolpath& toolpath, double tolerance) {
+  std::vector<Move> moves;
+  for (const Section& section : toolpath.sections) {
+    moves.insert(moves.end(), section.moves.begin(), section.moves.end());
+  }
+  Comparison(tolerance).compare(canon.moves, moves);
 }
 
 }  // namespace clearcut::testing

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/edge.h"
+#include "toolpath/move.h"
 
 namespace clearcut::testing {
 
@@ -26,6 +26,11 @@ struct CanonProgram {
 
 bool has_rs274();
 CanonProgram run_rs274(const std::string& program);
+
+/// Same motion: each canonical move is met by our moves of one program line, in order, with the same feed,
+/// and every sampled point agrees within `tolerance`. Motion before the first feed move is left out: where
+/// the control stands at the start is its own affair.
+void expect_same_motion(const CanonProgram& canon, const Toolpath& toolpath, double tolerance);
 
 }  // namespace clearcut::testing
 

@@ -19,6 +19,12 @@ bool is_number_part(char c) {
   return (c >= '0' && c <= '9') || c == '.' || c == '+' || c == '-';
 }
 
+/// "1e-05", as some scripts write it, is no number to a control, but an E word to others.
+bool has_exponent(std::string_view line, std::size_t at) {
+  if (at + 1 >= line.size() || (line[at] != 'e' && line[at] != 'E') || is_blank(line[at - 1])) return false;
+  return is_number_part(line[at + 1]);
+}
+
 std::string shown(char c) {
   const auto byte = static_cast<unsigned char>(c);
   if (std::isprint(byte)) return std::string("'") + c + "'";
@@ -135,6 +141,9 @@ double BlockReader::parse_number(std::string_view line, std::size_t& at, char le
   if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '<')) {
     throw InputError(place(number),
                      "parameters and expressions are not read; post the program with plain numbers");
+  }
+  if (count > 0 && has_exponent(line, at)) {
+    throw InputError(place(number), std::string(1, letter) + " word with an exponent; post plain decimals");
   }
   double value = 0;
   const auto [end, error] = std::from_chars(digits, digits + count, value, std::chars_format::fixed);

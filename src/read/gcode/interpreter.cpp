@@ -163,13 +163,13 @@ void Interpreter::set_mode(int code, const Block& block) {
       absolute_centers_ = false;
       break;
     case 930:
-      feed_mode_ = FeedMode::kInverseTime;
+      set_feed_mode(FeedMode::kInverseTime);
       break;
     case 940:
-      feed_mode_ = FeedMode::kPerMinute;
+      set_feed_mode(FeedMode::kPerMinute);
       break;
     case 950:
-      feed_mode_ = FeedMode::kPerTurn;
+      set_feed_mode(FeedMode::kPerTurn);
       break;
     case 980:
       return_to_old_z_ = true;
@@ -193,6 +193,12 @@ void Interpreter::set_mode(int code, const Block& block) {
         set_unread_mode(code);
       }
   }
+}
+
+/// A feed of one kind means nothing in another.
+void Interpreter::set_feed_mode(FeedMode mode) {
+  if (mode != feed_mode_) feed_ = 0;
+  feed_mode_ = mode;
 }
 
 /// Words without effect on the path pass silently; those that would change it are refused.

@@ -1,0 +1,11 @@
+; carved by a converted printer
+G90
+M3 S255
+G0 Z5 F600
+G0 X0 Y0 F3000
+G1 Z-1 F120
+G1 X20 F400
+N10 G3 X30 Y10 I0 J10*55
+M117 Almost done
+G0 Z5 F600
+M5
