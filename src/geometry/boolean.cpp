@@ -211,7 +211,8 @@ Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, C
                  const Sources& sources, const Tolerances& tol) {
   ClipperLib::PolyTree tree;
   clipper.StrictlySimple(true);
-  CLEARCUT_ASSERT(clipper.Execute(operation, tree, fill, fill));
+  // Refused when nothing was added: loops without area are no input to it.
+  if (!clipper.Execute(operation, tree, fill, fill)) return {};
   Regions regions;
   append_regions(tree, sources, tol, regions);
   return regions;
@@ -223,6 +224,13 @@ Regions combined(const Regions& a, const Regions& b, ClipperLib::ClipType operat
   add_regions(a, ClipperLib::ptSubject, sources, clipper);
   add_regions(b, ClipperLib::ptClip, sources, clipper);
   return executed(clipper, operation, ClipperLib::pftNonZero, sources, tol);
+}
+
+Regions resolved(std::span<const Loop> loops, ClipperLib::PolyFillType fill, const Tolerances& tol) {
+  Sources sources(tol);
+  ClipperLib::Clipper clipper;
+  for (const auto& loop : loops) clipper.AddPath(sources.flatten(loop), ClipperLib::ptSubject, true);
+  return executed(clipper, ClipperLib::ctUnion, fill, sources, tol);
 }
 
 }  // namespace
@@ -240,10 +248,11 @@ Regions intersect(const Regions& a, const Regions& b, const Tolerances& tol) {
 }
 
 Regions resolve_even_odd(std::span<const Loop> loops, const Tolerances& tol) {
-  Sources sources(tol);
-  ClipperLib::Clipper clipper;
-  for (const auto& loop : loops) clipper.AddPath(sources.flatten(loop), ClipperLib::ptSubject, true);
-  return executed(clipper, ClipperLib::ctUnion, ClipperLib::pftEvenOdd, sources, tol);
+  return resolved(loops, ClipperLib::pftEvenOdd, tol);
+}
+
+Regions resolve_nonzero(std::span<const Loop> loops, const Tolerances& tol) {
+  return resolved(loops, ClipperLib::pftNonZero, tol);
 }
 
 }  // namespace clearcut

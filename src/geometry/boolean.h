@@ -16,5 +16,7 @@ Regions intersect(const Regions& a, const Regions& b, const Tolerances& tol);
 /// Regions bounded by arbitrary closed loops (crossing, overlapping, any orientation) under the even-odd
 /// rule: what the repair of dirty input stands on.
 Regions resolve_even_odd(std::span<const Loop> loops, const Tolerances& tol);
+/// The same under the non-zero rule: loops' orientations count.
+Regions resolve_nonzero(std::span<const Loop> loops, const Tolerances& tol);
 
 }  // namespace clearcut

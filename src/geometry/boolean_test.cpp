@@ -82,6 +82,21 @@ TEST(Boolean, CrossingOutlineIsResolvedEvenOdd) {
   EXPECT_NEAR(area(result), 50, 1e-6);
 }
 
+TEST(Boolean, LoopsWithoutAreaGiveNothing) {
+  const std::vector<Vec2> spike{{0, 0}, {10, 0}, {20, 0}};
+  EXPECT_TRUE(resolve_even_odd(std::vector<Loop>{loop_from_points(spike)}, kTol).empty());
+  EXPECT_TRUE(unite({}, {}, kTol).empty());
+}
+
+TEST(Boolean, OrientationCountsUnderTheNonZeroRule) {
+  const std::vector<Vec2> outer{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, same_way{{2, 2}, {8, 2}, {8, 8}, {2, 8}};
+  const std::vector<Vec2> other_way(same_way.rbegin(), same_way.rend());
+  EXPECT_NEAR(area(resolve_nonzero(std::vector{loop_from_points(outer), loop_from_points(same_way)}, kTol)),
+              100, 1e-6);
+  EXPECT_NEAR(area(resolve_nonzero(std::vector{loop_from_points(outer), loop_from_points(other_way)}, kTol)),
+              64, 1e-6);
+}
+
 /// Says nothing about where the result lies: that is what the point test below is for.
 TEST(Boolean, AreasOfRandomPairsAddUp) {
   Random random(7);
