@@ -9,8 +9,6 @@ find_package(nlohmann_json REQUIRED)
 find_package(TBB REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 find_package(pugixml REQUIRED)
-find_path(DXFLIB_INCLUDE_DIR dxflib/dl_dxf.h REQUIRED)
-find_library(DXFLIB_LIBRARY dxflib REQUIRED)
 
 # One interface library per role, so that a module never names a package.
 add_library(clearcut_testing INTERFACE)
@@ -25,8 +23,7 @@ endif()
 function(clearcut_link_packages)
   foreach(pair "base|fmt::fmt" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "order|TBB::tbb"
                "read|nlohmann_json::nlohmann_json" "read|pugixml::pugixml" "read|PkgConfig::tomlplusplus"
-               "read|${DXFLIB_LIBRARY}" "report|nlohmann_json::nlohmann_json" "pipeline|TBB::tbb"
-               "pipeline|nlohmann_json::nlohmann_json")
+               "report|nlohmann_json::nlohmann_json" "pipeline|TBB::tbb" "pipeline|nlohmann_json::nlohmann_json")
     string(REPLACE "|" ";" pair "${pair}")
     list(GET pair 0 module)
     list(GET pair 1 package)

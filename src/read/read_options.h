@@ -15,11 +15,25 @@ enum class OpenCurves {
   kSkip     ///< left out and reported
 };
 
+/// What the outlines of a layer are.
+enum class LayerRole { kPocket, kIsland, kHole, kIgnore };
+
+/// What the user says about the layers (DXF) or colours (SVG, "#ff0000") that match a pattern; goes before
+/// what their names say. The first matching rule counts.
+struct LayerRule {
+  std::string pattern;  ///< name, * for anything, any case
+  std::optional<LayerRole> role;
+  std::optional<double> depth;  ///< mm
+  std::optional<double> top;    ///< mm
+};
+
 struct ReadOptions {
   std::optional<std::string> unit;  ///< "mm", "cm", "m", "in", "pt", "px", ...: overrides the file's own
-  std::optional<double> depth;      ///< mm, > 0: overrides the depths of a drawing
-  std::optional<double> top;        ///< mm: z of the drawing's plane
+  std::optional<double> depth;      ///< mm, > 0: overrides every depth in the file
+  std::optional<double> depth_if_missing;  ///< mm, > 0: assumed, with a warning, where the file says nothing
+  std::optional<double> top;               ///< mm: z of the drawing's plane
   std::vector<std::string> layers;  ///< only these layers of a drawing (names or patterns with *); empty: all
+  std::vector<LayerRule> layer_rules;
   OpenCurves open_curves = OpenCurves::kRefuse;
   std::optional<bool> find_arcs;  ///< find arcs again in runs of short lines; default: drawings yes, JSON no
   Tolerances tol;

@@ -6,7 +6,9 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "read/outline/drawing.h"
 #include "read/outline/json_value.h"
+#include "read/outline/text.h"
 #include "read/outline/units.h"
 #include "read/repair/repair.h"
 
@@ -78,7 +80,7 @@ std::vector<RawCurve> curves_of(const Context& context, const JsonValue& outline
 void note_unknown_keys(const Context& context, const JsonValue& value, const std::set<std::string>& known) {
   std::string names;
   for (const auto& [key, member] : value.members) {
-    if (!known.count(key)) names += (names.empty() ? "\"" : ", \"") + key.substr(0, 40) + "\"";
+    if (!known.count(key)) names += (names.empty() ? "\"" : ", \"") + printable(key) + "\"";
   }
   if (!names.empty()) context.diagnostics.note(context.at(value), "not used: " + names);
 }
@@ -143,20 +145,6 @@ Feature feature_of(const Context& context, const JsonValue& outline, double unit
   feature.target = repair(curves_of(context, outline, unit), repair_options, context.diagnostics);
   feature.allowed = feature.target;
   return feature;
-}
-
-void add_feature(Part& part, Feature feature) {
-  std::set<std::string> taken;
-  for (const auto& other : part.features) taken.insert(other.name);
-  const std::string wanted = feature.name;
-  for (int n = 2; taken.count(feature.name); ++n) feature.name = wanted + "_" + std::to_string(n);
-  Workingstep step;
-  step.name = feature.name;
-  step.source = feature.source;
-  step.feature = static_cast<int>(part.features.size());
-  step.operation.name = feature.name;
-  part.workplan.push_back(std::move(step));
-  part.features.push_back(std::move(feature));
 }
 
 }  // namespace

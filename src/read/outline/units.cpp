@@ -1,11 +1,10 @@
 #include "read/outline/units.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 #include "base/error.h"
+#include "read/outline/text.h"
 
 namespace clearcut {
 namespace {
@@ -33,11 +32,9 @@ constexpr std::array<std::pair<std::string_view, double>, 16> kUnits{{
 }  // namespace
 
 std::optional<double> mm_per_unit(std::string_view name) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string wanted = capitals(name);
   for (const auto& [unit, mm] : kUnits) {
-    if (lower == unit) return mm;
+    if (wanted == capitals(unit)) return mm;
   }
   return std::nullopt;
 }
@@ -50,8 +47,7 @@ const std::string& known_units() {
 double require_unit(std::string_view name, const std::string& place) {
   const auto unit = mm_per_unit(name);
   if (!unit) {
-    throw InputError(place,
-                     "unknown unit '" + std::string(name.substr(0, 40)) + "'; use one of " + known_units());
+    throw InputError(place, "unknown unit '" + printable(name) + "'; use one of " + known_units());
   }
   return *unit;
 }

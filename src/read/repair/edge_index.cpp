@@ -57,9 +57,9 @@ std::vector<int> EdgeIndex::loops_around(Vec2 p) const {
   std::vector<int> around;
   for (std::size_t i = 0; i < level.size();) {
     const int loop = level[i].loop;
-    Loop part;
-    for (; i < level.size() && level[i].loop == loop; ++i) part.push_back(edge(level[i]));
-    if (contains(part, p)) around.push_back(loop);
+    int turns = 0;
+    for (; i < level.size() && level[i].loop == loop; ++i) turns += winding(edge(level[i]), p);
+    if (turns != 0) around.push_back(loop);
   }
   return around;
 }

@@ -1,40 +1,20 @@
 #include "read/repair/joining.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/error.h"
 #include "read/repair/clean.h"
+#include "read/repair/duplicates.h"
 #include "read/repair/mends.h"
+#include "read/repair/near_grid.h"
 
 namespace clearcut {
 namespace {
 
 /// More ends than this within one gap are not a drawing.
 constexpr std::size_t kMostEndsInAPlace = 256;
-
-using Cell = std::pair<long long, long long>;
-
-Cell cell_of(Vec2 p, double size) {
-  return {static_cast<long long>(std::floor(p.x / size)), static_cast<long long>(std::floor(p.y / size))};
-}
-
-/// Calls visit(i) for all points listed in the nine cells about `p`.
-template <typename Visit>
-void for_near(const std::map<Cell, std::vector<int>>& grid, Vec2 p, double size, Visit visit) {
-  const Cell at = cell_of(p, size);
-  for (long long dx = -1; dx <= 1; ++dx) {
-    for (long long dy = -1; dy <= 1; ++dy) {
-      const auto found = grid.find({at.first + dx, at.second + dy});
-      if (found == grid.end()) continue;
-      for (const int i : found->second) visit(i);
-    }
-  }
-}
 
 /// Ends of open curves: end 2i is the start of curve i, 2i + 1 its end.
 struct Ends {
@@ -62,15 +42,18 @@ constexpr int kUnmatched = -1;
 class Matching {
  public:
   Matching(const Ends& ends, double gap, const std::string& where)
-      : ends_(ends), gap_(gap), where_(where), mate_(static_cast<std::size_t>(ends.count()), kUnmatched) {}
+      : ends_(ends),
+        gap_(gap),
+        where_(where),
+        mate_(static_cast<std::size_t>(ends.count()), kUnmatched),
+        grid_(gap) {}
 
   std::vector<int> run() {
-    for (int end = 0; end < ends_.count(); ++end) grid_[cell_of(ends_.at(end), gap_)].push_back(end);
-    for (const auto& [cell, inside] : grid_) {
-      if (inside.size() > kMostEndsInAPlace) {
-        throw InputError(where_, "more than " + std::to_string(kMostEndsInAPlace) + " curve ends meet at " +
-                                     place_text(ends_.at(inside.front())) + "; this is not an outline");
-      }
+    for (int end = 0; end < ends_.count(); ++end) grid_.add(ends_.at(end), end);
+    const auto* fullest = grid_.fullest();
+    if (fullest && fullest->size() > kMostEndsInAPlace) {
+      throw InputError(where_, "more than " + std::to_string(kMostEndsInAPlace) + " curve ends meet at " +
+                                   place_text(ends_.at(fullest->front())) + "; this is not an outline");
     }
     pair_coincident();
     pair_nearest();
@@ -92,7 +75,7 @@ class Matching {
     for (int end = 0; end < ends_.count(); ++end) {
       if (seen[static_cast<std::size_t>(end)]) continue;
       std::vector<int> together;
-      for_near(grid_, ends_.at(end), gap_, [&](int other) {
+      grid_.for_near(ends_.at(end), [&](int other) {
         if (seen[static_cast<std::size_t>(other)] || distance(ends_.at(end), ends_.at(other)) > kSamePoint)
           return;
         together.push_back(other);
@@ -117,7 +100,7 @@ class Matching {
     std::vector<Pair> pairs;
     for (int a = 0; a < ends_.count(); ++a) {
       if (mate(a) != kUnmatched) continue;
-      for_near(grid_, ends_.at(a), gap_, [&](int b) {
+      grid_.for_near(ends_.at(a), [&](int b) {
         const double gap = distance(ends_.at(a), ends_.at(b));
         if (b > a && mate(b) == kUnmatched && gap <= gap_ && may_meet(a, b)) pairs.push_back({gap, a, b});
       });
@@ -135,39 +118,8 @@ class Matching {
   const double gap_;
   const std::string& where_;
   std::vector<int> mate_;
-  std::map<Cell, std::vector<int>> grid_;
+  NearGrid grid_;
 };
-
-/// Curves of one edge drawn twice (either way round), left once.
-std::vector<RawCurve> without_doubles(std::vector<RawCurve> curves, double gap, const std::string& where,
-                                      Diagnostics& diagnostics) {
-  Mends doubles("a curve drawn twice counts once: length");
-  std::map<Cell, std::vector<int>> grid;
-  std::vector<RawCurve> kept;
-  const auto same = [gap](const Edge& a, const Edge& b) {
-    const auto near = [gap](Vec2 p, Vec2 q) { return distance(p, q) <= gap; };
-    return a.is_arc() == b.is_arc() && near(a.at(0.5), b.at(0.5)) &&
-           ((near(a.from, b.from) && near(a.to, b.to)) || (near(a.from, b.to) && near(a.to, b.from)));
-  };
-  for (RawCurve& curve : curves) {
-    const Edge& edge = curve.edges.front();
-    const bool single = curve.edges.size() == 1 && edge.length() > 3 * gap;
-    bool doubled = false;
-    if (single) {
-      for_near(grid, edge.at(0.5), gap, [&](int i) {
-        doubled = doubled || same(edge, kept[static_cast<std::size_t>(i)].edges.front());
-      });
-    }
-    if (doubled) {
-      doubles.add(edge.from, edge.length());
-      continue;
-    }
-    if (single) grid[cell_of(edge.at(0.5), gap)].push_back(static_cast<int>(kept.size()));
-    kept.push_back(std::move(curve));
-  }
-  doubles.report(where, diagnostics);
-  return kept;
-}
 
 class Joiner {
  public:
@@ -183,7 +135,7 @@ class Joiner {
         open.push_back(std::move(curve));
       }
     }
-    chain(without_doubles(std::move(open), options_.tol.join_gap, options_.where, diagnostics_));
+    chain(without_double_curves(std::move(open), options_.tol.join_gap, options_.where, diagnostics_));
     gaps_.report(options_.where, diagnostics_);
     closed_by_line_.report(options_.where, diagnostics_);
     return std::move(loops_);

@@ -7,9 +7,19 @@
 #include "read/repair/edge_index.h"
 
 namespace clearcut {
-namespace {
+Vec2 inner_point(const Loop& loop) {
+  const auto longest = std::max_element(loop.begin(), loop.end(),
+                                        [](const Edge& a, const Edge& b) { return a.length() < b.length(); });
+  const double side = signed_area(loop) > 0 ? 1 : -1;
+  const Vec2 middle = longest->at(0.5);
+  const Vec2 inward = left_of(longest->tangent_at(0.5)) * (side * longest->length());
+  for (double step = 0.25; step > 1e-9; step /= 8) {
+    const Vec2 p = middle + inward * step;
+    if (contains(loop, p)) return p;
+  }
+  return middle;
+}
 
-/// For every loop the loops about it, from the largest to the smallest.
 std::vector<std::vector<int>> loops_about(const std::vector<Loop>& loops) {
   std::vector<double> areas;
   for (const Loop& loop : loops) areas.push_back(std::abs(signed_area(loop)));
@@ -24,27 +34,6 @@ std::vector<std::vector<int>> loops_about(const std::vector<Loop>& loops) {
     std::stable_sort(about[i].begin(), about[i].end(), [&](int a, int b) { return area_of(a) > area_of(b); });
   }
   return about;
-}
-
-}  // namespace
-
-Vec2 inner_point(const Loop& loop) {
-  const auto longest = std::max_element(loop.begin(), loop.end(),
-                                        [](const Edge& a, const Edge& b) { return a.length() < b.length(); });
-  const double side = signed_area(loop) > 0 ? 1 : -1;
-  const Vec2 middle = longest->at(0.5);
-  const Vec2 inward = left_of(longest->tangent_at(0.5)) * (side * longest->length());
-  for (double step = 0.25; step > 1e-9; step /= 8) {
-    const Vec2 p = middle + inward * step;
-    if (contains(loop, p)) return p;
-  }
-  return middle;
-}
-
-std::vector<int> nesting_depths(const std::vector<Loop>& loops) {
-  std::vector<int> depths;
-  for (const auto& about : loops_about(loops)) depths.push_back(static_cast<int>(about.size()));
-  return depths;
 }
 
 Regions nested(const std::vector<Loop>& loops) {

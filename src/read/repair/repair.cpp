@@ -4,8 +4,13 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "geometry/boolean.h"
+#include "read/repair/arcs.h"
 #include "read/repair/clean.h"
+#include "read/repair/crossings.h"
+#include "read/repair/duplicates.h"
 #include "read/repair/joining.h"
+#include "read/repair/meetings.h"
 #include "read/repair/mends.h"
 #include "read/repair/nesting.h"
 
@@ -14,17 +19,25 @@ namespace {
 
 /// Loops thinner than this on average enclose nothing to mill, mm.
 constexpr double kThinnest = 1e-3;
+/// Touches looked through by the last check.
+constexpr std::size_t kMostTouches = 1'000'000;
 
-/// Area and length of a thin loop compared: its mean width, mm.
-double mean_width(const Loop& loop) {
-  return 2 * std::abs(signed_area(loop)) / length(loop);
+/// Twice the area over the length: the mean width of a thin loop, mm.
+double mean_width(double area, const Loop& loop) {
+  return 2 * std::abs(area) / length(loop);
+}
+
+/// Lobes of opposite turn may cancel, so a loop without net area is looked at again.
+bool is_thin(const Loop& loop, const Tolerances& tol) {
+  return mean_width(signed_area(loop), loop) <= kThinnest &&
+         mean_width(area(resolve_even_odd(std::span(&loop, 1), tol)), loop) <= kThinnest;
 }
 
 std::vector<RawLoop> without_thin(std::vector<RawLoop> loops, const RepairOptions& options,
                                   Diagnostics& diagnostics) {
   std::vector<RawLoop> kept;
   for (RawLoop& loop : loops) {
-    if (mean_width(loop.loop) > kThinnest) {
+    if (!is_thin(loop.loop, options.tol)) {
       kept.push_back(std::move(loop));
       continue;
     }
@@ -33,6 +46,21 @@ std::vector<RawLoop> without_thin(std::vector<RawLoop> loops, const RepairOption
                            short_number(length(loop.loop)) + " mm");
   }
   return kept;
+}
+
+/// The promise of Region, tested: no loop crosses or runs along itself or another.
+Regions checked(Regions regions, const RepairOptions& options) {
+  std::vector<Loop> loops;
+  for (const Region& region : regions) {
+    loops.push_back(region.outer());
+    loops.insert(loops.end(), region.islands().begin(), region.islands().end());
+  }
+  for (const Meeting& meeting : meetings(loops, kMostTouches, options.where)) {
+    if (meeting.kind == MeetingKind::kTouch) continue;
+    throw InputError(options.where, "the outlines near " + place_text(meeting.at) +
+                                        " lie too close to be told apart; separate them in the drawing");
+  }
+  return regions;
 }
 
 }  // namespace
@@ -46,9 +74,10 @@ Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagn
                                         ? "no closed outline found; draw the pocket as a closed curve"
                                         : "no outline encloses an area; draw the pocket as a closed curve");
   }
-  std::vector<Loop> clean_loops;
-  for (RawLoop& loop : loops) clean_loops.push_back(std::move(loop.loop));
-  return nested(clean_loops);
+  if (options.find_arcs) find_arcs(loops, options, diagnostics);
+  loops = resolve_compounds(std::move(loops), options, diagnostics);
+  loops = without_double_loops(std::move(loops), options.tol.join_gap, options.where, diagnostics);
+  return checked(nested(resolve_crossings(std::move(loops), options, diagnostics)), options);
 }
 
 }  // namespace clearcut

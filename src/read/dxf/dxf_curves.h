@@ -1,0 +1,26 @@
+// One DXF entity as a curve of lines and arcs.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "read/dxf/dxf_document.h"
+#include "read/outline/affine.h"
+#include "read/repair/repair.h"
+
+namespace clearcut {
+
+/// Whether curve_of reads entities of this type.
+bool is_curve(std::string_view dxf_type);
+
+/// From the entity's own coordinates (mirrored where its extrusion points down) to the drawing's; nothing
+/// when it is not parallel to the plane.
+std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& entity);
+
+/// The curve of `entity` under `map` (drawing to mm); `vertices` are the VERTEX entities of a POLYLINE.
+/// Nothing for meshes, tilted entities and splines without control points. Throws InputError "file:line: ..."
+/// for damaged entities.
+std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& entity,
+                                 std::span<const DxfEntity> vertices, const Affine& map);
+
+}  // namespace clearcut

@@ -1,0 +1,187 @@
+#include "read/dxf/dxf_document.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/error.h"
+#include "read/outline/text.h"
+
+namespace clearcut {
+namespace {
+
+std::string_view stripped(std::string_view text) {
+  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// Takes groups off the text one by one.
+class Groups {
+ public:
+  Groups(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  /// False at the end of the text.
+  bool next(DxfGroup& group) {
+    std::string_view code = line();
+    while (code.empty() && !text_.empty()) code = line();
+    if (code.empty()) return false;
+    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), group.code);
+    if (error != std::errc{} || end != code.data() + code.size()) {
+      fail("a DXF group code was expected; this is not a DXF file, or it is damaged here");
+    }
+    if (text_.empty()) fail("the file ends in the middle of a group; copy it again");
+    group.value = line();
+    group.line = line_;
+    return true;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(file_ + ":" + std::to_string(line_), what);
+  }
+
+  std::string_view line() {
+    const std::size_t end = text_.find('\n');
+    const std::string_view whole = text_.substr(0, end);
+    text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+    ++line_;
+    return stripped(whole);
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  int line_ = 0;
+};
+
+/// Sorts entities into their sections.
+class Builder {
+ public:
+  explicit Builder(DxfDocument& document) : document_(document) {}
+
+  void take(const DxfGroup& group) {
+    if (group.code == 999) return;  // comment
+    if (group.code == 0) {
+      finish();
+      current_ = {group.value, group.line, {}};
+      if (current_.type == "SECTION") section_ = {};
+    } else if (current_.type == "SECTION" && section_.empty() && group.code == 2) {
+      section_ = group.value;
+    } else if (section_ != "HEADER") {
+      current_.groups.push_back(group);
+    } else if (group.code == 9) {
+      variable_ = &document_.header[group.value];
+    } else if (variable_) {
+      variable_->groups.push_back(group);
+    }
+  }
+
+  /// Files the entity that has ended.
+  void finish() {
+    if (current_.type == "SECTION") {
+      seen_entities_ = seen_entities_ || section_ == "ENTITIES";
+    } else if (current_.type == "ENDSEC") {
+      section_ = {};
+      variable_ = nullptr;
+    } else if (section_ == "TABLES" && current_.type == "LAYER") {
+      document_.layers[capitals(current_.text(2))] = std::move(current_);
+    } else if (section_ == "BLOCKS") {
+      finish_in_block();
+    } else if (section_ == "ENTITIES") {
+      document_.entities.push_back(std::move(current_));
+    }
+    current_ = {};
+  }
+
+  bool seen_entities() const { return seen_entities_; }
+
+ private:
+  void finish_in_block() {
+    if (current_.type == "BLOCK") {
+      block_ = &document_.blocks[capitals(current_.text(2))];
+      block_->base = {document_.number(current_, 10, 0), document_.number(current_, 20, 0)};
+    } else if (current_.type == "ENDBLK") {
+      block_ = nullptr;
+    } else if (block_) {
+      block_->entities.push_back(std::move(current_));
+    }
+  }
+
+  DxfDocument& document_;
+  DxfEntity current_;
+  std::string_view section_;
+  DxfEntity* variable_ = nullptr;
+  DxfBlock* block_ = nullptr;
+  bool seen_entities_ = false;
+};
+
+}  // namespace
+
+const DxfGroup* DxfEntity::find(int code) const {
+  for (const DxfGroup& group : groups) {
+    if (group.code == code) return &group;
+  }
+  return nullptr;
+}
+
+std::string_view DxfEntity::text(int code, std::string_view otherwise) const {
+  const DxfGroup* group = find(code);
+  return group ? group->value : otherwise;
+}
+
+double DxfDocument::number(const DxfGroup& group) const {
+  std::string_view text = group.value;
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    fail(group.line, "'" + printable(group.value) + "' is not a number; correct the file");
+  }
+  return value;
+}
+
+double DxfDocument::number(const DxfEntity& entity, int code, double otherwise) const {
+  const DxfGroup* group = entity.find(code);
+  return group ? number(*group) : otherwise;
+}
+
+double DxfDocument::required(const DxfEntity& entity, int code) const {
+  const DxfGroup* group = entity.find(code);
+  if (!group) {
+    fail(entity.line,
+         printable(entity.type) + " lacks its group " + std::to_string(code) + "; the file is damaged here");
+  }
+  return number(*group);
+}
+
+int DxfDocument::integer(const DxfEntity& entity, int code, int otherwise) const {
+  const double value = number(entity, code, otherwise);
+  return std::abs(value) < 1e9 ? static_cast<int>(value) : otherwise;
+}
+
+void DxfDocument::fail(int line, const std::string& what) const {
+  throw InputError(file + ":" + std::to_string(line), what);
+}
+
+DxfDocument parse_dxf(std::string_view text, const std::string& file_name) {
+  if (text.substr(0, 18) == "AutoCAD Binary DXF") {
+    throw InputError(file_name, "this is a binary DXF; save the drawing as ASCII DXF");
+  }
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
+  DxfDocument document;
+  document.file = file_name;
+  Groups groups(text, file_name);
+  Builder builder(document);
+  DxfGroup group;
+  while (groups.next(group)) {
+    builder.take(group);
+    if (group.code == 0 && group.value == "EOF") break;
+  }
+  builder.finish();
+  if (!builder.seen_entities()) {
+    throw InputError(file_name, "no ENTITIES section; this is not a DXF drawing, or it is cut short");
+  }
+  return document;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,55 @@
+// The text of a DXF file as sections, blocks and entities of (code, value) groups.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/vec2.h"
+
+namespace clearcut {
+
+struct DxfGroup {
+  int code = 0;
+  int line = 0;  ///< of the value
+  std::string_view value;
+};
+
+/// One entity (or vertex, or table row): everything up to the next group 0.
+struct DxfEntity {
+  std::string_view type;
+  int line = 0;
+  std::vector<DxfGroup> groups;
+
+  const DxfGroup* find(int code) const;
+  std::string_view text(int code, std::string_view otherwise = {}) const;
+};
+
+struct DxfBlock {
+  Vec2 base;
+  std::vector<DxfEntity> entities;
+};
+
+/// Views into the text, which must outlive it.
+struct DxfDocument {
+  std::string file;
+  std::map<std::string_view, DxfEntity> header;  ///< "$INSUNITS" -> its groups
+  std::map<std::string, DxfEntity> layers;       ///< by name in capitals
+  std::map<std::string, DxfBlock> blocks;        ///< by name in capitals
+  std::vector<DxfEntity> entities;
+
+  /// Throws InputError "file:line: ..." unless the group's value is a finite number.
+  double number(const DxfGroup& group) const;
+  double number(const DxfEntity& entity, int code, double otherwise) const;
+  /// Throws also when the group is missing.
+  double required(const DxfEntity& entity, int code) const;
+  int integer(const DxfEntity& entity, int code, int otherwise) const;
+  [[noreturn]] void fail(int line, const std::string& what) const;
+};
+
+/// Throws InputError for binary DXF, for text that is no DXF, and for a file that ends in the middle of a
+/// group or has no ENTITIES. Cost O(length).
+DxfDocument parse_dxf(std::string_view text, const std::string& file_name);
+
+}  // namespace clearcut

@@ -1,0 +1,254 @@
+#include "read/dxf/dxf_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <span>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "base/units.h"
+#include "read/dxf/dxf_curves.h"
+#include "read/outline/drawing.h"
+#include "read/outline/text.h"
+#include "read/outline/units.h"
+#include "read/repair/mends.h"
+
+namespace clearcut {
+namespace {
+
+constexpr int kDeepestBlocks = 16;
+/// Entities after all blocks are put in place: beyond this the drawing is a trap.
+constexpr int kMostEntities = 2'000'000;
+
+/// mm per unit for $INSUNITS, 0 where it says nothing.
+double mm_of_insunits(int code) {
+  switch (code) {
+    case 1:
+      return 25.4;
+    case 2:
+      return 304.8;
+    case 4:
+      return 1;
+    case 5:
+      return 10;
+    case 6:
+      return 1000;
+    case 8:
+      return 25.4e-6;
+    case 9:
+      return 0.0254;
+    case 10:
+      return 914.4;
+    case 13:
+      return 0.001;
+    case 14:
+      return 100;
+    default:
+      return 0;
+  }
+}
+
+/// Curves by layer while a document is walked through.
+class Collector {
+ public:
+  Collector(const DxfDocument& document, const ReadOptions& options, double unit, Diagnostics& diagnostics)
+      : document_(document), options_(options), unit_(unit), diagnostics_(diagnostics) {}
+
+  void collect() { walk(document_.entities, Affine::scaling(unit_, unit_), "0", 0); }
+
+  std::vector<DrawnGroup> take() { return std::move(groups_); }
+
+  void report() const {
+    report_counts(not_read_, "not read, because they are no outlines: ");
+    report_counts(hidden_, "not read, because their layers are off or frozen, or they are invisible: ");
+    report_counts(not_chosen_, "not read, because their layers were not chosen: ");
+    report_counts(ignored_, "not read, because their layers' names say so: ");
+  }
+
+ private:
+  using Counts = std::map<std::string, int>;
+
+  void report_counts(const Counts& counts, const std::string& what) const {
+    std::string text;
+    for (const auto& [name, count] : counts) {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + printable(name);
+    }
+    if (!text.empty()) diagnostics_.skip(document_.file, what + text);
+  }
+
+  void walk(const std::vector<DxfEntity>& entities, const Affine& map, const std::string& layer_of_zero,
+            int depth) {
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+      const DxfEntity& entity = entities[i];
+      std::size_t last = i;
+      if (entity.type == "POLYLINE" || entity.type == "INSERT") {
+        while (last + 1 < entities.size() &&
+               (entities[last + 1].type == "VERTEX" || entities[last + 1].type == "ATTRIB")) {
+          ++last;
+        }
+      }
+      take_entity(entity, std::span(entities).subspan(i + 1, last - i), map, layer_of_zero, depth);
+      i = last;
+    }
+  }
+
+  void take_entity(const DxfEntity& entity, std::span<const DxfEntity> followers, const Affine& map,
+                   const std::string& layer_of_zero, int depth) {
+    if (entity.type == "SEQEND" || entity.type.empty()) return;
+    if (++count_ > kMostEntities) {
+      throw InputError(document_.file,
+                       "more than 2 million entities with all blocks in place; simplify the drawing");
+    }
+    const bool is_paper = document_.integer(entity, 67, 0) == 1;
+    const std::string own(entity.text(8, "0"));
+    const std::string layer = own == "0" ? layer_of_zero : own;
+    if (is_paper) {
+      ++not_read_[std::string(entity.type) + " of the paper layout"];
+    } else if (is_hidden(entity, layer)) {
+      ++hidden_[layer];
+    } else if (entity.type == "INSERT") {
+      insert(entity, map, layer, depth);
+    } else if (!is_curve(entity.type)) {
+      ++not_read_[std::string(entity.type)];
+    } else {
+      take_curve(entity, followers, map, layer);
+    }
+  }
+
+  bool is_chosen(const std::string& layer) const {
+    return options_.layers.empty() || std::any_of(options_.layers.begin(), options_.layers.end(),
+                                                  [&](const std::string& p) { return matches(p, layer); });
+  }
+  bool is_hidden(const DxfEntity& entity, const std::string& layer) const {
+    if (document_.integer(entity, 60, 0) == 1) return true;
+    const auto found = document_.layers.find(capitals(layer));
+    if (found == document_.layers.end()) return false;
+    const bool named = !options_.layers.empty() && is_chosen(layer);
+    const bool off = document_.integer(found->second, 62, 7) < 0;
+    const bool frozen = document_.integer(found->second, 70, 0) & 1;
+    return (off || frozen) && !named;
+  }
+
+  void take_curve(const DxfEntity& entity, std::span<const DxfEntity> followers, const Affine& map,
+                  const std::string& layer) {
+    if (!is_chosen(layer)) {
+      ++not_chosen_[layer];
+      return;
+    }
+    DrawnGroup& group = group_of(layer);
+    if (group.role == LayerRole::kIgnore) {
+      ++ignored_[layer];
+      return;
+    }
+    auto curve = curve_of(document_, entity, followers, map);
+    if (!curve) {
+      ++not_read_[std::string(entity.type) + " that is not flat or has no control points"];
+    } else if (!curve->edges.empty()) {
+      group.curves.push_back(std::move(*curve));
+    }
+  }
+
+  DrawnGroup& group_of(const std::string& layer) {
+    const auto [found, is_new] = by_layer_.try_emplace(capitals(layer), groups_.size());
+    if (is_new) groups_.push_back(new_group(layer));
+    return groups_[found->second];
+  }
+  DrawnGroup new_group(const std::string& layer) const {
+    DrawnGroup group;
+    group.name = layer;
+    group.where = document_.file + ": layer " + printable(layer);
+    const LayerMeaning meaning = meaning_of_layer(layer);
+    group.role = meaning.role;
+    if (meaning.depth) group.depth = *meaning.depth * unit_;
+    if (meaning.top) group.top = *meaning.top * unit_;
+    apply_rules(options_.layer_rules, layer, group);
+    return group;
+  }
+
+  /// Puts a block in place, in rows and columns where the INSERT says so.
+  void insert(const DxfEntity& entity, const Affine& map, const std::string& layer, int depth) {
+    const std::string name = capitals(entity.text(2));
+    const auto block = document_.blocks.find(name);
+    if (block == document_.blocks.end()) {
+      document_.fail(entity.line,
+                     "INSERT of the block '" + printable(name) + "', which the file does not define");
+    }
+    if (depth >= kDeepestBlocks) {
+      document_.fail(entity.line,
+                     "blocks within blocks deeper than 16; '" + printable(name) + "' may contain itself");
+    }
+    const auto own = entity_map(document_, entity);
+    if (!own) {
+      ++not_read_["INSERT that is not parallel to the plane"];
+      return;
+    }
+    const int columns = std::max(1, document_.integer(entity, 70, 1)),
+              rows = std::max(1, document_.integer(entity, 71, 1));
+    const double dx = document_.number(entity, 44, 0), dy = document_.number(entity, 45, 0);
+    const Affine turn = Affine::rotation(document_.number(entity, 50, 0) * kPi / 180);
+    const Affine place =
+        *own * Affine::translation({document_.required(entity, 10), document_.required(entity, 20)});
+    const Affine scale = Affine::scaling(document_.number(entity, 41, 1), document_.number(entity, 42, 1)) *
+                         Affine::translation(-block->second.base);
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        if (++count_ > kMostEntities)
+          document_.fail(entity.line, "too many copies of a block; simplify the drawing");
+        const Affine shift = Affine::translation({column * dx, row * dy});
+        walk(block->second.entities, map * place * turn * shift * scale, layer, depth + 1);
+      }
+    }
+  }
+
+  const DxfDocument& document_;
+  const ReadOptions& options_;
+  const double unit_;
+  Diagnostics& diagnostics_;
+  std::vector<DrawnGroup> groups_;
+  std::map<std::string, std::size_t> by_layer_;
+  Counts not_read_, hidden_, not_chosen_, ignored_;
+  int count_ = 0;
+};
+
+/// mm per unit of the drawing, 0 when neither the user nor the file says.
+double stated_unit(const DxfDocument& document, const ReadOptions& options) {
+  if (options.unit) return require_unit(*options.unit, "unit");
+  const auto variable = document.header.find("$INSUNITS");
+  return variable == document.header.end() ? 0 : mm_of_insunits(document.integer(variable->second, 70, 0));
+}
+
+/// What was assumed, with the size it leads to, so that a wrong guess shows.
+void warn_of_assumed_unit(const std::string& file, const std::vector<DrawnGroup>& groups,
+                          Diagnostics& diagnostics) {
+  Box all;
+  for (const DrawnGroup& group : groups) {
+    for (const RawCurve& curve : group.curves) all.add(box(curve.edges));
+  }
+  std::string size;
+  if (!all.empty()) {
+    const auto by = [](double w, double h) { return trimmed(w, 2) + " x " + trimmed(h, 2); };
+    size = "; the drawing is " + by(all.width(), all.height()) + " mm then (inch would give " +
+           by(all.width() * 25.4, all.height() * 25.4) + " mm)";
+  }
+  diagnostics.warn(file, "the file names no unit ($INSUNITS): millimetres assumed" + size);
+}
+
+}  // namespace
+
+Part read_dxf(std::string_view text, const std::string& file_name, const ReadOptions& options) {
+  const DxfDocument document = parse_dxf(text, file_name);
+  Part part;
+  part.name = std::filesystem::path(file_name).stem().string();
+  part.source_file = file_name;
+  const double stated = stated_unit(document, options);
+  Collector collector(document, options, stated > 0 ? stated : 1, part.diagnostics);
+  collector.collect();
+  std::vector<DrawnGroup> groups = collector.take();
+  if (!(stated > 0)) warn_of_assumed_unit(file_name, groups, part.diagnostics);
+  collector.report();
+  add_drawn_features(part, std::move(groups), options);
+  return part;
+}
+
+}  // namespace clearcut

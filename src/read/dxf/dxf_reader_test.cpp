@@ -1,0 +1,234 @@
+#include "read/dxf/dxf_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace clearcut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// "0 LINE 8 0 10 1.5 ..." as groups, one code and one value a line.
+std::string groups(const std::string& words) {
+  std::string out = words;
+  std::replace(out.begin(), out.end(), ' ', '\n');
+  return out + "\n";
+}
+
+std::string dxf(const std::string& entities, const std::string& blocks = "", int insunits = 4,
+                const std::string& layers = "") {
+  return groups("0 SECTION 2 HEADER 9 $INSUNITS 70 " + std::to_string(insunits) + " 0 ENDSEC") +
+         groups("0 SECTION 2 TABLES" + layers + " 0 ENDSEC") +
+         groups("0 SECTION 2 BLOCKS" + blocks + " 0 ENDSEC") +
+         groups("0 SECTION 2 ENTITIES" + entities + " 0 ENDSEC 0 EOF");
+}
+
+const std::string kSquare = " 0 LWPOLYLINE 8 D5 90 4 70 1 10 0 20 0 10 10 20 0 10 10 20 10 10 0 20 10";
+const std::string kCircle = " 0 CIRCLE 8 D5 10 5 20 5 40 2";
+
+Part read(const std::string& text, const ReadOptions& options = {}) {
+  return read_dxf(text, "plate.dxf", options);
+}
+
+double all_area(const Part& part) {
+  double sum = 0;
+  for (const Feature& feature : part.features) sum += area(feature.target);
+  return sum;
+}
+
+int said(const Part& part, Severity severity, const std::string& text) {
+  return static_cast<int>(std::count_if(
+      part.diagnostics.items().begin(), part.diagnostics.items().end(),
+      [&](const Diagnostic& d) { return d.severity == severity && d.what.find(text) != std::string::npos; }));
+}
+
+std::string refusal(const std::string& text, const ReadOptions& options = {}) {
+  try {
+    read(text, options);
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST(Dxf, PolylineWithIslandOnALayerWithDepth) {
+  const Part part = read(dxf(kSquare + kCircle));
+  ASSERT_EQ(part.features.size(), 1u);
+  EXPECT_EQ(part.features[0].name, "D5");
+  EXPECT_NEAR(all_area(part), 100 - 4 * kPi, 1e-9);
+  EXPECT_DOUBLE_EQ(part.features[0].floor_z, -5);
+  EXPECT_TRUE(part.diagnostics.items().empty());
+}
+
+TEST(Dxf, BulgesAboveOneAndNegativeOnes) {
+  // Three quarters of a circle of radius 5 and the corner it leaves open; then a dent.
+  const double three_quarters = 1 + std::sqrt(2.0);
+  const Part part = read(
+      dxf(" 0 LWPOLYLINE 8 D1 70 1 10 5 20 0 42 " + std::to_string(three_quarters) +
+          " 10 0 20 -5 42 0 0 LWPOLYLINE 8 D1 70 1 10 20 20 0 10 40 20 0 42 -1 10 40 20 10 10 20 20 10"));
+  EXPECT_NEAR(all_area(part), 0.75 * 25 * kPi + 12.5 + 200 - 12.5 * kPi, 1e-4);
+}
+
+TEST(Dxf, LooseLinesAndArcsAreChained) {
+  const Part part =
+      read(dxf(" 0 LINE 8 D1 10 0 20 0 11 20 21 0 0 ARC 8 D1 10 20 20 5 40 5 50 270 51 90"
+               " 0 LINE 8 D1 10 0 20 10 11 20 21 10 0 ARC 8 D1 10 0 20 5 40 5 50 90 51 270"));
+  EXPECT_NEAR(all_area(part), 200 + 25 * kPi, 1e-9);
+}
+
+TEST(Dxf, EllipseAndSpline) {
+  const Part ellipse = read(dxf(" 0 ELLIPSE 8 D1 10 0 20 0 11 30 21 0 40 0.5 41 0 42 6.283185307179586"));
+  EXPECT_NEAR(all_area(ellipse), kPi * 30 * 15, 0.002 * 150);
+  // A full circle of radius 10 as a rational quadratic spline of nine points.
+  const std::string w = "0.7071067811865476";
+  const Part circle = read(
+      dxf(" 0 SPLINE 8 D1 70 4 71 2 72 12 73 9 40 0 40 0 40 0 40 1 40 1 40 2 40 2 40 3 40 3 40 4 40 4 40 4"
+          " 41 1 41 " +
+          w + " 41 1 41 " + w + " 41 1 41 " + w + " 41 1 41 " + w +
+          " 41 1"
+          " 10 10 20 0 10 10 20 10 10 0 20 10 10 -10 20 10 10 -10 20 0 10 -10 20 -10 10 0 20 -10"
+          " 10 10 20 -10 10 10 20 0"));
+  EXPECT_NEAR(all_area(circle), 100 * kPi, 0.002 * 63);
+}
+
+TEST(Dxf, OldPolylineWithBulgesAndSequenceEnd) {
+  const Part part = read(
+      dxf(" 0 POLYLINE 8 D1 66 1 70 1 0 VERTEX 8 D1 10 0 20 0 42 1 0 VERTEX 8 D1 10 10 20 0 42 1 0 SEQEND"));
+  EXPECT_NEAR(all_area(part), 25 * kPi, 1e-9);
+}
+
+TEST(Dxf, BlocksAreScaledTurnedMirroredRepeatedAndNested) {
+  const std::string unit_square = " 0 LWPOLYLINE 8 0 70 1 10 0 20 0 10 2 20 0 10 2 20 1 42 0.5 10 0 20 1";
+  const std::string blocks =
+      " 0 BLOCK 2 inner 10 1 20 1" + unit_square + " 0 ENDBLK" +
+      " 0 BLOCK 2 OUTER 10 0 20 0 0 INSERT 8 0 2 INNER 10 5 20 5 41 -1 42 1 50 90 0 ENDBLK";
+  const double one = all_area(read(dxf(" 0 INSERT 8 D3 2 INNER 10 0 20 0", blocks)));
+  const Part part =
+      read(dxf(" 0 INSERT 8 D3 2 OUTER 10 100 20 0 41 3 42 3 50 30 70 3 71 2 44 10 45 20", blocks));
+  EXPECT_EQ(part.features.size(), 6u);
+  EXPECT_NEAR(all_area(part), 6 * 9 * one, 1e-9);
+  EXPECT_DOUBLE_EQ(part.features[0].floor_z, -3);  // layer 0 in a block is the layer of the INSERT
+  const Part stretched = read(dxf(" 0 INSERT 8 D3 2 INNER 10 0 20 0 41 2 42 1", blocks));
+  EXPECT_NEAR(all_area(stretched), 2 * one, 0.02);
+}
+
+TEST(Dxf, ExtrusionDownMirrors) {
+  const Part part = read(dxf(" 0 CIRCLE 8 D1 10 -20 20 5 40 3 210 0 220 0 230 -1"));
+  EXPECT_NEAR(box(part.features[0].target).center().x, 20, 1e-12);
+}
+
+TEST(Dxf, UnitsComeFromTheFileTheOptionOrAreAssumedAloud) {
+  EXPECT_NEAR(all_area(read(dxf(kSquare, "", 1))), 100 * 25.4 * 25.4, 1e-6);
+  EXPECT_NEAR(read(dxf(kSquare, "", 1)).features[0].floor_z, -5 * 25.4, 1e-9);
+  ReadOptions cm;
+  cm.unit = "cm";
+  EXPECT_NEAR(all_area(read(dxf(kSquare, "", 1), cm)), 10000, 1e-6);
+  const Part assumed = read(dxf(kSquare, "", 0));
+  EXPECT_NEAR(all_area(assumed), 100, 1e-9);
+  EXPECT_EQ(said(assumed, Severity::kWarning, "millimetres assumed; the drawing is 10 x 10 mm"), 1);
+}
+
+TEST(Dxf, LayersAreChosenByPatternAndTheOthersCounted) {
+  ReadOptions options;
+  options.layers = {"pocket*"};
+  const std::string other = " 0 CIRCLE 8 FRAME 10 5 20 5 40 99 0 CIRCLE 8 POCKET_D2 10 5 20 5 40 3";
+  const Part part = read(dxf(kSquare + other), options);
+  ASSERT_EQ(part.features.size(), 1u);
+  EXPECT_EQ(part.features[0].name, "POCKET_D2");
+  EXPECT_EQ(said(part, Severity::kSkipped, "layers were not chosen: 1 D5, 1 FRAME"), 1);
+}
+
+TEST(Dxf, LayerNamesSayDepthTopAndRole) {
+  const Part part =
+      read(dxf(" 0 LWPOLYLINE 8 POCKET-TOP-2_D3.5 70 1 10 0 20 0 10 90 20 0 10 90 20 90 10 0 20 90"
+               " 0 CIRCLE 8 ISLANDS 10 50 20 50 40 10 0 CIRCLE 8 HOLES_D8 10 20 20 20 40 3"
+               " 0 CIRCLE 8 construction 10 20 20 20 40 30"));
+  ASSERT_EQ(part.features.size(), 2u);
+  EXPECT_NEAR(area(part.features[0].target), 8100 - 100 * kPi, 1e-3);
+  EXPECT_DOUBLE_EQ(part.features[0].floor_z, -5.5);
+  EXPECT_EQ(part.features[1].kind, FeatureKind::kRoundHole);
+  EXPECT_DOUBLE_EQ(*part.features[1].hole_diameter, 6);
+  EXPECT_EQ(part.workplan[1].operation.kind, OperationKind::kDrilling);
+  EXPECT_EQ(said(part, Severity::kSkipped, "1 construction"), 1);
+}
+
+TEST(Dxf, ADeeperPocketInAShallowOneStartsOnItsFloor) {
+  const Part part = read(dxf(" 0 CIRCLE 8 D6 10 5 20 5 40 2" + kSquare));
+  ASSERT_EQ(part.features.size(), 2u);
+  EXPECT_EQ(part.features[0].name, "D5");  // shallow first
+  EXPECT_DOUBLE_EQ(part.features[1].top_z, -5);
+  EXPECT_DOUBLE_EQ(part.features[1].floor_z, -6);
+}
+
+TEST(Dxf, RulesGoBeforeNamesAndTheDepthOptionBeforeAll) {
+  ReadOptions options;
+  options.layer_rules = {{"D5", std::nullopt, 7.0, -1.0}};
+  EXPECT_DOUBLE_EQ(read(dxf(kSquare), options).features[0].floor_z, -8);
+  options.depth = 1;
+  EXPECT_DOUBLE_EQ(read(dxf(kSquare), options).features[0].floor_z, -2);
+}
+
+TEST(Dxf, AMissingDepthIsRefusedOrAssumedWhenAsked) {
+  const std::string circle = dxf(" 0 CIRCLE 8 0 10 5 20 5 40 2");
+  EXPECT_THAT(refusal(circle), StartsWith("plate.dxf: layer 0: no depth given"));
+  ReadOptions options;
+  options.depth_if_missing = 1;
+  EXPECT_EQ(said(read(circle, options), Severity::kWarning, "1 mm assumed"), 1);
+}
+
+TEST(Dxf, HiddenAndPaperEntitiesAreNotMilledButCounted) {
+  const Part part =
+      read(dxf(kSquare + " 0 CIRCLE 8 OFF 10 5 20 5 40 2 0 CIRCLE 8 FROZEN 10 5 20 5 40 2"
+                         " 0 CIRCLE 8 D5 67 1 10 5 20 5 40 2 0 TEXT 8 D5 1 x 0 TEXT 8 D5 1 y 0 HATCH 8 D5",
+               "", 4, " 0 LAYER 2 OFF 62 -7 70 0 0 LAYER 2 FROZEN 62 7 70 1"));
+  EXPECT_NEAR(all_area(part), 100, 1e-9);
+  EXPECT_EQ(said(part, Severity::kSkipped, "1 FROZEN, 1 OFF"), 1);
+  EXPECT_EQ(said(part, Severity::kSkipped, "1 CIRCLE of the paper layout, 1 HATCH, 2 TEXT"), 1);
+}
+
+TEST(Dxf, BadFilesGiveOneLineSayingWhere) {
+  EXPECT_THAT(refusal(""), HasSubstr("no ENTITIES section"));
+  EXPECT_THAT(refusal("hello\nworld\n"), StartsWith("plate.dxf:1: a DXF group code was expected"));
+  EXPECT_THAT(refusal(std::string("AutoCAD Binary DXF\r\n\x1a\0", 22)), HasSubstr("binary DXF; save"));
+  EXPECT_THAT(refusal("0\nSECTION\n2"), HasSubstr("ends in the middle"));
+  EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 x 20 5 40 2")), HasSubstr("'x' is not a number"));
+  EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 nan 20 5 40 2")), HasSubstr("'nan' is not a number"));
+  EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 1 20 5")), HasSubstr("CIRCLE lacks its group 40"));
+  EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 1 20 5 40 -2")), HasSubstr("radius of 0 or less"));
+  EXPECT_THAT(refusal(dxf(" 0 SPLINE 8 D1 71 3 40 0 40 1 10 0 20 0 10 1 20 1")),
+              HasSubstr("2 knots for 2 control"));
+  EXPECT_THAT(refusal(dxf(" 0 INSERT 8 D1 2 NOWHERE 10 0 20 0")),
+              HasSubstr("'NOWHERE', which the file does not define"));
+  EXPECT_THAT(
+      refusal(dxf(" 0 INSERT 8 D1 2 A 10 0 20 0", " 0 BLOCK 2 A 10 0 20 0 0 INSERT 2 A 10 1 20 0 0 ENDBLK")),
+      HasSubstr("may contain itself"));
+  EXPECT_THAT(refusal(dxf(" 0 LINE 8 D1 10 0 20 0 11 5 21 0")), HasSubstr("the outline is open at"));
+  EXPECT_THAT(refusal(dxf(" 0 TEXT 8 D1 1 hi")), HasSubstr("nothing to mill"));
+  EXPECT_THAT(refusal(dxf(kSquare),
+                      [] {
+                        ReadOptions o;
+                        o.unit = "parsec";
+                        return o;
+                      }()),
+              HasSubstr("unknown unit"));
+}
+
+TEST(Dxf, ManyInsertsOfInsertsAreRefusedNotExpanded) {
+  std::string blocks = " 0 BLOCK 2 B0 10 0 20 0" + kSquare + " 0 ENDBLK";
+  for (int i = 1; i < 12; ++i) {
+    blocks += " 0 BLOCK 2 B" + std::to_string(i) + " 10 0 20 0";
+    for (int k = 0; k < 10; ++k) blocks += " 0 INSERT 2 B" + std::to_string(i - 1) + " 10 0 20 0";
+    blocks += " 0 ENDBLK";
+  }
+  EXPECT_THAT(refusal(dxf(" 0 INSERT 2 B11 10 0 20 0", blocks)), HasSubstr("simplify the drawing"));
+}
+
+}  // namespace
+}  // namespace clearcut

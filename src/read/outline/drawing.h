@@ -1,0 +1,49 @@
+// From groups of curves at one depth to the Part: what DXF and SVG have in common.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "part/part.h"
+#include "read/read_options.h"
+#include "read/repair/repair.h"
+
+namespace clearcut {
+
+/// What a name of a layer says about its outlines; see docs/input.md.
+struct LayerMeaning {
+  LayerRole role = LayerRole::kPocket;
+  std::optional<double> depth;  ///< in units of the drawing
+  std::optional<double> top;    ///< in units of the drawing
+};
+/// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
+/// holes, "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at anything
+/// but letters.
+LayerMeaning meaning_of_layer(std::string_view name);
+/// Whether `name` matches `pattern`: case is ignored, * stands for anything.
+bool matches(std::string_view pattern, std::string_view name);
+
+/// Curves that share a depth.
+struct DrawnGroup {
+  std::string name;   ///< layer, or colour
+  std::string where;  ///< file and layer: begins messages
+  LayerRole role = LayerRole::kPocket;
+  std::optional<double> depth;  ///< mm
+  std::optional<double> top;    ///< mm
+  std::vector<RawCurve> curves;
+};
+
+/// Lets the first rule that matches `name` overrule what the group took from its name.
+void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group);
+
+/// Repairs every group and makes one closed pocket (or round hole) of every region, shallow ones first, each
+/// with one roughing (drilling) workingstep. Islands' groups are cut out of all others. Throws InputError
+/// when nothing is left, or a depth is missing.
+void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options);
+
+/// Appends a feature and its workingstep; its name becomes unique.
+void add_feature(Part& part, Feature feature);
+
+}  // namespace clearcut

@@ -1,0 +1,98 @@
+#include "read/read_part.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "read/dxf/dxf_reader.h"
+#include "read/outline/outline_reader.h"
+#include "read/outline/text.h"
+#include "read/stepnc/stepnc.h"
+#include "read/svg/svg_reader.h"
+
+namespace clearcut {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{256} << 20;
+
+enum class Kind { kStep, kDxf, kSvg, kJson, kJob, kUnknown };
+
+Kind kind_of_extension(const std::string& extension) {
+  for (const char* step : {".P21", ".STP", ".STEP", ".STPNC", ".238"}) {
+    if (extension == step) return Kind::kStep;
+  }
+  if (extension == ".DXF") return Kind::kDxf;
+  if (extension == ".SVG") return Kind::kSvg;
+  if (extension == ".JSON") return Kind::kJson;
+  if (extension == ".TOML") return Kind::kJob;
+  return Kind::kUnknown;
+}
+
+/// What the first bytes say, for files without a telling name.
+Kind kind_of_content(std::string_view text) {
+  const std::string_view head = text.substr(0, 4096);
+  const std::size_t first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  if (first == std::string_view::npos) return Kind::kUnknown;
+  if (head.substr(first, 12) == "ISO-10303-21") return Kind::kStep;
+  if (head[first] == '{') return Kind::kJson;
+  if (head.find("<svg") != std::string_view::npos) return Kind::kSvg;
+  if (head.find("SECTION") != std::string_view::npos) return Kind::kDxf;
+  return Kind::kUnknown;
+}
+
+void refuse_what_is_no_text(std::string_view text, const std::string& file_name) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw InputError(file_name, "the file is empty; save the drawing again");
+  }
+  const std::string_view head = text.substr(0, 4096);
+  if (head.substr(0, 2) == "\xFF\xFE" || head.substr(0, 2) == "\xFE\xFF") {
+    throw InputError(file_name, "this is UTF-16 text; save it as UTF-8");
+  }
+  // These two say more in their readers.
+  if (head.substr(0, 18) == "AutoCAD Binary DXF" || head.substr(0, 2) == "\x1f\x8b") return;
+  if (head.find('\0') != std::string_view::npos) {
+    throw InputError(file_name, "this is a binary file; give a STEP-NC, DXF, SVG or JSON file");
+  }
+}
+
+/// STEP-NC says all by itself: options for drawings do not apply.
+Part read_program(std::string_view text, const std::string& file_name, const ReadOptions& options) {
+  Part part = read_stepnc(text, file_name, options.tol);
+  if (options.unit || options.depth || options.top || !options.layers.empty()) {
+    part.diagnostics.warn(file_name,
+                          "unit, depth, top and layers given as options are for drawings; not used here");
+  }
+  return part;
+}
+
+}  // namespace
+
+Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
+  refuse_what_is_no_text(text, file_name);
+  Kind kind = kind_of_extension(capitals(std::filesystem::path(file_name).extension().string()));
+  if (kind == Kind::kUnknown) kind = kind_of_content(text);
+  switch (kind) {
+    case Kind::kStep:
+      return read_program(text, file_name, options);
+    case Kind::kDxf:
+      return read_dxf(text, file_name, options);
+    case Kind::kSvg:
+      return read_svg(text, file_name, options);
+    case Kind::kJson:
+      return read_outline_json(text, file_name, options);
+    case Kind::kJob:
+      throw InputError(file_name, "job files are read by the command");
+    case Kind::kUnknown:
+      break;
+  }
+  throw InputError(
+      file_name,
+      "unknown kind of file; give STEP-NC (.stpnc, .p21), DXF, SVG, outline JSON or a job (.toml)");
+}
+
+Part read_part(const std::filesystem::path& file, const ReadOptions& options) {
+  return read_part_text(read_file(file.string(), kLargestFile), file.string(), options);
+}
+
+}  // namespace clearcut

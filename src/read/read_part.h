@@ -1,0 +1,23 @@
+// Any file that describes a part, by extension and content.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "part/part.h"
+#include "read/read_options.h"
+
+namespace clearcut {
+
+/// .p21 .stp .step .stpnc .238 (STEP-NC), .dxf, .svg, .json (outline), .toml (job); files of other names by
+/// their first bytes. See docs/input.md.
+///
+/// Throws InputError, one line, for a file that is missing, empty, unreadable, of another kind, or larger
+/// than 256 MB, and whatever its reader throws.
+Part read_part(const std::filesystem::path& file, const ReadOptions& options);
+
+/// The same for text already read; `file_name` gives the extension and stands in messages. Job files name
+/// other files, which are looked for beside `file_name`.
+Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options);
+
+}  // namespace clearcut

@@ -1,0 +1,28 @@
+// Loops that meet: pinches are split, small crossings mended, islands through walls cut back, the rest
+// refused.
+#pragma once
+
+#include <vector>
+
+#include "read/repair/joining.h"
+
+namespace clearcut {
+
+/// Loops of SVG compounds under the winding rule become loops under the even-odd rule.
+std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairOptions& options,
+                                       Diagnostics& diagnostics);
+
+/// Loops that at most touch each other in points, bounding the same area under the even-odd rule, up to the
+/// mends listed in `diagnostics`:
+/// - a loop that crosses itself keeps its main part when all the rest is a sliver (kLargestCurl of its area);
+/// - an island through a wall (kMostlyInside of it lies within) is cut back to the wall;
+/// - outlines that overlap by less than kSlightOverlap of the smaller, or share a stretch of wall, are
+/// united. Throws InputError naming the place for all other crossings.
+std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOptions& options,
+                                    Diagnostics& diagnostics);
+
+inline constexpr double kLargestCurl = 0.001;
+inline constexpr double kMostlyInside = 0.9;
+inline constexpr double kSlightOverlap = 0.1;
+
+}  // namespace clearcut

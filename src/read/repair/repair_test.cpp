@@ -1,0 +1,365 @@
+#include "read/repair/repair.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <limits>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "base/units.h"
+#include "read/repair/clean.h"
+#include "read/repair/meetings.h"
+
+namespace clearcut {
+namespace {
+
+using ::testing::HasSubstr;
+
+RawCurve closed(std::vector<Vec2> points) {
+  return {loop_from_points(points), true, "outline", -1};
+}
+RawCurve square(double x, double y, double side) {
+  return closed({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}});
+}
+RawCurve circle(Vec2 center, double radius) {
+  return {full_circle(center, radius), true, "circle", -1};
+}
+RawCurve open(std::vector<Vec2> points) {
+  RawCurve curve{{}, false, "line", -1};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    curve.edges.push_back(Edge::line(points[i], points[i + 1]));
+  return curve;
+}
+
+struct Repaired {
+  Regions regions;
+  std::vector<Diagnostic> said;
+  int count(Severity severity, const std::string& text = "") const {
+    return static_cast<int>(std::count_if(said.begin(), said.end(), [&](const Diagnostic& d) {
+      return d.severity == severity && (d.where + d.what).find(text) != std::string::npos;
+    }));
+  }
+};
+
+RepairOptions options() {
+  RepairOptions out;
+  out.where = "test.dxf";
+  return out;
+}
+
+Repaired repaired(std::vector<RawCurve> curves, const RepairOptions& how = options()) {
+  Diagnostics diagnostics;
+  Repaired out;
+  out.regions = repair(std::move(curves), how, diagnostics);
+  out.said = diagnostics.items();
+  return out;
+}
+
+std::string refusal(std::vector<RawCurve> curves, const RepairOptions& how = options()) {
+  try {
+    repaired(std::move(curves), how);
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return error.what();
+  }
+  return "not refused";
+}
+
+TEST(Repair, CleanOutlinesPassUnchangedAndInSilence) {
+  const Repaired result = repaired({square(0, 0, 50), circle({25, 25}, 5)});
+  ASSERT_EQ(result.regions.size(), 1u);
+  EXPECT_DOUBLE_EQ(area(result.regions), 2500 - kPi * 25);
+  EXPECT_TRUE(result.said.empty());
+}
+
+TEST(Repair, OrientationIsPutRight) {
+  const Repaired result = repaired({closed({{0, 0}, {0, 9}, {9, 9}, {9, 0}})});
+  EXPECT_DOUBLE_EQ(signed_area(result.regions[0].outer()), 81);
+}
+
+TEST(Repair, LooseSegmentsInAnyOrderAndDirectionAreChained) {
+  const Repaired result = repaired({open({{0, 0}, {10, 0}}), open({{10, 10}, {0, 10}}),
+                                    open({{10, 10}, {10, 0}}), open({{0, 0}, {0, 10}})});
+  EXPECT_DOUBLE_EQ(area(result.regions), 100);
+  EXPECT_TRUE(result.said.empty());
+}
+
+TEST(Repair, GapsWithinTheJoinGapAreClosedAndReportedWithPlaceAndSize) {
+  const Repaired result = repaired({open({{0, 0}, {10, 0}}), open({{10, 0.008}, {10, 10}, {0, 10}, {0, 0}})});
+  EXPECT_NEAR(area(result.regions), 100, 0.1);
+  ASSERT_EQ(result.count(Severity::kRepair, "closed a gap of 0.008 mm"), 1);
+  EXPECT_THAT(result.said[0].where, HasSubstr("(10, 0)"));
+}
+
+TEST(Repair, LargerGapsAreRefusedSayingWhereAndHowLarge) {
+  const std::string message =
+      refusal({open({{0, 0}, {10, 0}}), open({{10, 0.5}, {10, 10}, {0, 10}, {0, 0}})});
+  EXPECT_THAT(message, HasSubstr("test.dxf: the outline is open at (10, 0)"));
+  EXPECT_THAT(message, HasSubstr("0.5 mm away at (10, 0.5)"));
+}
+
+TEST(Repair, OpenCurvesAreLeftOutWhenAskedForAndReported) {
+  RepairOptions how = options();
+  how.open_curves = OpenCurves::kSkip;
+  const Repaired result = repaired({square(0, 0, 50), open({{60, 0}, {70, 0}})}, how);
+  EXPECT_EQ(result.regions.size(), 1u);
+  EXPECT_EQ(result.count(Severity::kSkipped, "an open curve of 10 mm"), 1);
+}
+
+TEST(Repair, ArcEndsStayWhereLinesCanMove) {
+  RawCurve arc{{Edge::arc({10, 0}, {0, 10}, {0, 0}, Turn::kCounterClockwise)}, false, "arc", -1};
+  const Repaired result = repaired({arc, open({{0, 10.005}, {0, 0}, {10.004, 0}})});
+  ASSERT_EQ(result.regions.size(), 1u);
+  for (const Edge& edge : result.regions[0].outer()) {
+    if (edge.is_arc()) {
+      EXPECT_EQ(edge.center, (Vec2{0, 0}));
+      EXPECT_DOUBLE_EQ(edge.radius(), 10);
+    }
+  }
+  EXPECT_EQ(result.count(Severity::kRepair, "closed a gap"), 2);
+}
+
+TEST(Repair, ArcsWithInconsistentRadiiGetOneCenterOrAreRefused) {
+  const auto with_center = [](Vec2 center) {
+    return RawCurve{
+        {Edge::arc({10, 0}, {-10, 0}, center, Turn::kCounterClockwise), Edge::line({-10, 0}, {10, 0})},
+        true,
+        "arc",
+        -1};
+  };
+  const Repaired result = repaired({with_center({0.002, 0})});
+  EXPECT_EQ(result.count(Severity::kRepair, "radii"), 1);
+  const Edge& arc = *std::find_if(result.regions[0].outer().begin(), result.regions[0].outer().end(),
+                                  [](const Edge& e) { return e.is_arc(); });
+  EXPECT_NEAR(distance(arc.from, arc.center), distance(arc.to, arc.center), 1e-12);
+  EXPECT_THAT(refusal({with_center({1, 0})}), HasSubstr("radii 9 and 11 mm"));
+}
+
+TEST(Repair, TinyEdgesVanishWithoutShorteningARunOfThem) {
+  std::vector<Vec2> points{{0, 0}, {10, 0}, {10, 10}};
+  for (int i = 1; i <= 20000; ++i) points.push_back({10 - i * 5e-5, 10 + i * 5e-5});
+  points.push_back({0, 10});
+  const Repaired result = repaired({closed(points)});
+  EXPECT_NEAR(area(result.regions), std::abs(signed_area(loop_from_points(points))), 1e-3);
+  EXPECT_LT(result.regions[0].outer().size(), 15000u);
+}
+
+TEST(Repair, DuplicatesCountOnce) {
+  const Repaired lines = repaired({open({{0, 0}, {10, 0}}), open({{10, 0}, {0, 0.001}}),
+                                   open({{10, 0}, {10, 10}}), open({{10, 10}, {0, 0}})});
+  EXPECT_NEAR(area(lines.regions), 50, 0.01);
+  EXPECT_EQ(lines.count(Severity::kRepair, "drawn twice"), 1);
+  const Repaired loops = repaired({square(0, 0, 10), closed({{10, 0}, {10, 10}, {0, 10}, {0, 5}, {0, 0}})});
+  EXPECT_NEAR(area(loops.regions), 100, 1e-9);
+  EXPECT_EQ(loops.count(Severity::kRepair, "drawn twice"), 1);
+}
+
+TEST(Repair, NestingAlternatesToAnyDepth) {
+  std::vector<RawCurve> curves;
+  double expected = 0;
+  for (int i = 0; i < 9; ++i) {
+    curves.push_back(square(i, i, 40 - 2 * i));
+    expected += (i % 2 == 0 ? 1 : -1) * (40.0 - 2 * i) * (40 - 2 * i);
+  }
+  std::reverse(curves.begin() + 2, curves.end());
+  const Repaired result = repaired(std::move(curves));
+  EXPECT_EQ(result.regions.size(), 5u);
+  EXPECT_NEAR(area(result.regions), expected, 1e-9);
+}
+
+TEST(Repair, PinchesAreSplitExactly) {
+  const Repaired hourglass = repaired({closed({{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}, {5, 5}})});
+  EXPECT_EQ(hourglass.regions.size(), 2u);
+  EXPECT_DOUBLE_EQ(area(hourglass.regions), 50);
+  EXPECT_EQ(hourglass.count(Severity::kRepair, "touches itself"), 1);
+  const Repaired on_edge = repaired({closed({{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}})});
+  EXPECT_EQ(on_edge.regions.size(), 2u);
+  EXPECT_DOUBLE_EQ(area(on_edge.regions), 50);
+}
+
+TEST(Repair, AKeyholeOutlineBecomesAnOutlineWithAnIsland) {
+  const Repaired result = repaired({closed(
+      {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}, {3, 5}, {3, 7}, {7, 7}, {7, 3}, {3, 3}, {3, 5}, {0, 5}})});
+  ASSERT_EQ(result.regions.size(), 1u);
+  EXPECT_EQ(result.regions[0].islands().size(), 1u);
+  EXPECT_NEAR(area(result.regions), 84, 1e-6);
+}
+
+TEST(Repair, SmallCurlsAreRemovedAndReported) {
+  const Repaired result = repaired({closed({{0, 0}, {50, 0}, {50, 50.05}, {50.05, 50}, {0, 50}})});
+  ASSERT_EQ(result.regions.size(), 1u);
+  EXPECT_NEAR(area(result.regions), 2500, 0.1);
+  EXPECT_EQ(result.count(Severity::kRepair, "curl"), 1);
+}
+
+TEST(Repair, GrossSelfCrossingIsRefusedWithThePlace) {
+  EXPECT_THAT(refusal({closed({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}), HasSubstr("crosses itself at (5, 5)"));
+}
+
+TEST(Repair, AnIslandThroughAWallIsCutBack) {
+  const Repaired result = repaired({square(0, 0, 50), closed({{20, 20}, {30, 20}, {30, 50.3}, {20, 50.3}})});
+  EXPECT_NEAR(area(result.regions), 2500 - 300, 1e-3);
+  EXPECT_EQ(result.count(Severity::kRepair, "through the wall"), 1);
+}
+
+TEST(Repair, AnIslandThatTouchesTheWallStaysExact) {
+  const Repaired result = repaired({square(0, 0, 50), circle({25, 10}, 10)});
+  EXPECT_DOUBLE_EQ(area(result.regions), 2500 - 100 * kPi);
+  EXPECT_EQ(result.count(Severity::kRepair), 0);
+}
+
+TEST(Repair, AnIslandWithASharedStretchOfWallIsCutOut) {
+  const Repaired result = repaired({square(0, 0, 50), square(0, 20, 10)});
+  ASSERT_EQ(result.regions.size(), 1u);
+  EXPECT_NEAR(area(result.regions), 2400, 1e-6);
+  EXPECT_TRUE(result.regions[0].islands().empty());
+}
+
+TEST(Repair, PocketsThatShareAWallAreUnited) {
+  const Repaired result = repaired({square(0, 0, 10), square(10, 2, 5)});
+  ASSERT_EQ(result.regions.size(), 1u);
+  EXPECT_NEAR(area(result.regions), 125, 1e-6);
+}
+
+TEST(Repair, HalfInHalfOutIsRefused) {
+  EXPECT_THAT(refusal({square(0, 0, 10), square(5, 5, 10)}), HasSubstr("cross at"));
+}
+
+TEST(Repair, NumbersOutOfRangeAreRefused) {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {inf, -inf, nan, 2e6, -1e300}) {
+    EXPECT_THAT(refusal({closed({{0, 0}, {10, 0}, {bad, 10}})}), HasSubstr("not a number or lies beyond"));
+  }
+}
+
+TEST(Repair, OutlinesThatEncloseNothingAreDroppedAndNothingLeftIsRefused) {
+  const Repaired result = repaired({square(0, 0, 50), closed({{60, 0}, {70, 0}, {80, 0}})});
+  EXPECT_EQ(result.regions.size(), 1u);
+  EXPECT_EQ(result.count(Severity::kRepair, "encloses nothing"), 1);
+  EXPECT_THAT(refusal({closed({{60, 0}, {70, 0}, {80, 0}})}), HasSubstr("no outline encloses an area"));
+  EXPECT_THAT(refusal({}), HasSubstr("no closed outline found"));
+}
+
+TEST(Repair, ArcsAreFoundAgainInShortLinesOnly) {
+  RepairOptions how = options();
+  how.find_arcs = true;
+  const auto polygon = [](int n, double r) {
+    std::vector<Vec2> points;
+    for (int i = 0; i < n; ++i) points.push_back(direction_of(2 * kPi * i / n) * r);
+    return closed(points);
+  };
+  EXPECT_EQ(repaired({polygon(360, 20)}, how).regions[0].outer().size(), 2u);
+  EXPECT_EQ(repaired({polygon(4, 20)}, how).regions[0].outer().size(), 4u);
+  EXPECT_EQ(repaired({polygon(12, 20)}, how).regions[0].outer().size(), 12u);
+  EXPECT_EQ(repaired({polygon(360, 20)}).regions[0].outer().size(), 360u);
+}
+
+TEST(Repair, ARoundedRectangleOfShortLinesGetsFourArcsAndKeepsItsSides) {
+  RepairOptions how = options();
+  how.find_arcs = true;
+  std::vector<Vec2> points;
+  const Vec2 centers[] = {{30, 10}, {30, 30}, {10, 30}, {10, 10}};
+  for (int corner = 0; corner < 4; ++corner) {
+    for (int i = 0; i <= 40; ++i) {
+      points.push_back(centers[corner] + direction_of((corner - 1) * kPi / 2 + kPi / 2 * i / 40) * 10);
+    }
+  }
+  const Repaired result = repaired({closed(points)}, how);
+  EXPECT_EQ(result.regions[0].outer().size(), 8u);
+  EXPECT_NEAR(area(result.regions), 1600 - 400 + 100 * kPi, 0.1);
+  EXPECT_EQ(result.count(Severity::kRepair, "160 short lines became 4 arcs"), 1);
+}
+
+/// Correct means: either a refusal, or regions whose loops neither cross nor overlap, whose area is that of
+/// the even-odd rule for the loops drawn. The check cannot see a wrong but valid nesting of equal area.
+TEST(Repair, RandomLoopsGiveValidRegionsOrARefusal) {
+  Random random(11);
+  int accepted = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::vector<RawCurve> curves;
+    const int loops = 1 + static_cast<int>(random.below(6));
+    for (int l = 0; l < loops; ++l) {
+      std::vector<BulgeVertex> vertices;
+      const Vec2 center{random.between(0, 60), random.between(0, 60)};
+      const int n = 3 + static_cast<int>(random.below(8));
+      for (int i = 0; i < n; ++i) {
+        const double bulge = random.below(3) == 0 ? random.between(-0.4, 0.4) : 0;
+        vertices.push_back({center + direction_of(2 * kPi * i / n) * random.between(5, 25), bulge});
+      }
+      curves.push_back({loop_from_bulges(vertices), true, "loop", -1});
+    }
+    try {
+      const Repaired result = repaired(curves);
+      ++accepted;
+      std::vector<Loop> all;
+      for (const Region& region : result.regions) {
+        all.push_back(region.outer());
+        all.insert(all.end(), region.islands().begin(), region.islands().end());
+        EXPECT_GT(signed_area(region.outer()), 0);
+        for (const Loop& island : region.islands()) EXPECT_LT(signed_area(island), 0);
+      }
+      for (const Meeting& meeting : meetings(all, 1000, "check")) {
+        EXPECT_EQ(meeting.kind, MeetingKind::kTouch) << round;
+      }
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), ::testing::AnyOf(HasSubstr("cross"), HasSubstr("crosses itself"))) << round;
+    }
+  }
+  EXPECT_GT(accepted, 50);
+}
+
+/// Grid-like inputs are full of shared corners, shared walls and T-joints.
+TEST(Repair, RandomRectanglesOnAGridAreResolvedByEvenOdd) {
+  Random random(5);
+  int accepted = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::vector<RawCurve> curves;
+    const int count = 2 + static_cast<int>(random.below(5));
+    for (int i = 0; i < count; ++i) {
+      const double x = static_cast<double>(random.below(8)), y = static_cast<double>(random.below(8));
+      const double w = 1 + static_cast<double>(random.below(5)), h = 1 + static_cast<double>(random.below(5));
+      curves.push_back(closed({{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}}));
+    }
+    try {
+      const Repaired result = repaired(curves);
+      ++accepted;
+      EXPECT_GT(area(result.regions), 0);
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("cross at")) << round;
+    }
+  }
+  EXPECT_GT(accepted, 50);
+}
+
+TEST(Repair, NoiseOnRepeatedRunsChangesNothing) {
+  Random random(2);
+  std::vector<Vec2> points;
+  for (int i = 0; i < 500; ++i) points.push_back(direction_of(2 * kPi * i / 500) * random.between(20, 21));
+  const Repaired once = repaired({closed(points)}), again = repaired({closed(points)});
+  ASSERT_EQ(once.regions[0].outer().size(), again.regions[0].outer().size());
+  EXPECT_TRUE(std::equal(once.regions[0].outer().begin(), once.regions[0].outer().end(),
+                         again.regions[0].outer().begin()));
+}
+
+TEST(Repair, ALargeOutlineTakesSecondsNotMinutes) {
+  std::vector<RawCurve> loose;
+  const int n = 100'000;
+  std::vector<Vec2> points;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * kPi * i / n;
+    points.push_back(direction_of(angle) * (500 + 20 * std::sin(40 * angle)));
+  }
+  for (int i = 0; i < n; ++i) {
+    loose.push_back(
+        open({points[static_cast<std::size_t>(i)], points[static_cast<std::size_t>((i + 1) % n)]}));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const Repaired result = repaired(std::move(loose));
+  EXPECT_EQ(result.regions[0].outer().size(), static_cast<std::size_t>(n));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+}  // namespace
+}  // namespace clearcut

@@ -1,0 +1,121 @@
+#include "read/svg/svg_numbers.h"
+
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "base/units.h"
+#include "read/outline/units.h"
+
+namespace clearcut {
+namespace {
+
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
+}
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// One function of a transform list; nothing when the name or the count of numbers is wrong.
+std::optional<Affine> transform_named(std::string_view name, const std::vector<double>& n) {
+  const double degree = kPi / 180;
+  if (name == "matrix" && n.size() == 6) return Affine{n[0], n[1], n[2], n[3], n[4], n[5]};
+  if (name == "translate" && n.size() == 1) return Affine::translation({n[0], 0});
+  if (name == "translate" && n.size() == 2) return Affine::translation({n[0], n[1]});
+  if (name == "scale" && n.size() == 1) return Affine::scaling(n[0], n[0]);
+  if (name == "scale" && n.size() == 2) return Affine::scaling(n[0], n[1]);
+  if (name == "rotate" && n.size() == 1) return Affine::rotation(n[0] * degree);
+  if (name == "rotate" && n.size() == 3) {
+    return Affine::translation({n[1], n[2]}) * Affine::rotation(n[0] * degree) *
+           Affine::translation({-n[1], -n[2]});
+  }
+  if (name == "skewX" && n.size() == 1) return Affine{1, 0, std::tan(n[0] * degree), 1, 0, 0};
+  if (name == "skewY" && n.size() == 1) return Affine{1, std::tan(n[0] * degree), 0, 1, 0, 0};
+  return std::nullopt;
+}
+
+}  // namespace
+
+void SvgScanner::skip_space() {
+  bool comma = false;
+  while (at_ < text_.size() && (is_space(text_[at_]) || (text_[at_] == ',' && !comma))) {
+    comma = comma || text_[at_] == ',';
+    ++at_;
+  }
+}
+
+bool SvgScanner::at_end() {
+  skip_space();
+  return at_ >= text_.size();
+}
+
+char SvgScanner::peek() {
+  return at_end() ? '\0' : text_[at_];
+}
+
+std::optional<double> SvgScanner::number() {
+  if (at_end()) return std::nullopt;
+  const std::size_t start = at_ + (text_[at_] == '+' ? 1 : 0);
+  const char first = start < text_.size() ? text_[start] : '\0';
+  // Only digits, sign and point begin a number: from_chars would also take "inf" and "nan".
+  if (!(first >= '0' && first <= '9') && first != '.' && !(first == '-' && start == at_)) return std::nullopt;
+  if (first == '-' && (start + 1 >= text_.size() || is_letter(text_[start + 1]))) return std::nullopt;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text_.data() + start, text_.data() + text_.size(), value);
+  if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
+  at_ = static_cast<std::size_t>(end - text_.data());
+  return value;
+}
+
+std::optional<bool> SvgScanner::flag() {
+  const char c = peek();
+  if (c != '0' && c != '1') return std::nullopt;
+  ++at_;
+  return c == '1';
+}
+
+std::string_view SvgScanner::word() {
+  if (at_end()) return {};
+  const std::size_t start = at_;
+  while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
+  return text_.substr(start, at_ - start);
+}
+
+std::optional<double> px_per_unit(std::string_view unit) {
+  if (unit.empty()) return 1;
+  const auto mm = mm_per_unit(unit);
+  if (!mm) return std::nullopt;
+  return *mm / (25.4 / 96);
+}
+
+std::optional<double> svg_length(std::string_view text, double whole) {
+  SvgScanner scanner(text);
+  const auto value = scanner.number();
+  if (!value) return std::nullopt;
+  if (scanner.peek() == '%') return *value * whole / 100;
+  const auto unit = px_per_unit(scanner.word());
+  if (!unit || !scanner.at_end()) return std::nullopt;
+  return *value * *unit;
+}
+
+std::optional<Affine> svg_transform(std::string_view text) {
+  Affine whole;
+  SvgScanner scanner(text);
+  while (!scanner.at_end()) {
+    const std::string_view name = scanner.word();
+    if (name == "none" && scanner.at_end()) return whole;
+    if (scanner.peek() != '(') return std::nullopt;
+    scanner.skip();
+    std::vector<double> numbers;
+    while (const auto number = scanner.number()) numbers.push_back(*number);
+    if (scanner.peek() != ')') return std::nullopt;
+    scanner.skip();
+    const auto one = transform_named(name, numbers);
+    if (!one) return std::nullopt;
+    whole = whole * *one;
+  }
+  return whole;
+}
+
+}  // namespace clearcut

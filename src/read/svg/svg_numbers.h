@@ -1,0 +1,43 @@
+// Numbers, lengths and transforms as SVG writes them.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "read/outline/affine.h"
+
+namespace clearcut {
+
+/// Takes numbers and words off a text; white space and one comma between them are skipped.
+class SvgScanner {
+ public:
+  explicit SvgScanner(std::string_view text) : text_(text) {}
+
+  bool at_end();
+  /// The next number, or nothing (and nothing is taken) where none begins. "1.5.5" is 1.5 and .5.
+  std::optional<double> number();
+  /// A single 0 or 1, which needs no separator ("a1 1 0 01 5 5").
+  std::optional<bool> flag();
+  /// The next character after white space, not taken; 0 at the end.
+  char peek();
+  void skip() { ++at_; }
+  /// Letters, as far as they go.
+  std::string_view word();
+  std::size_t position() const { return at_; }
+
+ private:
+  void skip_space();
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+/// User units per unit: px 1, in 96, mm 96/25.4, ... ; "" 1.
+std::optional<double> px_per_unit(std::string_view unit);
+
+/// "12", "3.5mm", "50%" (of `whole`) in user units.
+std::optional<double> svg_length(std::string_view text, double whole);
+
+/// A list of matrix(), translate(), scale(), rotate(), skewX(), skewY(); nothing when it is not understood.
+std::optional<Affine> svg_transform(std::string_view text);
+
+}  // namespace clearcut

@@ -1,0 +1,83 @@
+#include "read/svg/svg_page.h"
+
+#include <algorithm>
+#include <array>
+
+#include "read/svg/svg_numbers.h"
+
+namespace clearcut {
+namespace {
+
+constexpr double kMmPerPx = 25.4 / 96;
+
+struct ViewBox {
+  double x = 0, y = 0, width = 0, height = 0;
+};
+
+std::optional<ViewBox> view_box_of(const std::string& text) {
+  SvgScanner scanner(text);
+  std::array<double, 4> n{};
+  for (double& value : n) {
+    const auto number = scanner.number();
+    if (!number) return std::nullopt;
+    value = *number;
+  }
+  if (!(n[2] > 0) || !(n[3] > 0)) return std::nullopt;
+  return ViewBox{n[0], n[1], n[2], n[3]};
+}
+
+/// Whether a length has a unit of its own that is not the screen's.
+bool is_physical(const std::string& length) {
+  SvgScanner scanner(length);
+  if (!scanner.number()) return false;
+  const std::string_view unit = scanner.word();
+  return !unit.empty() && unit != "px" && px_per_unit(unit);
+}
+
+}  // namespace
+
+Affine view_box_map(const std::string& text, const std::string& aspect, double width, double height) {
+  const auto box = view_box_of(text);
+  if (!box) return {};
+  double sx = width / box->width, sy = height / box->height;
+  double shift_x = 0, shift_y = 0;
+  if (aspect.find("none") == std::string::npos) {
+    const double scale = aspect.find("slice") != std::string::npos ? std::max(sx, sy) : std::min(sx, sy);
+    const auto share = [&](const char* low, const char* high) {
+      return aspect.find(low) != std::string::npos ? 0.0 : aspect.find(high) != std::string::npos ? 1.0 : 0.5;
+    };
+    shift_x = (width - scale * box->width) * share("xMin", "xMax");
+    shift_y = (height - scale * box->height) * share("YMin", "YMax");
+    sx = sy = scale;
+  }
+  return Affine::translation({shift_x, shift_y}) * Affine::scaling(sx, sy) *
+         Affine::translation({-box->x, -box->y});
+}
+
+SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit) {
+  SvgPage page;
+  const auto box = view_box_of(viewport.view_box);
+  const auto stated = [](const std::string& text) {
+    const auto length = text.find('%') == std::string::npos ? svg_length(text, 0) : std::nullopt;
+    return length && *length > 0 ? length : std::nullopt;
+  };
+  auto width = stated(viewport.width), height = stated(viewport.height);
+  if (user_unit && box) {
+    width = box->width;
+    height = box->height;
+  }
+  // One of the two gives the other by the viewBox's shape.
+  if (box && width && !height) height = *width * box->height / box->width;
+  if (box && height && !width) width = *height * box->width / box->height;
+  if (!width) width = box ? box->width : 0;
+  if (!height) height = box ? box->height : 0;
+  page.view_width = box ? box->width : *width;
+  page.view_height = box ? box->height : *height;
+  page.physical = user_unit || is_physical(viewport.width) || is_physical(viewport.height);
+  const double unit = user_unit ? *user_unit : kMmPerPx;
+  const Affine up = Affine::translation({0, *height * unit}) * Affine::scaling(unit, -unit);
+  page.to_mm = up * view_box_map(viewport.view_box, viewport.aspect, *width, *height);
+  return page;
+}
+
+}  // namespace clearcut

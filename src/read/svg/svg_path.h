@@ -1,0 +1,27 @@
+// SVG path data as lines and arcs.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/edge.h"
+#include "read/outline/affine.h"
+
+namespace clearcut {
+
+struct SvgSubpath {
+  Path edges;
+  bool closed = false;  ///< by z
+};
+
+struct SvgPathData {
+  std::vector<SvgSubpath> subpaths;
+  std::string error;  ///< "" or what is wrong and where; the subpaths before it are good
+};
+
+/// All commands in absolute and relative form, with implied repeats. Circular arcs stay exact under `map`
+/// when it is a similarity; all other curves are within kCurveTolerance. Cost O(length + pieces).
+SvgPathData read_svg_path(std::string_view data, const Affine& map);
+
+}  // namespace clearcut

@@ -1,0 +1,337 @@
+#include "read/svg/svg_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <pugixml.hpp>
+#include <tuple>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "read/outline/drawing.h"
+#include "read/outline/text.h"
+#include "read/outline/units.h"
+#include "read/svg/svg_numbers.h"
+#include "read/svg/svg_page.h"
+#include "read/svg/svg_shapes.h"
+#include "read/svg/svg_style.h"
+
+namespace clearcut {
+namespace {
+
+constexpr int kDeepest = 200;
+/// Elements drawn, with every use counted again: beyond this the drawing is a trap.
+constexpr int kMostElements = 1'000'000;
+
+/// What an element takes over from the groups around it.
+struct Inherited {
+  SvgStyle style;
+  Affine map;  ///< user units to mm
+  SvgViewSize view;
+  std::string layer;    ///< name of the nearest named group
+  bool chosen = false;  ///< a group around it is among the chosen layers
+  std::optional<LayerRole> role;
+  std::optional<double> depth, top;  ///< mm
+};
+
+bool is_defining(std::string_view name) {
+  for (const std::string_view one :
+       {"defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
+        "filter", "metadata", "title", "desc", "style", "namedview", "script", "font", "cursor", "view"}) {
+    if (name == one) return true;
+  }
+  return false;
+}
+
+std::string_view attribute(const pugi::xml_node& node, const char* name) {
+  return node.attribute(name).value();
+}
+
+class SvgCollector {
+ public:
+  SvgCollector(std::string_view text, const std::string& file, const ReadOptions& options,
+               Diagnostics& diagnostics)
+      : text_(text), file_(file), options_(options), diagnostics_(diagnostics) {}
+
+  void collect(const pugi::xml_node& root) {
+    index(root, 0);
+    const SvgPage page = page_of(
+        {std::string(attribute(root, "width")), std::string(attribute(root, "height")),
+         std::string(attribute(root, "viewBox")), std::string(attribute(root, "preserveAspectRatio"))},
+        options_.unit ? std::optional(require_unit(*options_.unit, "unit")) : std::nullopt);
+    physical_ = page.physical;
+    Inherited start;
+    start.map = page.to_mm;
+    start.view = {page.view_width, page.view_height};
+    take(root, start, 0, true);
+  }
+
+  std::vector<DrawnGroup> take_groups() { return std::move(groups_); }
+
+  void report() const {
+    if (!physical_) warn_of_pixels();
+    if (!sheet_understood_) {
+      diagnostics_.warn(file_,
+                        "the style sheet has selectors that are not read; fills set by them are not seen");
+    }
+    report_counts(not_read_, "not read, because they are no outlines: ");
+    report_counts(hidden_, "not read, because they are not displayed: ");
+    report_counts(not_chosen_, "not read, because their layers were not chosen: ");
+    report_counts(ignored_, "not read, because their layers' names say so: ");
+    if (stroke_only_ > 0) {
+      diagnostics_.note(file_,
+                        std::to_string(stroke_only_) +
+                            " shapes with a stroke and no fill were read as outlines; their stroke's width "
+                            "does not count");
+    }
+  }
+
+ private:
+  using Counts = std::map<std::string, int>;
+
+  void report_counts(const Counts& counts, const std::string& what) const {
+    std::string text;
+    for (const auto& [name, count] : counts) {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + printable(name);
+    }
+    if (!text.empty()) diagnostics_.skip(file_, what + text);
+  }
+
+  void warn_of_pixels() const {
+    Box all;
+    for (const DrawnGroup& group : groups_) {
+      for (const RawCurve& curve : group.curves) all.add(box(curve.edges));
+    }
+    const std::string size = all.empty() ? ""
+                                         : "; the drawing is " + trimmed(all.width(), 2) + " x " +
+                                               trimmed(all.height(), 2) + " mm then";
+    diagnostics_.warn(file_, "the file states no physical size: 96 px per inch assumed" + size);
+  }
+
+  std::string place(const pugi::xml_node& node) const {
+    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
+    const auto line =
+        1 + std::count(text_.begin(),
+                       text_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text_.size())), '\n');
+    return file_ + ":" + std::to_string(line);
+  }
+
+  /// Elements by id, and the style sheets.
+  void index(const pugi::xml_node& node, int depth) {
+    if (depth > kDeepest)
+      throw InputError(place(node), "elements nested deeper than 200; simplify the drawing");
+    if (const auto id = attribute(node, "id"); !id.empty()) by_id_.try_emplace(std::string(id), node);
+    if (local_name(node) == "style") {
+      std::string css;
+      for (const pugi::xml_node& child : node) css += child.value();
+      sheet_understood_ = sheet_.add(css) && sheet_understood_;
+    }
+    for (const pugi::xml_node& child : node) {
+      if (child.type() == pugi::node_element) index(child, depth + 1);
+    }
+  }
+
+  void take(const pugi::xml_node& node, const Inherited& outer, int depth, bool is_root) {
+    if (++count_ > kMostElements)
+      throw InputError(file_, "more than 1 million elements with all uses; simplify it");
+    if (depth > kDeepest)
+      throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
+    const std::string_view name = local_name(node);
+    if (is_defining(name)) return;
+    Inherited own = outer;
+    inherit(node, name, own);
+    if (!own.style.shown) {
+      ++hidden_[std::string(name)];
+    } else if (name == "svg" && is_root) {
+      take_children(node, own, depth);
+    } else if (name == "svg") {
+      take_viewport(node, own, svg_attribute(node, "width", own.view.width, own.view.width),
+                    svg_attribute(node, "height", own.view.height, own.view.height), depth);
+    } else if (name == "g" || name == "a" || name == "switch") {
+      take_children(node, own, depth);
+    } else if (name == "use") {
+      take_use(node, own, depth);
+    } else if (is_svg_shape(name)) {
+      take_shape(node, own);
+    } else {
+      ++not_read_[std::string(name)];
+    }
+  }
+
+  void take_children(const pugi::xml_node& node, const Inherited& own, int depth) {
+    for (const pugi::xml_node& child : node) {
+      if (child.type() == pugi::node_element) take(child, own, depth + 1, false);
+    }
+  }
+
+  /// A nested <svg>, or a <symbol> in use: its own viewBox within a place of the page.
+  void take_viewport(const pugi::xml_node& node, Inherited own, double width, double height, int depth) {
+    const std::string view_box(attribute(node, "viewBox"));
+    own.map = own.map *
+              Affine::translation({svg_attribute(node, "x", own.view.width, 0),
+                                   svg_attribute(node, "y", own.view.height, 0)}) *
+              view_box_map(view_box, std::string(attribute(node, "preserveAspectRatio")), width, height);
+    own.view = {width, height};
+    take_children(node, own, depth);
+  }
+
+  void take_use(const pugi::xml_node& node, Inherited own, int depth) {
+    std::string_view target = attribute(node, "href");
+    if (target.empty()) target = attribute(node, "xlink:href");
+    const auto found = target.substr(0, 1) == "#" ? by_id_.find(std::string(target.substr(1))) : by_id_.end();
+    if (found == by_id_.end()) {
+      throw InputError(place(node), "use of '" + printable(target) + "', which the file does not define");
+    }
+    own.map = own.map * Affine::translation({svg_attribute(node, "x", own.view.width, 0),
+                                             svg_attribute(node, "y", own.view.height, 0)});
+    const pugi::xml_node& used = found->second;
+    if (local_name(used) != "symbol") return take(used, own, depth + 1, false);
+    if (depth > kDeepest)
+      throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
+    inherit(used, "symbol", own);
+    take_viewport(used, own, svg_attribute(node, "width", own.view.width, own.view.width),
+                  svg_attribute(node, "height", own.view.height, own.view.height), depth + 1);
+  }
+
+  /// Style, transform, layer and depth of this element on top of what is around it.
+  void inherit(const pugi::xml_node& node, std::string_view name, Inherited& own) const {
+    for (const char* property : {"fill", "stroke", "fill-rule", "visibility", "display"}) {
+      own.style.set(property, attribute(node, property));
+    }
+    sheet_.apply(name, attribute(node, "id"), attribute(node, "class"), own.style);
+    apply_declarations(attribute(node, "style"), own.style);
+    if (const auto text = attribute(node, "transform"); !text.empty()) {
+      const auto transform = svg_transform(text);
+      if (!transform)
+        throw InputError(place(node), "transform '" + printable(text) + "' is not understood; correct it");
+      own.map = own.map * *transform;
+    }
+    if (name == "g") inherit_layer(node, own);
+    if (const auto depth = length_attribute(node, "data-depth")) own.depth = depth;
+    if (const auto top = length_attribute(node, "data-top")) own.top = top;
+  }
+
+  void inherit_layer(const pugi::xml_node& node, Inherited& own) const {
+    std::string_view label = attribute(node, "inkscape:label");
+    if (label.empty()) label = attribute(node, "id");
+    if (label.empty()) return;
+    own.layer = label;
+    const LayerMeaning meaning = meaning_of_layer(label);
+    if (meaning.role != LayerRole::kPocket) own.role = meaning.role;
+    if (meaning.depth) own.depth = meaning.depth;
+    if (meaning.top) own.top = meaning.top;
+    own.chosen =
+        own.chosen || std::any_of(options_.layers.begin(), options_.layers.end(),
+                                  [&](const std::string& pattern) { return matches(pattern, label); });
+  }
+
+  /// A length in mm; without unit it is mm.
+  std::optional<double> length_attribute(const pugi::xml_node& node, const char* name) const {
+    const std::string_view text = attribute(node, name);
+    if (text.empty()) return std::nullopt;
+    SvgScanner scanner(text);
+    const auto value = scanner.number();
+    const std::string_view unit = scanner.word();
+    const auto mm = unit.empty() ? std::optional(1.0) : mm_per_unit(unit);
+    if (!value || !mm || !scanner.at_end()) {
+      throw InputError(place(node),
+                       std::string(name) + " '" + printable(text) + "' is no length; write it like \"5mm\"");
+    }
+    return *value * *mm;
+  }
+
+  void take_shape(const pugi::xml_node& node, const Inherited& own) {
+    const std::string name(local_name(node));
+    const bool filled = own.style.fill != "none" && name != "line";
+    const bool stroked = own.style.stroke != "none";
+    if (!own.style.visible || (!filled && !stroked)) {
+      ++hidden_[name];
+      return;
+    }
+    DrawnGroup& group = group_of(own, filled ? own.style.fill : own.style.stroke);
+    if (!options_.layers.empty() && !own.chosen) {
+      ++not_chosen_[own.layer.empty() ? "(no layer)" : own.layer];
+    } else if (group.role == LayerRole::kIgnore) {
+      ++ignored_[own.layer];
+    } else {
+      add_curves(node, own, filled, group);
+    }
+  }
+
+  void add_curves(const pugi::xml_node& node, const Inherited& own, bool filled, DrawnGroup& group) {
+    SvgPathData data = svg_shape(node, own.view, own.map);
+    if (!data.error.empty()) throw InputError(place(node), data.error + "; correct it");
+    if (!filled) ++stroke_only_;
+    const int nonzero = filled && own.style.fill_rule != "evenodd" ? compounds_++ : -1;
+    for (SvgSubpath& subpath : data.subpaths) {
+      RawCurve curve;
+      curve.edges = std::move(subpath.edges);
+      curve.closed = filled || subpath.closed;
+      curve.source = std::string(local_name(node));
+      const std::string_view id = attribute(node, "id");
+      if (!id.empty()) curve.source += " " + printable(id);
+      curve.nonzero_group = nonzero;
+      group.curves.push_back(std::move(curve));
+    }
+  }
+
+  DrawnGroup& group_of(const Inherited& own, const std::string& color) {
+    DrawnGroup group;
+    group.name = own.layer.empty() ? "pocket" : own.layer;
+    group.where = own.layer.empty() ? file_ : file_ + ": layer " + printable(own.layer);
+    group.role = own.role.value_or(LayerRole::kPocket);
+    group.depth = own.depth;
+    group.top = own.top;
+    apply_rules(options_.layer_rules, own.layer, group);
+    apply_rules(options_.layer_rules, normal_color(color), group);
+    const auto key = std::make_tuple(group.name, group.role, group.depth, group.top);
+    const auto [found, is_new] = by_key_.try_emplace(key, groups_.size());
+    if (is_new) groups_.push_back(std::move(group));
+    return groups_[found->second];
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  const ReadOptions& options_;
+  Diagnostics& diagnostics_;
+  SvgStyleSheet sheet_;
+  bool sheet_understood_ = true;
+  bool physical_ = true;
+  std::map<std::string, pugi::xml_node> by_id_;
+  std::vector<DrawnGroup> groups_;
+  std::map<std::tuple<std::string, LayerRole, std::optional<double>, std::optional<double>>, std::size_t>
+      by_key_;
+  Counts not_read_, hidden_, not_chosen_, ignored_;
+  int stroke_only_ = 0;
+  int compounds_ = 0;
+  int count_ = 0;
+};
+
+}  // namespace
+
+Part read_svg(std::string_view text, const std::string& file_name, const ReadOptions& options) {
+  if (text.substr(0, 2) == "\x1f\x8b") {
+    throw InputError(file_name, "this is a compressed SVG; save it as plain SVG");
+  }
+  pugi::xml_document document;
+  const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size(), pugi::parse_default);
+  if (!parsed) {
+    const auto end =
+        text.begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, static_cast<std::ptrdiff_t>(text.size()));
+    throw InputError(file_name + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')),
+                     std::string("not SVG (") + parsed.description() + "); mend the text there");
+  }
+  const pugi::xml_node root = document.document_element();
+  if (local_name(root) != "svg")
+    throw InputError(file_name, "the outermost element is not <svg>; this is not an SVG drawing");
+  Part part;
+  part.name = std::filesystem::path(file_name).stem().string();
+  part.source_file = file_name;
+  SvgCollector collector(text, file_name, options, part.diagnostics);
+  collector.collect(root);
+  collector.report();
+  add_drawn_features(part, collector.take_groups(), options);
+  return part;
+}
+
+}  // namespace clearcut

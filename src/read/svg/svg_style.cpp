@@ -1,0 +1,167 @@
+#include "read/svg/svg_style.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "read/svg/svg_numbers.h"
+
+namespace clearcut {
+namespace {
+
+std::string_view stripped(std::string_view text) {
+  const char* const kSpace = " \t\r\n\f";
+  const std::size_t first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+std::string small(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return out;
+}
+
+/// Calls visit(piece) for the pieces of `text` between separators.
+template <typename Visit>
+void for_pieces(std::string_view text, char separator, Visit visit) {
+  while (true) {
+    const std::size_t end = text.find(separator);
+    visit(stripped(text.substr(0, end)));
+    if (end == std::string_view::npos) return;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string without_comments(std::string_view css) {
+  std::string out;
+  while (!css.empty()) {
+    const std::size_t start = css.find("/*");
+    out += css.substr(0, start);
+    if (start == std::string_view::npos) break;
+    const std::size_t end = css.find("*/", start + 2);
+    if (end == std::string_view::npos) break;
+    css.remove_prefix(end + 2);
+  }
+  return out;
+}
+
+bool is_simple(std::string_view selector) {
+  return !selector.empty() && selector.find_first_of(" >+~:[](){}@\t\n\r", 0) == std::string_view::npos &&
+         selector.find_first_of(".#", 1) == std::string_view::npos;
+}
+
+std::string hex_color(double r, double g, double b) {
+  static const char* const kDigits = "0123456789abcdef";
+  std::string out = "#";
+  for (const double value : {r, g, b}) {
+    const int byte = static_cast<int>(std::clamp(std::round(value), 0.0, 255.0));
+    out += kDigits[byte / 16];
+    out += kDigits[byte % 16];
+  }
+  return out;
+}
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kNames{{{"black", "#000000"},
+                                                                                {"white", "#ffffff"},
+                                                                                {"red", "#ff0000"},
+                                                                                {"green", "#008000"},
+                                                                                {"lime", "#00ff00"},
+                                                                                {"blue", "#0000ff"},
+                                                                                {"yellow", "#ffff00"},
+                                                                                {"cyan", "#00ffff"},
+                                                                                {"aqua", "#00ffff"},
+                                                                                {"magenta", "#ff00ff"},
+                                                                                {"fuchsia", "#ff00ff"},
+                                                                                {"gray", "#808080"},
+                                                                                {"grey", "#808080"},
+                                                                                {"orange", "#ffa500"},
+                                                                                {"purple", "#800080"},
+                                                                                {"brown", "#a52a2a"},
+                                                                                {"silver", "#c0c0c0"}}};
+
+}  // namespace
+
+void SvgStyle::set(std::string_view property, std::string_view value) {
+  value = stripped(value);
+  const std::size_t important = value.find('!');
+  if (important != std::string_view::npos) value = stripped(value.substr(0, important));
+  if (value.empty() || value == "inherit") return;
+  if (property == "fill") fill = small(value);
+  if (property == "stroke") stroke = small(value);
+  if (property == "fill-rule") fill_rule = small(value);
+  if (property == "visibility") visible = value == "visible";
+  if (property == "display") shown = value != "none";
+}
+
+std::string normal_color(std::string_view color) {
+  const std::string text = small(stripped(color));
+  for (const auto& [name, hex] : kNames) {
+    if (text == name) return std::string(hex);
+  }
+  if (text.size() == 4 && text[0] == '#') {
+    return {'#', text[1], text[1], text[2], text[2], text[3], text[3]};
+  }
+  if (text.rfind("rgb(", 0) != 0) return text;
+  SvgScanner scanner(std::string_view(text).substr(4));
+  double values[3] = {};
+  for (double& value : values) {
+    const auto number = scanner.number();
+    if (!number) return text;
+    value = *number;
+    if (scanner.peek() == '%') {
+      value = value * 255 / 100;
+      scanner.skip();
+    }
+  }
+  return hex_color(values[0], values[1], values[2]);
+}
+
+void apply_declarations(std::string_view declarations, SvgStyle& style) {
+  for_pieces(declarations, ';', [&](std::string_view declaration) {
+    const std::size_t colon = declaration.find(':');
+    if (colon == std::string_view::npos) return;
+    style.set(stripped(declaration.substr(0, colon)), declaration.substr(colon + 1));
+  });
+}
+
+bool SvgStyleSheet::add(std::string_view css) {
+  const std::string text = without_comments(css);
+  std::string_view rest = text;
+  bool understood = true;
+  while (!stripped(rest).empty()) {
+    const std::size_t open = rest.find('{');
+    const std::size_t close = open == std::string_view::npos ? open : rest.find('}', open);
+    if (close == std::string_view::npos) return false;
+    const std::string_view declarations = rest.substr(open + 1, close - open - 1);
+    for_pieces(rest.substr(0, open), ',', [&](std::string_view selector) {
+      if (is_simple(selector)) {
+        rules_[std::string(selector)] += std::string(declarations) + ";";
+      } else {
+        understood = false;
+      }
+    });
+    rest.remove_prefix(close + 1);
+  }
+  return understood;
+}
+
+void SvgStyleSheet::apply(std::string_view element, std::string_view id, std::string_view classes,
+                          SvgStyle& style) const {
+  const auto apply_rule = [&](const std::string& selector) {
+    const auto rule = rules_.find(selector);
+    if (rule != rules_.end()) apply_declarations(rule->second, style);
+  };
+  if (rules_.empty()) return;
+  apply_rule("*");
+  apply_rule(std::string(element));
+  for_pieces(classes, ' ', [&](std::string_view name) {
+    if (!name.empty()) apply_rule("." + std::string(name));
+  });
+  if (!id.empty()) apply_rule("#" + std::string(id));
+}
+
+}  // namespace clearcut

@@ -1,0 +1,39 @@
+// What SVG's attributes and style sheets say of an element, as far as it matters for milling.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clearcut {
+
+/// Inherited properties.
+struct SvgStyle {
+  std::string fill = "black";
+  std::string stroke = "none";
+  std::string fill_rule = "nonzero";
+  bool visible = true;  ///< visibility; inherited
+  bool shown = true;    ///< display; an element that is not shown hides all within
+
+  void set(std::string_view property, std::string_view value);
+};
+
+/// "#rrggbb" in small letters for #rgb, #rrggbb, rgb() and the common names; else the text itself.
+std::string normal_color(std::string_view color);
+
+/// The rules of <style> elements with simple selectors: "*", "path", ".class", "#id" and lists of them.
+class SvgStyleSheet {
+ public:
+  /// Adds the rules of one <style>; false when something in it was not understood.
+  bool add(std::string_view css);
+  void apply(std::string_view element, std::string_view id, std::string_view classes, SvgStyle& style) const;
+
+ private:
+  std::map<std::string, std::string, std::less<>> rules_;  ///< selector -> declarations
+};
+
+/// Applies "fill:none;stroke:#000".
+void apply_declarations(std::string_view declarations, SvgStyle& style);
+
+}  // namespace clearcut
