@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "link/legal_area.h"
+#include "toolpath/legal_area.h"
 
 namespace clearcut {
 namespace {

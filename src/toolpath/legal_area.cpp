@@ -1,4 +1,4 @@
-#include "link/legal_area.h"
+#include "toolpath/legal_area.h"
 
 #include <algorithm>
 #include <cmath>
