@@ -57,6 +57,34 @@ Regions nested(std::vector<Loop> loops) {
   return regions;
 }
 
+using WallPair = std::pair<const voronoi::Element&, const voronoi::Element&>;
+
+/// The place of equal distance to both walls beside p, by Newton's method across the bisector.
+AxisPoint onto_bisector(const WallPair& walls, Vec2 p) {
+  for (int i = 0; i < 8; ++i) {
+    const double difference = voronoi::distance(walls.first, p) - voronoi::distance(walls.second, p);
+    const Vec2 gradient = voronoi::away_from(walls.first, p) - voronoi::away_from(walls.second, p);
+    if (std::abs(difference) < 1e-12 || norm_squared(gradient) < 1e-12) break;
+    p = p - gradient * (difference / norm_squared(gradient));
+  }
+  return {p, voronoi::distance(walls.first, p)};
+}
+
+/// The bisector from a (left out) to b by halving; bisectors of lines, points and circles have no inflexion.
+void append_axis_curve(const WallPair& walls, const AxisPoint& a, const AxisPoint& b, double chord,
+                       int halvings, std::vector<AxisPoint>& out) {
+  const Vec2 middle = lerp(a.point, b.point, 0.5);
+  const AxisPoint on = onto_bisector(walls, middle);
+  const double length = distance(a.point, b.point), off = distance(on.point, middle);
+  const double bend = std::max(off, std::abs(on.clearance - (a.clearance + b.clearance) / 2));
+  if (halvings > 0 && bend > chord && off < length) {
+    append_axis_curve(walls, a, on, chord, halvings - 1, out);
+    append_axis_curve(walls, on, b, chord, halvings - 1, out);
+  } else {
+    out.push_back(b);
+  }
+}
+
 }  // namespace
 
 struct Clearance::Impl {
@@ -115,6 +143,18 @@ std::vector<Path> Clearance::fit_lines(double d) const {
 const MedialAxis& Clearance::axis() const {
   return impl_->axis.graph;
 }
+std::vector<AxisPoint> Clearance::axis_curve(int edge, double chord) const {
+  const auto& graph = impl_->axis.graph;
+  const AxisEdge ends = graph.edges.at(static_cast<std::size_t>(edge));
+  const voronoi::Walls walls = impl_->axis.walls[static_cast<std::size_t>(edge)];
+  const AxisPoint a = graph.points[static_cast<std::size_t>(ends.a)];
+  const AxisPoint b = graph.points[static_cast<std::size_t>(ends.b)];
+  std::vector<AxisPoint> curve{a};
+  append_axis_curve({impl_->diagram.element(walls.a), impl_->diagram.element(walls.b)}, a, b, chord, 12,
+                    curve);
+  return curve;
+}
+
 const std::vector<AxisPoint>& Clearance::centers() const {
   return impl_->centers;
 }

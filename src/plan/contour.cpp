@@ -28,6 +28,8 @@ namespace {
 constexpr double kOverlap = 0.006;
 /// Steps smaller than this share of the radius are mistyped.
 constexpr double kSmallestStep = 0.005;
+/// 1 - cosine of the largest change of direction between lines that are drawn as one (0.001 degree).
+constexpr double kCollinear = 1.5e-10;
 /// mm. An edge of the target whose middle lies farther than this from every wall is open.
 constexpr double kOpenDistance = 1e-3;
 
@@ -108,10 +110,17 @@ Regions working_domain(const Layer& layer, const Tolerances& tol) {
   return closed;
 }
 
+/// Lines through the points, without those that lie on the way between their neighbours.
 Path line_path(const std::vector<Vec2>& points, bool closed) {
   Path path;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i] != points[i - 1]) path.push_back(Edge::line(points[i - 1], points[i]));
+    if (points[i] == points[i - 1]) continue;
+    const Edge edge = Edge::line(points[i - 1], points[i]);
+    if (!path.empty() && dot(path.back().tangent_at(1), edge.tangent_at(0)) > 1 - kCollinear) {
+      path.back().to = edge.to;
+    } else {
+      path.push_back(edge);
+    }
   }
   if (closed && points.back() != points.front()) path.push_back(Edge::line(points.back(), points.front()));
   return path;
@@ -165,10 +174,11 @@ class PassBuilder {
   void add_region(const Region& domain, const Tolerances& tol) {
     const Clearance clearance(domain, tol);
     const double first = layer_.tool_radius + layer_.wall_stock;
-    const auto nodes = ring_tree(clearance, first, [&](const Region& contour) {
+    const auto step = [&](const Region& contour) {
       return std::max(step_after(contour, options_.step, layer_.tool_radius),
                       kSmallestStep * layer_.tool_radius);
-    });
+    };
+    const auto nodes = ring_tree(clearance, domain, first, step, tol);
     add_rings(nodes);
     if (options_.residuals == ResidualRule::kOurs) add_residuals(nodes);
     for (const auto& line : clearance.fit_lines(first)) add_fit_line(line, first);
@@ -282,7 +292,7 @@ class PassBuilder {
 Regions legal_centers(const Layer& layer, const Tolerances& tol) {
   Regions legal;
   for (const auto& region : layer.allowed) {
-    const auto inside = inset(region, layer.tool_radius + layer.wall_stock, tol);
+    const auto inside = safe_inset(Clearance(region, tol), region, layer.tool_radius + layer.wall_stock, tol);
     legal.insert(legal.end(), inside.begin(), inside.end());
   }
   return legal;

@@ -7,8 +7,8 @@
 
 #include "base/tolerances.h"
 #include "base/units.h"
-#include "toolpath/machine.h"
 #include "plan/layer.h"
+#include "toolpath/machine.h"
 #include "toolpath/pass.h"
 
 namespace clearcut {

@@ -9,6 +9,14 @@ namespace {
 
 /// mm. Residuals thinner than this are rounding.
 constexpr double kNothing = 1e-6;
+/// mm. Walks that leave their contour by less clear nothing that counts.
+constexpr double kTooShort = 0.003;
+
+/// A place that a cutter stopping at a vertex has to clear, with all within `around` mm of it.
+struct Served {
+  Vec2 point;
+  double around = 0;
+};
 
 struct Link {
   std::size_t a = 0;
@@ -31,12 +39,19 @@ class ResidualGraph {
     prune();
     std::vector<ResidualPath> found;
     for (const std::size_t start : starts()) {
-      if (!visited_[start]) found.push_back(walk_from(start));
+      if (visited_[start]) continue;
+      auto path = walk_from(start);
+      if (!path.rooted || reaches_far(path)) found.push_back(std::move(path));
     }
     return found;
   }
 
  private:
+  static bool reaches_far(const ResidualPath& path) {
+    return std::any_of(path.points.begin(), path.points.end(),
+                       [&](Vec2 p) { return distance(p, path.points.front()) > kTooShort; });
+  }
+
   void add(AxisPiece piece, double from, const RingNode& node) {
     int low_id = piece.low_id;
     if (piece.low.clearance < from) {
@@ -47,6 +62,10 @@ class ResidualGraph {
     const std::size_t a = vertex(low_id, piece.low.point);
     const std::size_t b = vertex(piece.high_id, piece.high.point);
     root_[b] = root_[b] || (piece.high_id < 0 && piece.high.clearance >= node.next_level);
+    if (a == b) return;  // the lone centre of a round pocket
+    // An axis that begins above the level begins in the centre of a round wall, which fans out around it.
+    served_[a].front().around = std::min(served_[a].front().around, piece.low.clearance - from);
+    served_[b].front().around = 0;
     links_at_[a].push_back(links_.size());
     links_at_[b].push_back(links_.size());
     links_.push_back({a, b});
@@ -59,7 +78,7 @@ class ResidualGraph {
       root_.push_back(false);
       visited_.push_back(false);
       links_at_.emplace_back();
-      served_.push_back({point});
+      served_.push_back({{point, radius_}});
     }
     return it->second;
   }
@@ -102,7 +121,7 @@ class ResidualGraph {
                                            [&](std::size_t i) { return !links_[i].gone; });
     const std::size_t u = other_end(link, v);
     double t = 1;
-    for (const Vec2 p : served_[v]) t = std::min(t, reach(place_[v], place_[u], p));
+    for (const Served& p : served_[v]) t = std::min(t, reach(place_[v], place_[u], p));
     if (t < 1) {
       place_[v] = lerp(place_[v], place_[u], t);
       return v;
@@ -113,10 +132,11 @@ class ResidualGraph {
     return u;
   }
 
-  /// Largest t <= 1 such that the point at t on from-to is within the radius of p.
-  double reach(Vec2 from, Vec2 to, Vec2 p) const {
-    const Vec2 d = to - from, s = from - p;
-    const double a = norm_squared(d), b = dot(d, s), c = norm_squared(s) - radius_ * radius_;
+  /// Largest t <= 1 such that a cutter at t on from-to clears p.
+  double reach(Vec2 from, Vec2 to, const Served& p) const {
+    const Vec2 d = to - from, s = from - p.point;
+    const double far = std::max(0.0, radius_ - p.around);
+    const double a = norm_squared(d), b = dot(d, s), c = norm_squared(s) - far * far;
     if (a <= 0) return 1;
     const double root = std::sqrt(std::max(0.0, b * b - a * c));
     return std::clamp((root - b) / a, 0.0, 1.0);
@@ -230,7 +250,7 @@ class ResidualGraph {
   std::vector<bool> root_;
   std::vector<bool> visited_;
   std::vector<std::vector<std::size_t>> links_at_;
-  std::vector<std::vector<Vec2>> served_;  ///< places that a cutter stopping at the vertex has to reach
+  std::vector<std::vector<Served>> served_;
   std::vector<Link> links_;
   std::vector<std::vector<std::size_t>> children_;
   std::size_t last_new_ = 0;

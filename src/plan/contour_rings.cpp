@@ -9,6 +9,15 @@
 namespace clearcut {
 namespace {
 
+/// mm. Curved pieces of the axis are cut into chords this near to them.
+constexpr double kAxisChord = 0.001;
+/// mm. The axis is cut this much above a level, so that a neck exactly twice the level wide parts it as it
+/// parts the regions of the level.
+constexpr double kLevelMargin = 0.0006;
+
+/// mm. Regions up to this size are checked against the boundary before they are believed.
+constexpr double kSpeck = 0.05;
+
 /// Joins numbers 0..n-1 into sets.
 class DisjointSets {
  public:
@@ -27,7 +36,8 @@ using Pieces = std::vector<AxisPiece>;
 
 class TreeBuilder {
  public:
-  TreeBuilder(const Clearance& clearance, const StepOf& step_of) : clearance_(clearance), step_of_(step_of) {}
+  TreeBuilder(const Clearance& clearance, const Region& domain, const StepOf& step_of, const Tolerances& tol)
+      : clearance_(clearance), domain_(domain), step_of_(step_of), tol_(tol) {}
 
   std::vector<RingNode> build(double first_level) {
     add_children(-1, first_level, all_pieces());
@@ -35,23 +45,39 @@ class TreeBuilder {
       const double next = nodes_[i].level + step_of_(nodes_[i].contour);
       nodes_[i].next_level = next;
       Pieces pieces = std::move(inside_[i]);
-      nodes_[i].gap = split_off_below(pieces, next);
+      nodes_[i].gap = split_off_below(pieces, next + kLevelMargin);
       add_children(static_cast<int>(i), next, std::move(pieces));
     }
     return std::move(nodes_);
   }
 
  private:
-  Pieces all_pieces() const {
+  /// The axis in straight pieces; the lone centre of a round pocket is a piece without length.
+  Pieces all_pieces() {
     Pieces pieces;
     const auto& axis = clearance_.axis();
-    for (const auto& edge : axis.edges) {
-      int low = edge.a, high = edge.b;
-      const auto at = [&](int i) { return axis.points[static_cast<std::size_t>(i)]; };
-      if (at(low).clearance > at(high).clearance) std::swap(low, high);
-      pieces.push_back({low, high, at(low), at(high)});
+    std::vector<bool> lone(axis.points.size(), true);
+    for (std::size_t i = 0; i < axis.edges.size(); ++i) {
+      add_curve(axis.edges[i], clearance_.axis_curve(static_cast<int>(i), kAxisChord), pieces);
+      lone[static_cast<std::size_t>(axis.edges[i].a)] = lone[static_cast<std::size_t>(axis.edges[i].b)] =
+          false;
+    }
+    for (std::size_t i = 0; i < lone.size(); ++i) {
+      const int id = static_cast<int>(i);
+      if (lone[i]) pieces.push_back({id, id, axis.points[i], axis.points[i]});
     }
     return pieces;
+  }
+
+  void add_curve(const AxisEdge& edge, const std::vector<AxisPoint>& curve, Pieces& pieces) {
+    int from = edge.a;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const int to = i + 1 == curve.size() ? edge.b : next_cut_id_--;
+      const bool rises = curve[i].clearance >= curve[i - 1].clearance;
+      pieces.push_back(rises ? AxisPiece{from, to, curve[i - 1], curve[i]}
+                             : AxisPiece{to, from, curve[i], curve[i - 1]});
+      from = to;
+    }
   }
 
   /// Removes from `pieces` what lies below `level`, cutting pieces that cross it, and returns it.
@@ -77,7 +103,7 @@ class TreeBuilder {
   const Regions& at_level(double level) {
     const auto found = insets_.find(level);
     if (found != insets_.end()) return found->second;
-    return insets_.emplace(level, clearance_.inset(level)).first->second;
+    return insets_.emplace(level, safe_inset(clearance_, domain_, level, tol_)).first->second;
   }
 
   /// Connected groups of pieces: the axis of a connected region is connected.
@@ -100,7 +126,7 @@ class TreeBuilder {
   }
 
   void add_children(int parent, double level, Pieces pieces) {
-    if (parent < 0) split_off_below(pieces, level);
+    if (parent < 0) split_off_below(pieces, level + kLevelMargin);
     auto groups = groups_of(pieces);
     const auto& regions = at_level(level);
     std::map<std::size_t, int> node_of_region;
@@ -115,6 +141,17 @@ class TreeBuilder {
       auto& inside = inside_[static_cast<std::size_t>(it->second)];
       inside.insert(inside.end(), group.begin(), group.end());
     }
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      // So small that the axis above the margin misses it.
+      if (node_of_region.count(i) == 0 && belongs_to(regions[i], parent)) add_node(parent, level, regions[i]);
+    }
+  }
+
+  bool belongs_to(const Region& region, int parent) const {
+    if (parent < 0) return true;
+    const auto& contour = nodes_[static_cast<std::size_t>(parent)].contour;
+    const Vec2 p = region.outer().front().from;
+    return contour.box().contains(p) && contour.contains(p);
   }
 
   /// Pieces above the level where rounding left no region: their parent has to clear them.
@@ -151,7 +188,9 @@ class TreeBuilder {
   }
 
   const Clearance& clearance_;
+  const Region& domain_;
   const StepOf& step_of_;
+  const Tolerances& tol_;
   std::vector<RingNode> nodes_;
   std::vector<Pieces> inside_;  ///< per node, until it is expanded
   std::map<double, Regions> insets_;
@@ -160,8 +199,19 @@ class TreeBuilder {
 
 }  // namespace
 
-std::vector<RingNode> ring_tree(const Clearance& clearance, double first_level, const StepOf& step_of) {
-  return TreeBuilder(clearance, step_of).build(first_level);
+Regions safe_inset(const Clearance& clearance, const Region& domain, double d, const Tolerances& tol) {
+  Regions regions = clearance.inset(d);
+  std::erase_if(regions, [&](const Region& region) {
+    const Box box = region.box();
+    if (std::max(box.width(), box.height()) > kSpeck) return false;
+    return domain.boundary_distance(region.outer().front().from) < d - tol.gouge;
+  });
+  return regions;
+}
+
+std::vector<RingNode> ring_tree(const Clearance& clearance, const Region& domain, double first_level,
+                                const StepOf& step_of, const Tolerances& tol) {
+  return TreeBuilder(clearance, domain, step_of, tol).build(first_level);
 }
 
 }  // namespace clearcut

@@ -31,8 +31,13 @@ struct RingNode {
 /// Distance from a contour to the next ones inside it.
 using StepOf = std::function<double(const Region& contour)>;
 
+/// clearance.inset(d) without specks that lie nearer than d to the boundary of `domain`, the region it was
+/// built of: where walls meet a fillet of nearly the cutter's radius, flattening can leave some.
+Regions safe_inset(const Clearance& clearance, const Region& domain, double d, const Tolerances& tol);
+
 /// All contours from `first_level` inwards; parents before their children.
 /// Cost: one inset per distinct level, and each piece of the axis once per level it spans.
-std::vector<RingNode> ring_tree(const Clearance& clearance, double first_level, const StepOf& step_of);
+std::vector<RingNode> ring_tree(const Clearance& clearance, const Region& domain, double first_level,
+                                const StepOf& step_of, const Tolerances& tol);
 
 }  // namespace clearcut
