@@ -1,1 +1,56 @@
-int main() { return 0; }
+// clearcut: the command. Parses, calls the pipeline, prints.
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include "base/error.h"
+#include "base/version.h"
+#include "commands.h"
+
+namespace {
+
+using namespace clearcut::cli;
+
+/// One line, whatever the message held.
+void complain(std::string message) {
+  for (auto& c : message) {
+    if (c == '\n') c = ' ';
+  }
+  std::fprintf(stderr, "clearcut: %s\n", message.c_str());
+}
+
+int parse_and_run(int argc, char** argv) {
+  int exit_code = kClean;
+  CLI::App app("Plans 2.5-D pocket-milling toolpaths and proves them.", "clearcut");
+  app.set_version_flag("--version", std::string("clearcut ") + clearcut::kVersion);
+  app.require_subcommand(1);
+  add_plan_command(app, exit_code);
+  add_verify_command(app, exit_code);
+  add_info_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    complain(std::string(error.what()) + " (see clearcut --help)");
+    return kUnusable;
+  }
+  return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const clearcut::InputError& error) {
+    complain(error.what());
+    return kUnusable;
+  } catch (const std::bad_alloc&) {
+    complain("out of memory; the input is too large for this machine");
+    return kUnusable;
+  } catch (const std::exception& error) {
+    complain(std::string("internal fault: ") + error.what());
+    return kInternal;
+  }
+}

@@ -1,0 +1,17 @@
+// The subcommands. Each adds itself to the application; when it is chosen its callback sets `exit_code`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace clearcut::cli {
+
+inline constexpr int kClean = 0;     ///< done and certified clean
+inline constexpr int kFault = 1;     ///< done, but the certificate reports a fault
+inline constexpr int kUnusable = 2;  ///< unusable input or arguments; nothing written
+inline constexpr int kInternal = 3;  ///< internal fault
+
+void add_plan_command(CLI::App& app, int& exit_code);
+void add_verify_command(CLI::App& app, int& exit_code);
+void add_info_command(CLI::App& app, int& exit_code);
+
+}  // namespace clearcut::cli

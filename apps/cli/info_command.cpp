@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "base/format.h"
+#include "commands.h"
+#include "output.h"
+#include "pipeline/prepare.h"
+#include "plan_arguments.h"
+
+namespace clearcut::cli {
+namespace {
+
+std::string extent(const Box& box) {
+  return fmt::format("x {}..{} y {}..{}", trimmed(box.min.x, 3), trimmed(box.max.x, 3), trimmed(box.min.y, 3),
+                     trimmed(box.max.y, 3));
+}
+
+std::string shape(const Feature& feature) {
+  std::size_t islands = 0, edges = 0, arcs = 0;
+  for (const auto& region : feature.target) {
+    islands += region.islands().size();
+    for (const auto& edge : region.edges()) {
+      ++edges;
+      arcs += edge.is_arc() ? 1u : 0u;
+    }
+  }
+  return fmt::format("{} region{}, {} island{}, {} edges ({} arcs)", feature.target.size(),
+                     feature.target.size() == 1 ? "" : "s", islands, islands == 1 ? "" : "s", edges, arcs);
+}
+
+void print_feature(const Feature& feature, const Tolerances& tol) {
+  print_line(fmt::format("{}  {}  {}", feature.name, name_of(feature.kind), feature.source));
+  print_line(fmt::format("    z {} to {}, {}, area {} mm2", trimmed(feature.top_z, 3),
+                         trimmed(feature.floor_z, 3), extent(box(feature.target)),
+                         trimmed(area(feature.target), 2)));
+  const double fits = largest_fitting_diameter(feature, tol);
+  print_line(fmt::format("    {}, largest cutter {}", shape(feature),
+                         fits > kOpenReach ? "any (open)" : trimmed(fits, 3) + " mm"));
+}
+
+void print_part(const Part& part) {
+  print_line(fmt::format("{}: {} features, {} workingsteps, {} tools", part.source_file, part.features.size(),
+                         part.workplan.size(), part.tools.size()));
+  if (part.stock) {
+    print_line(fmt::format("stock {} z {}..{}", extent(part.stock->plan), trimmed(part.stock->z_bottom, 3),
+                           trimmed(part.stock->z_top, 3)));
+  }
+  for (const auto& tool : part.tools) {
+    print_line(fmt::format("T{} {} {} mm", tool.number, name_of(tool.kind), trimmed(tool.diameter, 3)));
+  }
+  for (const auto& feature : part.features) print_feature(feature, Tolerances{});
+  for (const auto& step : part.workplan) {
+    print_line(
+        fmt::format("step {} -> {}", step.name, part.features[static_cast<std::size_t>(step.feature)].name));
+  }
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("info", "Say what a part holds, which cutters fit, and what was found wrong");
+  auto state = std::make_shared<PlanArguments>();
+  state->add_part_options(*command, "INPUT");
+  command->callback([state, &exit_code] {
+    const Part part = state->read();
+    print(part.diagnostics, true);
+    print_part(part);
+    exit_code = kClean;
+  });
+}
+
+}  // namespace clearcut::cli

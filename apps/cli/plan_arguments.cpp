@@ -1,0 +1,118 @@
+#include "plan_arguments.h"
+
+#include "base/error.h"
+
+namespace clearcut::cli {
+namespace {
+
+const std::map<std::string, EntryKind> kEntries{{"helix", EntryKind::kHelix},
+                                                {"ramp", EntryKind::kRamp},
+                                                {"zigzag", EntryKind::kZigzagRamp},
+                                                {"plunge", EntryKind::kPlunge}};
+const std::map<std::string, CutDirection> kDirections{{"climb", CutDirection::kClimb},
+                                                      {"conventional", CutDirection::kConventional}};
+
+template <class Value>
+std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
+                           const char* option) {
+  if (!name) return std::nullopt;
+  const auto found = names.find(*name);
+  if (found != names.end()) return found->second;
+  std::string known;
+  for (const auto& [text, value] : names) known += (known.empty() ? "" : ", ") + text;
+  throw InputError(option, "'" + *name + "' is unknown; use one of " + known);
+}
+
+std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
+  if (!mm_per_min) return std::nullopt;
+  return MmPerMin::of(*mm_per_min);
+}
+
+}  // namespace
+
+void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
+  if (input_name == "INPUT") {
+    command.add_option("INPUT", input_, "Part: .p21 .stp .step .stpnc .dxf .svg .json .toml")->required();
+  } else {
+    command.add_option(input_name, input_, "Part the program is for")->required();
+  }
+  command.add_option("--unit", unit_, "Unit of a drawing that names none: mm, cm, m, inch, px");
+  command.add_option("--layer", layers_, "Layer of a drawing to read (repeatable; default all)");
+  command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm");
+  command.add_option("--depth", depth_, "Depth of every feature, mm");
+}
+
+void PlanArguments::add_tool_options(CLI::App& command) {
+  command.add_option(
+      "--tool", tools_,
+      "KIND:DIAMETER[:T3][:flutes=2][:corner=0.5][:name=N][:noplunge]; kinds: endmill, facemill, bullnose, "
+      "ball, drill, reamer (repeatable)");
+  command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2");
+  command.add_option("--junction-deviation", junction_deviation_, "Junction deviation of the machine, mm");
+  command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min");
+  command.add_option("--stepdown", stepdown_, "Depth of one layer, mm");
+  command.add_option("--allowance", allowance_, "Stock to leave on walls, mm");
+  command.add_option("--allowance-floor", allowance_floor_, "Stock to leave on floors, mm");
+  command.add_option("--engagement", engagement_, "Largest engagement angle of the cutter, degrees");
+  command.add_option("--threads", threads_, "Threads to use");
+}
+
+void PlanArguments::add_cutting_options(CLI::App& command) {
+  command.add_option("--strategy", strategy_, "auto, contour, zigzag, spiral, adaptive or tour");
+  command.add_option("--stepover", stepover_,
+                     "Distance of passes: fraction of the diameter, lom, rho, or 3.5mm");
+  command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge");
+  command.add_option("--direction", direction_, "climb or conventional");
+  command.add_option("--feed", feed_, "Cutting feed, mm/min");
+  command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min");
+  command.add_option("--spindle", spindle_, "Spindle speed, rpm");
+  command.add_option("--post", post_,
+                     "Controller: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin");
+  command.add_flag("--inch", inch_, "Write the program in inches");
+  command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm");
+  command.add_option("--objective", objective_,
+                     "length, turns, angle, engagement, time, or weights W:..,W:..");
+  command.add_option("--time", time_, "Longest search, s");
+  command.add_option("--seed", seed_, "Seed of the search");
+}
+
+Part PlanArguments::read() const {
+  ReadOptions options;
+  options.unit = unit_;
+  options.layers = layers_;
+  options.top = top_;
+  options.depth = depth_;
+  Part part = read_part(input_, options);
+  if (clearance_z_) part.clearance_z = clearance_z_;
+  return part;
+}
+
+PlanOptions PlanArguments::options() const {
+  PlanOptions options;
+  for (const auto& text : tools_) options.tools.push_back(parse_tool(text));
+  options.strategy = strategy_;
+  options.stepover = stepover_;
+  options.stepdown = stepdown_;
+  options.allowance = allowance_;
+  options.allowance_floor = allowance_floor_;
+  options.depth = depth_;
+  options.engagement_deg = engagement_;
+  options.entry = named(kEntries, entry_, "--entry");
+  options.direction = named(kDirections, direction_, "--direction");
+  options.cutting.feed = feed_of(feed_);
+  options.cutting.plunge_feed = feed_of(plunge_feed_);
+  options.cutting.spindle_rpm = spindle_;
+  if (acceleration_) options.machine.acceleration = *acceleration_;
+  if (junction_deviation_) options.machine.junction_deviation = *junction_deviation_;
+  if (rapid_feed_) options.machine.rapid = MmPerMin::of(*rapid_feed_);
+  options.post.dialect = post_;
+  options.post.inch = inch_;
+  options.objective = objective_;
+  options.time_s = time_;
+  options.seed = seed_;
+  options.threads = threads_;
+  check(options);
+  return options;
+}
+
+}  // namespace clearcut::cli

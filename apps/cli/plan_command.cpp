@@ -1,0 +1,82 @@
+#include <memory>
+
+#include "base/file.h"
+#include "base/version.h"
+#include "commands.h"
+#include "output.h"
+#include "pipeline/run.h"
+#include "plan_arguments.h"
+#include "report/certificate.h"
+#include "report/html.h"
+#include "report/result.h"
+#include "report/svg.h"
+#include "report/table.h"
+
+namespace clearcut::cli {
+namespace {
+
+struct PlanCommand {
+  PlanArguments arguments;
+  std::string output;
+  std::string certificate;
+  std::string svg;
+  std::string html;
+  std::string result;
+  bool quiet = false;
+};
+
+CertificateInfo certificate_info(const PlanCommand& command, const PlanOptions& options,
+                                 const std::string& program) {
+  CertificateInfo info;
+  info.version = kVersion;
+  info.seed = options.seed;
+  info.input_hash = content_hash(read_file(command.arguments.input()));
+  info.program_hash = content_hash(program);
+  info.machine = options.machine.name;
+  return info;
+}
+
+std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
+                                     const PlanResult& result) {
+  std::vector<OutputFile> files{{command.output, result.program}};
+  const auto add = [&](const std::string& path, auto&& content) {
+    if (!path.empty()) files.push_back({path, content()});
+  };
+  add(command.certificate, [&] {
+    return certificate_json(result.part, result.findings, certificate_info(command, options, result.program));
+  });
+  add(command.svg, [&] { return svg(result.part, result.toolpath, result.findings, {}); });
+  add(command.html, [&] { return html(result.part, result.toolpath, result.findings); });
+  add(command.result, [&] { return result_file(result.toolpath, {result.part.name, std::nullopt}); });
+  return files;
+}
+
+int run(const PlanCommand& command) {
+  const PlanOptions options = command.arguments.options();
+  const PlanResult result = plan(command.arguments.read(), options);
+  write_files(output_files(command, options, result));
+  if (!command.quiet) {
+    print(result.part.diagnostics, true);
+    if (command.output != "-") print_line(table(result.part, result.findings));
+  }
+  return result.findings.all.clean ? kClean : kFault;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("plan", "Plan a part, write its program and certify it");
+  auto state = std::make_shared<PlanCommand>();
+  state->arguments.add_part_options(*command, "INPUT");
+  state->arguments.add_tool_options(*command);
+  state->arguments.add_cutting_options(*command);
+  command->add_option("-o,--output", state->output, "Program to write (- for standard output)")->required();
+  command->add_option("--certificate", state->certificate, "Certificate to write (JSON)");
+  command->add_option("--svg", state->svg, "Picture to write");
+  command->add_option("--report", state->html, "Animated report to write (HTML)");
+  command->add_option("--result", state->result, "Segments to write: x y to x y per line");
+  command->add_flag("--quiet", state->quiet, "Print nothing but errors");
+  command->callback([state, &exit_code] { exit_code = run(*state); });
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,68 @@
+#include <memory>
+
+#include "base/file.h"
+#include "base/version.h"
+#include "commands.h"
+#include "output.h"
+#include "pipeline/run.h"
+#include "plan_arguments.h"
+#include "report/certificate.h"
+#include "report/svg.h"
+#include "report/table.h"
+
+namespace clearcut::cli {
+namespace {
+
+struct VerifyCommand {
+  PlanArguments arguments;
+  std::string program;
+  std::string json;
+  std::string svg;
+  bool quiet = false;
+};
+
+CertificateInfo certificate_info(const VerifyCommand& command, const PlanOptions& options,
+                                 const std::string& program) {
+  CertificateInfo info;
+  info.version = kVersion;
+  info.seed = options.seed;
+  info.input_hash = content_hash(read_file(command.arguments.input()));
+  info.program_hash = content_hash(program);
+  info.machine = options.machine.name;
+  return info;
+}
+
+int run(const VerifyCommand& command) {
+  const PlanOptions options = command.arguments.options();
+  const std::string program = read_file(command.program);
+  const JudgeResult result = judge(command.arguments.read(), program, command.program, options);
+  std::vector<OutputFile> files;
+  if (!command.json.empty()) {
+    files.push_back({command.json, certificate_json(result.part, result.findings,
+                                                    certificate_info(command, options, program))});
+  }
+  if (!command.svg.empty())
+    files.push_back({command.svg, svg(result.part, result.toolpath, result.findings, {})});
+  write_files(files);
+  if (!command.quiet) {
+    print(result.part.diagnostics, true);
+    if (command.json != "-") print_line(table(result.part, result.findings));
+  }
+  return result.findings.all.clean ? kClean : kFault;
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("verify", "Judge any program against a part");
+  auto state = std::make_shared<VerifyCommand>();
+  command->add_option("PROGRAM", state->program, "Program of any CAM: G-code or Klartext")->required();
+  state->arguments.add_part_options(*command, "--part");
+  state->arguments.add_tool_options(*command);
+  command->add_option("--json", state->json, "Certificate to write (- for standard output)");
+  command->add_option("--svg", state->svg, "Picture to write");
+  command->add_flag("--quiet", state->quiet, "Print nothing but errors");
+  command->callback([state, &exit_code] { exit_code = run(*state); });
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,120 @@
+#include "pipeline/plan_options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "base/error.h"
+
+namespace clearcut {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::optional<double> number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+double required_number(const std::string& text, const std::string& place, const char* what) {
+  const auto value = number(text);
+  if (!value) throw InputError(place, fmt::format("'{}' is not {}", text, what));
+  return *value;
+}
+
+std::string kind_names() {
+  std::string names;
+  for (const auto kind : {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill,
+                          ToolKind::kBallEndMill, ToolKind::kDrill, ToolKind::kReamer}) {
+    names += (names.empty() ? "" : ", ") + std::string(name_of(kind));
+  }
+  return names;
+}
+
+void apply_word(Tool& tool, const std::string& word, const std::string& place) {
+  const auto equals = word.find('=');
+  const std::string key = word.substr(0, equals);
+  const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
+  if (key == "noplunge" && equals == std::string::npos) {
+    tool.center_cutting = false;
+  } else if (key.size() > 1 && (key[0] == 'T' || key[0] == 't') && equals == std::string::npos) {
+    tool.number = static_cast<int>(required_number(key.substr(1), place, "a tool number"));
+  } else if (key == "flutes") {
+    tool.teeth = static_cast<int>(required_number(value, place, "a number of flutes"));
+  } else if (key == "corner") {
+    tool.corner_radius = required_number(value, place, "a corner radius in mm");
+  } else if (key == "length") {
+    tool.flute_length = required_number(value, place, "a flute length in mm");
+  } else if (key == "name") {
+    tool.name = value;
+  } else {
+    throw InputError(
+        place,
+        fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, name=, noplunge", word));
+  }
+}
+
+void require(bool good, const char* option, const char* what) {
+  if (!good) throw InputError(option, what);
+}
+
+bool absent_or_positive(const std::optional<double>& value) {
+  return !value || (std::isfinite(*value) && *value > 0);
+}
+
+bool absent_or_not_negative(const std::optional<double>& value) {
+  return !value || (std::isfinite(*value) && *value >= 0);
+}
+
+}  // namespace
+
+Tool parse_tool(const std::string& text) {
+  const std::string place = "--tool " + text;
+  const auto words = split(text, ':');
+  if (words.size() < 2) throw InputError(place, "needs a kind and a diameter in mm, for example endmill:10");
+  const auto kind = tool_kind_named(words[0]);
+  if (!kind)
+    throw InputError(place, fmt::format("'{}' is no kind of tool; use one of {}", words[0], kind_names()));
+  Tool tool;
+  tool.number = 0;
+  tool.kind = *kind;
+  tool.diameter = required_number(words[1], place, "a diameter in mm");
+  if (!(tool.diameter > 0) || tool.diameter > 1000)
+    throw InputError(place, "the diameter must be above 0 and at most 1000 mm");
+  if (tool.kind == ToolKind::kFaceMill) tool.center_cutting = false;
+  if (tool.kind == ToolKind::kBallEndMill) tool.corner_radius = tool.diameter / 2;
+  for (std::size_t i = 2; i < words.size(); ++i) apply_word(tool, words[i], place);
+  return tool;
+}
+
+void check(const PlanOptions& options) {
+  require(absent_or_positive(options.stepdown), "--stepdown", "must be above 0 mm");
+  require(absent_or_not_negative(options.allowance), "--allowance", "must be 0 mm or more");
+  require(absent_or_not_negative(options.allowance_floor), "--allowance-floor", "must be 0 mm or more");
+  require(absent_or_positive(options.depth), "--depth", "must be above 0 mm");
+  require(!options.engagement_deg || (*options.engagement_deg >= 10 && *options.engagement_deg <= 180),
+          "--engagement", "must lie between 10 and 180 degrees");
+  require(!options.cutting.feed || options.cutting.feed->mm_per_min() > 0, "--feed",
+          "must be above 0 mm/min");
+  require(!options.cutting.plunge_feed || options.cutting.plunge_feed->mm_per_min() > 0, "--plunge-feed",
+          "must be above 0 mm/min");
+  require(absent_or_positive(options.cutting.spindle_rpm), "--spindle", "must be above 0 rpm");
+  require(absent_or_positive(options.time_s), "--time", "must be above 0 s");
+  require(options.threads >= 1 && options.threads <= 1024, "--threads", "must lie between 1 and 1024");
+}
+
+}  // namespace clearcut

@@ -1,0 +1,44 @@
+// What a user may ask of a plan. Absent values are taken from the part's operations, else from the documented
+// defaults of prepare().
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/tolerances.h"
+#include "toolpath/machine.h"
+#include "part/part.h"
+#include "post/post.h"
+
+namespace clearcut {
+
+struct PlanOptions {
+  std::vector<Tool> tools;              ///< replace the part's own; empty keeps those
+  std::string strategy = "auto";        ///< a name of strategy_names()
+  std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
+  std::optional<double> stepdown;       ///< mm
+  std::optional<double> allowance;      ///< mm, on walls
+  std::optional<double> allowance_floor;
+  std::optional<double> depth;  ///< mm, of every feature
+  std::optional<double> engagement_deg;
+  std::optional<EntryKind> entry;
+  std::optional<CutDirection> direction;
+  CuttingData cutting;
+  Machine machine;
+  PostOptions post;
+  std::string objective = "time";
+  std::optional<double> time_s;  ///< longest search
+  std::uint64_t seed = 1;
+  int threads = 1;
+  Tolerances tol;
+};
+
+/// "endmill:10[:T3][:flutes=2][:corner=0.5][:name=ROUGHER][:noplunge]". Throws InputError.
+Tool parse_tool(const std::string& text);
+
+/// Checks that every option is in its sensible range; throws InputError naming the first that is not.
+void check(const PlanOptions& options);
+
+}  // namespace clearcut

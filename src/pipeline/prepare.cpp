@@ -1,0 +1,151 @@
+#include "pipeline/prepare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "geometry/clearance.h"
+
+namespace clearcut {
+namespace {
+
+constexpr double kDefaultFeed = 1000;         // mm/min
+constexpr double kPlungeShare = 0.3;          // of the cutting feed
+constexpr double kRampShare = 0.5;            // of the cutting feed
+constexpr double kDefaultCuttingSpeed = 100;  // m/min at the circumference
+constexpr double kFaceMillStepdown = 2;       // mm
+
+void set_depth(Feature& feature, double depth) {
+  feature.floor_z = feature.top_z - depth;
+}
+
+void number_tools(std::vector<Tool>& tools) {
+  std::set<int> taken;
+  for (const auto& tool : tools) {
+    if (tool.number > 0 && !taken.insert(tool.number).second) {
+      throw InputError("--tool",
+                       fmt::format("two tools are numbered T{}; give each its own number", tool.number));
+    }
+  }
+  int next = 1;
+  for (auto& tool : tools) {
+    if (tool.number > 0) continue;
+    while (taken.count(next)) ++next;
+    tool.number = next;
+    taken.insert(next);
+  }
+}
+
+double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
+  double largest = 0;
+  for (const auto& step : part.workplan) {
+    const auto& feature = part.features[static_cast<std::size_t>(step.feature)];
+    largest = std::max(largest, largest_fitting_diameter(feature, tol));
+  }
+  return largest;
+}
+
+/// The largest tool with a legal position in the feature, else the smallest (which then reports that it does
+/// not fit).
+int tool_for(const Feature& feature, const std::vector<Tool>& tools, const Tolerances& tol) {
+  const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
+  int best = 0;
+  const auto better = [&](const Tool& a, const Tool& b) {
+    const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
+    if (a_fits != b_fits) return a_fits;
+    return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;
+  };
+  for (std::size_t i = 1; i < tools.size(); ++i) {
+    if (better(tools[i], tools[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
+  }
+  return best;
+}
+
+void choose_tools(Part& part, const PlanOptions& options) {
+  if (!options.tools.empty()) {
+    part.tools = options.tools;
+    number_tools(part.tools);
+    for (auto& step : part.workplan) {
+      step.operation.tool =
+          tool_for(part.features[static_cast<std::size_t>(step.feature)], part.tools, options.tol);
+    }
+  }
+  if (part.tools.empty()) {
+    throw InputError(
+        part.source_file,
+        fmt::format("names no tool; give one, for example --tool endmill:6 (the largest that fits has {} mm)",
+                    trimmed(std::floor(largest_fitting_diameter_of(part, options.tol) * 1000) / 1000, 3)));
+  }
+}
+
+double default_spindle(const Tool& tool, const Machine& machine) {
+  const double rpm =
+      std::max(10.0, std::round(kDefaultCuttingSpeed * 1000 / (kPi * tool.diameter) / 10) * 10);
+  return machine.max_spindle_rpm ? std::min(rpm, *machine.max_spindle_rpm) : rpm;
+}
+
+void apply_options(Operation& operation, const PlanOptions& options) {
+  if (options.stepdown) operation.stepdown = options.stepdown;
+  if (options.allowance) operation.allowance_side = *options.allowance;
+  if (options.allowance_floor) operation.allowance_floor = *options.allowance_floor;
+  if (options.entry) operation.entry = options.entry;
+  if (options.direction) operation.direction = options.direction;
+  auto& cutting = operation.cutting;
+  if (options.cutting.feed) cutting.feed = options.cutting.feed;
+  if (options.cutting.plunge_feed) cutting.plunge_feed = options.cutting.plunge_feed;
+  if (options.cutting.spindle_rpm) cutting.spindle_rpm = options.cutting.spindle_rpm;
+}
+
+/// Fills what is still absent; returns the names of the values that were defaulted.
+std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Machine& machine) {
+  std::vector<std::string> defaulted;
+  auto& cutting = operation.cutting;
+  const auto fill = [&](auto& value, auto fallback, const std::string& text) {
+    if (value) return;
+    value = fallback;
+    if (!text.empty()) defaulted.push_back(text);
+  };
+  const double stepdown = tool.kind == ToolKind::kFaceMill ? kFaceMillStepdown : tool.diameter / 2;
+  fill(operation.stepdown, stepdown, "stepdown " + trimmed(stepdown, 3) + " mm");
+  fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed " + trimmed(kDefaultFeed, 0) + " mm/min");
+  if (machine.max_feed) cutting.feed = std::min(*cutting.feed, *machine.max_feed);
+  fill(cutting.plunge_feed, *cutting.feed * kPlungeShare, "");
+  fill(cutting.ramp_feed, *cutting.feed * kRampShare, "");
+  const double rpm = default_spindle(tool, machine);
+  fill(cutting.spindle_rpm, rpm, "spindle " + trimmed(rpm, 0) + " rpm");
+  fill(operation.direction, CutDirection::kClimb, "");
+  return defaulted;
+}
+
+}  // namespace
+
+double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
+  double radius = 0;
+  for (const auto& region : feature.allowed) radius = std::max(radius, Clearance(region, tol).max());
+  return 2 * radius;
+}
+
+Part prepare(Part part, const PlanOptions& options) {
+  if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
+  if (options.depth) {
+    for (auto& feature : part.features) set_depth(feature, *options.depth);
+  }
+  choose_tools(part, options);
+  std::vector<std::string> noted;
+  for (auto& step : part.workplan) {
+    apply_options(step.operation, options);
+    const auto& tool = part.tools.at(static_cast<std::size_t>(step.operation.tool));
+    for (auto& text : apply_defaults(step.operation, tool, options.machine)) {
+      text += " (T" + std::to_string(tool.number) + ")";
+      if (std::find(noted.begin(), noted.end(), text) == noted.end()) noted.push_back(text);
+    }
+  }
+  for (const auto& text : noted) part.diagnostics.note("default", text);
+  return part;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,32 @@
+// The one place that puts the stages in order: read -> plan -> order -> link -> post -> read back -> verify.
+#pragma once
+
+#include <string>
+
+#include "pipeline/plan_options.h"
+#include "toolpath/findings.h"
+#include "toolpath/move.h"
+
+namespace clearcut {
+
+struct PlanResult {
+  Part part;            ///< as prepared: every default filled in, everything noticed in its diagnostics
+  std::string program;  ///< text for the controller
+  Toolpath toolpath;    ///< read back from `program`
+  Findings findings;    ///< of `toolpath`
+};
+
+/// Plans, posts and certifies a part.
+/// Throws InputError where the options cannot be met or nothing at all can be cut.
+PlanResult plan(const Part& part, const PlanOptions& options);
+
+/// Judges any program text against a part. `tools` replace the part's, as in PlanOptions.
+struct JudgeResult {
+  Part part;
+  Toolpath toolpath;
+  Findings findings;
+};
+JudgeResult judge(const Part& part, const std::string& program, const std::string& program_name,
+                  const PlanOptions& options);
+
+}  // namespace clearcut

@@ -1,0 +1,43 @@
+#include "pipeline/strategies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "plan/contour.h"
+
+namespace clearcut {
+namespace {
+
+ContourOptions contour_options(const Operation& operation, const PlanOptions& options) {
+  ContourOptions contour;
+  if (options.stepover) contour.step = parse_step_rule(*options.stepover);
+  contour.machine = options.machine;
+  contour.feed = *operation.cutting.feed;
+  return contour;
+}
+
+}  // namespace
+
+const std::vector<std::string>& strategy_names() {
+  static const std::vector<std::string> names{"auto", "contour"};
+  return names;
+}
+
+Strategy strategy_named(const std::string& name, const Operation& operation, const PlanOptions& options) {
+  if (name == "contour") {
+    return [contour = contour_options(operation, options), tol = options.tol](const Layer& layer) {
+      return plan_contour(layer, contour, tol);
+    };
+  }
+  throw InputError("--strategy",
+                   fmt::format("'{}' is unknown; use one of {}", name, fmt::join(strategy_names(), ", ")));
+}
+
+std::vector<std::string> candidates_for(const std::string& name) {
+  if (name != "auto") return {name};
+  return {strategy_names().begin() + 1, strategy_names().end()};
+}
+
+}  // namespace clearcut

@@ -1,0 +1,149 @@
+// The main job: a part in, a certified program out. Every figure is taken from the program's own text, read
+// back.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "pipeline/prepare.h"
+#include "pipeline/run.h"
+#include "read/read_part.h"
+#include "support/command.h"
+#include "support/data.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::data_folder;
+
+PlanOptions with_tool(double diameter) {
+  PlanOptions options;
+  options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
+  return options;
+}
+
+void expect_clean(const PlanResult& result, const std::string& what) {
+  EXPECT_TRUE(result.findings.all.clean) << what;
+  EXPECT_LE(result.findings.all.uncut_thickness_mm, 0.01) << what;
+  EXPECT_LE(result.findings.all.gouge_mm, 0.001) << what;
+  EXPECT_EQ(result.findings.all.rapid_in_material, 0) << what;
+  for (const auto& fault : result.findings.faults) ADD_FAILURE() << what << ": " << fault.text;
+  EXPECT_GT(result.findings.all.feed_mm, 0) << what;
+}
+
+PlanResult plan_outline(const std::string& json, double diameter) {
+  const testing::ScratchFolder folder;
+  return plan(read_part(folder.file("a.json", json), {}), with_tool(diameter));
+}
+
+std::string outline(const std::string& outer, const std::string& islands = "[]") {
+  return R"({"name": "p", "units": "mm", "outer": )" + outer + R"(, "islands": )" + islands +
+         R"(, "top": 0, "depth": 2})";
+}
+
+std::string regular_polygon(int sides, double across_flats) {
+  std::string text;
+  const double radius = across_flats / 2 / std::cos(kPi / sides);
+  for (int i = 0; i < sides; ++i) {
+    const Vec2 p = direction_of(2 * kPi * i / sides) * radius;
+    text += (i ? ",[" : "[") + std::to_string(p.x) + "," + std::to_string(p.y) + ",0]";
+  }
+  return "[" + text + "]";
+}
+
+TEST(MainJob, FishheadIsCleanInEveryWorkingstep) {
+  PlanOptions options;
+  options.stepdown = 2;
+  const auto result =
+      plan(read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
+  ASSERT_EQ(result.findings.features.size(), 10u);
+  for (const auto& feature : result.findings.features) {
+    EXPECT_TRUE(feature.figures.clean) << feature.name;
+    EXPECT_LE(feature.figures.uncut_thickness_mm, 0.01) << feature.name;
+    EXPECT_LE(feature.figures.gouge_mm, 0.001) << feature.name;
+  }
+  expect_clean(result, "fishhead");
+}
+
+TEST(MainJob, PublishedFishheadFileIsCleanToo) {
+  CLEARCUT_SKIP_WITHOUT_DATA();
+  PlanOptions options;
+  options.stepdown = 2;
+  expect_clean(plan(read_part(*data_folder() / "stepnc/fishhead.p21", {}), options), "published fishhead");
+}
+
+TEST(MainJob, ControllersOwnInterpreterAcceptsTheProgram) {
+  if (std::system("command -v rs274 >/dev/null 2>&1") != 0) {
+    GTEST_SKIP() << "LinuxCNC's interpreter (rs274, package linuxcnc-uspace) is not installed";
+  }
+  PlanOptions options;
+  options.stepdown = 2;
+  const auto result =
+      plan(read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
+  const testing::ScratchFolder folder;
+  folder.file("in.ngc", result.program);
+  folder.file("rs274.var", "");
+  folder.file("tool.tbl", "T1 P1 Z0 D6\nT2 P2 Z0 D6\nT3 P3 Z0 D10\nT4 P4 Z0 D40\n");
+  const std::string run = "cd '" + folder.path("") +
+                          "' && HOME=. rs274 -g -t tool.tbl -v rs274.var in.ngc canon.txt " +
+                          ">out.txt 2>err.txt";
+  EXPECT_EQ(std::system(run.c_str()), 0) << read_file(folder.path("err.txt"));
+  EXPECT_NE(read_file(folder.path("canon.txt")).find("PROGRAM_END"), std::string::npos);
+}
+
+class Shapes : public ::testing::TestWithParam<int> {};
+
+TEST_P(Shapes, AreCleanOrRefusedByName) {
+  CLEARCUT_SKIP_WITHOUT_DATA();
+  int planned = 0;
+  for (const auto& entry : fs::directory_iterator(*data_folder() / "shapes")) {
+    const auto name = entry.path().filename().string();
+    if (entry.path().extension() != ".json") continue;
+    const auto part = read_part(entry.path(), {});
+    if (largest_fitting_diameter(part.features.at(0), {}) + Tolerances{}.fit < GetParam()) {
+      EXPECT_THROW(plan(part, with_tool(GetParam())), InputError) << name;
+      continue;
+    }
+    expect_clean(plan(part, with_tool(GetParam())), name + " with " + std::to_string(GetParam()));
+    ++planned;
+  }
+  EXPECT_GE(planned, 15);
+}
+
+INSTANTIATE_TEST_SUITE_P(MainJob, Shapes, ::testing::Values(4, 6, 8, 10));
+
+TEST(MainJob, RoundPocketOf14TakesA10ButNotA16) {
+  const std::string circle = outline("[[93.6,84.055,1],[79.6,84.055,1]]");
+  expect_clean(plan_outline(circle, 10), "10 in 14");
+  EXPECT_THROW(plan_outline(circle, 16), InputError);
+}
+
+/// What breaks other software: sizes where the cutter just fits, centres, necks.
+struct Breaker {
+  const char* name;
+  std::string json;
+  double diameter;
+};
+
+TEST(MainJob, BreakersOfOtherSoftwareAreClean) {
+  const std::string square16 = outline("[[0,0,0],[16,0,0],[16,16,0],[0,16,0]]");
+  const std::string square8 = outline("[[0,0,0],[8,0,0],[8,8,0],[0,8,0]]");
+  const std::string slot = outline("[[0,0,0],[30,0,0],[30,2,0],[0,2,0]]");
+  const std::string island =
+      outline("[[0,0,0],[60,0,0],[60,40,0],[0,40,0]]", "[[[5,10,0],[30,10,0],[30,30,0],[5,30,0]]]");
+  const std::string bowed = outline("[[0,0,0.05],[50,0,0],[50,30,-0.04],[0,30,0]]");
+  for (const auto& breaker :
+       {Breaker{"16 mm square, 6.35", square16, 6.35}, Breaker{"8 mm square, 3", square8, 3},
+        Breaker{"2 mm slot, 2", slot, 2},
+        Breaker{"24-gon 3.3, 3.175", outline(regular_polygon(24, 3.3)), 3.175},
+        Breaker{"island 5 mm from the wall, 8", island, 8}, Breaker{"bowed sides, 6", bowed, 6}}) {
+    expect_clean(plan_outline(breaker.json, breaker.diameter), breaker.name);
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
