@@ -131,10 +131,10 @@ TEST(GcodeCorpus, MovesAsLinuxCncDoes) {
   ASSERT_GT(files.size(), 8U);
   for (const fs::path& file : files) {
     SCOPED_TRACE(file.filename());
-    const testing::CanonProgram canon = testing::run_rs274(read_file(file.string()));
+    const test_support::CanonProgram canon = test_support::run_rs274(read_file(file.string()));
     ASSERT_TRUE(canon.accepted) << canon.message;
     const double tolerance = file.filename() == "spiral_ends.ngc" ? 3e-3 : printed_tolerance(file);
-    testing::expect_same_motion(canon, load(file).toolpath, tolerance);
+    test_support::expect_same_motion(canon, load(file).toolpath, tolerance);
   }
 }
 

@@ -18,7 +18,7 @@ namespace clearcut {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::data_folder;
+using test_support::data_folder;
 
 PlanOptions with_tool(double diameter) {
   PlanOptions options;
@@ -36,7 +36,7 @@ void expect_clean(const PlanResult& result, const std::string& what) {
 }
 
 PlanResult plan_outline(const std::string& json, double diameter) {
-  const testing::ScratchFolder folder;
+  const test_support::ScratchFolder folder;
   return plan(read_part(folder.file("a.json", json), {}), with_tool(diameter));
 }
 
@@ -84,7 +84,7 @@ TEST(MainJob, ControllersOwnInterpreterAcceptsTheProgram) {
   options.stepdown = 2;
   const auto result =
       plan(read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
-  const testing::ScratchFolder folder;
+  const test_support::ScratchFolder folder;
   folder.file("in.ngc", result.program);
   folder.file("rs274.var", "");
   folder.file("tool.tbl", "T1 P1 Z0 D6\nT2 P2 Z0 D6\nT3 P3 Z0 D10\nT4 P4 Z0 D40\n");

@@ -216,9 +216,9 @@ TEST(LinuxCnc, InterpreterMakesTheSameMotionOfRandomPrograms) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::string text = post(RandomPath(seed).toolpath(4, 100), Part{}, options_for("linuxcnc", false));
-    const testing::CanonProgram canon = testing::run_rs274(text);
+    const test_support::CanonProgram canon = test_support::run_rs274(text);
     ASSERT_TRUE(canon.accepted) << canon.message;
-    testing::expect_same_motion(canon, read_gcode(text, "random.ngc").toolpath, 2e-4);
+    test_support::expect_same_motion(canon, read_gcode(text, "random.ngc").toolpath, 2e-4);
     if (HasFailure()) return;
   }
 }
@@ -230,7 +230,7 @@ TEST(LinuxCnc, InterpreterTakesEveryDialectCloseToItsOwn) {
       for (std::uint64_t seed = 100; seed < 102; ++seed) {
         SCOPED_TRACE(dialect + std::to_string(seed));
         const std::string text = post(RandomPath(seed).toolpath(4, 50), Part{}, options_for(dialect, inch));
-        const testing::CanonProgram canon = testing::run_rs274(text);
+        const test_support::CanonProgram canon = test_support::run_rs274(text);
         EXPECT_TRUE(canon.accepted) << canon.message;
       }
     }
@@ -279,7 +279,7 @@ TEST(GrblChecker, KnowsTheErrors) {
       {"G1 X" + std::string(90, '0') + "1 F100", 11},
   };
   for (const auto& [line, error] : rows) {
-    const auto faults = testing::grbl_faults(line);
+    const auto faults = test_support::grbl_faults(line);
     EXPECT_EQ(faults.empty() ? 0 : faults[0].error, error) << line;
   }
 }
@@ -288,7 +288,7 @@ TEST(Grbl, TakesEveryLine) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const std::string text =
         post(RandomPath(seed).toolpath(4, 60), Part{}, options_for("grbl", seed % 2 == 0));
-    for (const auto& fault : testing::grbl_faults(text)) {
+    for (const auto& fault : test_support::grbl_faults(text)) {
       ADD_FAILURE() << "seed " << seed << " line " << fault.line << " error " << fault.error << ": "
                     << fault.text;
     }

@@ -11,7 +11,7 @@
 
 #include "base/file.h"
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ CommandResult run_clearcut(const std::vector<std::string>& arguments) {
   return result;
 }
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support

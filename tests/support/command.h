@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 
 struct CommandResult {
   int exit_code = -1;
@@ -31,4 +31,4 @@ class ScratchFolder {
   std::string folder_;
 };
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support

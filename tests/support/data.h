@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 
 inline std::optional<std::filesystem::path> data_folder() {
   const char* set = std::getenv("CLEARCUT_DATA");
@@ -18,9 +18,9 @@ inline std::optional<std::filesystem::path> data_folder() {
   return folder;
 }
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support
 
 #define CLEARCUT_SKIP_WITHOUT_DATA()                                                        \
-  if (!clearcut::testing::data_folder()) {                                                  \
+  if (!clearcut::test_support::data_folder()) {                                                  \
     GTEST_SKIP() << "the shared data folder is absent; set CLEARCUT_DATA to run this test"; \
   }

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 namespace {
 
 // Error codes.
@@ -262,4 +262,4 @@ std::vector<GrblFault> grbl_faults(const std::string& program) {
   return faults;
 }
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 
 struct GrblFault {
   int line = 0;
@@ -16,4 +16,4 @@ struct GrblFault {
 /// Feeds a program line by line; returns the lines that would be answered by an error.
 std::vector<GrblFault> grbl_faults(const std::string& program);
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support

@@ -12,7 +12,7 @@
 #include "base/units.h"
 #include "support/command.h"
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 namespace {
 
 constexpr int kTools = 20;
@@ -218,4 +218,4 @@ void expect_same_motion(const CanonProgram& canon, const Toolpath& toolpath, dou
   Comparison(tolerance).compare(canon.moves, moves);
 }
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support

@@ -6,7 +6,7 @@
 
 #include "toolpath/move.h"
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 
 /// One motion of the interpreter's canonical output, in mm.
 struct CanonMove {
@@ -32,9 +32,9 @@ CanonProgram run_rs274(const std::string& program);
 /// the control stands at the start is its own affair.
 void expect_same_motion(const CanonProgram& canon, const Toolpath& toolpath, double tolerance);
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support
 
 #define CLEARCUT_SKIP_WITHOUT_RS274()                                                        \
-  if (!clearcut::testing::has_rs274()) {                                                     \
+  if (!clearcut::test_support::has_rs274()) {                                                     \
     GTEST_SKIP() << "rs274 is absent; install the package linuxcnc-uspace to run this test"; \
   }
