@@ -13,11 +13,11 @@ namespace clearcut {
 namespace {
 
 using test_support::CommandResult;
+using test_support::run_clearcut;
+using test_support::ScratchFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using test_support::run_clearcut;
-using test_support::ScratchFolder;
 
 const std::string kSquare = R"({"name": "square", "units": "mm",
   "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2})";

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include "base/error.h"
@@ -13,6 +12,7 @@
 #include "read/read_part.h"
 #include "support/command.h"
 #include "support/data.h"
+#include "support/rs274.h"
 
 namespace clearcut {
 namespace {
@@ -77,22 +77,14 @@ TEST(MainJob, PublishedFishheadFileIsCleanToo) {
 }
 
 TEST(MainJob, ControllersOwnInterpreterAcceptsTheProgram) {
-  if (std::system("command -v rs274 >/dev/null 2>&1") != 0) {
-    GTEST_SKIP() << "LinuxCNC's interpreter (rs274, package linuxcnc-uspace) is not installed";
-  }
+  CLEARCUT_SKIP_WITHOUT_RS274();
   PlanOptions options;
   options.stepdown = 2;
   const auto result =
       plan(read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
-  const test_support::ScratchFolder folder;
-  folder.file("in.ngc", result.program);
-  folder.file("rs274.var", "");
-  folder.file("tool.tbl", "T1 P1 Z0 D6\nT2 P2 Z0 D6\nT3 P3 Z0 D10\nT4 P4 Z0 D40\n");
-  const std::string run = "cd '" + folder.path("") +
-                          "' && HOME=. rs274 -g -t tool.tbl -v rs274.var in.ngc canon.txt " +
-                          ">out.txt 2>err.txt";
-  EXPECT_EQ(std::system(run.c_str()), 0) << read_file(folder.path("err.txt"));
-  EXPECT_NE(read_file(folder.path("canon.txt")).find("PROGRAM_END"), std::string::npos);
+  const auto canon = test_support::run_rs274(result.program);
+  EXPECT_TRUE(canon.accepted) << canon.message;
+  EXPECT_GT(canon.moves.size(), 100u);
 }
 
 class Shapes : public ::testing::TestWithParam<int> {};

@@ -21,6 +21,6 @@ inline std::optional<std::filesystem::path> data_folder() {
 }  // namespace clearcut::test_support
 
 #define CLEARCUT_SKIP_WITHOUT_DATA()                                                        \
-  if (!clearcut::test_support::data_folder()) {                                                  \
+  if (!clearcut::test_support::data_folder()) {                                             \
     GTEST_SKIP() << "the shared data folder is absent; set CLEARCUT_DATA to run this test"; \
   }

@@ -35,6 +35,6 @@ void expect_same_motion(const CanonProgram& canon, const Toolpath& toolpath, dou
 }  // namespace clearcut::test_support
 
 #define CLEARCUT_SKIP_WITHOUT_RS274()                                                        \
-  if (!clearcut::test_support::has_rs274()) {                                                     \
+  if (!clearcut::test_support::has_rs274()) {                                                \
     GTEST_SKIP() << "rs274 is absent; install the package linuxcnc-uspace to run this test"; \
   }
