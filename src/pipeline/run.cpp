@@ -9,6 +9,7 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
+#include "part/standing.h"
 #include "pipeline/prepare.h"
 #include "pipeline/strategies.h"
 #include "plan/layers.h"
@@ -61,12 +62,20 @@ void describe(Section& section, int index, const Part& part, const Workingstep& 
   section.coolant = step.operation.cutting.coolant;
 }
 
+/// The layers of one workingstep, each with only the material that still stands there.
+std::vector<Layer> standing_layers(int index, const Part& part, const PlanOptions& options) {
+  const auto& step = part.workplan[static_cast<std::size_t>(index)];
+  auto layers = layers_of(feature_of(part, step), step.operation, tool_of(part, step).radius(), options.tol);
+  for (auto& layer : layers) layer.target = standing_above(part, index, layer.target, layer.z, options.tol);
+  std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
+  return layers;
+}
+
 /// The fastest section that the wanted strategies give for one workingstep; empty where the cutter does not
 /// fit.
 Section plan_step(int index, const Part& part, const PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
-  const auto layers =
-      layers_of(feature_of(part, step), step.operation, tool_of(part, step).radius(), options.tol);
+  const auto layers = standing_layers(index, part, options);
   Section best;
   double best_time = 0;
   for (const auto& name : candidates_for(options.strategy)) {
