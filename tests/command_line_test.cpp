@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "a.p21:5"},
         BadCase{"BadDxf", "a.dxf", "no drawing", kTool, "a.dxf"},
         BadCase{"BadSvg", "a.svg", "<svg", kTool, "a.svg"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(CommandLine, MissingInputIsNamed) {
   const auto result = run_clearcut({"plan", "/no/such.json", "-o", "/tmp/x.ngc"});

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/tolerances.h"
-#include "toolpath/machine.h"
 #include "part/part.h"
 #include "post/post.h"
+#include "toolpath/machine.h"
 
 namespace clearcut {
 

@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "base/version.h"
+#include "geometry/boolean.h"
 #include "link/link.h"
-#include "part/standing.h"
 #include "pipeline/prepare.h"
 #include "pipeline/strategies.h"
 #include "plan/layers.h"
@@ -63,10 +63,13 @@ void describe(Section& section, int index, const Part& part, const Workingstep& 
 }
 
 /// The layers of one workingstep, each with only the material that still stands there.
-std::vector<Layer> standing_layers(int index, const Part& part, const PlanOptions& options) {
-  const auto& step = part.workplan[static_cast<std::size_t>(index)];
+std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, const PlanOptions& options) {
   auto layers = layers_of(feature_of(part, step), step.operation, tool_of(part, step).radius(), options.tol);
-  for (auto& layer : layers) layer.target = standing_above(part, index, layer.target, layer.z, options.tol);
+  for (auto& layer : layers) {
+    const Regions standing = standing_target(part, step.feature, layer.z, options.tol);
+    const bool leaning = feature_of(part, step).wall_slope.radians() != 0;
+    layer.target = leaning ? intersect(layer.target, standing, options.tol) : standing;
+  }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
   return layers;
 }
@@ -75,7 +78,7 @@ std::vector<Layer> standing_layers(int index, const Part& part, const PlanOption
 /// fit.
 Section plan_step(int index, const Part& part, const PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
-  const auto layers = standing_layers(index, part, options);
+  const auto layers = standing_layers(part, step, options);
   Section best;
   double best_time = 0;
   for (const auto& name : candidates_for(options.strategy)) {
@@ -181,7 +184,8 @@ void sign(PlanResult& result, const Toolpath& planned, const PlanOptions& option
 
 /// One unnumbered tool given for a program that uses one tool: they are the same, whatever its number there.
 PlanOptions numbered_by(const Toolpath& toolpath, PlanOptions options) {
-  if (options.tools.size() != 1 || options.tools.front().number != 0 || toolpath.sections.empty()) return options;
+  if (options.tools.size() != 1 || options.tools.front().number != 0 || toolpath.sections.empty())
+    return options;
   const int number = toolpath.sections.front().tool_number;
   const bool one = std::all_of(toolpath.sections.begin(), toolpath.sections.end(),
                                [&](const Section& section) { return section.tool_number == number; });
