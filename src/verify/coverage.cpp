@@ -151,7 +151,7 @@ class CoverageProof {
   bool settle_uncut(const Cell& cell, const ConvexPolygon& part, const Near& near, bool within_reach) {
     const bool smallest = 2 * cell.half <= smallest_cell();
     const double excess = excess_at(cell.center), thickness = excess + cell.reach();
-    if (thickness <= tol_.uncut && (smallest || within_reach)) return count_covered(thickness);
+    if (thickness <= (smallest ? tol_.uncut : slack_)) return count_covered(thickness);
     // Where more is left elsewhere only the area is still asked for.
     const bool minor = thickness <= worst_thickness_ && cell.half <= question_.radius / kAreaCells;
     const bool all_left = near.swaths.empty() && within_reach && cell.reach() <= 0.05 * excess;
@@ -313,7 +313,8 @@ class CoverageProof {
     const std::vector<Wall>& walls = question_.part->walls();
     question_.part->wall_tree().nearest(p, question_.allowance + lean, [&](int i) {
       found = found || (walls[i].stands_at(question_.z) &&
-                        distance(walls[i].edge, p) < question_.allowance + walls[i].lean(question_.z));
+                        distance(walls[i].edge, p) <
+                            question_.allowance + question_.part->lean(walls[i], question_.z, p));
       return false;
     });
     return found;

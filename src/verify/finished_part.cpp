@@ -72,6 +72,12 @@ bool FinishedPart::holds(const Shape& shape, Vec2 p) const {
   return shape.box.contains(p) && shape.outline.winding(p) != 0;
 }
 
+bool FinishedPart::is_inside(int feature, Vec2 p) const {
+  const auto own =
+      std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.feature == feature; });
+  return own != shapes_.end() && holds(*own, p);
+}
+
 /// Height of the part at p as far as this feature, which holds p, is asked.
 double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   if (shape.slope <= 0) return shape.floor;

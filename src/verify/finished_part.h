@@ -44,6 +44,14 @@ class FinishedPart {
   /// Greatest lean of any wall at any height, mm.
   double greatest_lean() const { return greatest_lean_; }
 
+  /// How far a wall at height z stands inside its outline for a cutter at p: leaning walls only do so towards
+  /// the feature they bound.
+  double lean(const Wall& wall, double z, Vec2 p) const {
+    return wall.slope > 0 && z < wall.top_z && is_inside(wall.feature, p) ? wall.lean(z) : 0.0;
+  }
+  /// Whether p lies within the outline of a feature.
+  bool is_inside(int feature, Vec2 p) const;
+
   double height(Vec2 p) const;
   /// Whether a point at height z is outside the finished part.
   bool is_free(Vec2 p, double z) const { return z >= top_z_ || height(p) <= z; }

@@ -55,10 +55,13 @@ class LevelJudge {
  private:
   void against_wall(const Edge& path, double z, const Wall& wall) {
     if (!wall.stands_at(z + slack_)) return;
-    const double reach = radius_ + wall.lean(z);
     const double half = path.from == path.to ? 0 : path.length() / 2;
-    if (distance(wall.edge, path.from == path.to ? path.from : path.at(0.5)) >= reach + half) return;
-    const double depth = std::min(reach - edge_distance(path, wall.edge), wall.z_high - z);
+    const double farthest = radius_ + wall.lean(z);
+    if (distance(wall.edge, path.from == path.to ? path.from : path.at(0.5)) >= farthest + half) return;
+    const double apart = edge_distance(path, wall.edge);
+    if (apart >= farthest) return;
+    const double lean = wall.slope > 0 ? part_.lean(wall, z, nearest_place(path, wall.edge)) : 0;
+    const double depth = std::min(radius_ + lean - apart, wall.z_high - z);
     if (depth <= 0 || (worst_ && depth <= worst_->depth)) return;
     worst_ = Gouge{depth, {}, z, false, wall.feature};
     worst_wall_ = &wall;

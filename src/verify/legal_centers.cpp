@@ -53,19 +53,17 @@ std::vector<Edge> outline_within(const Edge& edge, double d) {
   return out;
 }
 
-/// Takes from `parts` of the curve what lies nearer than d to `wall`.
-void cut_away(std::vector<Interval>& parts, const Edge& curve, const Edge& wall, double d) {
-  std::vector<double> cuts;
-  for (const Edge& limit : outline_within(wall, d)) {
-    for (const Vec2 p : intersections(curve, limit)) cuts.push_back(nearest(curve, p).t);
-  }
+/// Takes from `parts` of the curve the stretches that are not legal: `cuts` are all places where that may
+/// change.
+template <typename IsLegal>
+void keep_legal(std::vector<Interval>& parts, std::vector<double>& cuts, IsLegal is_legal) {
   std::sort(cuts.begin(), cuts.end());
   std::vector<Interval> kept;
   for (const Interval& part : parts) {
     double from = part.first;
     const auto keep_until = [&](double to) {
       if (to <= from) return;
-      const bool legal = distance(wall, curve.at((from + to) / 2)) >= d;
+      const bool legal = is_legal((from + to) / 2);
       if (legal && !kept.empty() && kept.back().second == from) {
         kept.back().second = to;
       } else if (legal) {
@@ -79,6 +77,12 @@ void cut_away(std::vector<Interval>& parts, const Edge& curve, const Edge& wall,
     keep_until(part.second);
   }
   parts = std::move(kept);
+}
+
+void append_cuts(const Edge& curve, const Edge& wall, double d, std::vector<double>& cuts) {
+  for (const Edge& limit : outline_within(wall, d)) {
+    for (const Vec2 p : intersections(curve, limit)) cuts.push_back(nearest(curve, p).t);
+  }
 }
 
 /// Whether [from, to] is inside one of the intervals.
@@ -165,14 +169,21 @@ void LegalCenters::add_legal_parts(const Edge& curve) {
 
 std::vector<Interval> LegalCenters::legal_parts(const Edge& curve, double allowed) const {
   std::vector<Interval> parts{{0, 1}};
-  const double half = curve.length() / 2;
+  const double half = curve.length() / 2, upright = reach_ - allowed;
   const Vec2 middle = curve.at(0.5);
   part_.wall_tree().overlapping(curve.box().grown(reach_ + part_.greatest_lean()), [&](int i) {
     if (parts.empty()) return;
     const Wall& wall = part_.walls()[i];
-    const double d = reach_ + wall.lean(z_) - allowed;
-    if (!wall.stands_at(z_) || distance(wall.edge, middle) >= d + half) return;
-    if (distance(curve, wall.edge) < d) cut_away(parts, curve, wall.edge, d);
+    const double farthest = upright + wall.lean(z_);
+    if (!wall.stands_at(z_) || distance(wall.edge, middle) >= farthest + half) return;
+    if (distance(curve, wall.edge) >= farthest) return;
+    std::vector<double> cuts;
+    append_cuts(curve, wall.edge, upright, cuts);
+    if (farthest > upright) append_cuts(curve, wall.edge, farthest, cuts);
+    keep_legal(parts, cuts, [&](double t) {
+      const Vec2 p = curve.at(t);
+      return distance(wall.edge, p) >= upright + part_.lean(wall, z_, p);
+    });
   });
   return parts;
 }
@@ -183,7 +194,9 @@ double LegalCenters::clearance_over_reach(Vec2 p) const {
   const double far = reach_ + part_.greatest_lean();
   part_.wall_tree().nearest(p, far, [&](int i) {
     const Wall& wall = part_.walls()[i];
-    if (wall.stands_at(z_)) least = std::min(least, distance(wall.edge, p) - reach_ - wall.lean(z_));
+    if (!wall.stands_at(z_)) return false;
+    const double apart = distance(wall.edge, p) - reach_;
+    if (apart < wall.lean(z_)) least = std::min(least, apart - part_.lean(wall, z_, p));
     return false;
   });
   return least;

@@ -10,6 +10,9 @@ namespace {
 
 /// mm. Material thinner than this, beside or below the cutter, is rounding of printed coordinates.
 constexpr double kFilm = 1e-3;
+/// mm. Depth of cut is that of material this far inside the cutter's circle: slivers that an earlier cutter
+/// left on a wall stand higher, and bear nothing.
+constexpr double kSliver = 0.05;
 /// mm. Longest step between places where contact is measured.
 constexpr double kLongestStep = 0.25;
 
@@ -94,7 +97,7 @@ class LoadMeter {
 
   /// Height of the material before the cutter, well inside what it takes away.
   void measure_axial(JudgedMove& judged, Vec2 center, double heading, double z, const AngleSet& contact) {
-    const double inside = judged.radius() - options_.tol.uncut;
+    const double inside = judged.radius() - kSliver;
     if (inside <= 0) return;
     for (const AngleInterval& item : contact.intervals()) {
       for (const double part : {0.1, 0.5, 0.9}) {
@@ -120,7 +123,7 @@ class LoadMeter {
     const double radius = judged.radius(), z = move.z_to;
     for (const double share : {0.0, 0.5, 1.0}) {
       for (int i = 0; i < 8; ++i) {
-        const Vec2 p = center + direction_of(kPi / 4 * i) * (share * (radius - options_.tol.uncut));
+        const Vec2 p = center + direction_of(kPi / 4 * i) * (share * (radius - kSliver));
         measure_axial_at(judged, p, center, z);
       }
     }
