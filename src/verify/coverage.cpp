@@ -142,7 +142,7 @@ class CoverageProof {
     const bool within_reach = list_legals(cell, part, parents.legals, near.legals);
     if (cell.legality == Legality::kNone) {
       if (near.legals.empty()) return count_unreachable(cell, part);
-      if (program_follows(near.legals)) return count_corner(cell, near.legals);
+      if (program_follows(near.legals)) return count_corner(cell, near);
     }
     return cell.half <= question_.radius / 4 && settle_uncut(cell, part, near, within_reach);
   }
@@ -172,7 +172,7 @@ class CoverageProof {
     return false;
   }
 
-  bool beside_target(Cell& cell, Range from, Range& out) {
+  bool beside_target(Cell& cell, const Range from, Range& out) {
     if (!cell.on_outline) return false;
     out.begin = end(outline_);
     for (int k = from.begin; k < from.end; ++k) {
@@ -266,8 +266,8 @@ class CoverageProof {
       }
     }
     const double good = slack_ / 5;
-    if (bound <= good || point || curve.length() < good) return bound;
     if (at_middle > tol_.uncut) return kInfinite;
+    if (bound <= 1.1 * at_middle + good || point || curve.length() < good) return bound;
     const double first = deviation_of_program(curve.part(0, 0.5));
     return first > tol_.uncut ? first : std::max(first, deviation_of_program(curve.part(0.5, 1)));
   }
@@ -305,10 +305,12 @@ class CoverageProof {
     return true;
   }
 
+  bool may_have_film() const { return question_.allowance > 0 || question_.part->greatest_lean() > 0; }
+
   /// Whether p lies in what is to be left on a wall.
   bool in_film(Vec2 p) const {
+    if (!may_have_film()) return false;
     const double lean = question_.part->greatest_lean();
-    if (question_.allowance <= 0 && lean <= 0) return false;
     bool found = false;
     const std::vector<Wall>& walls = question_.part->walls();
     question_.part->wall_tree().nearest(p, question_.allowance + lean, [&](int i) {
@@ -321,18 +323,47 @@ class CoverageProof {
   }
 
   /// Adds what no centre reaches of a cell that the program is known to have cut as far as it can.
-  bool count_corner(const Cell& cell, Range legals) {
-    double least = kInfinite;
-    for (int k = legals.begin; k < legals.end; ++k) {
-      least = std::min(least, distance(legal_.boundary().edges()[legals_[k]], cell.center));
+  bool count_corner(Cell cell, Near near) {
+    const int marks[] = {end(outline_), end(legals_)};
+    if (!settle_corner(cell, near)) {
+      for (int i = 0; i < 4; ++i) count_corner(cell.quarter(i), near);
     }
-    if (least + cell.reach() <= question_.radius) return true;
-    if (2 * cell.half > question_.radius / kCornerCells) {
-      for (int i = 0; i < 4; ++i) count_corner(cell.quarter(i), legals);
-    } else if (least > question_.radius && target_.winding(cell.center) != 0 && !in_film(cell.center)) {
-      result_.unreachable_mm2 += 4 * cell.half * cell.half;
-    }
+    outline_.resize(marks[0]);
+    legals_.resize(marks[1]);
     return true;
+  }
+
+  bool settle_corner(Cell& cell, Near& near) {
+    if (beside_target(cell, near.outline, near.outline)) return true;
+    const double least = keep_nearest_legals(cell, near.legals);
+    if (least + cell.reach() <= question_.radius) return true;
+    const double area = 4 * cell.half * cell.half;
+    const bool beyond = least > question_.radius;
+    if (2 * cell.half <= question_.radius / kCornerCells) {
+      if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) && !in_film(cell.center)) {
+        result_.unreachable_mm2 += area;
+      }
+      return true;
+    }
+    if (cell.on_outline || least - cell.reach() <= question_.radius || may_have_film()) return false;
+    result_.unreachable_mm2 += area;
+    return true;
+  }
+
+  /// Narrows the list to the edges that may be nearest to a point of the cell; returns the distance of the
+  /// centre.
+  double keep_nearest_legals(const Cell& cell, Range& legals) {
+    double least = kInfinite;
+    const auto apart = [&](int k) { return distance(legal_.boundary().edges()[legals_[k]], cell.center); };
+    const Range from = legals;
+    for (int k = from.begin; k < from.end; ++k) least = std::min(least, apart(k));
+    if (from.end - from.begin == 1) return least;
+    legals.begin = end(legals_);
+    for (int k = from.begin; k < from.end; ++k) {
+      if (apart(k) <= least + 2 * cell.reach()) legals_.push_back(legals_[k]);
+    }
+    legals.end = end(legals_);
+    return least;
   }
 
   const CoverageQuestion& question_;
