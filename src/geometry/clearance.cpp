@@ -97,7 +97,7 @@ struct Clearance::Impl {
   Impl(const Region& of, const Tolerances& with)
       : region(of),
         tol(with),
-        diagram(voronoi::make_diagram(voronoi::make_sites(of, kTopologyError, kSimplify))) {
+        diagram(voronoi::make_diagram(voronoi::make_sites(of, kTopologyError, kSimplify), of)) {
     axis = voronoi::make_axis(diagram);
     centers = voronoi::find_centers(axis, diagram, tol.fit);
   }

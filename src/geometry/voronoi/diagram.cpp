@@ -20,12 +20,14 @@ std::size_t index(int i) {
 constexpr double kOnBoundaryUnits = 2;
 /// mm. Spread of the exact distances at a node below which it is solved.
 constexpr double kSolved = 1e-9;
+/// mm. Corrections up to this need no check; a wall nearer than a node's own by this is an error.
+constexpr double kSafeMove = 1e-4;
 /// mm. Arcs whose centres and radii agree to this are of one circle.
 constexpr double kSameCircle = 1e-6;
 
 class Maker {
  public:
-  explicit Maker(Sites sites) { out_.sites = std::move(sites); }
+  Maker(Sites sites, const Region& region) : region_(region) { out_.sites = std::move(sites); }
 
   Diagram run() {
     build();
@@ -39,8 +41,6 @@ class Maker {
   }
 
  private:
-  enum Side : char { kUnknown, kInside, kOutside, kOn };
-
   const Segment& segment(int i) const { return out_.sites.segments[index(i)]; }
   const Grid& grid() const { return out_.sites.grid; }
 
@@ -99,51 +99,72 @@ class Maker {
   }
 
   void find_sides() {
-    sides_.assign(out_.nodes.size(), kUnknown);
-    // Measured against a segment where there is one; point cells serve for the clearance only.
-    for (std::size_t h = 0; h < out_.origin.size(); ++h) {
-      const int v = out_.origin[h], cell = out_.cell[h];
-      if (v < 0) continue;
-      Node& node = out_.nodes[index(v)];
-      if (sides_[index(v)] == kUnknown) {
-        node.clearance = grid_distance(cell, node.point);
-        if (node.clearance <= kOnBoundaryUnits * grid().unit) sides_[index(v)] = kOn;
-      }
-      if (sides_[index(v)] != kUnknown || out_.cell_segment[index(cell)] < 0 ||
-          out_.cell_back[index(cell)] >= 0)
-        continue;
-      const Segment& s = segment(out_.cell_segment[index(cell)]);
-      const Vec2 a = grid().to_mm(s.from), b = grid().to_mm(s.to);
-      sides_[index(v)] = cross(b - a, node.point - a) > 0 ? kInside : kOutside;
-    }
-    spread_sides();
-    out_.inside.resize(sides_.size());
-    for (std::size_t i = 0; i < sides_.size(); ++i) out_.inside[i] = sides_[i] == kInside ? 1 : 0;
-  }
-
-  /// Nodes among points and doubled walls only take the side of a neighbour across edges that keep clear of
-  /// the boundary.
-  void spread_sides() {
-    std::vector<int> queue;
+    measure_nodes();
+    out_.inside.assign(out_.nodes.size(), 0);
+    std::vector<char> seen(out_.nodes.size(), 0);
     for (std::size_t h = 0; h < out_.origin.size(); ++h) {
       const int v = out_.origin[h];
-      if (v >= 0 && (sides_[index(v)] == kInside || sides_[index(v)] == kOutside))
-        queue.push_back(static_cast<int>(h));
+      if (v < 0 || seen[index(v)] != 0 || is_on_boundary(v)) continue;
+      const std::vector<int> face = face_from(static_cast<int>(h), seen);
+      if (!is_inside(face)) continue;
+      for (const int half_edge : face) out_.inside[index(out_.origin[index(half_edge)])] = 1;
     }
-    if (std::find(sides_.begin(), sides_.end(), kUnknown) == sides_.end()) return;
-    while (!queue.empty()) {
-      const int h = queue.back();
-      queue.pop_back();
-      const int v = out_.origin[index(h)], w = out_.origin[index(Diagram::twin(h))];
-      if (w < 0 || sides_[index(w)] != kUnknown || runs_through_point(h)) continue;
-      sides_[index(w)] = sides_[index(v)];
-      const int start = Diagram::twin(h);
-      int around = start;
+  }
+
+  void measure_nodes() {
+    for (std::size_t h = 0; h < out_.origin.size(); ++h) {
+      if (out_.origin[h] < 0) continue;
+      Node& node = out_.nodes[index(out_.origin[h])];
+      node.clearance = grid_distance(out_.cell[h], node.point);
+    }
+  }
+
+  bool is_on_boundary(int v) const {
+    return out_.nodes[index(v)].clearance <= kOnBoundaryUnits * grid().unit;
+  }
+
+  /// One half-edge out of each node of the connected area around the start of h: Voronoi edges never cross a
+  /// segment, but for those that run through an end point.
+  std::vector<int> face_from(int h, std::vector<char>& seen) const {
+    std::vector<int> face{h};
+    seen[index(out_.origin[index(h)])] = 1;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      int around = face[i];
       do {
-        queue.push_back(around);
+        const int w = out_.origin[index(Diagram::twin(around))];
+        if (w >= 0 && seen[index(w)] == 0 && !is_on_boundary(w) && !runs_through_point(around)) {
+          seen[index(w)] = 1;
+          face.push_back(Diagram::twin(around));
+        }
         around = out_.next[index(Diagram::twin(around))];
-      } while (around != start);
+      } while (around != face[i]);
     }
+    return face;
+  }
+
+  /// What the direction of the segments around says; where they disagree (crossings that rounding made, walls
+  /// of no thickness) the region itself is asked at the widest place.
+  bool is_inside(const std::vector<int>& face) const {
+    bool any_left = false, any_right = false;
+    int widest = out_.origin[index(face.front())];
+    for (const int h : face) {
+      const int v = out_.origin[index(h)];
+      if (out_.nodes[index(v)].clearance > out_.nodes[index(widest)].clearance) widest = v;
+      int around = h;
+      do {
+        const int s = out_.cell_segment[index(out_.cell[index(around)])];
+        around = out_.next[index(Diagram::twin(around))];
+        if (s < 0 || segment(s).back_element >= 0) continue;
+        (is_left(segment(s), out_.nodes[index(v)].point) ? any_left : any_right) = true;
+      } while (around != h);
+    }
+    if (any_left != any_right) return any_left;
+    return region_.contains(out_.nodes[index(widest)].point);
+  }
+
+  bool is_left(const Segment& s, Vec2 p) const {
+    const Vec2 a = grid().to_mm(s.from), b = grid().to_mm(s.to);
+    return cross(b - a, p - a) > 0;
   }
 
   /// The end point shared by the two cells of a half-edge when one is a segment and the other its end.
@@ -191,20 +212,57 @@ class Maker {
   }
 
   void correct_nodes() {
+    find_open_centers();
     std::vector<char> done(out_.nodes.size(), 0);
     for (std::size_t h = 0; h < out_.origin.size(); ++h) {
       const int v = out_.origin[h];
       if (v < 0 || done[index(v)] != 0 || out_.inside[index(v)] == 0) continue;
       done[index(v)] = 1;
       Node& node = out_.nodes[index(v)];
-      node = exact_node(elements_around(static_cast<int>(h), node.point), node.point);
+      const Around around = elements_around(static_cast<int>(h), node.point);
+      const Node exact = exact_node(around, node.point);
+      // A far move may have left the place where these elements are the nearest.
+      const bool moved = norm_squared(exact.point - node.point) > kSafeMove * kSafeMove;
+      node = moved && !is_nearest_nearby(static_cast<int>(h), exact) ? unmoved(around, node.point) : exact;
     }
   }
 
+  /// For each concave arc, whether its centre is nowhere nearer to one of the walls next to it in the
+  /// diagram.
+  void find_open_centers() {
+    center_open_.assign(out_.sites.elements.size(), 1);
+    for (std::size_t h = 0; h < out_.origin.size(); ++h) {
+      const int a = out_.cell_element[index(out_.cell[h])];
+      const Element& arc = out_.element(a);
+      if (arc.wall != Wall::kConcave || out_.origin[h] < 0) continue;
+      if (center_open_[index(a)] == 0 || out_.inside[index(out_.origin[h])] == 0) continue;
+      const int other = out_.cell[index(Diagram::twin(static_cast<int>(h)))];
+      const int b = out_.element_near(other, out_.nodes[index(out_.origin[h])].point);
+      if (b == a) continue;
+      center_open_[index(a)] = distance(out_.element(b), arc.edge.center) >= arc.radius - kSameCircle ? 1 : 0;
+    }
+  }
+
+  /// No element at the next nodes is nearer to a corrected node than its own.
+  bool is_nearest_nearby(int first, const Node& node) const {
+    int h = first;
+    do {
+      const int beyond = Diagram::twin(out_.next[index(h)]);
+      const int cell = out_.cell[index(beyond)];
+      if (distance(out_.element(out_.element_near(cell, node.point)), node.point) <
+          node.clearance - kSafeMove)
+        return false;
+      h = out_.next[index(Diagram::twin(h))];
+    } while (h != first);
+    return true;
+  }
+
+  Node unmoved(const Around& around, Vec2 p) const { return {p, distance_range(around, p).first}; }
+
   Node exact_node(const Around& around, Vec2 start) const {
     const Element& first = out_.element(around.elements[0]);
-    if (is_one_circle(around)) return {first.edge.center, first.radius};
-    if (around.count == 1) return {start, distance(first, start)};
+    if (is_open_circle(around)) return {first.edge.center, first.radius};
+    if (around.count == 1) return unmoved(around, start);
     Node best{start, 0};
     double best_spread = std::numeric_limits<double>::infinity();
     Vec2 p = start;
@@ -221,12 +279,13 @@ class Maker {
   }
 
   /// Whether only concave arcs of one circle meet: all that the diagram shows there is how the arc was cut.
-  bool is_one_circle(const Around& around) const {
+  bool is_open_circle(const Around& around) const {
     const Element& first = out_.element(around.elements[0]);
     for (int i = 0; i < around.count; ++i) {
       const Element& e = out_.element(around.elements[index(i)]);
       if (e.wall != Wall::kConcave || std::abs(e.radius - first.radius) > kSameCircle ||
-          norm(e.edge.center - first.edge.center) > kSameCircle) {
+          norm(e.edge.center - first.edge.center) > kSameCircle ||
+          center_open_[index(around.elements[index(i)])] == 0) {
         return false;
       }
     }
@@ -298,9 +357,10 @@ class Maker {
     out_.inside.push_back(node.clearance > 0 ? 1 : 0);
   }
 
+  const Region& region_;
   Diagram out_;
   std::vector<GridPoint> points_;  ///< of each point cell
-  std::vector<char> sides_;
+  std::vector<char> center_open_;  ///< of each element
 };
 
 }  // namespace
@@ -313,8 +373,8 @@ int Diagram::element_near(int cell_index, Vec2 p) const {
   return cross(b - a, p - a) >= 0 ? cell_element[i] : cell_back[i];
 }
 
-Diagram make_diagram(Sites sites) {
-  return Maker(std::move(sites)).run();
+Diagram make_diagram(Sites sites, const Region& region) {
+  return Maker(std::move(sites), region).run();
 }
 
 }  // namespace clearcut::voronoi

@@ -35,6 +35,6 @@ struct Diagram {
   const Element& element(int i) const { return sites.elements[static_cast<std::size_t>(i)]; }
 };
 
-Diagram make_diagram(Sites sites);
+Diagram make_diagram(Sites sites, const Region& region);
 
 }  // namespace clearcut::voronoi

@@ -155,9 +155,10 @@ class Tracer {
     const int a = cut.a >= 0 ? cut.a : cut.b, b = cut.b >= 0 ? cut.b : cut.a;
     const Node &p = diagram_.nodes[index(a)], &q = diagram_.nodes[index(b)];
     const double rise = q.clearance - p.clearance, d = levels_[index(cut.level)];
-    const double t = rise != 0 ? std::clamp((d - p.clearance) / rise, 0.0, 1.0) : 0.0;
-    const Vec2 guess = lerp(p.point, q.point, t);
-    return {diagram_.element_near(cut.cell, guess), guess, p.point, q.point};
+    const double t = rise != 0 ? (d - p.clearance) / rise : 0.0;
+    const bool beyond = t < 0 || t > 1;
+    const Vec2 guess = lerp(p.point, q.point, std::clamp(t, 0.0, 1.0));
+    return {diagram_.element_near(cut.cell, guess), guess, p.point, q.point, beyond, false};
   }
 
   const Diagram& diagram_;

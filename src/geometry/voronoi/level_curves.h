@@ -14,6 +14,8 @@ struct Piece {
   Vec2 guess;
   Vec2 low;
   Vec2 high;
+  bool at_node = false;  ///< the bisector ends before it reaches the level exactly: start at `guess`
+  bool mended = false;   ///< pieces before it were dropped: the joint may lie off the bisector
 };
 
 /// Closed; the material at this depth lies on the left. Neighbouring pieces are of different elements, but

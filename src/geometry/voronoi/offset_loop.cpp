@@ -38,7 +38,9 @@ class Assembler {
     if (pieces_.size() == 1) return full_circle();
     if (pieces_.empty()) return std::nullopt;
     solve_joints();
-    collapse_reversed();
+    while (drop_reversed()) {
+      if (pieces_.size() < 2) return std::nullopt;
+    }
     return emit();
   }
 
@@ -52,6 +54,8 @@ class Assembler {
     const Piece& gone = piece(i);
     after.low = gone.guess;
     after.high = after.guess;
+    after.at_node = false;
+    after.mended = true;
     after.guess = lerp(gone.guess, after.guess, 0.5);
     pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(i));
   }
@@ -67,12 +71,19 @@ class Assembler {
     }
   }
 
+  /// Whether neighbours that go on to meet without the arc stay within the slack of it.
+  bool is_shrunken(const Element& arc) const {
+    const double left = arc.radius - d_, half = std::abs(arc.edge.sweep()) / 2;
+    if (left <= kCoincident) return true;
+    return left < slack_ && half < kPi / 2 && left * (1 / std::cos(half) - 1) < slack_ / 2;
+  }
+
   /// Concave arcs whose offset has (almost) shrunk to their centre.
   void drop_shrunken_arcs() {
     bool dropped = false;
     for (std::size_t i = 0; i < pieces_.size();) {
       const Element& e = element(pieces_[i]);
-      if (e.wall == Wall::kConcave && e.radius - d_ < slack_) {
+      if (e.wall == Wall::kConcave && is_shrunken(e)) {
         drop(i);
         dropped = true;
       } else {
@@ -103,7 +114,10 @@ class Assembler {
     drop_false_vertices();
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const Element &a = element(piece(i + pieces_.size() - 1)), &b = element(piece(i));
-      if (!are_neighbours(a, b) || opening(a.edge, b.edge) <= kSmooth || !starts_beside_vertex(i)) continue;
+      if (!are_neighbours(a, b)) continue;
+      const double wide = opening(a.edge, b.edge);
+      // The chords hide a turn of at most half a step each: a wider one has its own cell in the diagram.
+      if (wide <= kSmooth || wide > d_ * kPi / 2 || !starts_beside_vertex(i)) continue;
       insert_vertex(i);
       ++i;
     }
@@ -138,8 +152,9 @@ class Assembler {
     const Element &a = element(piece(i + pieces_.size() - 1)), &b = element(piece(i));
     const Vec2 v = a.edge.to;
     const Vec2 start = v + left_of(a.edge.tangent_at(1)) * d_, end = v + left_of(b.edge.tangent_at(0)) * d_;
-    Piece arc{a.end_vertex, start, start, start};
+    const Piece arc{a.end_vertex, start, start, start, false, false};
     piece(i).guess = piece(i).low = piece(i).high = end;
+    piece(i).at_node = false;
     pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(i), arc);
   }
 
@@ -167,30 +182,38 @@ class Assembler {
     if (are_neighbours(a, b) && std::abs(opening(a.edge, b.edge)) <= kSmooth && starts_beside_vertex(i)) {
       return beside_vertex(a, b);
     }
+    if (here.at_node) return here.guess;
     const auto met = meeting_near(offset_curve(a, d_), offset_curve(b, d_), here.guess, slack_);
-    const double reach = 0.5 * fast_norm(here.high - here.low) + 20 * slack_;
+    // Chords within the slack of an arc turn by up to the root of it.
+    const double root = here.mended ? 2 * std::sqrt(slack_ * d_) : 0;
+    const double reach = 0.5 * fast_norm(here.high - here.low) + 20 * slack_ + root;
     if (met && distance_to_segment(*met, here.low, here.high) <= reach) return *met;
     return here.guess;
   }
 
   Vec2 joint(std::size_t i) const { return joints_[i % joints_.size()]; }
 
-  /// A piece that runs against its direction by no more than the slack is a point.
-  void collapse_reversed() {
+  /// A piece that would run against its direction exists in the diagram only: its neighbours meet without it.
+  bool drop_reversed() {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (!runs_backwards(i)) continue;
-      const Vec2 middle = lerp(joint(i), joint(i + 1), 0.5);
-      joints_[i] = joints_[(i + 1) % joints_.size()] = middle;
+      drop(i);
+      merge_equal_neighbours();
+      if (!pieces_.empty()) solve_joints();
+      return true;
     }
+    return false;
   }
 
   bool runs_backwards(std::size_t i) {
     const OffsetCurve curve = offset_curve(element(piece(i)), d_);
-    const Vec2 step = joint(i + 1) - joint(i);
-    if (curve.straight) return dot(step, curve.direction) < 0;
-    const Vec2 along = left_of(joint(i) - curve.point) * static_cast<double>(curve.turn);
-    // An arc that would go all but round for a step back of a few slacks.
-    return dot(step, along) < 0 && fast_norm(step) < 10 * slack_;
+    if (curve.straight) return dot(joint(i + 1) - joint(i), curve.direction) < -kCoincident;
+    // The offset of an arc turns no farther than the arc, that of a vertex no farther than half round. An arc
+    // that runs a little backwards seems to go nearly all round instead.
+    const Edge& source = element(piece(i)).edge;
+    const double most = source.is_arc() ? std::abs(source.sweep()) : kPi;
+    const Edge arc = Edge::arc(joint(i), joint(i + 1), curve.point, curve.turn);
+    return arc.from != arc.to && std::abs(arc.sweep()) > (most + 2 * kPi) / 2;
   }
 
   std::optional<Loop> emit() {
