@@ -512,7 +512,7 @@ Region read_shape(const std::filesystem::path& file) {
 TEST(GeometryProperty, InsetsOfTheSharedShapes) {
   CLEARCUT_SKIP_WITHOUT_DATA();
   int shapes = 0;
-  for (const auto& file : std::filesystem::directory_iterator(*testing::data_folder() / "shapes")) {
+  for (const auto& file : std::filesystem::directory_iterator(*test_support::data_folder() / "shapes")) {
     if (file.path().extension() != ".json") continue;
     ++shapes;
     const Region region = read_shape(file.path());
