@@ -27,17 +27,18 @@ void P21Lexer::fail(const std::string& what_and_what_to_do) const {
 
 std::string P21Lexer::shown() const {
   constexpr std::size_t kLongest = 40;
+  std::string piece(text.substr(0, kLongest));
+  for (char& c : piece)
+    if (c >= '\0' && c < ' ') c = ' ';
   switch (token) {
     case P21Token::kEnd:
       return "the end of the file";
     case P21Token::kReference:
       return "#" + std::string(text);
-    case P21Token::kString:
-      return "'" + std::string(text.substr(0, kLongest)) + "'";
     case P21Token::kEnum:
-      return "." + std::string(text.substr(0, kLongest)) + ".";
+      return "." + piece + ".";
     default:
-      return "'" + std::string(text.substr(0, kLongest)) + "'";
+      return "'" + piece + "'";
   }
 }
 

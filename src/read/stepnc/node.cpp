@@ -20,10 +20,13 @@ std::string upper(std::string_view text) {
   return result;
 }
 
-std::string trimmed_blanks(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
+/// One line, without blanks at its ends.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (c >= '\0' && c < ' ') c = ' ';
+  const auto first = text.find_first_not_of(' ');
   if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+  return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 }  // namespace
@@ -113,6 +116,12 @@ std::optional<Node> Node::ref(std::size_t i) const {
   return resolve(v);
 }
 
+std::optional<Node> Node::sound_ref(std::size_t i) const {
+  const P21Value v = value(i);
+  const P21Entity* entity = v.kind == P21Kind::kReference ? file_->find(v.id) : nullptr;
+  return entity == nullptr ? std::nullopt : std::optional(Node(*file_, *entity));
+}
+
 Node Node::needed_ref(std::size_t i, std::string_view what) const {
   auto result = ref(i);
   if (!result) fail("no " + std::string(what) + " (argument " + std::to_string(i + 1) + "); give one");
@@ -151,7 +160,7 @@ std::vector<double> Node::numbers(std::size_t i) const {
 
 std::string Node::text(std::size_t i) const {
   const P21Value v = value(i);
-  return v.kind == P21Kind::kString ? trimmed_blanks(p21_decoded(v.text)) : "";
+  return v.kind == P21Kind::kString ? one_line(p21_decoded(v.text)) : "";
 }
 
 std::string Node::enumeration(std::size_t i) const {
@@ -189,7 +198,7 @@ constexpr AnglePlace kAngles[] = {{"PLUNGE_RAMP", 1},
                                   {"CONICAL_HOLE_BOTTOM", 0},
                                   {"MILLING_TOOL_DIMENSION", 1},
                                   {"TOOL_DIMENSION", 1}};
-constexpr double kFastestSpindle = 700;  // 1/s: 42 000 rpm
+constexpr double kFastestSpindle = 1000;  // 1/s: 60 000 rpm
 
 std::optional<double> plain_number(const P21File& file, const P21Record& record, std::size_t i) {
   const auto arguments = file.arguments(record);
@@ -210,7 +219,7 @@ Context::Context(const P21File& file_in, const Tolerances& tol_in) : file(file_i
     }
     if (record.keyword != "MILLING_TECHNOLOGY") continue;
     const auto spindle = plain_number(file, record, 3);
-    if (spindle && std::abs(*spindle) > kFastestSpindle) spindle_rpm = true;
+    if (spindle && std::abs(*spindle) >= kFastestSpindle) spindle_rpm = true;
   }
 }
 

@@ -42,6 +42,8 @@ class Node {
   std::optional<double> length(std::size_t i) const;
   double needed_length(std::size_t i, std::string_view what) const;
   std::optional<Node> ref(std::size_t i) const;
+  /// ref() for what can be done without: nothing where the reference is broken.
+  std::optional<Node> sound_ref(std::size_t i) const;
   Node needed_ref(std::size_t i, std::string_view what) const;
   /// References in a list; unset gives none, a single reference gives one.
   std::vector<Node> refs(std::size_t i) const;
@@ -75,7 +77,7 @@ class Context {
   Tolerances tol;
   Diagnostics diagnostics;
   bool degrees = false;      ///< angles are in degrees (some angle is above 2 pi), else radians
-  bool spindle_rpm = false;  ///< spindle speeds are in rpm (some are above 700 per second), else 1/s
+  bool spindle_rpm = false;  ///< spindle speeds are in rpm (some are 1000 per second or more), else 1/s
 
   /// File's angle to radians.
   double angle(double value) const;

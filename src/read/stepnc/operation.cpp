@@ -210,6 +210,7 @@ void read_properties(const Node& functions, Operation& operation) {
     if (name == "RAMP FEED") operation.cutting.ramp_feed = MmPerMin::of(*number);
     if (name == "SLOT FEED") operation.cutting.slot_feed = MmPerMin::of(*number);
     if (name == "SCALLOP HEIGHT") operation.scallop = *number;
+    if (name == "STEPOVER") operation.stepover = *number;
   }
 }
 

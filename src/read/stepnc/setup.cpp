@@ -86,8 +86,8 @@ Program read_program(Context& context) {
     plan.fail("the workplan holds no machining workingstep; there is nothing to make");
   for (const Node& step : program.workingsteps) {
     if (program.workpiece) break;
-    const auto feature = step.ref(2);
-    if (feature) program.workpiece = feature->ref(1);
+    const auto feature = step.sound_ref(2);
+    if (feature) program.workpiece = feature->sound_ref(1);
   }
   return program;
 }
@@ -199,8 +199,13 @@ std::optional<double> read_clearance(const Program& program, Context& context) {
     first = false;
     if (const auto plane = setup->ref(2)) raise(*plane);
   }
-  for (const Node& step : program.workingsteps)
-    if (const auto plane = step.ref(1)) raise(*plane);
+  for (const Node& step : program.workingsteps) {
+    try {
+      if (const auto plane = step.ref(1)) raise(*plane);
+    } catch (const InputError&) {
+      context.note("its security plane cannot be read; that of the set-up holds", step);
+    }
+  }
   return highest;
 }
 

@@ -77,7 +77,7 @@ class Reader {
 /// Reads the feature of every workingstep once; what fails is remembered for its workingsteps.
 void Reader::draft_features() {
   for (const Node& step : program_.workingsteps) {
-    const auto feature = step.ref(2);
+    const auto feature = step.sound_ref(2);
     if (!feature || draft_of_.count(feature->id()) || bad_features_.count(feature->id())) continue;
     try {
       drafts_.push_back(draft_feature(*feature, context_));
@@ -102,7 +102,8 @@ void Reader::choose_depth_reading() {
   for (const Draft& draft : drafts_) {
     if (!draft.through && draft.placement_z + draft.depth_z < stock.z_bottom - kLevel)
       below.push_back(&draft);
-    absolute_fits = absolute_fits && draft.depth_z < stock.z_top && draft.depth_z > stock.z_bottom - kLevel;
+    absolute_fits = absolute_fits && draft.depth_z < stock.z_top && draft.depth_z > stock.z_bottom - kLevel &&
+                    draft.depth_z < draft.placement_z + kLevel;
   }
   if (below.empty()) return;
   if (!absolute_fits) {

@@ -1,0 +1,630 @@
+// What each entity of ISO 14649 comes to. Files of real writers are read in tests/stepnc_test.cpp.
+#include "read/stepnc/stepnc.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "base/error.h"
+
+namespace clearcut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A program on a block x 0..100, y 0..80, z -20..0 with one workingstep (#10) on the feature #20, 5 mm deep,
+/// by a 10 mm end mill. Entities given by number replace or add to these.
+class Program {
+ public:
+  Program& with(int id, const std::string& entity) {
+    entities_[id] = entity;
+    return *this;
+  }
+  Program& feature(const std::string& entity) { return with(20, entity); }
+
+  std::string text() const {
+    std::string out = "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('" + schema_ + "'));\nENDSEC;\nDATA;\n";
+    for (const auto& [id, entity] : entities_) out += "#" + std::to_string(id) + "=" + entity + ";\n";
+    return out + "ENDSEC;\nEND-ISO-10303-21;\n";
+  }
+  Program& schema(const std::string& name) {
+    schema_ = name;
+    return *this;
+  }
+  Part read() const { return read_stepnc(text(), "t.p21", {}); }
+  std::string error() const {
+    try {
+      read();
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+
+ private:
+  std::string schema_ = "MACHINING_SCHEMA";
+  std::map<int, std::string> entities_ = {
+      {1, "PROJECT('P',#2,(#3),$,$,$)"},
+      {2, "WORKPLAN('MAIN',(#10),$,#4,$)"},
+      {3, "WORKPIECE('WP',$,$,$,$,#5,())"},
+      {4, "SETUP('S',$,#7,(#9))"},
+      {5, "BLOCK('B',#6,100.,80.,20.)"},
+      {6, "AXIS2_PLACEMENT_3D('',#60,$,$)"},
+      {60, "CARTESIAN_POINT('',(0.,0.,-20.))"},
+      {7, "PLANE('SECURITY',#8)"},
+      {8, "AXIS2_PLACEMENT_3D('',#61,$,$)"},
+      {61, "CARTESIAN_POINT('',(0.,0.,30.))"},
+      {9, "WORKPIECE_SETUP(#3,#21,$,$,())"},
+      {10, "MACHINING_WORKINGSTEP('WS1',#7,#20,#30,$)"},
+      {20, "CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),$,#26,$,$,#27)"},
+      {21, "AXIS2_PLACEMENT_3D('',#22,$,$)"},
+      {22, "CARTESIAN_POINT('',(0.,0.,0.))"},
+      {23, "PLANE('DEPTH',#24)"},
+      {24, "AXIS2_PLACEMENT_3D('',#25,$,$)"},
+      {25, "CARTESIAN_POINT('',(0.,0.,-5.))"},
+      {26, "PLANAR_POCKET_BOTTOM_CONDITION()"},
+      {27, "RECTANGULAR_CLOSED_PROFILE(#28,#62,#63)"},
+      {28, "AXIS2_PLACEMENT_3D('',#29,$,$)"},
+      {29, "CARTESIAN_POINT('',(50.,40.,0.))"},
+      {62, "TOLERANCED_LENGTH_MEASURE(20.,$)"},
+      {63, "TOLERANCED_LENGTH_MEASURE(60.,$)"},
+      {30, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',8.,$,#31,#34,#35,$,#36,$,#37,2.,4.,0.3,0.1)"},
+      {31, "MILLING_CUTTING_TOOL('T5',#32,(),$,$,$)"},
+      {32, "ENDMILL(#33,3,.RIGHT.,$,$)"},
+      {33, "MILLING_TOOL_DIMENSION(10.,$,$,25.,0.5,$,$)"},
+      {34, "MILLING_TECHNOLOGY(0.01,.TCP.,$,-100.,$,$,$,$,$)"},
+      {35, "MILLING_MACHINE_FUNCTIONS(.T.,$,$,.F.,$,(),.F.,$,$,())"},
+      {36, "PLUNGE_RAMP($,0.05)"},
+      {37, "CONTOUR_PARALLEL(0.5,.T.,.CCW.,.CONVENTIONAL.)"}};
+};
+
+std::string all_diagnostics(const Part& part) {
+  std::string all;
+  for (const Diagnostic& d : part.diagnostics.items()) all += d.where + ": " + d.what + "\n";
+  return all;
+}
+
+int count_of(const Part& part, Severity severity) {
+  int count = 0;
+  for (const Diagnostic& d : part.diagnostics.items()) count += d.severity == severity;
+  return count;
+}
+
+void expect_box(const Regions& regions, double x0, double x1, double y0, double y1) {
+  const Box b = box(regions);
+  EXPECT_NEAR(b.min.x, x0, 1e-6);
+  EXPECT_NEAR(b.max.x, x1, 1e-6);
+  EXPECT_NEAR(b.min.y, y0, 1e-6);
+  EXPECT_NEAR(b.max.y, y1, 1e-6);
+}
+
+TEST(StepNc, ReadsProjectStockToolsAndOperation) {
+  const Part part = Program().read();
+  EXPECT_EQ(part.name, "P");
+  EXPECT_EQ(part.source_file, "t.p21");
+  ASSERT_TRUE(part.stock);
+  EXPECT_EQ(part.stock->plan.max, (Vec2{100, 80}));
+  EXPECT_EQ(part.stock->z_bottom, -20);
+  EXPECT_EQ(part.stock->z_top, 0);
+  EXPECT_EQ(part.clearance_z, 30);
+  ASSERT_EQ(part.tools.size(), 1U);
+  EXPECT_EQ(part.tools[0].number, 5);
+  EXPECT_EQ(part.tools[0].name, "T5");
+  EXPECT_EQ(part.tools[0].diameter, 10);
+  EXPECT_EQ(part.tools[0].corner_radius, 0.5);
+  EXPECT_EQ(part.tools[0].teeth, 3);
+  EXPECT_EQ(part.tools[0].flute_length, 25);
+  ASSERT_EQ(part.workplan.size(), 1U);
+  const Operation& op = part.workplan[0].operation;
+  EXPECT_EQ(part.workplan[0].name, "WS1");
+  EXPECT_EQ(op.name, "OP");
+  EXPECT_EQ(op.kind, OperationKind::kRoughing);
+  EXPECT_EQ(op.cutting.feed, MmPerMin::of(600)) << "0.01 m/s";
+  EXPECT_EQ(op.cutting.spindle_rpm, 6000) << "100 1/s";
+  EXPECT_TRUE(op.cutting.spindle_clockwise);
+  EXPECT_TRUE(op.cutting.coolant);
+  EXPECT_EQ(op.stepdown, 2);
+  EXPECT_EQ(op.stepover, 0.4) << "radial depth 4 of 10 mm goes before the strategy's overlap";
+  EXPECT_EQ(op.allowance_side, 0.3);
+  EXPECT_EQ(op.allowance_floor, 0.1);
+  EXPECT_EQ(op.entry, EntryKind::kRamp);
+  EXPECT_EQ(op.entry_angle, Radians::of(0.05));
+  EXPECT_EQ(op.direction, CutDirection::kConventional);
+  EXPECT_EQ(op.strategy_hint, "contour_parallel");
+  EXPECT_EQ(op.retract_z, 8);
+}
+
+TEST(StepNc, RectangularProfileHasItsLengthAlongX) {
+  const Part part = Program().read();
+  ASSERT_EQ(part.features.size(), 1U);
+  const Feature& f = part.features[0];
+  EXPECT_EQ(f.kind, FeatureKind::kClosedPocket);
+  expect_box(f.target, 20, 80, 30, 50);
+  expect_box(f.allowed, 20, 80, 30, 50);
+  EXPECT_EQ(f.top_z, 0);
+  EXPECT_EQ(f.floor_z, -5);
+}
+
+TEST(StepNc, PlacementsAreComposedFeatureThenProfile) {
+  Program p;
+  p.with(21, "AXIS2_PLACEMENT_3D('',#22,#40,#41)").with(22, "CARTESIAN_POINT('',(50.,10.,-1.))");
+  p.with(40, "DIRECTION('',(0.,0.,1.))").with(41, "DIRECTION('',(0.,1.,0.))");
+  p.with(29, "CARTESIAN_POINT('',(30.,5.,0.))").with(9, "WORKPIECE_SETUP(#3,$,$,$,())");
+  const Feature f = p.read().features[0];
+  expect_box(f.target, 35, 55, 10, 70);
+  EXPECT_EQ(f.floor_z, -6) << "a depth is relative to its feature";
+}
+
+TEST(StepNc, NgonBySidesOrCorners) {
+  Program p;
+  p.with(27, "NGON_CLOSED_PROFILE(#28,#62,4,.T.)");
+  expect_box(p.read().features[0].target, 40, 60, 30, 50);
+  p.with(27, "NGON_CLOSED_PROFILE(#28,#62,4,.F.)");
+  const double half = 10 / std::sqrt(2.0);
+  expect_box(p.read().features[0].target, 50 - half, 50 + half, 40 - half, 40 + half);
+}
+
+TEST(StepNc, CompositeOutlineOfPolylinesAndTrimmedCircles) {
+  // A 40 x 20 rectangle whose right end is a half circle; the second arc is written against the outline.
+  Program p;
+  p.with(27, "GENERAL_CLOSED_PROFILE($,#100)").with(100, "COMPOSITE_CURVE('',(#101,#102),.F.)");
+  p.with(101, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#103)")
+      .with(102, "COMPOSITE_CURVE_SEGMENT($,.F.,#104)");
+  p.with(103, "POLYLINE('',(#105,#106,#107,#108))");
+  p.with(105, "CARTESIAN_POINT('',(60.,50.,-9.))").with(106, "CARTESIAN_POINT('',(20.,50.,7.))");
+  p.with(107, "CARTESIAN_POINT('',(20.,30.))").with(108, "CARTESIAN_POINT('',(60.,30.,0.,0.,0.))");
+  p.with(104, "TRIMMED_CURVE('',#109,(#105),(#108),.F.,.CARTESIAN.)").with(109, "CIRCLE('',#110,10.)");
+  p.with(110, "AXIS2_PLACEMENT_3D('',#111,$,$)").with(111, "CARTESIAN_POINT('',(60.,40.,0.))");
+  const Part part = p.read();
+  expect_box(part.features[0].target, 20, 70, 30, 50);
+  EXPECT_NEAR(area(part.features[0].target), 800 + kPi * 50, 1e-9);
+}
+
+TEST(StepNc, TrimPointsOffTheirCircleKeepTheRadius) {
+  Program p;  // a 20 x 20 square with one corner of radius 5, its trim points 4 um off
+  p.with(27, "GENERAL_CLOSED_PROFILE($,#100)").with(100, "COMPOSITE_CURVE('',(#101,#102),.F.)");
+  p.with(101, "COMPOSITE_CURVE_SEGMENT($,.T.,#103)").with(102, "COMPOSITE_CURVE_SEGMENT($,$,#104)");
+  p.with(103, "POLYLINE('',(#105,#106,#107,#108,#109))");
+  p.with(105, "CARTESIAN_POINT('',(35.,50.,0.))").with(106, "CARTESIAN_POINT('',(20.,50.,0.))");
+  p.with(107, "CARTESIAN_POINT('',(20.,30.,0.))").with(108, "CARTESIAN_POINT('',(40.,30.,0.))");
+  p.with(109, "CARTESIAN_POINT('',(40.,45.,0.))");
+  p.with(104, "TRIMMED_CURVE('',#110,(#109),(#105),$,$)").with(110, "CIRCLE('',#111,5.)");
+  p.with(111, "AXIS2_PLACEMENT_3D('',#112,$,$)").with(112, "CARTESIAN_POINT('',(34.996,45.,0.))");
+  const Part part = p.read();
+  const Loop& loop = part.features[0].target[0].outer();
+  ASSERT_EQ(loop.size(), 5U);
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    EXPECT_EQ(loop[i].to, loop[(i + 1) % loop.size()].from) << "joined exactly";
+    if (loop[i].is_arc()) {
+      EXPECT_NEAR(loop[i].radius(), 5, 1e-12);
+    }
+  }
+}
+
+TEST(StepNc, GapsUpToTheToleranceAreClosedAndReported) {
+  Program p;
+  p.with(27, "GENERAL_CLOSED_PROFILE($,#100)").with(100, "COMPOSITE_CURVE('',(#101,#102),.F.)");
+  p.with(101, "COMPOSITE_CURVE_SEGMENT($,.T.,#103)").with(102, "COMPOSITE_CURVE_SEGMENT($,.T.,#104)");
+  p.with(103, "POLYLINE('',(#105,#106,#107))").with(104, "POLYLINE('',(#108,#109,#105))");
+  p.with(105, "CARTESIAN_POINT('',(20.,20.,0.))").with(106, "CARTESIAN_POINT('',(40.,20.,0.))");
+  p.with(107, "CARTESIAN_POINT('',(40.,40.,0.))").with(108, "CARTESIAN_POINT('',(40.,40.008,0.))");
+  p.with(109, "CARTESIAN_POINT('',(20.,40.,0.))");
+  const Part part = p.read();
+  EXPECT_EQ(count_of(part, Severity::kRepair), 1) << all_diagnostics(part);
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("closed a gap of 0.008 mm at (40, 40)"));
+  p.with(108, "CARTESIAN_POINT('',(40.,40.02,0.))");
+  EXPECT_THAT(p.error(), HasSubstr("POLYLINE: the outline has a gap of 0.02 mm at (40, 40); close it"));
+}
+
+TEST(StepNc, BossesBecomeIslandsPlacedInTheFeature) {
+  Program p;
+  p.feature("CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(#70,#71),$,#26,$,$,#27)");
+  p.with(70, "BOSS('B1',#3,(),#72,#23,#73,$)").with(72, "AXIS2_PLACEMENT_3D('',#74,$,$)");
+  p.with(74, "CARTESIAN_POINT('',(35.,40.,0.))").with(73, "CIRCULAR_CLOSED_PROFILE($,#75)");
+  p.with(75, "TOLERANCED_LENGTH_MEASURE(8.,$)");
+  p.with(71, "BOSS('B2',#3,(),#76,#23,#73,$)").with(76, "AXIS2_PLACEMENT_3D('',#77,$,$)");
+  p.with(77, "CARTESIAN_POINT('',(65.,40.,0.))");
+  Feature f = p.read().features[0];
+  ASSERT_EQ(f.target.size(), 1U);
+  EXPECT_EQ(f.target[0].islands().size(), 2U);
+  EXPECT_NEAR(area(f.target), 1200 - 2 * kPi * 16, 1e-9);
+  // A boss that reaches into the wall bites a piece out of the pocket instead.
+  p.with(77, "CARTESIAN_POINT('',(80.,40.,0.))");
+  f = p.read().features[0];
+  ASSERT_EQ(f.target.size(), 1U);
+  EXPECT_EQ(f.target[0].islands().size(), 1U);
+  EXPECT_NEAR(area(f.target), 1200 - 1.5 * kPi * 16, 1e-3);
+}
+
+TEST(StepNc, SlopeIsTheAngleFromTheVertical) {
+  Program p;
+  p.feature("CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),0.785,#26,$,$,#27)");
+  EXPECT_EQ(p.read().features[0].wall_slope, Radians::of(0.785));
+  p.feature("CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),30.,#26,$,$,#27)");
+  EXPECT_NEAR(p.read().features[0].wall_slope.degrees(), 30, 1e-12) << "above 2 pi: degrees";
+  p.feature("CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),5.,#26,$,$,#27)");
+  EXPECT_NEAR(p.read().features[0].wall_slope.degrees(), 5, 1e-12) << "a wall cannot lean by 5 radians";
+  p.feature("CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),1.,#26,$,$,#27)").with(36, "PLUNGE_RAMP($,45.)");
+  EXPECT_NEAR(p.read().features[0].wall_slope.degrees(), 1, 1e-12) << "another angle shows the file's unit";
+}
+
+TEST(StepNc, FaceWithoutBoundaryIsTheWholeStockAndOpenAllRound) {
+  Program p;
+  p.feature("PLANAR_FACE('FACE',#3,(#30),#21,#23,$,$,$,(#70))");
+  p.with(70, "BOSS('B1',#3,(),#72,#23,#73,$)").with(72, "AXIS2_PLACEMENT_3D('',#74,$,$)");
+  p.with(74, "CARTESIAN_POINT('',(35.,40.,0.))").with(73, "CIRCULAR_CLOSED_PROFILE($,#75)");
+  p.with(75, "TOLERANCED_LENGTH_MEASURE(8.,$)");
+  const Feature f = p.read().features[0];
+  expect_box(f.target, 0, 100, 0, 80);
+  expect_box(f.allowed, -kOpenReach, 100 + kOpenReach, -kOpenReach, 80 + kOpenReach);
+  EXPECT_EQ(f.target[0].islands().size(), 1U);
+  EXPECT_FALSE(contains(f.allowed, {35, 40}));
+}
+
+TEST(StepNc, FaceByCourseOfTravelAndRemovalBoundary) {
+  Program p;
+  p.feature("PLANAR_FACE('FACE',#3,(#30),#21,#23,#70,#71,$,())").with(70, "LINEAR_PATH($,#72,#73)");
+  p.with(71, "LINEAR_PROFILE($,#74)").with(72, "TOLERANCED_LENGTH_MEASURE(80.,$)");
+  p.with(73, "DIRECTION('',(0.,1.,0.))").with(74, "NUMERIC_PARAMETER('L',40.,'MM')");
+  const Feature f = p.read().features[0];
+  expect_box(f.target, 0, 40, 0, 80);
+  EXPECT_TRUE(contains(f.allowed, {-50, 40})) << "open to the left";
+  EXPECT_TRUE(contains(f.allowed, {20, 100})) << "open behind";
+  EXPECT_FALSE(contains(f.allowed, {45, 40})) << "a wall at x 40";
+  EXPECT_TRUE(contains(f.allowed, {150, 40})) << "beyond the stock is air";
+}
+
+TEST(StepNc, FaceInsideTheStockHasWallsAllRound) {
+  Program p;
+  p.feature("PLANAR_FACE('FACE',#3,(#30),#21,#23,$,$,#27,())");
+  const Part part = p.read();
+  expect_box(part.features[0].allowed, 20, 80, 30, 50);
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("does not reach the edge of the stock"));
+}
+
+TEST(StepNc, OpenPocketIsClosedRoundTheStock) {
+  // Walls from the lower edge up, across, and down again: 30 x 25 mm, open below; the material is on their
+  // left.
+  Program p;
+  p.feature("OPEN_POCKET('OPEN',#3,(#30),#21,#23,(),$,#26,$,$,#70,$)").with(70, "GENERAL_PROFILE($,#71)");
+  p.with(71, "POLYLINE('',(#72,#73,#74,#75))");
+  p.with(72, "CARTESIAN_POINT('',(30.,0.,0.))").with(73, "CARTESIAN_POINT('',(30.,25.,0.))");
+  p.with(74, "CARTESIAN_POINT('',(60.,25.,0.))").with(75, "CARTESIAN_POINT('',(60.,0.,0.))");
+  const Feature f = p.read().features[0];
+  EXPECT_EQ(f.kind, FeatureKind::kOpenPocket);
+  expect_box(f.target, 30, 60, 0, 25);
+  EXPECT_NEAR(area(f.target), 750, 1e-3);
+  EXPECT_TRUE(contains(f.allowed, {45, -20}));
+  EXPECT_TRUE(contains(f.allowed, {-20, 40}));
+  EXPECT_FALSE(contains(f.allowed, {20, 10}));
+}
+
+TEST(StepNc, OpenPocketAcrossACorner) {
+  Program p;
+  p.feature("OPEN_POCKET('OPEN',#3,(#30),#21,#23,(),$,#26,$,$,#70,$)").with(70, "GENERAL_PROFILE($,#71)");
+  p.with(71, "POLYLINE('',(#72,#73,#74))");
+  p.with(72, "CARTESIAN_POINT('',(70.,0.,0.))").with(73, "CARTESIAN_POINT('',(70.,50.,0.))");
+  p.with(74, "CARTESIAN_POINT('',(100.,50.,0.))");
+  const Feature f = p.read().features[0];
+  expect_box(f.target, 70, 100, 0, 50);
+  EXPECT_NEAR(area(f.target), 1500, 1e-3);
+}
+
+TEST(StepNc, OpenSidesThatMissTheEdgeByTheToleranceReachIt) {
+  Program p;
+  p.feature("OPEN_POCKET('OPEN',#3,(#30),#21,#23,(),$,#26,$,$,#70,$)").with(70, "GENERAL_PROFILE($,#71)");
+  p.with(71, "POLYLINE('',(#72,#73,#74,#75))");
+  p.with(72, "CARTESIAN_POINT('',(30.,0.006,0.))").with(73, "CARTESIAN_POINT('',(30.,25.,0.))");
+  p.with(74, "CARTESIAN_POINT('',(60.,25.,0.))").with(75, "CARTESIAN_POINT('',(60.,0.,0.))");
+  const Feature f = p.read().features[0];
+  EXPECT_NEAR(area(f.target), 750, 1e-3);
+  EXPECT_EQ(f.allowed.size(), 1U);
+}
+
+Program slot(const std::string& profile, const std::string& ends) {
+  Program p;
+  p.feature("SLOT('SLOT',#3,(#30),#21,#23,#70,#71," + ends + ")").with(22, "CARTESIAN_POINT('',(0.,40.,0.))");
+  p.with(70, "LINEAR_PATH($,#72,#73)").with(71, profile).with(72, "TOLERANCED_LENGTH_MEASURE(100.,$)");
+  p.with(73, "DIRECTION('',(1.,0.,0.))").with(74, "TOLERANCED_LENGTH_MEASURE(12.,$)");
+  p.with(75, "OPEN_SLOT_END_TYPE()")
+      .with(76, "RADIUSED_SLOT_END_TYPE()")
+      .with(77, "WOODRUFF_SLOT_END_TYPE(#74)");
+  return p.with(9, "WORKPIECE_SETUP(#3,$,$,$,())");
+}
+
+TEST(StepNc, SlotOpenAtBothEnds) {
+  const Feature f = slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#75,#75)").read().features[0];
+  EXPECT_EQ(f.kind, FeatureKind::kSlot);
+  expect_box(f.target, 0, 100, 34, 46);
+  EXPECT_TRUE(contains(f.allowed, {-30, 40}));
+  EXPECT_TRUE(contains(f.allowed, {130, 40}));
+  EXPECT_FALSE(contains(f.allowed, {50, 30}));
+}
+
+TEST(StepNc, SlotWithARoundEndInsideTheStock) {
+  Program p = slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#75,#76)");
+  const Feature f = p.with(72, "TOLERANCED_LENGTH_MEASURE(60.,$)").read().features[0];
+  expect_box(f.target, 0, 66, 34, 46);
+  EXPECT_NEAR(area(f.target), 720 + kPi * 18, 1e-3);
+}
+
+TEST(StepNc, SlotAlongAnArc) {
+  Program p = slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#76,#76)");
+  p.with(70, "PARTIAL_CIRCULAR_PATH(#78,#79,1.5707963267948966)")
+      .with(79, "TOLERANCED_LENGTH_MEASURE(20.,$)");
+  p.with(78, "AXIS2_PLACEMENT_3D('',#80,$,$)").with(80, "CARTESIAN_POINT('',(40.,-10.,0.))");
+  const Feature f = p.read().features[0];
+  EXPECT_NEAR(area(f.target), kPi / 4 * (26 * 26 - 14 * 14) + kPi * 36, 1e-3);
+}
+
+TEST(StepNc, RoundedSlotIsCutWhereItsSidesAreUpright) {
+  const Part part =
+      slot("ROUNDED_U_PROFILE($,#74)", "(#75,#75)").with(25, "CARTESIAN_POINT('',(0.,0.,-9.))").read();
+  EXPECT_EQ(part.features[0].floor_z, -3) << "6 mm of the 9 are the half round";
+  EXPECT_EQ(count_of(part, Severity::kSkipped), 1);
+}
+
+TEST(StepNc, SlotsWithoutAFlatFloorAreRefusedByName) {
+  EXPECT_THAT(slot("VEE_PROFILE($,#74,1.,0.5)", "(#75,#75)").error(),
+              HasSubstr("VEE_PROFILE: a slot of this cross-section"));
+  EXPECT_THAT(slot("TEE_PROFILE($,0.,0.,#74,#74,$,#74,$,$)", "(#75,#75)").error(), HasSubstr("TEE_PROFILE"));
+  EXPECT_THAT(slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#75,#77)").error(),
+              HasSubstr("WOODRUFF_SLOT_END_TYPE: a slot with this kind of end"));
+}
+
+Program step(double x, const std::string& direction) {
+  Program p;
+  p.feature("STEP('STEP',#3,(#30),#21,#23,#70,$,())")
+      .with(22, "CARTESIAN_POINT('',(" + std::to_string(x) + ",0.,0.))");
+  p.with(70, "LINEAR_PATH($,#72,#73)").with(72, "TOLERANCED_LENGTH_MEASURE(80.,$)");
+  return p.with(73, "DIRECTION('',(" + direction + "))").with(9, "WORKPIECE_SETUP(#3,$,$,$,())");
+}
+
+TEST(StepNc, StepTakesTheSideAwayFromTheMaterial) {
+  const Part part = step(85, "0.,1.,0.").read();
+  expect_box(part.features[0].target, 85, 100, 0, 80);
+  EXPECT_EQ(count_of(part, Severity::kWarning), 0);
+  EXPECT_FALSE(contains(part.features[0].allowed, {84, 40}));
+  EXPECT_TRUE(contains(part.features[0].allowed, {120, 40}));
+}
+
+TEST(StepNc, StepDrawnTheOtherWayRoundTakesTheSmallerSideAndSaysSo) {
+  const Part part = step(15, "0.,1.,0.").read();
+  expect_box(part.features[0].target, 0, 15, 0, 80);
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("the other side is taken"));
+}
+
+TEST(StepNc, RoundHoleBlindAndThrough) {
+  Program p;
+  p.feature("ROUND_HOLE('HOLE',#3,(#30),#28,#23,#62,$,#70)").with(70, "THROUGH_BOTTOM_CONDITION()");
+  p.with(25, "CARTESIAN_POINT('',(0.,0.,-21.))")
+      .with(30, "DRILLING($,$,'DRILL',$,$,#31,#34,#35,$,$,$,$,$,$)");
+  p.with(32, "TWIST_DRILL(#33,2,$,$,$)");
+  const Part part = p.read();
+  EXPECT_EQ(part.features[0].kind, FeatureKind::kRoundHole);
+  EXPECT_TRUE(part.features[0].through);
+  EXPECT_EQ(part.features[0].hole_diameter, 20);
+  EXPECT_EQ(part.features[0].floor_z, -21) << "a through hole may end below the stock";
+  EXPECT_EQ(part.workplan[0].operation.kind, OperationKind::kDrilling);
+  EXPECT_NEAR(area(part.features[0].target), 100 * kPi, 1e-9);
+}
+
+TEST(StepNc, OutsideProfileRemovesTheRestOfTheStock) {
+  Program p;
+  p.feature("GENERAL_OUTSIDE_PROFILE('OUT',#3,(#30),#21,#23,$,#27)");
+  const Feature f = p.read().features[0];
+  EXPECT_EQ(f.kind, FeatureKind::kOutsideProfile);
+  EXPECT_NEAR(area(f.target), 8000 - 1200, 1e-9);
+  EXPECT_FALSE(contains(f.allowed, {50, 40}));
+  EXPECT_TRUE(contains(f.allowed, {50, -100}));
+}
+
+TEST(StepNc, NestedWorkplansAreCutInOrder) {
+  Program p;
+  p.with(2, "WORKPLAN('MAIN',(#11,#10,#12),$,#4,$)")
+      .with(11, "WORKPLAN('A',(#13),$,$,$)")
+      .with(12, "WORKPLAN('B',(#14,#15),$,$,$)");
+  for (const int id : {13, 14, 15})
+    p.with(id, "MACHINING_WORKINGSTEP('WS" + std::to_string(id) + "',#7,#20,#30,$)");
+  const Part part = p.read();
+  std::string order;
+  for (const Workingstep& step : part.workplan) order += step.name + " ";
+  EXPECT_EQ(order, "WS13 WS1 WS14 WS15 ");
+  EXPECT_EQ(part.features.size(), 1U);
+}
+
+TEST(StepNc, WorkplansInACircleAreRefused) {
+  Program p;
+  p.with(2, "WORKPLAN('MAIN',(#11),$,#4,$)").with(11, "WORKPLAN('A',(#2,#2),$,$,$)");
+  EXPECT_THAT(p.error(), HasSubstr("WORKPLAN: "));
+}
+
+TEST(StepNc, StockMayBeACylinderOrARawPiece) {
+  Program p;
+  p.with(5, "RIGHT_CIRCULAR_CYLINDER('C',#6,20.,50.)");
+  EXPECT_EQ(p.read().stock->plan.min, (Vec2{-50, -50}));
+  p = Program().with(3, "WORKPIECE('WP',$,$,#80,$,#5,())").with(80, "WORKPIECE('RAW',$,$,$,$,#81,())");
+  p.with(81, "BLOCK('B',#82,110.,90.,-25.)")
+      .with(82, "AXIS2_PLACEMENT_3D('',#83,$,$)")
+      .with(83, "CARTESIAN_POINT('',(-5.,-5.,2.))");
+  const Part part = p.read();
+  EXPECT_EQ(part.stock->plan.max, (Vec2{105, 85}));
+  EXPECT_EQ(part.stock->z_top, 2);
+  EXPECT_EQ(part.stock->z_bottom, -23) << "sizes may be negative";
+  EXPECT_EQ(part.features[0].top_z, 2) << "the raw piece stands 2 mm higher";
+  EXPECT_EQ(count_of(part, Severity::kWarning), 1);
+}
+
+TEST(StepNc, SecurityPlaneIsRelativeToTheSetUp) {
+  Program p;
+  p.with(9, "WORKPIECE_SETUP(#3,#85,$,$,())")
+      .with(85, "AXIS2_PLACEMENT_3D('',#86,$,$)")
+      .with(86, "CARTESIAN_POINT('',(100.,50.,12.))");
+  const Part part = p.read();
+  EXPECT_EQ(part.clearance_z, 18);
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("program zero is the workpiece's origin"));
+}
+
+TEST(StepNc, SecurityPlaneInsideTheStockIsNotUsed) {
+  const Part part = Program().with(61, "CARTESIAN_POINT('',(0.,0.,-3.))").read();
+  EXPECT_FALSE(part.clearance_z);
+  EXPECT_EQ(part.safe_z(), 10);
+}
+
+TEST(StepNc, SpindleAndFeedInOtherUnitsAreRecognisedAndReported) {
+  Part part = Program().with(34, "MILLING_TECHNOLOGY(400.,.TCP.,$,-1200.,$,$,$,$,$)").read();
+  EXPECT_EQ(part.workplan[0].operation.cutting.spindle_rpm, 1200);
+  EXPECT_EQ(part.workplan[0].operation.cutting.feed, MmPerMin::of(400));
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("read as rpm"));
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("read as mm/min"));
+  part = Program().with(34, "MILLING_TECHNOLOGY($,.TCP.,100.,$,0.05,$,$,$,$)").read();
+  const double rpm = 100000 / (kPi * 10);
+  EXPECT_NEAR(*part.workplan[0].operation.cutting.spindle_rpm, rpm, 1e-9) << "cutting speed 100 m/min";
+  EXPECT_NEAR(part.workplan[0].operation.cutting.feed->mm_per_min(), 0.05 * 3 * rpm, 1e-9) << "per tooth";
+}
+
+TEST(StepNc, OnlyALeftHandCutterTurningPositiveRunsCounterClockwise) {
+  Program p;
+  p.with(34, "MILLING_TECHNOLOGY(0.01,.TCP.,$,100.,$,$,$,$,$)");
+  EXPECT_TRUE(p.read().workplan[0].operation.cutting.spindle_clockwise)
+      << "a right-hand mill, whatever the sign";
+  p.with(32, "ENDMILL(#33,3,.LEFT.,$,$)");
+  EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise);
+}
+
+TEST(StepNc, ToolsAreReadOnceAndNumbered) {
+  Program p;
+  p.with(2, "WORKPLAN('MAIN',(#10,#11,#12),$,#4,$)");
+  for (const int k : {1, 2}) {
+    p.with(10 + k, "MACHINING_WORKINGSTEP('WS',#7,#20,#" + std::to_string(90 + k) + ",$)");
+    p.with(90 + k, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#" + std::to_string(94 + k) +
+                       ",#34,#35,$,$,$,$,2.,$,$,$)");
+    p.with(94 + k, "MILLING_CUTTING_TOOL('ball nose',#97,(),$,$,$)");
+  }
+  p.with(97, "BALL_ENDMILL(#33,2,$,$,$)");
+  const Part part = p.read();
+  ASSERT_EQ(part.tools.size(), 2U);
+  EXPECT_EQ(part.tools[1].kind, ToolKind::kBallEndMill);
+  EXPECT_EQ(part.tools[1].corner_radius, 5);
+  EXPECT_EQ(part.tools[1].number, 1);
+  EXPECT_EQ(part.workplan[1].operation.tool, 1);
+  EXPECT_EQ(part.workplan[2].operation.tool, 1);
+}
+
+TEST(StepNc, WhatCannotBeMachinedIsSkippedAndTheRestStays) {
+  Program p;
+  p.with(2, "WORKPLAN('MAIN',(#11,#10,#12,#13),$,#4,$)");
+  p.with(11, "MACHINING_WORKINGSTEP('TAP IT',#7,#20,#90,$)")
+      .with(90, "TAPPING($,$,'TAP',$,$,#31,#34,#35,$,$,$,$,$,$,.T.)");
+  p.with(12, "MACHINING_WORKINGSTEP('NO FEATURE',#7,#99,#30,$)");
+  p.with(13, "MACHINING_WORKINGSTEP('CHAMFER IT',#7,#98,#30,$)")
+      .with(98, "CHAMFER('C',#3,(),#20,#20,0.7,#62)");
+  const Part part = p.read();
+  ASSERT_EQ(part.workplan.size(), 1U);
+  EXPECT_EQ(part.workplan[0].name, "WS1");
+  EXPECT_EQ(count_of(part, Severity::kSkipped), 3) << all_diagnostics(part);
+  EXPECT_THAT(all_diagnostics(part),
+              HasSubstr("'TAP IT' is left out: line 41: #90 TAPPING: operations of this kind"));
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("refers to #99, which is not in the file"));
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("CHAMFER: features of this kind"));
+}
+
+TEST(StepNc, MissingEssentialsNameEntityAndLine) {
+  EXPECT_EQ(Program().with(33, "MILLING_TOOL_DIMENSION($,$,$,25.,0.5,$,$)").error(),
+            "t.p21:29: #33 MILLING_TOOL_DIMENSION: no diameter (argument 1); give one");
+  EXPECT_EQ(Program().feature("CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),$,#26,$,$,$)").error(),
+            "t.p21:16: #20 CLOSED_POCKET: no feature boundary (argument 11); give one");
+  EXPECT_EQ(Program().feature("CLOSED_POCKET('POCKET',#3,(#30),#21,$,(),$,#26,$,$,#27)").error(),
+            "t.p21:16: #20 CLOSED_POCKET: no depth (argument 5); give one");
+  EXPECT_THAT(Program().with(25, "CARTESIAN_POINT('',(0.,0.,5.))").error(),
+              HasSubstr("#20 CLOSED_POCKET: its depth plane (z 5) is not below its top (z 0)"));
+}
+
+TEST(StepNc, MissingNonEssentialsGetDefaultsAndOneNoteForAll) {
+  Program p;
+  p.with(30, "BOTTOM_AND_SIDE_MILLING($,$,'OP',$,$,#31,$,$,$,$,$,$,$,$,$,$)")
+      .with(33, "MILLING_TOOL_DIMENSION(10.,$,$,$,$,$,$)");
+  p.with(2, "WORKPLAN('MAIN',(#10,#11),$,$,$)").with(11, "MACHINING_WORKINGSTEP('WS2',$,#20,#90,$)");
+  p.with(90, "BOTTOM_AND_SIDE_MILLING($,$,'OP2',$,$,#31,$,$,$,$,$,$,$,$,$,$)");
+  const Part part = p.read();
+  EXPECT_EQ(part.workplan.size(), 2U);
+  const std::string notes = all_diagnostics(part);
+  EXPECT_THAT(notes, HasSubstr("#30 BOTTOM_AND_SIDE_MILLING, #90 BOTTOM_AND_SIDE_MILLING: no cutting depth; "
+                               "the planner's default is used"));
+  EXPECT_THAT(notes, HasSubstr("no technology"));
+  EXPECT_THAT(notes,
+              HasSubstr("#33 MILLING_TOOL_DIMENSION: no edge radius; the cutter is taken as flat-ended"));
+  EXPECT_LE(part.diagnostics.items().size(), 5U) << notes;
+}
+
+TEST(StepNc, OtherSchemasAreRefusedByName) {
+  EXPECT_THAT(Program().schema("INTEGRATED_CNC_SCHEMA").error(), HasSubstr("AP238"));
+  EXPECT_THAT(Program().schema("AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }").error(),
+              HasSubstr("a STEP solid"));
+}
+
+TEST(StepNc, TiltedSetUpsAndFeaturesAreRefusedByName) {
+  Program p;
+  p.with(84, "DIRECTION('',(1.,0.,0.))").with(85, "AXIS2_PLACEMENT_3D('',#22,#84,$)");
+  EXPECT_THAT(Program(p).with(4, "SETUP('S',#85,#7,(#9))").error(),
+              HasSubstr("#4 SETUP: the set-up is tilted"));
+  EXPECT_THAT(Program(p).with(9, "WORKPIECE_SETUP(#3,#85,$,$,())").error(),
+              HasSubstr("#9 WORKPIECE_SETUP: the workpiece is tilted"));
+  EXPECT_THAT(Program(p).feature("CLOSED_POCKET('POCKET',#3,(#30),#85,#23,(),$,#26,$,$,#27)").error(),
+              HasSubstr("#20 CLOSED_POCKET: its placement is tilted"));
+}
+
+TEST(StepNc, DepthsThatWouldEndBelowTheStockAreReadAsAbsolute) {
+  Program p;  // two pockets, one in the other, with absolute depths
+  p.with(2, "WORKPLAN('MAIN',(#10,#11),$,#4,$)").with(11, "MACHINING_WORKINGSTEP('WS2',#7,#70,#30,$)");
+  p.with(70, "CLOSED_POCKET('INNER',#3,(#30),#71,#73,(),$,#26,$,$,#76)")
+      .with(71, "AXIS2_PLACEMENT_3D('',#72,$,$)");
+  p.with(72, "CARTESIAN_POINT('',(0.,0.,-9.))")
+      .with(73, "PLANE('',#74)")
+      .with(74, "AXIS2_PLACEMENT_3D('',#75,$,$)");
+  p.with(75, "CARTESIAN_POINT('',(0.,0.,-15.))")
+      .with(76, "CIRCULAR_CLOSED_PROFILE(#28,#77)")
+      .with(77, "TOLERANCED_LENGTH_MEASURE(16.,$)");
+  const Part part = p.read();
+  EXPECT_EQ(part.features[0].floor_z, -5);
+  EXPECT_EQ(part.features[1].floor_z, -15);
+  EXPECT_EQ(part.features[1].top_z, -5) << "what the first pocket left, not the placement's -9";
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("the depths of the whole file are taken as absolute z"));
+  EXPECT_EQ(count_of(part, Severity::kWarning), 1);
+}
+
+TEST(StepNc, NoStockButAFaceShowsHowFarItReaches) {
+  Program p;
+  p.with(3, "WORKPIECE('WP',$,$,$,$,$,())").feature("PLANAR_FACE('FACE',#3,(#30),#21,#23,$,$,#27,())");
+  const Part part = p.read();
+  ASSERT_TRUE(part.stock);
+  expect_box({Region::from_valid_loops(part.features[0].target[0].outer(), {})}, 20, 80, 30, 50);
+  EXPECT_EQ(part.stock->z_top, 0);
+  EXPECT_EQ(part.stock->z_bottom, -5);
+  EXPECT_TRUE(contains(part.features[0].allowed, {0, 0}));
+}
+
+TEST(StepNc, NoStockAndNoFaceIsSolidAround) {
+  const Part part = Program().with(3, "WORKPIECE('WP',$,$,$,$,$,())").read();
+  EXPECT_FALSE(part.stock);
+  EXPECT_THAT(Program()
+                  .with(3, "WORKPIECE('WP',$,$,$,$,$,())")
+                  .feature("PLANAR_FACE('FACE',#3,(#30),#21,#23,$,$,$,())")
+                  .error(),
+              HasSubstr("need the size of the stock"));
+}
+
+TEST(StepNc, SharedReferencesDoNotMultiply) {
+  // Each composite curve uses the next one twice: 2^16 copies of the innermost.
+  Program p;
+  p.with(27, "GENERAL_CLOSED_PROFILE($,#100)");
+  for (int k = 0; k < 40; ++k)
+    p.with(100 + k,
+           "COMPOSITE_CURVE('',(#" + std::to_string(101 + k) + ",#" + std::to_string(101 + k) + "),.F.)");
+  EXPECT_THAT(p.error(), HasSubstr("nested more than 16 deep"));
+}
+
+}  // namespace
+}  // namespace clearcut
