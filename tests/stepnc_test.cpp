@@ -22,7 +22,7 @@ namespace clearcut {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::boundary_gap;
+using test_support::boundary_gap;
 using ::testing::HasSubstr;
 
 std::string content(const fs::path& path) {
@@ -34,7 +34,7 @@ std::string content(const fs::path& path) {
 }
 
 Part read_data(const std::string& name) {
-  return read_stepnc(content(*testing::data_folder() / "stepnc" / name), name, {});
+  return read_stepnc(content(*test_support::data_folder() / "stepnc" / name), name, {});
 }
 
 std::string diagnostics_of(const Part& part) {
@@ -133,7 +133,7 @@ TEST_P(Fishhead, OutlinesAreThoseOfTheShapesWithinAMicrometre) {
   for (const Feature& f : part.features) {
     std::string name = f.name;
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    const fs::path path = *testing::data_folder() / "shapes" / ("fishhead_" + name + ".json");
+    const fs::path path = *test_support::data_folder() / "shapes" / ("fishhead_" + name + ".json");
     const Part shape = read_outline_json(content(path), path.filename().string(), Tolerances{});
     const double limit = f.name == "POCKET5" ? 0.0014 : 0.001;
     const Region& expected = shape.features[0].target[0];

@@ -5,7 +5,7 @@
 
 #include "geometry/region.h"
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 
 inline std::vector<Edge> all_edges(const Regions& regions) {
   std::vector<Edge> edges;
@@ -36,4 +36,4 @@ inline double boundary_gap(const Regions& a, const Regions& b) {
   return std::max(one_sided_gap(a, b), one_sided_gap(b, a));
 }
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support
