@@ -1,5 +1,4 @@
-// Debug pictures: any step may hand its state to a sink given as an argument, null by default and always
-// compiled.
+// Debug pictures: any step may hand its state to a sink given as an argument, null by default.
 //
 //     Regions inset(..., DebugSink* debug = nullptr) {
 //       if (debug) { debug->frame("raw offsets"); for (...) debug->line(a.x, a.y, b.x, b.y, "blue"); }

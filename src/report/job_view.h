@@ -27,7 +27,7 @@ double last_layer(const Section& section);
 std::vector<Move> shown_moves(const Section& section, bool all_layers);
 
 /// Shade of a floor at `z`, 0 at the top of the part to 1 at its deepest floor: half by depth, half by rank
-/// among the floors, so that floors of nearly the same depth differ.
+/// among the floors (piecewise linear), so that floors of nearly the same depth differ.
 double depth_fraction(const Part& part, double z);
 
 /// "T1 end mill 10 mm"

@@ -9,6 +9,7 @@ inline constexpr const char* kInk = "#1c2733";          // words, outlines
 inline constexpr const char* kFaint = "#66727f";        // second-rank words
 inline constexpr const char* kRule = "#d5dbe1";         // frames, rules
 inline constexpr const char* kMaterial = "#dfdcd5";     // stock and part that stay
+inline constexpr const char* kWall = "#c4ccd4";         // leaning walls
 inline constexpr const char* kFloor = "#dcebf7";        // target that the cutter swept
 inline constexpr const char* kUncut = "#e02b3c";        // target that it could have swept and did not
 inline constexpr const char* kUnreachable = "#f5b53d";  // target that it cannot reach

@@ -9,6 +9,7 @@
 #include "report/palette.h"
 #include "report/plan_lines.h"
 #include "report/plan_marks.h"
+#include "report/reach.h"
 #include "report/text.h"
 
 namespace clearcut {
@@ -85,6 +86,11 @@ std::string clip_to(SvgWriter& svg, const std::string& data) {
   return id;
 }
 
+/// Opens a group that shows only what lies inside `regions`.
+void open_clipped(SvgWriter& svg, const std::string& data, const char* opacity = "1") {
+  svg.open("g", {{"clip-path", "url(#" + clip_to(svg, data) + ")"}, {"opacity", opacity}});
+}
+
 /// Stock as a block on white air; without a stock everything is material.
 void draw_material(SvgWriter& svg, const PlanView& view, const Part& part, const std::string& color) {
   PathData data;
@@ -124,7 +130,7 @@ void draw_floor(SvgWriter& svg, const PlanView& view, const Job& job, int featur
   const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
   const double fraction = depth_fraction(job.part, f.floor_z);
   fill_regions(svg, f.target, palette::depth_color(fraction));
-  svg.open("g", {{"clip-path", "url(#" + clip_to(svg, path_of(f.target)) + ")"}, {"opacity", "0.6"}});
+  open_clipped(svg, path_of(f.target), "0.6");
   LineStyle style;
   style.cut_color = palette::line_color_on_depth(fraction);
   style.cut_width = 0.8;
@@ -164,24 +170,48 @@ std::optional<Vec2> label_point(const Part& part, int feature) {
   return best;
 }
 
-/// The floor of a feature: unreachable below reachable below swept. What its own moves sweep beyond `allowed`
-/// is a gouge.
+/// What the cutter reaches from its legal positions. A hair narrower than the cutter, so that no rim shows
+/// beside what it swept.
+void draw_reach(SvgWriter& svg, const PlanView& view, const Reach& reach) {
+  PathData data;
+  data.add(reach.centers);
+  for (const Path& line : reach.fit_lines) {
+    for (const Edge& edge : line) data.add(edge);
+  }
+  if (data.empty()) return;
+  svg.leaf("path", {{"d", data.text()},
+                    {"fill", palette::kUncut},
+                    {"fill-rule", "evenodd"},
+                    {"stroke", palette::kUncut},
+                    {"stroke-width", svg_number(std::max(reach.diameter - view.mm(1.4), 0.0))},
+                    {"stroke-linejoin", "round"},
+                    {"stroke-linecap", "round"}});
+}
+
+/// The floor of a feature: what is out of reach, below what is within reach, below what was swept. What its
+/// own moves sweep beyond `allowed` is a gouge.
 void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int feature, double z) {
   const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
   const std::vector<Sweep> own = sweeps_at(job, z, view.visible(), feature);
-  const std::vector<Sweep> all = sweeps_at(job, z, view.visible());
+  const std::string allowed = path_of(floor_allowed(f)), target = path_of(floor_target(f));
   PathData outside;
   outside.add(rectangle(view.visible()));
-  svg.open("g", {{"clip-path", "url(#" + clip_to(svg, outside.text() + path_of(f.allowed)) + ")"}});
+  fill_regions(svg, f.target, palette::kWall);
+  open_clipped(svg, outside.text() + allowed);
   draw_sweeps(svg, own, palette::kGouge);
   svg.close();
-  svg.open("g", {{"clip-path", "url(#" + clip_to(svg, path_of(f.allowed)) + ")"}, {"opacity", "0.25"}});
+  open_clipped(svg, allowed, "0.25");
   draw_sweeps(svg, own, palette::kImpact);
   svg.close();
-  fill_regions(svg, f.target, palette::kUncut);
-  svg.open("g", {{"clip-path", "url(#" + clip_to(svg, path_of(f.target)) + ")"}});
-  draw_sweeps(svg, all, palette::kFloor);
+  open_clipped(svg, target);
+  const Reach reach = reach_of(job, feature);
+  svg.leaf("path", {{"d", target},
+                    {"fill", reach.diameter > 0 ? palette::kUnreachable : palette::kUncut},
+                    {"fill-rule", "evenodd"}});
+  draw_reach(svg, view, reach);
+  draw_sweeps(svg, sweeps_at(job, z, view.visible()), palette::kFloor);
   svg.close();
+  if (f.wall_slope.radians() > 0) outline_regions(svg, view, floor_target(f), 0.7);
 }
 
 void draw_feature_lines(SvgWriter& svg, const PlanView& view, const Job& job, int feature) {
@@ -245,7 +275,7 @@ void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job) {
   draw_material(svg, view, job.part, palette::depth_color(0));
   PathData seen;
   seen.add(rectangle(job.part.stock ? job.part.stock->plan : view.visible()));
-  svg.open("g", {{"clip-path", "url(#" + clip_to(svg, seen.text()) + ")"}});
+  open_clipped(svg, seen.text());
   for (const int feature : shallow_first(job.part)) draw_floor(svg, view, job, feature);
   svg.close();
   close_world(svg, view);

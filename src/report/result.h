@@ -14,9 +14,9 @@ struct ResultInfo {
 };
 
 /// Shape   comment lines start with '#': name, columns, offset step; then for each section and layer a
-/// comment and its
-///         segments in order of cutting, "x_i y_i x_f y_f"; an arc adds "x_c y_c" and G02 (clockwise) or G03;
-///         last the total length.
+/// comment
+///         and its segments in order of cutting, "x_i y_i x_f y_f"; an arc adds "x_c y_c" and G02 (clockwise)
+///         or G03; last the total length.
 /// Units   mm, four decimals. Feed moves in plan only: rapids and vertical moves have no segment.
 /// Source  [cpo_kappa] fig. 10: the total is contours plus the passages between them.
 std::string result_file(const Toolpath& toolpath, const ResultInfo& info);

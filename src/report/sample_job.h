@@ -1,5 +1,4 @@
-// A small job made by hand, for tests of reports: a block with a face, a pocket with a round island, and a
-// slot.
+// A small job made by hand, for tests of reports: a block with a pocket around a round island, and a slot.
 #pragma once
 
 #include "part/part.h"

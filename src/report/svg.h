@@ -15,15 +15,14 @@ struct SvgOptions {
 };
 
 /// Shape   one SVG document: verdict and figures, the whole part from above (floors in shades of depth), a
-/// legend, and
-///         one panel for each feature: floor, rest (reachable red, out of reach amber), tool impact, cuts,
-///         links, entries, rapids, worst places, faults. A part with one feature has that panel alone, large.
-/// Units   paths are in mm in the part's own frame, arcs are true arcs; what shows a rest or a gouge is drawn
-/// from the
+///         legend, and one panel for each feature: floor, rest (within reach red, out of reach amber), tool
+///         impact, cuts, links, entries, rapids, worst places, faults. A part with one feature has that panel
+///         alone, large.
+/// Units   paths are in mm in the part's own frame, arcs are true arcs; rests and gouges are drawn from the
 ///         moves' exact strips, not from the findings.
 /// Text    names are escaped; moves that are not finite are left out.
-/// Cost    O(moves + boundary edges) per feature.
+/// Cost    O(moves + boundary edges) per feature, and one Clearance of each.
 std::string svg(const Part& part, const Toolpath& toolpath, const Findings& findings,
-                const SvgOptions& options);
+                const SvgOptions& options = {});
 
 }  // namespace clearcut

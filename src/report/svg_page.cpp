@@ -118,22 +118,38 @@ void draw_legend_row(SvgWriter& svg, Vec2 at, const LegendRow& row) {
   svg.text({at.x + 46, at.y}, row.words, text_style(14, palette::kInk));
 }
 
+bool has_move(const Toolpath& toolpath, MoveKind kind, bool vertical) {
+  for (const Section& section : toolpath.sections) {
+    for (const Move& move : section.moves) {
+      if (move.kind == kind && move.is_vertical() == vertical) return true;
+    }
+  }
+  return false;
+}
+
+/// Lines first, as far as there are any, then areas.
 std::vector<LegendRow> legend_rows(const Job& job) {
   using Kind = LegendRow::Kind;
   std::vector<LegendRow> rows;
-  for (std::size_t i = 0; i < job.part.tools.size() && i < 5; ++i) {
+  const Part& part = job.part;
+  for (std::size_t i = 0; i < part.tools.size() && i < 5; ++i) {
     rows.push_back(
-        {Kind::kLine, palette::tool_color(static_cast<int>(i)), "cut, " + description_of(job.part.tools[i])});
+        {Kind::kLine, palette::tool_color(static_cast<int>(i)), "cut, " + description_of(part.tools[i])});
   }
   if (rows.empty()) rows.push_back({Kind::kLine, palette::kCut, "cut"});
-  rows.push_back({Kind::kLine, palette::kLink, "link, tool down"});
-  rows.push_back({Kind::kLine, palette::kEntry, "entry: ramp, helix"});
-  rows.push_back({Kind::kDot, palette::kEntry, "plunge"});
-  rows.push_back({Kind::kDashed, palette::kRapid, "rapid"});
+  const auto has = [&job](MoveKind kind, bool vertical) { return has_move(job.toolpath, kind, vertical); };
+  if (has(MoveKind::kLink, false)) rows.push_back({Kind::kLine, palette::kLink, "link, tool down"});
+  if (has(MoveKind::kRamp, false)) rows.push_back({Kind::kLine, palette::kEntry, "entry: ramp, helix"});
+  if (has(MoveKind::kPlunge, true)) rows.push_back({Kind::kDot, palette::kEntry, "plunge"});
+  if (has(MoveKind::kRapid, false)) rows.push_back({Kind::kDashed, palette::kRapid, "rapid"});
   rows.push_back({Kind::kArea, palette::kFloor, "swept by the cutter"});
   rows.push_back({Kind::kArea, palette::kUncut, "left, within reach"});
   rows.push_back({Kind::kArea, palette::kUnreachable, "left, out of the cutter's reach"});
   rows.push_back({Kind::kArea, palette::kGouge, "gouged"});
+  const auto leans = [](const Feature& f) { return f.wall_slope.radians() > 0; };
+  if (std::any_of(part.features.begin(), part.features.end(), leans)) {
+    rows.push_back({Kind::kArea, palette::kWall, "leaning wall"});
+  }
   rows.push_back({Kind::kArea, palette::kMaterial, "material that stays"});
   return rows;
 }

@@ -113,6 +113,27 @@ TEST(Svg, SweptStripsHaveTheWidthOfTheCutter) {
   for (const auto& strip : strips) EXPECT_STREQ(strip.node().attribute("stroke-width").value(), "10");
 }
 
+TEST(Svg, WhatIsWithinReachIsRedAndTheRestOfTheTargetAmberUnderWhatWasSwept) {
+  const auto document = parsed(sample_picture());
+  const std::string amber = std::string("//path[@fill='") + palette::kUnreachable + "']";
+  const auto floors = document.select_nodes(amber.c_str());
+  ASSERT_EQ(floors.size(), 2u);
+  for (const auto& floor : floors) {
+    const auto reach = floor.node().next_sibling(), swept = reach.next_sibling();
+    EXPECT_STREQ(reach.attribute("stroke").value(), palette::kUncut);
+    EXPECT_NEAR(reach.attribute("stroke-width").as_double(), 10, 0.3) << "a hair less than the cutter";
+    EXPECT_STREQ(swept.attribute("stroke").value(), palette::kFloor);
+  }
+}
+
+TEST(Svg, AFeatureThatNothingWorksOnIsAllRed) {
+  Part part = sample::part();
+  part.workplan.clear();
+  const auto document = parsed(picture(part, {}, {}));
+  const std::string red = std::string("//path[@fill='") + palette::kUncut + "']";
+  EXPECT_EQ(document.select_nodes(red.c_str()).size(), 2u);
+}
+
 TEST(Svg, HostileNamesStayText) {
   Part part = sample::part();
   part.name = "</title><script>alert(1)</script>\x01\xff";

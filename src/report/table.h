@@ -9,11 +9,9 @@
 namespace clearcut {
 
 /// Shape   heading, one row per feature and tool in the order of work, the total, then the faults: the worst
-/// ten
-///         with their places, and the number of the others.
+///         ten with their places, and the number of the others.
 /// Units   mm, mm2, degrees, hours:minutes:seconds, each named in its heading. Uncut mm is the proven bound.
-/// Text    ASCII, no line of the table wider than 120 columns; a figure that is not a number is printed as
-/// "?".
+/// Text    ASCII, no line of the table wider than 120 columns; a figure that is not a number is "?".
 std::string table(const Part& part, const Findings& findings);
 
 }  // namespace clearcut

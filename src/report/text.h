@@ -1,5 +1,4 @@
-// Words and numbers as every report writes them: no locale, no NaN, nothing a reader could mistake for
-// markup.
+// Words and numbers as every report writes them: no locale, no NaN, no markup.
 #pragma once
 
 #include <string>
@@ -13,8 +12,7 @@ std::string fixed(double value, int decimals);
 /// Hours, minutes and seconds: "0:07", "12:34", "1:02:03"; "?" when not finite or negative.
 std::string clock_time(double seconds);
 
-/// Printable ASCII only: every other character (one per UTF-8 code point) becomes '?', line breaks and tabs a
-/// space.
+/// Printable ASCII only: any other code point becomes '?', line breaks and tabs a blank.
 std::string ascii(std::string_view text);
 
 /// At most `width` characters; longer text ends in "..".
