@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"UnknownPost", "a.json", kSquare, {"--tool", "endmill:6", "--post", "abacus"}, "abacus"},
         BadCase{"BadStepdown", "a.json", kSquare, {"--tool", "endmill:6", "--stepdown", "0"}, "--stepdown"},
         BadCase{"UnknownOption", "a.json", kSquare, {"--magic"}, "--magic"},
-        BadCase{"UnknownKind", "a.xyz", kSquare, kTool, "a.xyz"},
+        BadCase{"UnknownKind", "a.xyz", "some text", kTool, "a.xyz"},
         BadCase{"Coordinate", "a.json", outline("[[0,0,0],[1e300,0,0],[50,50,0]]"), kTool, "a.json"},
         BadCase{"TwoPoints", "a.json", outline("[[0,0,0],[50,0,0]]"), kTool, "a.json"},
         BadCase{"NoArea", "a.json", outline("[[0,0,0],[50,0,0],[20,0,0]]"), kTool, "a.json"},

@@ -1,5 +1,6 @@
 #include "read/outline/outline_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -77,6 +78,18 @@ std::vector<RawCurve> curves_of(const Context& context, const JsonValue& outline
   return curves;
 }
 
+/// An island that has no vertex inside the outline is a mistake, not a second pocket.
+void refuse_islands_outside(const Context& context, const JsonValue& outline, const std::vector<RawCurve>& curves) {
+  const Loop& outer = curves.front().edges;
+  for (std::size_t i = 1; i < curves.size(); ++i) {
+    const bool inside = std::any_of(curves[i].edges.begin(), curves[i].edges.end(),
+                                    [&](const Edge& edge) { return contains(outer, edge.from); });
+    if (!inside) {
+      context.fail(outline, "island " + std::to_string(i) + " lies outside \"outer\"; move it inside or leave it out");
+    }
+  }
+}
+
 void note_unknown_keys(const Context& context, const JsonValue& value, const std::set<std::string>& known) {
   std::string names;
   for (const auto& [key, member] : value.members) {
@@ -142,7 +155,9 @@ Feature feature_of(const Context& context, const JsonValue& outline, double unit
   repair_options.where = context.file;
   repair_options.open_curves = context.options.open_curves;
   repair_options.find_arcs = context.options.find_arcs.value_or(false);
-  feature.target = repair(curves_of(context, outline, unit), repair_options, context.diagnostics);
+  const auto curves = curves_of(context, outline, unit);
+  refuse_islands_outside(context, outline, curves);
+  feature.target = repair(curves, repair_options, context.diagnostics);
   feature.allowed = feature.target;
   return feature;
 }
