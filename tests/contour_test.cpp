@@ -49,16 +49,16 @@ Section linked(const std::vector<LayerPasses>& layers, double radius, std::optio
   return link_layers(layers, options, kTol);
 }
 
-testing::RasterFindings cut(const Layer& layer, const ContourOptions& options, Section* section = nullptr) {
+test_support::RasterFindings cut(const Layer& layer, const ContourOptions& options, Section* section = nullptr) {
   const auto passes = plan_contour(layer, options, kTol);
   const auto moves = linked({passes}, layer.tool_radius);
   if (section) *section = moves;
-  testing::RasterJob job{layer.target, layer.allowed, layer.tool_radius,     layer.wall_stock,
+  test_support::RasterJob job{layer.target, layer.allowed, layer.tool_radius,     layer.wall_stock,
                          layer.z_top,  layer.z,       layer.tool_radius / 20};
-  return testing::simulate(job, moves.moves);
+  return test_support::simulate(job, moves.moves);
 }
 
-void expect_clean(const testing::RasterFindings& found, const std::string& what) {
+void expect_clean(const test_support::RasterFindings& found, const std::string& what) {
   EXPECT_EQ(found.uncut_cells, 0) << what << ": left at " << found.uncut_at.x << ", " << found.uncut_at.y;
   EXPECT_LE(found.gouge, kTol.gouge) << what << ": at " << found.gouge_at.x << ", " << found.gouge_at.y;
   EXPECT_EQ(found.rapid_cells, 0) << what;
@@ -122,7 +122,7 @@ std::vector<Shape> data_shapes() {
   for (const char* name : {"dumbbell", "rect100x60_island", "square50", "star6", "triangle80",
                            "fishhead_pocket1", "fishhead_pocket2", "fishhead_pocket3", "fishhead_pocket4",
                            "fishhead_pocket5", "fishhead_pocket5_boss17", "fishhead_pocket6"}) {
-    const auto path = *testing::data_folder() / "shapes" / (std::string(name) + ".json");
+    const auto path = *test_support::data_folder() / "shapes" / (std::string(name) + ".json");
     std::ifstream file(path);
     std::stringstream text;
     text << file.rdbuf();
@@ -235,8 +235,8 @@ TEST(Link, LayersFollowEachOtherWithoutTouchingMaterialInRapids) {
   EXPECT_GT(lowest_rapid_end, -8 + 0.99);
   EXPECT_EQ(section.moves.back().z_to, 10);
   for (const auto& layer : layers) {
-    testing::RasterJob job{feature.target, feature.allowed, 3, 0, layer.z_top, layer.z, 0.15};
-    expect_clean(testing::simulate(job, section.moves), "layer at " + std::to_string(layer.z));
+    test_support::RasterJob job{feature.target, feature.allowed, 3, 0, layer.z_top, layer.z, 0.15};
+    expect_clean(test_support::simulate(job, section.moves), "layer at " + std::to_string(layer.z));
   }
 }
 
@@ -253,8 +253,8 @@ TEST(Link, AFaceIsEnteredFromTheAir) {
   ASSERT_FALSE(section.moves.empty());
   const Vec2 entry = section.moves.front().path.from;
   EXPECT_GE((Box{{0, 0}, {100, 80}}).distance_to(entry), 10);
-  testing::RasterJob job{layer.target, layer.allowed, 10, 0, 0, -2, 0.5};
-  expect_clean(testing::simulate(job, section.moves), "face");
+  test_support::RasterJob job{layer.target, layer.allowed, 10, 0, 0, -2, 0.5};
+  expect_clean(test_support::simulate(job, section.moves), "face");
 }
 
 TEST(Link, ConventionalRunsTheOtherWay) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 namespace {
 
 /// mm. A move may miss the full radius by this much without a fault.
@@ -155,4 +155,4 @@ RasterFindings simulate(const RasterJob& job, std::span<const Move> moves) {
   return findings;
 }
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support

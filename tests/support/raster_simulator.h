@@ -8,7 +8,7 @@
 #include "geometry/region.h"
 #include "toolpath/move.h"
 
-namespace clearcut::testing {
+namespace clearcut::test_support {
 
 struct RasterFindings {
   int uncut_cells = 0;  ///< certainly reachable, certainly not cut
@@ -34,4 +34,4 @@ struct RasterJob {
 /// Simulates all moves in order; those at the layer's z (or ending there) cut.
 RasterFindings simulate(const RasterJob& job, std::span<const Move> moves);
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::test_support
