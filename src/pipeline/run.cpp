@@ -8,7 +8,6 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "base/version.h"
-#include "geometry/boolean.h"
 #include "link/link.h"
 #include "pipeline/prepare.h"
 #include "pipeline/strategies.h"
@@ -62,13 +61,18 @@ void describe(Section& section, int index, const Part& part, const Workingstep& 
   section.coolant = step.operation.cutting.coolant;
 }
 
-/// The layers of one workingstep, each with only the material that still stands there.
+bool has_open_side(const Feature& feature) {
+  return feature.kind != FeatureKind::kClosedPocket && feature.kind != FeatureKind::kRoundHole;
+}
+
+/// The layers of one workingstep over which something still stands. Open features cut only that; in closed
+/// ones the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, const PlanOptions& options) {
-  auto layers = layers_of(feature_of(part, step), step.operation, tool_of(part, step).radius(), options.tol);
+  const auto& feature = feature_of(part, step);
+  auto layers = layers_of(feature, step.operation, tool_of(part, step).radius(), options.tol);
   for (auto& layer : layers) {
     const Regions standing = standing_target(part, step.feature, layer.z, options.tol);
-    const bool leaning = feature_of(part, step).wall_slope.radians() != 0;
-    layer.target = leaning ? intersect(layer.target, standing, options.tol) : standing;
+    if (standing.empty() || has_open_side(feature)) layer.target = standing;
   }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
   return layers;
