@@ -170,7 +170,7 @@ Json fault_json(const Fault& fault) {
   json["x"] = number(fault.at.point.x);
   json["y"] = number(fault.at.point.y);
   json["z"] = number(fault.at.z);
-  json["size"] = number(fault.size);
+  json["head"] = headline_of(fault);
   json["line"] = fault.at.line;
   json["text"] = fault.text;
   return json;

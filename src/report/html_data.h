@@ -12,7 +12,7 @@ namespace clearcut {
 /// Fields  name, clean, top, bottom (mm), shades (colours of 256 heights from bottom to top), stock
 ///         [x0,y0,x1,y1] or null, world [x0,y0,x1,y1]; tools [{n, d, r, w}]: number, diameter, radius of the
 ///         rounded edge, words; features [{name, floor, path, time, left, gouge, clean}]; sections [{label,
-///         feature, tool, first}]: index of the first move; faults [{kind, feature, x, y, z, size, line,
+///         feature, tool, first}]: index of the first move; faults [{kind, feature, x, y, z, head, line,
 ///         text}]; figures of the whole; program: array of lines.
 /// Moves   kinds: one digit each (MoveKind); x, y, z: ends in um as differences from the move before; t:
 ///         durations in 0.1 ms; line: differences; starts [[move, x, y, z]] where a move does not begin where

@@ -382,7 +382,7 @@ function writeFaults() {
   by('faults-box').hidden = job.faults.length === 0;
   for (const fault of job.faults) {
     const item = element('li', undefined, by('faults'));
-    element('b', fault.kind + ' ' + fixed(fault.size, 3) + ' mm', item);
+    element('b', fault.head, item);
     item.append((fault.feature ? ' in ' + fault.feature : '') + (fault.line ? ', line ' + fault.line : ''));
     element('div', fault.text, item);
     item.onclick = () => { marked = fault.x === null || fault.y === null ? null : fault; show(timeOfFault(fault)); };

@@ -158,6 +158,7 @@ TEST(Html, SectionsFeaturesFaultsAndFiguresAreThere) {
   EXPECT_EQ(job["features"][0]["floor"], -4);
   EXPECT_EQ(job["features"][0]["left"], 0.25);
   EXPECT_EQ(job["faults"][0]["kind"], "uncut");
+  EXPECT_EQ(job["faults"][0]["head"], "uncut 0.250 mm");
   EXPECT_EQ(job["faults"][0]["x"], 66.5);
   EXPECT_EQ(job["figures"]["feed_mm"], 2000.5);
   EXPECT_EQ(job["program"][1], "G0 X1 Y2 (<first> & \"second\")");

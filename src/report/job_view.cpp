@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/format.h"
+#include "report/text.h"
 
 namespace clearcut {
 
@@ -122,6 +123,13 @@ double depth_fraction(const Part& part, double z) {
   const double between = (levels[next - 1] - z) / (levels[next - 1] - levels[next]);
   const double rank = (static_cast<double>(next - 1) + between) / static_cast<double>(levels.size() - 1);
   return std::clamp(((levels.front() - z) / extent + std::clamp(rank, 0.0, 1.0)) / 2, 0.0, 1.0);
+}
+
+std::string headline_of(const Fault& fault) {
+  const bool has_length = fault.kind != FaultKind::kNothingCut && fault.kind != FaultKind::kNoFeed &&
+                          fault.kind != FaultKind::kWrongTool;
+  return has_length ? fmt::format("{} {} mm", name_of(fault.kind), fixed(fault.size, 3))
+                    : name_of(fault.kind);
 }
 
 std::string description_of(const Tool& tool) {

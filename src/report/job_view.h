@@ -30,6 +30,9 @@ std::vector<Move> shown_moves(const Section& section, bool all_layers);
 /// among the floors (piecewise linear), so that floors of nearly the same depth differ.
 double depth_fraction(const Part& part, double z);
 
+/// "gouge 0.250 mm"; without a length for kinds that have none.
+std::string headline_of(const Fault& fault);
+
 /// "T1 end mill 10 mm"
 std::string description_of(const Tool& tool);
 

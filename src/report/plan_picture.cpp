@@ -214,12 +214,14 @@ void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int fea
   if (f.wall_slope.radians() > 0) outline_regions(svg, view, floor_target(f), 0.7);
 }
 
+/// Leaning walls are cut layer by layer, so there all layers are shown.
 void draw_feature_lines(SvgWriter& svg, const PlanView& view, const Job& job, int feature) {
   const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
+  const bool all_layers = job.all_layers || f.wall_slope.radians() > 0;
   for (const Section& section : job.toolpath.sections) {
     if (feature_of(job.part, section) != feature) continue;
-    const std::vector<Move> moves = shown_moves(section, job.all_layers);
-    if (job.all_layers) {
+    const std::vector<Move> moves = shown_moves(section, all_layers);
+    if (all_layers) {
       draw_lines_by_depth(svg, view, moves, f.top_z, f.floor_z);
     } else {
       const Tool* tool = tool_of(job.part, section);

@@ -250,10 +250,7 @@ double draw_fault_list(SvgWriter& svg, const Findings& findings, Vec2 at, double
     const Fault& fault = findings.faults[i];
     const std::string where = fault.feature.empty() ? "" : ", " + fault.feature;
     const std::string line = fault.at.line > 0 ? fmt::format(", line {}", fault.at.line) : "";
-    svg.text({at.x, y},
-             shortened(fmt::format("{} {} mm{}{}", name_of(fault.kind), fixed(fault.size, 3), where, line),
-                       letters),
-             text_style(13, palette::kInk));
+    svg.text({at.x, y}, shortened(headline_of(fault) + where + line, letters), text_style(13, palette::kInk));
   }
   if (findings.faults.size() > kFaultsListed) {
     svg.text({at.x, y}, fmt::format("and {} more", findings.faults.size() - kFaultsListed),

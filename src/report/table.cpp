@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/format.h"
+#include "report/job_view.h"
 #include "report/text.h"
 #include "report/text_table.h"
 
@@ -28,8 +31,10 @@ std::vector<std::string> row(const std::string& name, const std::string& tool, c
   return cells;
 }
 
-std::string tool_of(const FeatureFindings& feature) {
-  return fmt::format("T{} D{}", feature.tool_number, shortened(fixed(feature.tool_diameter, 1), 6));
+std::string cutter_of(const FeatureFindings& feature) {
+  const bool known = std::isfinite(feature.tool_diameter);
+  const std::string diameter = known ? shortened(trimmed(feature.tool_diameter, 3), 8) : "?";
+  return fmt::format("T{} D{}", feature.tool_number, diameter);
 }
 
 std::string place_of(const Place& place) {
@@ -39,11 +44,11 @@ std::string place_of(const Place& place) {
   return text;
 }
 
+/// The sentence of a fault says where; one without a sentence is given its place here.
 std::string line_of(const Fault& fault) {
-  std::string text =
-      fmt::format("  {} {} mm at {}", name_of(fault.kind), fixed(fault.size, 3), place_of(fault.at));
+  if (!fault.text.empty()) return fmt::format("  {}: {}\n", name_of(fault.kind), ascii(fault.text));
+  std::string text = "  " + headline_of(fault) + " at " + place_of(fault.at);
   if (!fault.feature.empty()) text += " in " + ascii(fault.feature);
-  if (!fault.text.empty()) text += ": " + ascii(fault.text);
   return text + "\n";
 }
 
@@ -98,7 +103,7 @@ std::string table(const Part& part, const Findings& findings) {
   std::size_t layers = 0;
   for (const FeatureFindings& feature : findings.features) {
     layers += feature.layers.size();
-    text.add(row(feature.name, tool_of(feature), std::to_string(feature.layers.size()), feature.figures));
+    text.add(row(feature.name, cutter_of(feature), std::to_string(feature.layers.size()), feature.figures));
   }
   text.add_rule();
   text.add(row("total", "", std::to_string(layers), findings.all));

@@ -54,12 +54,12 @@ TEST(Table, GivesEachFeatureItsFiguresAndATotal) {
   const auto lines = lines_of(table({}, findings));
   ASSERT_GE(lines.size(), 5u);
   EXPECT_EQ(lines[0],
-            "feature  tool      layers  feed mm  rapid mm  retracts     time  uncut mm  uncut mm2  gouge mm  "
+            "feature  tool    layers  feed mm  rapid mm  retracts     time  uncut mm  uncut mm2  gouge mm  "
             "eng deg  "
             "clean");
   EXPECT_EQ(lines[2],
-            "POCKET1  T3 D10.0       5   1234.6      78.9         4  1:02:03     0.005       0.00     0.000  "
-            "    123  "
+            "POCKET1  T3 D10       5   1234.6      78.9         4  1:02:03     0.005       0.00     0.000    "
+            "  123  "
             "yes");
   EXPECT_THAT(lines[4], HasSubstr("total"));
   EXPECT_THAT(lines[5], HasSubstr("clean: nothing thicker than 0.005 mm"));
@@ -81,17 +81,23 @@ TEST(Table, SaysLoudlyWhatIsNotClean) {
   findings.features = {feature("POCKET1")};
   findings.features[0].figures.clean = false;
   for (int i = 0; i < 13; ++i) {
-    findings.faults.push_back({FaultKind::kGouge, "POCKET1", {{1, 2}, -3, 40 + i}, 0.25, "the wall was cut"});
+    findings.faults.push_back({FaultKind::kGouge, "POCKET1", {{1, 2}, -3, 40 + i}, 0.25, ""});
   }
+  findings.faults[1].text = "The cutter goes 0.25 mm into the wall.";
   const std::string text = table({}, findings);
   EXPECT_THAT(text, HasSubstr("  NO\n"));
   EXPECT_THAT(text, HasSubstr("13 faults:\n"));
-  EXPECT_THAT(text,
-              HasSubstr(std::string(name_of(FaultKind::kGouge)) +
-                        " 0.250 mm at x 1.000 y 2.000 z -3.000, line 40 in POCKET1: the wall was cut\n"));
+  EXPECT_THAT(text, HasSubstr("  gouge 0.250 mm at x 1.000 y 2.000 z -3.000, line 40 in POCKET1\n"));
+  EXPECT_THAT(text, HasSubstr("  gouge: The cutter goes 0.25 mm into the wall.\n"));
   EXPECT_THAT(text, HasSubstr("line 49 "));
   EXPECT_THAT(text, Not(HasSubstr("line 50 ")));
   EXPECT_THAT(text, HasSubstr("and 3 more\n"));
+}
+
+TEST(Table, GivesNoLengthWhereThereIsNone) {
+  Findings findings;
+  findings.faults.push_back({FaultKind::kNothingCut, "POCKET1", {}, 12.5, ""});
+  EXPECT_THAT(table({}, findings), HasSubstr("  nothing cut at x 0.000"));
 }
 
 TEST(Table, PrintsNeitherNanNorUnicode) {
