@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kFaultsShown = 10;
 constexpr std::size_t kWidth = 120;
-constexpr std::size_t kShortestName = 8;
+constexpr std::size_t kShortestName = 6;
 
 std::vector<std::string> figures_of(const Figures& f) {
   return {fixed(f.feed_mm, 1),  fixed(f.rapid_mm, 1),           std::to_string(f.retracts),
