@@ -63,6 +63,7 @@ constexpr std::array kDialects{
                .dwell = DwellForm::kSSeconds,
                .spindle_wait = 2,
                .rapid_feed = true,
+               .repeats_motion = true,
                .end = "",
                .largest_radius = 1000},
 };

@@ -47,6 +47,7 @@ struct IsoDialect {
   DwellForm dwell = DwellForm::kPSeconds;
   double spindle_wait = 0;        ///< s
   bool rapid_feed = false;        ///< F rules G0 too
+  bool repeats_motion = false;    ///< every block needs its G word
   bool dogleg_rapids = false;     ///< G0 need not be straight: z and plan move one after the other
   std::string_view end = "M30";   ///< last word; empty: a comment says it
   double largest_radius = 10000;  ///< mm

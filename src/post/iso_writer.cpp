@@ -92,7 +92,7 @@ class IsoWriter {
 
 StepRules IsoWriter::rules_for(const PostOptions& options, const IsoDialect& dialect) {
   const int decimals = options.decimals.value_or(options.inch ? dialect.inch_decimals : dialect.mm_decimals);
-  return {PrintGrid(options.inch, decimals), options.arcs, dialect.largest_radius, options.tol.chord};
+  return step_rules(options, decimals, dialect.largest_radius);
 }
 
 std::string IsoWriter::program(const Toolpath& toolpath) {
@@ -200,7 +200,7 @@ void IsoWriter::set_spindle(const Section& section) {
   if (rpm == held_.spindle) return;
   held_.spindle = rpm;
   if (rpm == 0) return out_.line("M5");
-  out_.line(fmt::format("S{} M{}", std::max(1LL, std::llround(std::abs(rpm))), rpm > 0 ? 3 : 4));
+  out_.line(fmt::format("M{} S{}", rpm > 0 ? 3 : 4, std::max(1LL, std::llround(std::abs(rpm)))));
   dwell(options_.spindle_wait ? options_.spindle_wait->seconds() : dialect_.spindle_wait);
 }
 
@@ -326,7 +326,7 @@ void IsoWriter::write_feed(const Step& step, MmPerMin feed) {
 }
 
 void IsoWriter::motion_word(int code) {
-  if (code == held_.motion) return;
+  if (code == held_.motion && !dialect_.repeats_motion) return;
   held_.motion = code;
   constexpr std::string_view kWords[] = {"G0", "G1", "G2", "G3"};
   out_.word(kWords[code]);

@@ -20,9 +20,12 @@ namespace {
 
 constexpr double kMmPerInch = 25.4;
 constexpr int kAngleDecimals = 4;
+constexpr double kAngleSteps = 1e4;  // in a degree
 constexpr std::size_t kLineLength = 80;
 /// mm; a wider helix would miss its end by more than 0.2 um, because its angle is printed with four decimals.
 constexpr double kWidestHelix = 200;
+constexpr double kLargestRadius = 10000;   // mm
+constexpr double kFinestTolerance = 1e-4;  // mm or inch, of cycle 32
 constexpr std::size_t kNameLength = 16;
 
 std::string program_name(const std::string& wanted) {
@@ -39,6 +42,7 @@ struct Held {
   Ticks at;
   bool plan = false;
   bool height = false;
+  Vec2 off_grid;                ///< where the tool is beside `at` after a helix, in steps
   std::optional<Ticks> center;  ///< CC
   long long feed = -1;
   int tool = 0;
@@ -47,13 +51,20 @@ struct Held {
   bool coolant = false;
 };
 
+Vec2 in_steps(const Ticks& at) {
+  return {static_cast<double>(at.x), static_cast<double>(at.y)};
+}
+
+const char* turn_text(Turn turn) {
+  return turn == Turn::kCounterClockwise ? " DR+" : " DR-";
+}
+
 class KlartextWriter {
  public:
   KlartextWriter(const Part& part, const PostOptions& options, double safe_z)
       : part_(part),
         options_(options),
-        rules_{PrintGrid(options.inch, options.decimals.value_or(options.inch ? 4 : 3)), options.arcs, 10000,
-               options.tol.chord},
+        rules_(step_rules(options, options.decimals.value_or(options.inch ? 4 : 3), kLargestRadius)),
         safe_z_(rules_.grid.ticks(safe_z)),
         name_(program_name(options.program_name)) {}
 
@@ -74,6 +85,7 @@ class KlartextWriter {
   void write_move(const Move& move);
   void write_line(const Ticks& to, bool rapid, MmPerMin feed);
   void write_arc(const Step& step, MmPerMin feed);
+  void write_helix(const Step& step, const Ticks& center, MmPerMin feed);
 
   void block(const std::string& text) { out_ += fmt::format("{} {}\n", number_++, text); }
   void comment(std::string_view text);
@@ -107,7 +119,8 @@ void KlartextWriter::begin_program(const Toolpath& toolpath) {
   comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   blank_form(toolpath);
   block("CYCL DEF 32.0 TOLERANCE");
-  block("CYCL DEF 32.1 T" + trimmed(options_.tol.gouge / (options_.inch ? kMmPerInch : 1), 6));
+  const double tolerance = options_.tol.gouge / (options_.inch ? kMmPerInch : 1);
+  block("CYCL DEF 32.1 T" + trimmed(std::max(kFinestTolerance, tolerance), 4));
 }
 
 /// The stock, or what the tool's centre covers where no stock is known.
@@ -206,6 +219,7 @@ void KlartextWriter::rapid_to_plan(const Ticks& to) {
   block("L" + coordinate(" X", to.x) + coordinate(" Y", to.y) + " R0 FMAX");
   held_.at.x = to.x;
   held_.at.y = to.y;
+  held_.off_grid = {};
   held_.plan = true;
   held_.feed = -1;
 }
@@ -236,20 +250,19 @@ void KlartextWriter::write_move(const Move& move) {
 
 void KlartextWriter::write_line(const Ticks& to, bool rapid, MmPerMin feed) {
   std::string text = "L";
-  if (to.x != held_.at.x) text += coordinate(" X", to.x);
-  if (to.y != held_.at.y) text += coordinate(" Y", to.y);
+  const bool off_grid = held_.off_grid != Vec2{};
+  if (off_grid || to.x != held_.at.x) text += coordinate(" X", to.x);
+  if (off_grid || to.y != held_.at.y) text += coordinate(" Y", to.y);
+  held_.off_grid = {};
   if (to.z != held_.at.z) text += coordinate(" Z", to.z);
   held_.at = to;
   if (rapid) held_.feed = -1;
   block(text + (rapid ? " R0 FMAX" : feed_text(feed)));
 }
 
-/// Signed angle of an arc step in degrees, as printed: from the start over the side it turns to.
-double swept_degrees(const Step& step, const Ticks& from) {
-  const Vec2 start{static_cast<double>(-step.i), static_cast<double>(-step.j)};
-  const Vec2 end{static_cast<double>(step.to.x - from.x - step.i),
-                 static_cast<double>(step.to.y - from.y - step.j)};
-  const double side = step.turn == Turn::kCounterClockwise ? 1 : -1;
+/// Signed angle about the origin in degrees, from `start` to `end` over the side it turns to.
+double swept_degrees(Vec2 start, Vec2 end, Turn turn) {
+  const double side = turn == Turn::kCounterClockwise ? 1 : -1;
   const double angle = side * std::atan2(cross(start, end), dot(start, end));
   return side * (angle > 0 ? angle : angle + 2 * kPi) * 180 / kPi;
 }
@@ -260,16 +273,31 @@ void KlartextWriter::write_arc(const Step& step, MmPerMin feed) {
     block("CC" + coordinate(" X", center.x) + coordinate(" Y", center.y));
     held_.center = center;
   }
-  const char* turn = step.turn == Turn::kCounterClockwise ? " DR+" : " DR-";
-  std::string text;
   if (step.to.z == held_.at.z) {
-    text = "C" + coordinate(" X", step.to.x) + coordinate(" Y", step.to.y);
+    held_.at = step.to;
+    held_.off_grid = {};
+    block("C" + coordinate(" X", step.to.x) + coordinate(" Y", step.to.y) + turn_text(step.turn) +
+          feed_text(feed));
   } else {
-    text = fmt::format("CP IPA{:+.{}f}", swept_degrees(step, held_.at), kAngleDecimals) +
-           coordinate(" IZ", step.to.z - held_.at.z);
+    write_helix(step, center, feed);
   }
+}
+
+/// A helix ends where its angle says, which is not on the grid: the difference is kept, so that a run of them
+/// does not drift, and taken back when it exceeds a step and a half.
+void KlartextWriter::write_helix(const Step& step, const Ticks& center, MmPerMin feed) {
+  constexpr double kLargestDrift = 1.5;
+  const Vec2 middle = in_steps(center), end = in_steps(step.to) - middle;
+  const Vec2 start = in_steps(held_.at) + held_.off_grid - middle;
+  const double degrees = std::round(swept_degrees(start, end, step.turn) * kAngleSteps) / kAngleSteps;
+  std::string text = degrees > 0 ? "CP IPA+" : "CP IPA";
+  append_number(text, std::llround(degrees * kAngleSteps), kAngleDecimals, false);
+  block(text + coordinate(" IZ", step.to.z - held_.at.z) + turn_text(step.turn) + feed_text(feed));
   held_.at = step.to;
-  block(text + turn + feed_text(feed));
+  held_.off_grid = rotated(start, Radians::of_degrees(degrees).radians()) - end;
+  if (norm(held_.off_grid) <= kLargestDrift) return;
+  held_.off_grid = {};
+  block("L" + coordinate(" X", step.to.x) + coordinate(" Y", step.to.y));
 }
 
 /// Comments that are too long go on in a block of their own.

@@ -14,7 +14,7 @@ constexpr double kSmallestRadius = 0.01;       // mm
 constexpr double kSmallestSweep = kPi / 1800;  // 0.1 degree
 constexpr double kLargestSweep = 1.9 * kPi;    // beyond it the ends are too near each other to tell side
 constexpr double kSweepSlack = 0.2;            // radians; a larger change means the wrong way round
-constexpr double kDeviationSteps = 2.0;        // grid steps
+constexpr double kLargestDeviation = 2.0;      // grid steps
 constexpr int kMostHalvings = 3;
 
 /// An arc through the origin and `end` whose printed centre is `center`, taken as a control takes it: the
@@ -34,25 +34,29 @@ PrintedArc printed_arc(Vec2 end, Vec2 center, double side) {
           std::abs(norm(center) - norm(end - center))};
 }
 
-/// Best printed centre near the ideal one, if any passes the rules.
-std::optional<Step> arc_step(const Edge& arc, Ticks from, Ticks to, const PrintGrid& grid) {
+/// Of the printed centres around the ideal one that pass the rules, the one with the best agreement of radii,
+/// middle of the arc and centre together; none may pass.
+std::optional<Step> arc_step(const Edge& arc, Ticks from, Ticks to, const StepRules& rules) {
+  const PrintGrid& grid = rules.grid;
   if (from.same_plan(to)) return std::nullopt;
   const Vec2 start = grid.plan(from);
   const double side = arc.turn == Turn::kCounterClockwise ? 1.0 : -1.0;
   const Vec2 end{static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
   const Vec2 middle = (arc.at(0.5) - start) / grid.step();
-  const long long i = grid.ticks(arc.center.x - start.x), j = grid.ticks(arc.center.y - start.y);
+  const Vec2 center = (arc.center - start) / grid.step();
   std::optional<Step> best;
-  double best_cost = kDeviationSteps;
-  for (long long di = -1; di <= 1; ++di) {
-    for (long long dj = -1; dj <= 1; ++dj) {
-      const PrintedArc printed =
-          printed_arc(end, {static_cast<double>(i + di), static_cast<double>(j + dj)}, side);
-      const double cost = printed.mismatch + distance(printed.middle, middle);
+  double best_cost = HUGE_VAL;
+  for (const double di : {-1.0, 0.0, 1.0}) {
+    for (const double dj : {-1.0, 0.0, 1.0}) {
+      const Vec2 tried{std::round(center.x) + di, std::round(center.y) + dj};
+      const PrintedArc printed = printed_arc(end, tried, side);
+      const double deviation = distance(printed.middle, middle);
+      const double cost = printed.mismatch + deviation + distance(tried, center);
       const bool right_way = std::abs(printed.sweep - std::abs(arc.sweep())) < kSweepSlack;
-      if (cost >= best_cost || !right_way || printed.mismatch * grid.step() > kRadiusMismatch) continue;
+      const bool round = printed.mismatch * grid.step() <= rules.radius_mismatch;
+      if (cost >= best_cost || !right_way || !round || deviation > kLargestDeviation) continue;
       best_cost = cost;
-      best = Step{to, arc.turn, i + di, j + dj};
+      best = Step{to, arc.turn, std::llround(tried.x), std::llround(tried.y)};
     }
   }
   return best;
@@ -93,7 +97,7 @@ void append_arc(const Move& move, const StepRules& rules, int halvings, Ticks& a
   const bool nearly_round = std::abs(move.path.sweep()) > kLargestSweep;
   if (!nearly_round && wants_lines(move.path, rules)) return append_chords(move, rules, at, out);
   if (!nearly_round) {
-    if (const auto step = arc_step(move.path, at, rules.grid.ticks(move.path.to, move.z_to), rules.grid)) {
+    if (const auto step = arc_step(move.path, at, rules.grid.ticks(move.path.to, move.z_to), rules)) {
       out.push_back(*step);
       at = step->to;
       return;
@@ -105,6 +109,15 @@ void append_arc(const Move& move, const StepRules& rules, int halvings, Ticks& a
 }
 
 }  // namespace
+
+/// Controls judge an arc's radii in their own unit: 0.002 mm or 0.0002 inch.
+StepRules step_rules(const PostOptions& options, int decimals, double largest_radius) {
+  return {.grid = PrintGrid(options.inch, decimals),
+          .arcs = options.arcs,
+          .largest_radius = largest_radius,
+          .chord = options.tol.chord,
+          .radius_mismatch = options.inch ? 0.0002 * 25.4 : 0.002};
+}
 
 Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::vector<Step>& out) {
   Ticks at = from;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "post/post.h"
 #include "post/print_grid.h"
 #include "toolpath/move.h"
 
@@ -21,10 +22,11 @@ struct StepRules {
   bool arcs = true;
   double largest_radius = 10000;  ///< mm; 32-bit controllers lose the centre of wider arcs
   double chord = 0.0002;          ///< mm, where an arc has to become lines
+  /// Largest difference of the printed radii at an arc's ends, mm: the tightest rule of any control.
+  double radius_mismatch = 0.002;
 };
 
-/// Largest difference of the printed radii at an arc's two ends, mm: the tightest rule of any control.
-inline constexpr double kRadiusMismatch = 0.002;
+StepRules step_rules(const PostOptions& options, int decimals, double largest_radius);
 
 /// Appends the steps of `move` starting from the printed position `from` (within a step of the move's start);
 /// motion that rounds to nothing gives no step.

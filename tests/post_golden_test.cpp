@@ -1,0 +1,173 @@
+// Programs as they must be written, byte for byte: tests/golden, a folder a case.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "base/file.h"
+#include "post/post.h"
+#include "read/gcode/gcode.h"
+#include "support/grbl.h"
+#include "support/rs274.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Case {
+  std::string folder;
+  std::vector<std::string> dialects;
+  PostOptions options;
+};
+
+std::vector<Case> cases() {
+  PostOptions lines;
+  lines.arcs = false;
+  lines.tol.chord = 0.01;
+  PostOptions by_hand;
+  by_hand.tool_changer = false;
+  by_hand.exact_stop = true;
+  by_hand.spindle_wait = Seconds::of(4);
+  return {{"two-tools", post_dialects(), {}},
+          {"circles", post_dialects(), {}},
+          {"lines-only", {"grbl", "marlin"}, lines},
+          {"by-hand", {"linuxcnc", "mach4", "fanuc"}, by_hand}};
+}
+
+fs::path folder_of(const Case& c) {
+  return fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden" / c.folder;
+}
+
+Part golden_part() {
+  Part part;
+  part.name = "GOLDEN";
+  part.stock = Stock{{{0, 0}, {50, 40}}, -10, 0};
+  part.clearance_z = 12;
+  for (const int number : {1, 2}) {
+    Tool tool;
+    tool.number = number;
+    tool.diameter = number == 1 ? 6 : 3;
+    part.tools.push_back(tool);
+  }
+  return part;
+}
+
+PostOptions options_of(const Case& c, const std::string& dialect, bool inch) {
+  PostOptions options = c.options;
+  options.dialect = dialect;
+  options.inch = inch;
+  options.program_name = c.folder;
+  options.header = {"STOCK 50 X 40 X 10 MM", "CUTTING TIME 1 MIN"};
+  return options;
+}
+
+std::vector<Move> feed_moves(const Section& section) {
+  std::vector<Move> moves;
+  for (const Move& move : section.moves) {
+    if (!is_rapid(move.kind)) moves.push_back(move);
+  }
+  return moves;
+}
+
+double distance_to(const Move& move, Vec2 p, double z) {
+  if (move.is_vertical()) {
+    const double nearest_z =
+        std::clamp(z, std::min(move.z_from, move.z_to), std::max(move.z_from, move.z_to));
+    return std::hypot(distance(move.path.to, p), z - nearest_z);
+  }
+  const Nearest near = nearest(move.path, p);
+  return std::hypot(near.distance, z - std::lerp(move.z_from, move.z_to, near.t));
+}
+
+double largest_distance(const std::vector<Move>& from, const std::vector<Move>& to) {
+  double largest = 0;
+  for (const Move& move : from) {
+    for (const double t : {0.0, 0.3, 0.5, 0.8, 1.0}) {
+      const Vec2 p = move.is_vertical() ? move.path.to : move.path.at(t);
+      double least = HUGE_VAL;
+      for (const Move& other : to)
+        least = std::min(least, distance_to(other, p, std::lerp(move.z_from, move.z_to, t)));
+      largest = std::max(largest, least);
+    }
+  }
+  return largest;
+}
+
+/// The written program is the toolpath again: sections, tools, speeds and, either way round, every point.
+void expect_same(const Toolpath& wanted, const Toolpath& got, double tolerance) {
+  ASSERT_EQ(wanted.sections.size(), got.sections.size());
+  for (std::size_t s = 0; s < wanted.sections.size(); ++s) {
+    EXPECT_EQ(wanted.sections[s].label, got.sections[s].label);
+    EXPECT_EQ(wanted.sections[s].tool_number, got.sections[s].tool_number);
+    EXPECT_EQ(wanted.sections[s].spindle_rpm, got.sections[s].spindle_rpm);
+    EXPECT_EQ(wanted.sections[s].coolant, got.sections[s].coolant);
+    const auto a = feed_moves(wanted.sections[s]), b = feed_moves(got.sections[s]);
+    EXPECT_LE(largest_distance(a, b), tolerance);
+    EXPECT_LE(largest_distance(b, a), tolerance);
+    EXPECT_NEAR(feed_length(wanted.sections[s]), feed_length(got.sections[s]), 40 * tolerance);
+  }
+}
+
+double tolerance_of(const PostOptions& options) {
+  const bool coarse =
+      options.dialect == "fanuc" || options.dialect == "haas" || options.dialect == "heidenhain";
+  const double step = (options.inch ? 25.4e-5 : 1e-4) * (coarse ? 10 : 1);
+  return 2.5 * step + options.tol.chord;
+}
+
+void check(const Case& c, const std::string& dialect, bool inch) {
+  const PostOptions options = options_of(c, dialect, inch);
+  const fs::path file = folder_of(c) / (dialect + (inch ? "-inch" : "-mm") + file_extension_of(dialect));
+  SCOPED_TRACE(file);
+  const Toolpath input = read_gcode(read_file((folder_of(c) / "input.ngc").string()), "input.ngc").toolpath;
+  const std::string text = post(input, golden_part(), options);
+  if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) std::ofstream(file, std::ios::binary) << text;
+  ASSERT_TRUE(fs::exists(file));
+  const std::string wanted = read_file(file.string());
+  EXPECT_EQ(text, wanted);
+  const Program program = read_gcode(wanted, file.filename().string());
+  EXPECT_TRUE(program.ended);
+  expect_same(input, program.toolpath, tolerance_of(options));
+  if (dialect == "grbl") {
+    for (const auto& fault : testing::grbl_faults(wanted)) ADD_FAILURE() << fault.error << ": " << fault.text;
+  }
+}
+
+TEST(Golden, EveryDialectWritesItsProgram) {
+  int checked = 0;
+  for (const Case& c : cases()) {
+    for (const std::string& dialect : c.dialects) {
+      check(c, dialect, false);
+      check(c, dialect, true);
+      checked += 2;
+    }
+  }
+  EXPECT_EQ(checked, 42);
+}
+
+TEST(Golden, NoFileIsForgotten) {
+  for (const Case& c : cases()) {
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(folder_of(c))) files += entry.is_regular_file() ? 1 : 0;
+    EXPECT_EQ(files, 2 * c.dialects.size() + 2) << c.folder << ": README.md, input.ngc and the programs";
+  }
+}
+
+TEST(Golden, LinuxCncTakesItsOwn) {
+  CLEARCUT_SKIP_WITHOUT_RS274();
+  for (const Case& c : cases()) {
+    for (const auto& entry : fs::directory_iterator(folder_of(c))) {
+      const std::string name = entry.path().filename().string();
+      if (name.rfind("linuxcnc", 0) != 0 && name.rfind("mach", 0) != 0 && name != "input.ngc") continue;
+      const testing::CanonProgram canon = testing::run_rs274(read_file(entry.path().string()));
+      EXPECT_TRUE(canon.accepted) << entry.path() << ": " << canon.message;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
