@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <map>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/random.h"
 #include "support/rs274.h"
 
 namespace clearcut {
@@ -119,6 +120,51 @@ TEST(GcodeCorpus, OtherDialectsMeanWhatTheySay) {
 }
 
 // ------------------------------------------------------------------------- beside LinuxCNC's own interpreter
+
+std::string mutated(std::string text, Random& random) {
+  constexpr std::string_view kPieces = "GMXYZIJRFTSPQLON0123456789.-+();% \n/#[*E";
+  const std::uint64_t changes = 1 + random.below(3);
+  for (std::uint64_t n = 0; n < changes && !text.empty(); ++n) {
+    const std::size_t at = random.below(text.size());
+    switch (random.below(4)) {
+      case 0:
+        text[at] = kPieces[random.below(kPieces.size())];
+        break;
+      case 1:
+        text.insert(at, 1, kPieces[random.below(kPieces.size())]);
+        break;
+      case 2:
+        text.erase(at, 1 + random.below(8));
+        break;
+      default:
+        text.insert(at, text.substr(random.below(text.size()), random.below(20)));
+    }
+  }
+  return text;
+}
+
+/// Damaged programs are refused with their place, or read as something sound; never anything else.
+TEST(GcodeCorpus, DamagedProgramsAreRefusedOrSound) {
+  Random random(2024);
+  std::vector<std::string> texts;
+  for (const char* folder : {"rs274", "other"}) {
+    for (const fs::path& file : corpus(folder)) texts.push_back(read_file(file.string()));
+  }
+  int read = 0, refused = 0;
+  for (int n = 0; n < 6000; ++n) {
+    const std::string text = mutated(texts[random.below(texts.size())], random);
+    try {
+      expect_sound(read_gcode(text, "damaged").toolpath);
+      ++read;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("damaged:", 0), 0U) << error.what();
+      ++refused;
+    }
+    if (HasFailure()) FAIL() << text;
+  }
+  EXPECT_GT(read, 1000);
+  EXPECT_GT(refused, 1000);
+}
 
 /// The canonical output has four decimals, in program units.
 double printed_tolerance(const fs::path& file) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "base/file.h"
 #include "post/post.h"
@@ -112,11 +113,17 @@ void expect_same(const Toolpath& wanted, const Toolpath& got, double tolerance) 
   }
 }
 
-double tolerance_of(const PostOptions& options) {
-  const bool coarse =
-      options.dialect == "fanuc" || options.dialect == "haas" || options.dialect == "heidenhain";
-  const double step = (options.inch ? 25.4e-5 : 1e-4) * (coarse ? 10 : 1);
-  return 2.5 * step + options.tol.chord;
+/// Where two texts begin to differ; "" if nowhere.
+std::string first_difference(const std::string& a, const std::string& b) {
+  std::istringstream left(a), right(b);
+  std::string x, y;
+  for (int line = 1;; ++line) {
+    const bool more = static_cast<bool>(std::getline(left, x)),
+               others = static_cast<bool>(std::getline(right, y));
+    if (!more && !others) return a == b ? "" : "line ends differ";
+    if (more != others || x != y)
+      return "line " + std::to_string(line) + ": '" + x + "' instead of '" + y + "'";
+  }
 }
 
 void check(const Case& c, const std::string& dialect, bool inch) {
@@ -128,10 +135,10 @@ void check(const Case& c, const std::string& dialect, bool inch) {
   if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) std::ofstream(file, std::ios::binary) << text;
   ASSERT_TRUE(fs::exists(file));
   const std::string wanted = read_file(file.string());
-  EXPECT_EQ(text, wanted);
+  EXPECT_EQ(first_difference(text, wanted), "");
   const Program program = read_gcode(wanted, file.filename().string());
   EXPECT_TRUE(program.ended);
-  expect_same(input, program.toolpath, tolerance_of(options));
+  expect_same(input, program.toolpath, 2 * rounding_of(options) + options.tol.chord);
   if (dialect == "grbl") {
     for (const auto& fault : testing::grbl_faults(wanted)) ADD_FAILURE() << fault.error << ": " << fault.text;
   }

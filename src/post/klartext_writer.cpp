@@ -64,7 +64,9 @@ class KlartextWriter {
   KlartextWriter(const Part& part, const PostOptions& options, double safe_z)
       : part_(part),
         options_(options),
-        rules_(step_rules(options, options.decimals.value_or(options.inch ? 4 : 3), kLargestRadius)),
+        rules_(step_rules(
+            options, options.decimals.value_or(options.inch ? kKlartextInchDecimals : kKlartextMmDecimals),
+            kLargestRadius)),
         safe_z_(rules_.grid.ticks(safe_z)),
         name_(program_name(options.program_name)) {}
 
@@ -284,9 +286,8 @@ void KlartextWriter::write_arc(const Step& step, MmPerMin feed) {
 }
 
 /// A helix ends where its angle says, which is not on the grid: the difference is kept, so that a run of them
-/// does not drift, and taken back when it exceeds a step and a half.
+/// does not drift, and taken back when it exceeds half a step.
 void KlartextWriter::write_helix(const Step& step, const Ticks& center, MmPerMin feed) {
-  constexpr double kLargestDrift = 1.5;
   const Vec2 middle = in_steps(center), end = in_steps(step.to) - middle;
   const Vec2 start = in_steps(held_.at) + held_.off_grid - middle;
   const double degrees = std::round(swept_degrees(start, end, step.turn) * kAngleSteps) / kAngleSteps;
@@ -295,7 +296,7 @@ void KlartextWriter::write_helix(const Step& step, const Ticks& center, MmPerMin
   block(text + coordinate(" IZ", step.to.z - held_.at.z) + turn_text(step.turn) + feed_text(feed));
   held_.at = step.to;
   held_.off_grid = rotated(start, Radians::of_degrees(degrees).radians()) - end;
-  if (norm(held_.off_grid) <= kLargestDrift) return;
+  if (norm(held_.off_grid) <= kKlartextDrift) return;
   held_.off_grid = {};
   block("L" + coordinate(" X", step.to.x) + coordinate(" Y", step.to.y));
 }

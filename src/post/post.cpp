@@ -7,6 +7,7 @@
 #include "post/iso_writer.h"
 #include "post/klartext_writer.h"
 #include "post/print_grid.h"
+#include "post/steps.h"
 
 namespace clearcut {
 
@@ -47,6 +48,12 @@ void check(const Section& section) {
   }
 }
 
+int default_decimals(const PostOptions& options) {
+  const IsoDialect* dialect = iso_dialect_named(options.dialect);
+  if (!dialect) return options.inch ? kKlartextInchDecimals : kKlartextMmDecimals;
+  return options.inch ? dialect->inch_decimals : dialect->mm_decimals;
+}
+
 [[noreturn]] void refuse_dialect(const std::string& name) {
   std::string known;
   for (const std::string& dialect : post_dialects()) known += (known.empty() ? "" : ", ") + dialect;
@@ -68,6 +75,12 @@ std::string file_extension_of(const std::string& dialect) {
   if (dialect == kKlartext) return ".h";
   const IsoDialect* iso = iso_dialect_named(dialect);
   return iso ? std::string(iso->extension) : ".ngc";
+}
+
+double rounding_of(const PostOptions& options) {
+  const int decimals = options.decimals.value_or(default_decimals(options));
+  const PrintGrid grid(options.inch, decimals);
+  return largest_deviation(grid) + (options.dialect == kKlartext ? kKlartextDrift * grid.step() : 0);
 }
 
 std::string post(const Toolpath& toolpath, const Part& part, const PostOptions& options) {

@@ -31,11 +31,14 @@ const std::vector<std::string>& post_dialects();
 /// Customary ending of a program's file name: ".ngc", ".nc", ".h", ".tap", ".gcode".
 std::string file_extension_of(const std::string& dialect);
 
+/// Largest distance in plan between a toolpath and the program written for it, mm: rounding to the printed
+/// decimals. Arcs that have to become lines add tol.chord.
+double rounding_of(const PostOptions& options);
+
 /// The program's text: LF line ends, ASCII. Same input, same bytes.
 ///
 /// Shape   one OPERATION comment per section; sections are joined over the safe height.
-/// Error   see docs/posts.md: by default every point lies within 0.5 um of the toolpath in mm programs of
-/// four
+/// Error   rounding_of(options); arcs are checked after rounding, from the previous printed point.
 ///         decimals; arcs are checked after rounding, from the previous printed point.
 /// Throws  InputError for an unknown dialect, a number that is not finite or beyond 1 km, a feed move without
 /// feed. Cost    linear.

@@ -14,47 +14,66 @@ constexpr double kSmallestRadius = 0.01;       // mm
 constexpr double kSmallestSweep = kPi / 1800;  // 0.1 degree
 constexpr double kLargestSweep = 1.9 * kPi;    // beyond it the ends are too near each other to tell side
 constexpr double kSweepSlack = 0.2;            // radians; a larger change means the wrong way round
-constexpr double kLargestDeviation = 2.0;      // grid steps
+constexpr double kFineDeviation = 0.0003;      // mm; arcs printed this well are never divided
 constexpr int kMostHalvings = 3;
 
-/// An arc through the origin and `end` whose printed centre is `center`, taken as a control takes it: the
-/// nearest circle through both points. In grid steps.
-struct PrintedArc {
-  Vec2 middle;
-  double sweep = 0;
-  double mismatch = 0;
-};
-
-PrintedArc printed_arc(Vec2 end, Vec2 center, double side) {
-  const Vec2 normal = left_of(unit(end)) * side;
-  const double half_chord = norm(end) / 2;
-  const double height = dot(center - end / 2, normal);
-  const double radius = std::hypot(height, half_chord);
-  return {end / 2 + normal * (height - radius), 2 * std::atan2(half_chord, height),
-          std::abs(norm(center) - norm(end - center))};
+/// mm; how far a printed arc may lie beside the wanted one, the mismatch of its radii included.
+double allowed_aside(const PrintGrid& grid) {
+  return std::max(grid.step(), kFineDeviation);
 }
 
+/// An arc from the origin to `end` about the printed centre, in grid steps, as controls drive it: the radius
+/// goes from that of the start to that of the end.
+struct PrintedArc {
+  Vec2 end;
+  Vec2 center;
+  double side = 1;  ///< 1 counter-clockwise, -1 clockwise
+
+  double start_radius() const { return norm(center); }
+  double end_radius() const { return norm(end - center); }
+  double mismatch() const { return std::abs(start_radius() - end_radius()); }
+  double angle_to(Vec2 direction) const {
+    const double angle = side * std::atan2(cross(-center, direction), dot(-center, direction));
+    return angle >= 0 ? angle : angle + 2 * kPi;
+  }
+  double sweep() const { return angle_to(end - center); }
+
+  /// Largest distance from the circle about `c` of radius `r`. It varies with the direction as the offset of
+  /// the centres does: its extremes are along that offset, or at the ends.
+  double deviation(Vec2 c, double r) const {
+    double largest = std::max(std::abs(norm(c) - r), std::abs(distance(end, c) - r));
+    const Vec2 offset = center - c;
+    const double shift = norm(offset), last = sweep();
+    for (const double own : {start_radius(), end_radius()}) {
+      if (shift > 0 && angle_to(offset) <= last) largest = std::max(largest, std::abs(own - r + shift));
+      if (shift > 0 && angle_to(-offset) <= last) largest = std::max(largest, std::abs(own - r - shift));
+    }
+    return largest;
+  }
+};
+
 /// Of the printed centres around the ideal one that pass the rules, the one with the best agreement of radii,
-/// middle of the arc and centre together; none may pass.
+/// of the arcs and of the centres together; none may pass.
 std::optional<Step> arc_step(const Edge& arc, Ticks from, Ticks to, const StepRules& rules) {
   const PrintGrid& grid = rules.grid;
   if (from.same_plan(to)) return std::nullopt;
   const Vec2 start = grid.plan(from);
   const double side = arc.turn == Turn::kCounterClockwise ? 1.0 : -1.0;
   const Vec2 end{static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)};
-  const Vec2 middle = (arc.at(0.5) - start) / grid.step();
   const Vec2 center = (arc.center - start) / grid.step();
+  const double radius = arc.radius() / grid.step(), sweep = std::abs(arc.sweep());
+  const double allowed = allowed_aside(grid) / grid.step();
   std::optional<Step> best;
   double best_cost = HUGE_VAL;
   for (const double di : {-1.0, 0.0, 1.0}) {
     for (const double dj : {-1.0, 0.0, 1.0}) {
       const Vec2 tried{std::round(center.x) + di, std::round(center.y) + dj};
-      const PrintedArc printed = printed_arc(end, tried, side);
-      const double deviation = distance(printed.middle, middle);
-      const double cost = printed.mismatch + deviation + distance(tried, center);
-      const bool right_way = std::abs(printed.sweep - std::abs(arc.sweep())) < kSweepSlack;
-      const bool round = printed.mismatch * grid.step() <= rules.radius_mismatch;
-      if (cost >= best_cost || !right_way || !round || deviation > kLargestDeviation) continue;
+      const PrintedArc printed{end, tried, side};
+      const double deviation = printed.deviation(center, radius);
+      const double cost = printed.mismatch() + deviation + distance(tried, center);
+      if (cost >= best_cost || deviation + printed.mismatch() > allowed) continue;
+      if (printed.mismatch() * grid.step() > rules.radius_mismatch) continue;
+      if (std::abs(printed.sweep() - sweep) > kSweepSlack) continue;  // the wrong way round
       best_cost = cost;
       best = Step{to, arc.turn, std::llround(tried.x), std::llround(tried.y)};
     }
@@ -109,6 +128,10 @@ void append_arc(const Move& move, const StepRules& rules, int halvings, Ticks& a
 }
 
 }  // namespace
+
+double largest_deviation(const PrintGrid& grid) {
+  return std::hypot(allowed_aside(grid), grid.step() * std::sqrt(0.5));
+}
 
 /// Controls judge an arc's radii in their own unit: 0.002 mm or 0.0002 inch.
 StepRules step_rules(const PostOptions& options, int decimals, double largest_radius) {

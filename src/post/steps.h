@@ -26,6 +26,10 @@ struct StepRules {
   double radius_mismatch = 0.002;
 };
 
+/// Largest distance in plan between a move and its steps, mm, where no arc becomes lines: an arc lies beside
+/// by at most a step (or 0.3 um), and an end may lie half a step on in each axis besides.
+double largest_deviation(const PrintGrid& grid);
+
 StepRules step_rules(const PostOptions& options, int decimals, double largest_radius);
 
 /// Appends the steps of `move` starting from the printed position `from` (within a step of the move's start);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "read/gcode/g_words.h"
 #include "read/gcode/marker.h"
 
 namespace clearcut::gcode {
@@ -16,87 +17,6 @@ constexpr double kMmPerInch = 25.4;
 constexpr double kMostRepeats = 10000;
 /// Arcs standing upright (G18, G19) become chords: a Move is an arc in plan only. mm.
 constexpr double kUprightChord = 0.0005;
-
-std::string g_word(int code) {
-  const std::string whole = "G" + std::to_string(code / 10);
-  return code % 10 == 0 ? whole : whole + "." + std::to_string(code % 10);
-}
-
-enum class Group { kNone, kMotion, kPlane, kDistance, kCenters, kFeedMode, kUnits, kReturn, kOffset, kOnce };
-
-Group group_of(int code) {
-  if (is_drill_cycle(code)) return Group::kMotion;
-  switch (code) {
-    case 0:
-    case 10:
-    case 20:
-    case 30:
-    case 330:
-    case 382:
-    case 383:
-    case 384:
-    case 385:
-    case 760:
-    case 870:
-    case 880:
-      return Group::kMotion;
-    case 170:
-    case 180:
-    case 190:
-      return Group::kPlane;
-    case 900:
-    case 910:
-      return Group::kDistance;
-    case 901:
-    case 911:
-      return Group::kCenters;
-    case 930:
-    case 940:
-    case 950:
-      return Group::kFeedMode;
-    case 200:
-    case 210:
-      return Group::kUnits;
-    case 980:
-    case 990:
-      return Group::kReturn;
-    case 540:
-    case 550:
-    case 560:
-    case 570:
-    case 580:
-    case 590:
-    case 591:
-    case 592:
-    case 593:
-    case 541:
-      return Group::kOffset;
-    case 100:
-    case 280:
-    case 300:
-    case 520:
-    case 920:
-    case 921:
-    case 922:
-    case 923:
-      return Group::kOnce;
-    default:
-      return Group::kNone;
-  }
-}
-
-/// G80 gives way to any other motion word of its block.
-int motion_in(const Block& block) {
-  int motion = -1;
-  for (const int code : block.g) {
-    if (group_of(code) == Group::kMotion || (code == 800 && motion < 0)) motion = code;
-  }
-  return motion;
-}
-
-bool has_g(const Block& block, int code) {
-  return std::find(block.g.begin(), block.g.end(), code) != block.g.end();
-}
 
 }  // namespace
 
@@ -117,7 +37,7 @@ void Interpreter::check(const Block& block) const {
   std::uint32_t seen = 0;
   for (const int code : block.g) {
     const Group group = group_of(code);
-    if (group == Group::kNone) continue;
+    if (!is_modal(group)) continue;
     const std::uint32_t bit = 1U << static_cast<unsigned>(group);
     if (seen & bit) refuse(g_word(code) + " contradicts another G word of its block; split the block");
     seen |= bit;
@@ -177,21 +97,29 @@ void Interpreter::set_mode(int code, const Block& block) {
     case 990:
       return_to_old_z_ = false;
       break;
-    case 640:
-      if (!block.has('P')) {
-        builder_.warn(
-            line_, "G64 without P lets some controls round corners by any amount; the exact path is judged");
-      }
-      break;
     default:
-      if (group_of(code) == Group::kOffset) {
-        if (offset_word_ != 0 && offset_word_ != code) {
-          builder_.warn(line_, "several work offsets; all are taken as one and the same frame");
-        }
-        offset_word_ = code;
-      } else if (group_of(code) == Group::kNone) {
-        set_unread_mode(code);
-      }
+      set_other(code, block);
+  }
+}
+
+/// Words that leave the path alone pass; those that would change it in ways not understood are refused.
+void Interpreter::set_other(int code, const Block& block) {
+  const Group group = group_of(code);
+  if (group == Group::kOffset) {
+    if (offset_word_ != 0 && offset_word_ != code) {
+      builder_.warn(line_, "several work offsets; all are taken as one and the same frame");
+    }
+    offset_word_ = code;
+  } else if (group == Group::kCompensation) {
+    refuse(g_word(code) +
+           " cutter radius compensation is not read; post the path of the tool's centre (G40)");
+  } else if (code == 640 && !block.has('P')) {
+    builder_.warn(line_,
+                  "G64 without P lets some controls round corners by any amount; the exact path is judged");
+  } else if (code == 51) {
+    builder_.note(line_, "G5.1 is taken as look-ahead and ignored");
+  } else if (group == Group::kUnknown) {
+    refuse(g_word(code) + " is not read; post the program without it");
   }
 }
 
@@ -199,42 +127,6 @@ void Interpreter::set_mode(int code, const Block& block) {
 void Interpreter::set_feed_mode(FeedMode mode) {
   if (mode != feed_mode_) feed_ = 0;
   feed_mode_ = mode;
-}
-
-/// Words without effect on the path pass silently; those that would change it are refused.
-void Interpreter::set_unread_mode(int code) {
-  switch (code) {
-    case 40:
-    case 80:
-    case 90:
-    case 150:
-    case 400:
-    case 430:
-    case 431:
-    case 490:
-    case 500:
-    case 530:
-    case 610:
-    case 611:
-    case 640:
-    case 690:
-    case 800:
-    case 970:
-    case 1870:
-      return;
-    case 410:
-    case 411:
-    case 420:
-    case 421:
-      refuse(g_word(code) +
-             " cutter radius compensation is not read; post the path of the tool's centre (G40)");
-    case 51:
-      return builder_.note(line_, "G5.1 is taken as look-ahead and ignored");
-    case 310:
-      refuse("G31 probing is not read; remove it");
-    default:
-      refuse(g_word(code) + " is not read; post the program without it");
-  }
 }
 
 void Interpreter::set_feed_and_drive(const Block& block) {

@@ -29,7 +29,7 @@ class Interpreter {
   void set_modes(const Block& block);
   void set_mode(int code, const Block& block);
   void set_feed_mode(FeedMode mode);
-  void set_unread_mode(int code);
+  void set_other(int code, const Block& block);
   void set_feed_and_drive(const Block& block);
   void set_drive(int m, const Block& block);
   void select_tool(int number);
