@@ -260,8 +260,7 @@ class Maker {
   Node unmoved(const Around& around, Vec2 p) const { return {p, distance_range(around, p).first}; }
 
   Node exact_node(const Around& around, Vec2 start) const {
-    const Element& first = out_.element(around.elements[0]);
-    if (is_open_circle(around)) return {first.edge.center, first.radius};
+    if (const Element* arc = common_center(around, start)) return {arc->edge.center, arc->radius};
     if (around.count == 1) return unmoved(around, start);
     Node best{start, 0};
     double best_spread = std::numeric_limits<double>::infinity();
@@ -278,18 +277,18 @@ class Maker {
     return best;
   }
 
-  /// Whether only concave arcs of one circle meet: all that the diagram shows there is how the arc was cut.
-  bool is_open_circle(const Around& around) const {
-    const Element& first = out_.element(around.elements[0]);
+  /// An arc's centre that all elements around are equally far from: its own pieces, and walls that go on from
+  /// it smoothly. Where they meet in the diagram is an accident of rounding.
+  const Element* common_center(const Around& around, Vec2 p) const {
     for (int i = 0; i < around.count; ++i) {
-      const Element& e = out_.element(around.elements[index(i)]);
-      if (e.wall != Wall::kConcave || std::abs(e.radius - first.radius) > kSameCircle ||
-          norm(e.edge.center - first.edge.center) > kSameCircle ||
-          center_open_[index(around.elements[index(i)])] == 0) {
-        return false;
-      }
+      const int id = around.elements[index(i)];
+      const Element& arc = out_.element(id);
+      if (arc.wall != Wall::kConcave || center_open_[index(id)] == 0) continue;
+      if (norm(p - arc.edge.center) > arc.radius / 2) continue;
+      const auto [low, high] = distance_range(around, arc.edge.center);
+      if (high - low <= kSafeMove) return &arc;
     }
-    return true;
+    return nullptr;
   }
 
   std::pair<double, double> distance_range(const Around& around, Vec2 p) const {

@@ -33,10 +33,10 @@ class Assembler {
       : diagram_(diagram), d_(d), slack_(slack), pieces_(curve.pieces) {}
 
   std::optional<Loop> run() {
+    if (pieces_.size() == 1) return full_circle();
     drop_shrunken_arcs();
     mend_corners();
-    if (pieces_.size() == 1) return full_circle();
-    if (pieces_.empty()) return std::nullopt;
+    if (pieces_.size() < 2) return std::nullopt;
     solve_joints();
     while (drop_reversed()) {
       if (pieces_.size() < 2) return std::nullopt;
@@ -158,8 +158,12 @@ class Assembler {
     pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(i), arc);
   }
 
+  /// One element all round: an island that is a point, or an arc that is all but closed. Others are an
+  /// accident of rounding about an arc's centre.
   std::optional<Loop> full_circle() const {
-    const OffsetCurve circle = offset_curve(element(pieces_[0]), d_);
+    const Element& only = element(pieces_[0]);
+    if (only.edge.is_arc() && std::abs(only.edge.sweep()) < 1.9 * kPi) return std::nullopt;
+    const OffsetCurve circle = offset_curve(only, d_);
     if (circle.straight || circle.radius <= kCoincident) return std::nullopt;
     const Vec2 a = circle.point - Vec2{circle.radius, 0}, b = circle.point + Vec2{circle.radius, 0};
     return Loop{Edge::arc(a, b, circle.point, circle.turn), Edge::arc(b, a, circle.point, circle.turn)};

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "geometry/voronoi/contacts.h"
 
 namespace clearcut::voronoi {
@@ -88,9 +89,24 @@ Edge with_ends(const Edge& edge, Vec2 from, Vec2 to) {
   return moved;
 }
 
+/// Points of the polygon around the arc's circle that touches it at both ends, with the last one. Against
+/// chords: the directions at the ends are exact, so a vertex turns the way it really does, and the polygon's
+/// bisectors of a concave arc and its smooth neighbours all meet in the arc's centre.
+void append_tangents(const Edge& edge, double error, std::vector<Vec2>& out) {
+  if (edge.is_arc()) {
+    const double sweep = edge.sweep(), r = edge.radius();
+    const double widest = std::min(std::acos(1 / (1 + error / r)), kPi / 6);
+    const int count = static_cast<int>(std::ceil(std::abs(sweep) / (2 * widest)));
+    const double half = sweep / (2 * count), reach = 1 / std::cos(half);
+    const Vec2 u = (edge.from - edge.center) * reach;
+    for (int i = 0; i < count; ++i) out.push_back(edge.center + rotated(u, (2 * i + 1) * half));
+  }
+  out.push_back(edge.to);
+}
+
 class Builder {
  public:
-  Builder(const Region& region, double chord, double simplify) : chord_(chord) {
+  Builder(const Region& region, double error, double simplify) : error_(error) {
     sites_.grid = grid_for(region);
     std::vector<Loop> loops{simplified(region.outer(), simplify)};
     for (const Loop& island : region.islands()) loops.push_back(simplified(island, simplify));
@@ -154,7 +170,7 @@ class Builder {
     const int element = add_element(Element::of_edge(moved));
     sites_.elements.back().end_vertex = to;
     points_.clear();
-    append_flattened(moved, chord_, points_);
+    append_tangents(moved, error_, points_);
     Segment next{corners_[index(from)].at, {}, element, from, element, -1};
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const bool last = i + 1 == points_.size();
@@ -265,7 +281,7 @@ class Builder {
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   Sites sites_;
-  double chord_;
+  double error_;
   std::vector<Corner> corners_;
   std::map<GridPoint, int> crossings_;
   std::vector<Vec2> points_;
@@ -273,8 +289,8 @@ class Builder {
 
 }  // namespace
 
-Sites make_sites(const Region& region, double chord, double simplify) {
-  return Builder(region, chord, simplify).run();
+Sites make_sites(const Region& region, double error, double simplify) {
+  return Builder(region, error, simplify).run();
 }
 
 }  // namespace clearcut::voronoi

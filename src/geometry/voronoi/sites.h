@@ -50,8 +50,8 @@ struct Sites {
   bool repaired = false;
 };
 
-/// Arcs become chords within `chord` mm, runs of short lines one line within `simplify` mm; vertices in one
+/// Arcs become tangents within `error` mm, runs of short lines one line within `simplify` mm; vertices in one
 /// square of the grid become one. Segments are split where they touch, doubled ones made one.
-Sites make_sites(const Region& region, double chord, double simplify);
+Sites make_sites(const Region& region, double error, double simplify);
 
 }  // namespace clearcut::voronoi
