@@ -6,8 +6,9 @@ namespace clearcut {
 struct Tolerances {
   /// mm. Two points nearer than this are one point. Below the resolution of any controller (0.1 um printed).
   double coincident = 1e-7;
-  /// mm. Flattening of arcs where only topology depends on it (sites of the Voronoi diagram).
-  double topology_chord = 0.005;
+  /// mm. Arcs where only topology depends on them (sites of the Voronoi diagram), as long as it can be proven
+  /// to be that of the exact arcs.
+  double topology_chord = 0.05;
   /// mm. Largest distance between a curve handed to a library as a polygon and that polygon.
   double chord = 0.0002;
   /// mm. A cutter that is wider than a gap by no more than this is taken to fit it exactly.

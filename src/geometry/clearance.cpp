@@ -14,9 +14,10 @@
 namespace clearcut {
 namespace {
 
-/// mm. Chords of arcs and runs of lines made one lie this near to the boundary at most: half of the promised
-/// 1 um.
-constexpr double kTopologyError = 0.0005;
+/// mm. Sites lie this near to the boundary where the diagram cannot prove its topology on coarser ones: half
+/// of the promised 1 um.
+constexpr double kFine = 0.0005;
+/// mm. Runs of lines made one line lie this near to it.
 constexpr double kSimplify = 0.0004;
 /// mm. Offsets smaller than this return the region: its own points are within the promise.
 constexpr double kNoOffset = 0.0005;
@@ -85,6 +86,13 @@ void append_axis_curve(const WallPair& walls, const AxisPoint& a, const AxisPoin
   }
 }
 
+voronoi::Diagram diagram_of(const Region& region, const Tolerances& tol) {
+  voronoi::Diagram coarse =
+      voronoi::make_diagram(voronoi::make_sites(region, tol.topology_chord, kSimplify), region);
+  if (coarse.exact) return coarse;
+  return voronoi::make_diagram(voronoi::make_sites(region, kFine, kSimplify), region);
+}
+
 }  // namespace
 
 struct Clearance::Impl {
@@ -94,10 +102,7 @@ struct Clearance::Impl {
   voronoi::Axis axis;
   std::vector<AxisPoint> centers;
 
-  Impl(const Region& of, const Tolerances& with)
-      : region(of),
-        tol(with),
-        diagram(voronoi::make_diagram(voronoi::make_sites(of, kTopologyError, kSimplify), of)) {
+  Impl(const Region& of, const Tolerances& with) : region(of), tol(with), diagram(diagram_of(of, with)) {
     axis = voronoi::make_axis(diagram);
     centers = voronoi::find_centers(axis, diagram, tol.fit);
   }
@@ -112,7 +117,7 @@ struct Clearance::Impl {
     std::vector<std::vector<Loop>> loops(levels.size());
     for (const auto& curve : voronoi::level_curves(diagram, levels, kMargin)) {
       const auto level = static_cast<std::size_t>(curve.level);
-      auto loop = voronoi::offset_loop(diagram, curve, levels[level], kTopologyError);
+      auto loop = voronoi::offset_loop(diagram, curve, levels[level], kFine);
       if (loop) loops[level].push_back(std::move(*loop));
     }
     std::vector<Regions> result(unchanged, Regions{region});

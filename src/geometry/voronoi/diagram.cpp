@@ -20,8 +20,8 @@ std::size_t index(int i) {
 constexpr double kOnBoundaryUnits = 2;
 /// mm. Spread of the exact distances at a node below which it is solved.
 constexpr double kSolved = 1e-9;
-/// mm. Corrections up to this need no check; a wall nearer than a node's own by this is an error.
-constexpr double kSafeMove = 1e-4;
+/// mm. A wall nearer than a node's own by more than this is an error.
+constexpr double kNearer = 1e-4;
 /// mm. Arcs whose centres and radii agree to this are of one circle.
 constexpr double kSameCircle = 1e-6;
 
@@ -218,13 +218,18 @@ class Maker {
       const int v = out_.origin[h];
       if (v < 0 || done[index(v)] != 0 || out_.inside[index(v)] == 0) continue;
       done[index(v)] = 1;
-      Node& node = out_.nodes[index(v)];
-      const Around around = elements_around(static_cast<int>(h), node.point);
-      const Node exact = exact_node(around, node.point);
-      // A far move may have left the place where these elements are the nearest.
-      const bool moved = norm_squared(exact.point - node.point) > kSafeMove * kSafeMove;
-      node = moved && !is_nearest_nearby(static_cast<int>(h), exact) ? unmoved(around, node.point) : exact;
+      correct_node(static_cast<int>(h), out_.nodes[index(v)]);
     }
+  }
+
+  void correct_node(int h, Node& node) {
+    const Around around = elements_around(h, node.point);
+    const Node corrected = corrected_node(around, node.point);
+    const auto [low, high] = distance_range(around, corrected.point);
+    const bool nearest = is_nearest_nearby(h, corrected);
+    const bool lost = around.count == 1 && corrected.point == node.point;
+    if (high - low > kNearer || !nearest || lost) out_.exact = false;
+    node = nearest ? corrected : unmoved(around, node.point);
   }
 
   /// For each concave arc, whether its centre is nowhere nearer to one of the walls next to it in the
@@ -249,8 +254,7 @@ class Maker {
     do {
       const int beyond = Diagram::twin(out_.next[index(h)]);
       const int cell = out_.cell[index(beyond)];
-      if (distance(out_.element(out_.element_near(cell, node.point)), node.point) <
-          node.clearance - kSafeMove)
+      if (distance(out_.element(out_.element_near(cell, node.point)), node.point) < node.clearance - kNearer)
         return false;
       h = out_.next[index(Diagram::twin(h))];
     } while (h != first);
@@ -259,7 +263,7 @@ class Maker {
 
   Node unmoved(const Around& around, Vec2 p) const { return {p, distance_range(around, p).first}; }
 
-  Node exact_node(const Around& around, Vec2 start) const {
+  Node corrected_node(const Around& around, Vec2 start) const {
     if (const Element* arc = common_center(around, start)) return {arc->edge.center, arc->radius};
     if (around.count == 1) return unmoved(around, start);
     Node best{start, 0};
@@ -286,7 +290,7 @@ class Maker {
       if (arc.wall != Wall::kConcave || center_open_[index(id)] == 0) continue;
       if (norm(p - arc.edge.center) > arc.radius / 2) continue;
       const auto [low, high] = distance_range(around, arc.edge.center);
-      if (high - low <= kSafeMove) return &arc;
+      if (high - low <= kNearer) return &arc;
     }
     return nullptr;
   }

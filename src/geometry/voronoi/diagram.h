@@ -26,7 +26,10 @@ struct Diagram {
   std::vector<int> cell_element;  ///< of each cell: element, for doubled walls that on the left side
   std::vector<int> cell_back;     ///< of each cell: element on the right side of a doubled wall, or -1
   std::vector<int> cell_segment;  ///< of each cell: its segment, -1 for points
-  double largest = 0;             ///< largest clearance inside
+  /// Every node is equally far from its elements and none nearby is nearer: the topology is that of the exact
+  /// boundary, and not only of one within the error of the sites.
+  bool exact = true;
+  double largest = 0;  ///< largest clearance inside
 
   int edge_count() const { return static_cast<int>(origin.size() / 2); }
   static int twin(int half_edge) { return half_edge ^ 1; }

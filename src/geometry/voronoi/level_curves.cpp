@@ -158,7 +158,9 @@ class Tracer {
     const double t = rise != 0 ? (d - p.clearance) / rise : 0.0;
     const bool beyond = t < 0 || t > 1;
     const Vec2 guess = lerp(p.point, q.point, std::clamp(t, 0.0, 1.0));
-    return {diagram_.element_near(cut.cell, guess), guess, p.point, q.point, beyond, false};
+    const int element = diagram_.element_near(cut.cell, guess);
+    if (beyond) return {element, guess, guess, guess, true, false};
+    return {element, guess, p.point, q.point, false, false};
   }
 
   const Diagram& diagram_;

@@ -186,13 +186,16 @@ class Assembler {
     if (are_neighbours(a, b) && std::abs(opening(a.edge, b.edge)) <= kSmooth && starts_beside_vertex(i)) {
       return beside_vertex(a, b);
     }
-    if (here.at_node) return here.guess;
     const auto met = meeting_near(offset_curve(a, d_), offset_curve(b, d_), here.guess, slack_);
-    // Chords within the slack of an arc turn by up to the root of it.
-    const double root = here.mended ? 2 * std::sqrt(slack_ * d_) : 0;
-    const double reach = 0.5 * fast_norm(here.high - here.low) + 20 * slack_ + root;
-    if (met && distance_to_segment(*met, here.low, here.high) <= reach) return *met;
-    return here.guess;
+    return met && distance_to_segment(*met, here.low, here.high) <= reach(here) ? *met : here.guess;
+  }
+
+  /// How far from its bisector's ends a joint may lie.
+  double reach(const Piece& here) const {
+    if (here.at_node) return slack_;
+    // Sites within some error of an arc turn from it by up to the root of that.
+    const double root = here.mended ? 2 * std::sqrt(diagram_.sites.error * d_) : 0;
+    return 0.5 * fast_norm(here.high - here.low) + 20 * slack_ + root;
   }
 
   Vec2 joint(std::size_t i) const { return joints_[i % joints_.size()]; }

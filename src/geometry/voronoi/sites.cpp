@@ -108,6 +108,7 @@ class Builder {
  public:
   Builder(const Region& region, double error, double simplify) : error_(error) {
     sites_.grid = grid_for(region);
+    sites_.error = error;
     std::vector<Loop> loops{simplified(region.outer(), simplify)};
     for (const Loop& island : region.islands()) loops.push_back(simplified(island, simplify));
     collect_corners(loops);
@@ -194,7 +195,6 @@ class Builder {
   }
 
   void split(const std::vector<Contact>& places) {
-    sites_.repaired = true;
     std::vector<Segment> whole = std::move(sites_.segments);
     sites_.segments.clear();
     auto place = places.begin();
@@ -215,6 +215,7 @@ class Builder {
 
   int point_element(GridPoint p) {
     if (const int corner = corner_at(p); corner >= 0) return corner;
+    sites_.crossed = true;
     const auto [place, added] = crossings_.try_emplace(p, 0);
     if (added) place->second = add_element(Element::of_point(sites_.grid.to_mm(p)));
     return place->second;
@@ -240,7 +241,6 @@ class Builder {
   /// Segments with the same ends become one. Where as many run there as back, it is a wall of no thickness
   /// and keeps both elements; else it keeps the direction that prevails.
   void merge_doubled() {
-    sites_.repaired = true;
     std::map<std::pair<GridPoint, GridPoint>, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < sites_.segments.size(); ++i) {
       const Segment& s = sites_.segments[i];

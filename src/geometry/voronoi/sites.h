@@ -44,10 +44,11 @@ struct Grid {
 /// Distinct segments that meet in their end points only.
 struct Sites {
   Grid grid;
+  double error = 0;  ///< mm, how far a site may lie from its element
   std::vector<Element> elements;
   std::vector<Segment> segments;
-  /// Segments crossed, touched or overlapped after rounding and had to be split.
-  bool repaired = false;
+  /// Segments crossed after rounding and had to be split.
+  bool crossed = false;
 };
 
 /// Arcs become tangents within `error` mm, runs of short lines one line within `simplify` mm; vertices in one
