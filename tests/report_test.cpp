@@ -14,8 +14,8 @@
 namespace clearcut {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 bool installed(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
@@ -23,7 +23,7 @@ bool installed(const std::string& program) {
 
 TEST(Picture, BecomesAPngOfTheWidthAskedFor) {
   if (!installed("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is absent; install the package librsvg2-bin";
-  const test_support::ScratchFolder folder;
+  const testing::ScratchFolder folder;
   const std::string svg_file =
       folder.file("part.svg", svg(sample::part(), sample::toolpath(), sample::findings()));
   const std::string png_file = folder.path("part.png"), errors = folder.path("errors");
@@ -40,7 +40,7 @@ TEST(Picture, BecomesAPngOfTheWidthAskedFor) {
 
 /// The document after the page's script has run, opened at `moment`; "" when there is no browser.
 std::string document_in_browser(const std::string& page, const std::string& moment) {
-  const test_support::ScratchFolder folder;
+  const testing::ScratchFolder folder;
   const std::string file = folder.file("page.html", page);
   const std::string command =
       "timeout 60 chromium --headless --no-sandbox --disable-gpu --no-first-run "

@@ -140,25 +140,22 @@ std::string stock_line(const Part& part) {
                      trimmed(stock.z_bottom, 3), trimmed(stock.z_top, 3));
 }
 
-/// The certificate in short lines, always as many: the numbered places of the findings must stay true.
-std::vector<std::string> verdict_lines(const std::optional<Figures>& all) {
-  if (!all) return {"CERTIFICATE: PENDING", "-", "-", "-", "-"};
-  return {fmt::format("CERTIFICATE: {}", all->clean ? "CLEAN" : "FAULTS FOUND"),
-          fmt::format("LEFT UNCUT: BELOW {:.4f} MM", all->uncut_thickness_mm),
-          fmt::format("GOUGE: {:.4f} MM", all->gouge_mm),
-          fmt::format("RAPIDS IN MATERIAL: {}", all->rapid_in_material),
-          fmt::format("TIME: {:.1f} S", all->time_s)};
-}
-
-std::vector<std::string> header(const Part& part, const std::optional<Figures>& all) {
+/// Always the same number of lines, so that the numbered places of the certificate stay true.
+std::vector<std::string> header(const Part& part, const std::string& verdict) {
   std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part)};
   for (const auto& tool : part.tools) {
     lines.push_back(
         fmt::format("TOOL T{}: {} {} MM", tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
   }
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
-  for (auto& line : verdict_lines(all)) lines.push_back(std::move(line));
+  lines.push_back(verdict);
   return lines;
+}
+
+std::string verdict_line(const Figures& all) {
+  return fmt::format("CERTIFICATE: {}, UNCUT BELOW {} MM, GOUGE {} MM, RAPIDS IN MATERIAL {}, TIME {} S",
+                     all.clean ? "CLEAN" : "FAULTS FOUND", trimmed(all.uncut_thickness_mm, 4),
+                     trimmed(all.gouge_mm, 4), all.rapid_in_material, trimmed(all.time_s, 1));
 }
 
 bool same_moves(const Toolpath& a, const Toolpath& b) {
@@ -174,7 +171,7 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
                     });
 }
 
-std::string post_with(const std::optional<Figures>& verdict, const Toolpath& toolpath, const Part& part,
+std::string post_with(const std::string& verdict, const Toolpath& toolpath, const Part& part,
                       const PlanOptions& options) {
   PostOptions post_options = options.post;
   post_options.header = header(part, verdict);
@@ -184,7 +181,7 @@ std::string post_with(const std::optional<Figures>& verdict, const Toolpath& too
 
 /// Puts the verdict into the program's header and makes sure that nothing else has changed.
 void sign(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
-  result.program = post_with(result.findings.all, planned, result.part, options);
+  result.program = post_with(verdict_line(result.findings.all), planned, result.part, options);
   const auto again = read_gcode(result.program, "program").toolpath;
   CLEARCUT_ASSERT(same_moves(again, result.toolpath));
 }
@@ -223,7 +220,7 @@ PlanResult plan(const Part& part, const PlanOptions& options) {
   result.part = prepare(part, options);
   const Toolpath planned = plan_all(result.part, options);
   refuse_if_nothing_is_cut(planned, result.part, options);
-  result.program = post_with(std::nullopt, planned, result.part, options);
+  result.program = post_with("CERTIFICATE: PENDING", planned, result.part, options);
   result.toolpath = read_gcode(result.program, "program").toolpath;
   result.findings = verify(result.part, result.toolpath, verify_options(options));
   sign(result, planned, options);

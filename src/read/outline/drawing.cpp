@@ -22,10 +22,7 @@ double depth_of(const DrawnGroup& group, const ReadOptions& options, Diagnostics
   if (!depth) {
     throw InputError(group.where, "no depth given; add it as an option, or name the layer like POCKET_D5");
   }
-  if (!(*depth > 0) || *depth > kLargestCoordinate) {
-    throw InputError(group.where, "the depth is " + short_number(*depth) + " mm; it must be above 0");
-  }
-  return *depth;
+  return checked_depth(*depth, group.where);
 }
 
 RepairOptions repair_options(const DrawnGroup& group, const ReadOptions& options) {
@@ -35,20 +32,6 @@ RepairOptions repair_options(const DrawnGroup& group, const ReadOptions& options
   out.open_curves = options.open_curves;
   out.find_arcs = options.find_arcs.value_or(true);
   return out;
-}
-
-/// The diameter when the region is one full circle.
-std::optional<double> circle_diameter(const Region& region, const Tolerances& tol) {
-  if (!region.islands().empty()) return std::nullopt;
-  const Edge& first = region.outer().front();
-  if (!first.is_arc()) return std::nullopt;
-  for (const Edge& edge : region.outer()) {
-    if (!edge.is_arc() || distance(edge.center, first.center) > tol.join_gap ||
-        std::abs(edge.radius() - first.radius()) > tol.join_gap) {
-      return std::nullopt;
-    }
-  }
-  return 2 * first.radius();
 }
 
 Feature feature_of(const DrawnGroup& group, Region region, double depth, const ReadOptions& options) {
@@ -88,6 +71,26 @@ bool near_any(const Regions& regions, const Regions& others) {
 }
 
 }  // namespace
+
+std::optional<double> circle_diameter(const Region& region, const Tolerances& tol) {
+  if (!region.islands().empty()) return std::nullopt;
+  const Edge& first = region.outer().front();
+  if (!first.is_arc()) return std::nullopt;
+  for (const Edge& edge : region.outer()) {
+    if (!edge.is_arc() || distance(edge.center, first.center) > tol.join_gap ||
+        std::abs(edge.radius() - first.radius()) > tol.join_gap) {
+      return std::nullopt;
+    }
+  }
+  return 2 * first.radius();
+}
+
+double checked_depth(double depth, const std::string& place) {
+  if (!(depth > 0) || depth > kLargestCoordinate) {
+    throw InputError(place, "the depth is " + short_number(depth) + " mm; it must be above 0");
+  }
+  return depth;
+}
 
 void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group) {
   const auto rule = std::find_if(rules.begin(), rules.end(), [&](const LayerRule& candidate) {

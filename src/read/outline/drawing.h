@@ -43,6 +43,12 @@ void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, D
 /// when nothing is left, or a depth is missing.
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options);
 
+/// The diameter when the region is one full circle.
+std::optional<double> circle_diameter(const Region& region, const Tolerances& tol);
+
+/// `depth`, mm; throws InputError at `place` unless it lies above 0 and below a kilometre.
+double checked_depth(double depth, const std::string& place);
+
 /// Appends a feature and its workingstep; its name becomes unique.
 void add_feature(Part& part, Feature feature);
 

@@ -1,14 +1,17 @@
 #include "read/outline/outline_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 #include "base/error.h"
 #include "base/format.h"
+#include "geometry/boolean.h"
+#include "read/outline/data_value.h"
 #include "read/outline/drawing.h"
-#include "read/outline/json_value.h"
 #include "read/outline/text.h"
 #include "read/outline/units.h"
 #include "read/repair/repair.h"
@@ -16,7 +19,8 @@
 namespace clearcut {
 namespace {
 
-const std::set<std::string> kOutlineKeys{"name", "units", "outer", "islands", "top", "depth", "slope_rad"};
+const std::set<std::string> kOutlineKeys{"name", "kind",  "outer",     "islands", "allowed",
+                                         "top",  "depth", "slope_rad", "through"};
 constexpr double kSteepest = 1.5;  // rad from vertical: beyond this a wall is a floor
 
 /// One file while it is being read.
@@ -25,18 +29,18 @@ struct Context {
   const ReadOptions& options;
   Diagnostics& diagnostics;
 
-  std::string at(const JsonValue& value) const { return file + ":" + std::to_string(value.line); }
-  [[noreturn]] void fail(const JsonValue& value, const std::string& what) const {
+  std::string at(const DataValue& value) const { return file + ":" + std::to_string(value.line); }
+  [[noreturn]] void fail(const DataValue& value, const std::string& what) const {
     throw InputError(at(value), what);
   }
 };
 
-double number_of(const Context& context, const JsonValue& value, const std::string& what) {
+double number_of(const Context& context, const DataValue& value, const std::string& what) {
   if (!value.is_number()) context.fail(value, what + " must be a number");
   return value.number;
 }
 
-BulgeVertex vertex_of(const Context& context, const JsonValue& value, double unit) {
+BulgeVertex vertex_of(const Context& context, const DataValue& value, double unit) {
   if (!value.is_array() || value.items.size() < 2 || value.items.size() > 3) {
     context.fail(value, "a vertex must be [x, y] or [x, y, bulge]");
   }
@@ -47,7 +51,7 @@ BulgeVertex vertex_of(const Context& context, const JsonValue& value, double uni
   return vertex;
 }
 
-RawCurve curve_of(const Context& context, const JsonValue& value, double unit, const std::string& name) {
+RawCurve curve_of(const Context& context, const DataValue& value, double unit, const std::string& name) {
   if (!value.is_array()) context.fail(value, name + " must be a list of [x, y, bulge]");
   if (value.items.size() < 2)
     context.fail(value, name + " needs at least 2 vertices, and 3 unless it has arcs");
@@ -64,12 +68,12 @@ RawCurve curve_of(const Context& context, const JsonValue& value, double unit, c
   return curve;
 }
 
-std::vector<RawCurve> curves_of(const Context& context, const JsonValue& outline, double unit) {
-  const JsonValue* outer = outline.find("outer");
+std::vector<RawCurve> curves_of(const Context& context, const DataValue& outline, double unit) {
+  const DataValue* outer = outline.find("outer");
   if (!outer)
     context.fail(outline, "\"outer\" is missing; give the outline as \"outer\": [[x, y, bulge], ...]");
   std::vector<RawCurve> curves{curve_of(context, *outer, unit, "outer")};
-  const JsonValue* islands = outline.find("islands");
+  const DataValue* islands = outline.find("islands");
   if (!islands) return curves;
   if (!islands->is_array()) context.fail(*islands, "\"islands\" must be a list of outlines");
   for (const auto& island : islands->items) {
@@ -79,18 +83,20 @@ std::vector<RawCurve> curves_of(const Context& context, const JsonValue& outline
 }
 
 /// An island that has no vertex inside the outline is a mistake, not a second pocket.
-void refuse_islands_outside(const Context& context, const JsonValue& outline, const std::vector<RawCurve>& curves) {
+void refuse_islands_outside(const Context& context, const DataValue& outline,
+                            const std::vector<RawCurve>& curves) {
   const Loop& outer = curves.front().edges;
   for (std::size_t i = 1; i < curves.size(); ++i) {
     const bool inside = std::any_of(curves[i].edges.begin(), curves[i].edges.end(),
                                     [&](const Edge& edge) { return contains(outer, edge.from); });
     if (!inside) {
-      context.fail(outline, "island " + std::to_string(i) + " lies outside \"outer\"; move it inside or leave it out");
+      context.fail(outline,
+                   "island " + std::to_string(i) + " lies outside \"outer\"; move it inside or leave it out");
     }
   }
 }
 
-void note_unknown_keys(const Context& context, const JsonValue& value, const std::set<std::string>& known) {
+void note_unknown_keys(const Context& context, const DataValue& value, const std::set<std::string>& known) {
   std::string names;
   for (const auto& [key, member] : value.members) {
     if (!known.count(key)) names += (names.empty() ? "\"" : ", \"") + printable(key) + "\"";
@@ -98,40 +104,45 @@ void note_unknown_keys(const Context& context, const JsonValue& value, const std
   if (!names.empty()) context.diagnostics.note(context.at(value), "not used: " + names);
 }
 
-double depth_of(const Context& context, const JsonValue& outline, double unit) {
-  if (context.options.depth) return *context.options.depth;
-  const JsonValue* value = outline.find("depth");
-  if (!value) context.fail(outline, "\"depth\" is missing; add \"depth\": 2 or give the depth as an option");
-  const double depth = unit * number_of(context, *value, "\"depth\"");
-  if (!(depth > 0) || depth > kLargestCoordinate) {
-    context.fail(*value, "\"depth\" is " + trimmed(depth, 6) + " mm; it must be above 0");
+double depth_of(const Context& context, const DataValue& outline, double unit) {
+  const ReadOptions& options = context.options;
+  if (options.depth) return checked_depth(*options.depth, "depth");
+  const DataValue* value = outline.find("depth");
+  if (!value && options.depth_if_missing) {
+    context.diagnostics.warn(context.at(outline),
+                             "no depth given: " + trimmed(*options.depth_if_missing, 4) + " mm assumed");
+    return checked_depth(*options.depth_if_missing, "depth");
   }
-  return depth;
+  if (!value) context.fail(outline, "\"depth\" is missing; add \"depth\": 2 or give the depth as an option");
+  return checked_depth(unit * number_of(context, *value, "\"depth\""), context.at(*value));
 }
 
-double optional_number(const Context& context, const JsonValue& outline, const std::string& key,
+double optional_number(const Context& context, const DataValue& outline, const std::string& key,
                        double otherwise) {
-  const JsonValue* value = outline.find(key);
+  const DataValue* value = outline.find(key);
   return value ? number_of(context, *value, "\"" + key + "\"") : otherwise;
 }
 
-std::string text_of(const Context& context, const JsonValue& outline, const std::string& key,
+std::string text_of(const Context& context, const DataValue& outline, const std::string& key,
                     const std::string& otherwise) {
-  const JsonValue* value = outline.find(key);
+  const DataValue* value = outline.find(key);
   if (!value) return otherwise;
   if (!value->is_string()) context.fail(*value, "\"" + key + "\" must be text");
   return value->text;
 }
 
-double unit_of(const Context& context, const JsonValue& outline, double otherwise) {
+double unit_of(const Context& context, const DataValue& root) {
   if (context.options.unit) return require_unit(*context.options.unit, "unit");
-  const JsonValue* value = outline.find("units");
-  if (!value) return otherwise;
+  const DataValue* value = root.find("units");
+  if (!value) {
+    context.diagnostics.note(context.file, "no \"units\" given: millimetres assumed");
+    return 1;
+  }
   if (!value->is_string()) context.fail(*value, "\"units\" must be text, for example \"mm\"");
   return require_unit(value->text, context.at(*value));
 }
 
-Radians slope_of(const Context& context, const JsonValue& outline) {
+Radians slope_of(const Context& context, const DataValue& outline) {
   const double slope = optional_number(context, outline, "slope_rad", 0);
   if (!(std::abs(slope) <= kSteepest)) {
     context.fail(*outline.find("slope_rad"),
@@ -140,32 +151,115 @@ Radians slope_of(const Context& context, const JsonValue& outline) {
   return Radians::of(slope);
 }
 
-Feature feature_of(const Context& context, const JsonValue& outline, double unit, const std::string& name) {
+FeatureKind kind_of(const Context& context, const DataValue& outline) {
+  const std::string name = text_of(context, outline, "kind", name_of(FeatureKind::kClosedPocket));
+  for (const FeatureKind kind :
+       {FeatureKind::kClosedPocket, FeatureKind::kOpenPocket, FeatureKind::kPlanarFace, FeatureKind::kSlot,
+        FeatureKind::kStep, FeatureKind::kRoundHole, FeatureKind::kOutsideProfile}) {
+    if (name == name_of(kind)) return kind;
+  }
+  context.fail(*outline.find("kind"), "unknown kind '" + printable(name) +
+                                          "'; use closed_pocket, open_pocket, "
+                                          "planar_face, slot, step, round_hole or outside_profile");
+}
+
+Regions regions_of(const Context& context, const DataValue& outline, double unit) {
+  RepairOptions options;
+  options.tol = context.options.tol;
+  options.where = context.file;
+  options.open_curves = context.options.open_curves;
+  options.find_arcs = context.options.find_arcs.value_or(false);
+  std::vector<RawCurve> curves = curves_of(context, outline, unit);
+  refuse_islands_outside(context, outline, curves);
+  return repair(std::move(curves), options, context.diagnostics);
+}
+
+/// Where the cutter may be: the outlines in "allowed" for open sides, else the target itself.
+Regions allowed_of(const Context& context, const DataValue& outline, double unit, const Regions& target) {
+  const DataValue* allowed = outline.find("allowed");
+  if (!allowed) return target;
+  if (!allowed->is_array()) context.fail(*allowed, "\"allowed\" must be a list of {\"outer\", \"islands\"}");
+  Regions regions;
+  for (const DataValue& item : allowed->items) {
+    if (!item.is_object()) context.fail(item, "\"allowed\" must be a list of {\"outer\", \"islands\"}");
+    for (Region& region : regions_of(context, item, unit)) regions.push_back(std::move(region));
+  }
+  // The target lies inside by promise of Feature: overlaps unite.
+  return unite(regions, target, context.options.tol);
+}
+
+bool flag_of(const Context& context, const DataValue& outline, const std::string& key) {
+  const DataValue* value = outline.find(key);
+  if (!value) return false;
+  if (value->kind != DataValue::Kind::kBoolean) context.fail(*value, "\"" + key + "\" must be true or false");
+  return value->boolean;
+}
+
+Feature feature_of(const Context& context, const DataValue& outline, double unit, const std::string& name) {
   Feature feature;
   feature.name = text_of(context, outline, "name", name);
   if (feature.name.empty()) feature.name = name;
   feature.source = "line " + std::to_string(outline.line);
+  feature.kind = kind_of(context, outline);
   feature.top_z =
       context.options.top ? *context.options.top : unit * optional_number(context, outline, "top", 0);
   if (!(std::abs(feature.top_z) <= kLargestCoordinate)) context.fail(outline, "\"top\" is out of range");
   feature.floor_z = feature.top_z - depth_of(context, outline, unit);
   feature.wall_slope = slope_of(context, outline);
-  RepairOptions repair_options;
-  repair_options.tol = context.options.tol;
-  repair_options.where = context.file;
-  repair_options.open_curves = context.options.open_curves;
-  repair_options.find_arcs = context.options.find_arcs.value_or(false);
-  const auto curves = curves_of(context, outline, unit);
-  refuse_islands_outside(context, outline, curves);
-  feature.target = repair(curves, repair_options, context.diagnostics);
-  feature.allowed = feature.target;
+  feature.through = flag_of(context, outline, "through");
+  feature.target = regions_of(context, outline, unit);
+  feature.allowed = allowed_of(context, outline, unit, feature.target);
+  if (feature.kind == FeatureKind::kRoundHole) {
+    if (feature.target.size() == 1)
+      feature.hole_diameter = circle_diameter(feature.target[0], context.options.tol);
+    if (!feature.hole_diameter)
+      context.fail(outline, "a round_hole must be one circle; correct its outline or its kind");
+  }
   return feature;
+}
+
+/// "x": [low, high] of the stock.
+std::array<double, 2> range_of(const Context& context, const DataValue& stock, const std::string& axis,
+                               double unit) {
+  const DataValue* value = stock.find(axis);
+  if (!value || !value->is_array() || value->items.size() != 2) {
+    context.fail(stock, "the stock needs \"" + axis + "\": [low, high]");
+  }
+  const double low = unit * number_of(context, value->items[0], axis),
+               high = unit * number_of(context, value->items[1], axis);
+  if (!(low < high) || !(std::abs(low) <= kLargestCoordinate) || !(std::abs(high) <= kLargestCoordinate)) {
+    context.fail(*value, "the stock's " + axis + " range is empty or out of range");
+  }
+  return {low, high};
+}
+
+std::optional<Stock> stock_of(const Context& context, const DataValue& root, double unit) {
+  const DataValue* value = root.find("stock");
+  if (!value) return std::nullopt;
+  if (!value->is_object())
+    context.fail(*value, "\"stock\" must be {\"x\": [low, high], \"y\": ..., \"z\": ...}");
+  const auto x = range_of(context, *value, "x", unit), y = range_of(context, *value, "y", unit);
+  const auto z = range_of(context, *value, "z", unit);
+  return Stock{{{x[0], y[0]}, {x[1], y[1]}}, z[0], z[1]};
+}
+
+void add_pockets(const Context& context, const DataValue& pockets, double unit, Part& part) {
+  if (!pockets.is_array() || pockets.items.empty()) {
+    context.fail(pockets, "\"pockets\" must be a list with at least one outline");
+  }
+  for (const auto& pocket : pockets.items) {
+    if (!pocket.is_object()) context.fail(pocket, "a pocket must be an object with \"outer\" and \"depth\"");
+    note_unknown_keys(context, pocket, kOutlineKeys);
+    const std::string name = "pocket" + std::to_string(part.features.size() + 1);
+    add_feature(part, feature_of(context, pocket, unit, name));
+  }
+  if (part.features.size() > 1) stack_tops(part, context.options.tol);
 }
 
 }  // namespace
 
 Part read_outline_json(std::string_view text, const std::string& file_name, const ReadOptions& options) {
-  const JsonValue root = parse_json(text, file_name);
+  const DataValue root = parse_json(text, file_name);
   Part part;
   part.source_file = file_name;
   const Context context{file_name, options, part.diagnostics};
@@ -173,22 +267,16 @@ Part read_outline_json(std::string_view text, const std::string& file_name, cons
     context.fail(root, "an outline must be an object: {\"outer\": [...], \"depth\": ...}");
   const std::string stem = std::filesystem::path(file_name).stem().string();
   part.name = text_of(context, root, "name", stem);
-  const double unit = unit_of(context, root, 1);
-  const JsonValue* pockets = root.find("pockets");
-  if (!pockets) {
-    note_unknown_keys(context, root, kOutlineKeys);
+  const double unit = unit_of(context, root);
+  part.stock = stock_of(context, root, unit);
+  if (const DataValue* pockets = root.find("pockets")) {
+    note_unknown_keys(context, root, {"name", "units", "stock", "pockets"});
+    add_pockets(context, *pockets, unit, part);
+  } else {
+    std::set<std::string> known = kOutlineKeys;
+    known.insert({"units", "stock"});
+    note_unknown_keys(context, root, known);
     add_feature(part, feature_of(context, root, unit, part.name.empty() ? "pocket" : part.name));
-    return part;
-  }
-  note_unknown_keys(context, root, {"name", "units", "pockets"});
-  if (!pockets->is_array() || pockets->items.empty()) {
-    context.fail(*pockets, "\"pockets\" must be a list with at least one outline");
-  }
-  for (const auto& pocket : pockets->items) {
-    if (!pocket.is_object()) context.fail(pocket, "a pocket must be an object with \"outer\" and \"depth\"");
-    note_unknown_keys(context, pocket, kOutlineKeys);
-    const std::string name = "pocket" + std::to_string(part.features.size() + 1);
-    add_feature(part, feature_of(context, pocket, unit_of(context, pocket, unit), name));
   }
   return part;
 }

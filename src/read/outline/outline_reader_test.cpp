@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "read/outline/json_value.h"
+#include "read/outline/data_value.h"
 
 namespace clearcut {
 namespace {
@@ -75,7 +75,8 @@ TEST(OutlineJson, ListOfPocketsGivesOneFeatureEachWithUniqueNames) {
 }
 
 TEST(OutlineJson, UnknownKeysAreNotedNotRefused) {
-  const Part part = read(R"({"outer": [[0,0],[9,0],[9,9],[0,9]], "depth": 1, "colour": "red"})");
+  const Part part =
+      read(R"({"units": "mm", "outer": [[0,0],[9,0],[9,9],[0,9]], "depth": 1, "colour": "red"})");
   ASSERT_EQ(part.diagnostics.items().size(), 1u);
   EXPECT_EQ(part.diagnostics.items()[0].severity, Severity::kNote);
   EXPECT_THAT(part.diagnostics.items()[0].what, HasSubstr("colour"));
@@ -94,7 +95,8 @@ TEST(OutlineJson, BadFilesGiveOneLineWithFileAndLine) {
       {"{\n\"outer\": [[0,0],[9,0],[9,9]]}", "plate.json:1: ", "\"depth\" is missing"},
       {"{\"depth\": 1,\n\"outer\": [[0,0],\n[9]\n,[9,9]]}", "plate.json:3: ", "a vertex must be"},
       {"{\"depth\": 1,\n\"outer\": [[0,0],\n[9,\"x\"],[9,9]]}", "plate.json:3: ", "y must be a number"},
-      {"{\"depth\":\n0\n, \"outer\": [[0,0],[9,0],[9,9]]}", "plate.json:2: ", "must be above 0"},
+      {"{\"units\": \"mm\", \"depth\":\n0\n, \"outer\": [[0,0],[9,0],[9,9]]}",
+       "plate.json:2: ", "must be above 0"},
       {"{\"depth\": 1, \"units\": \"furlong\", \"outer\": [[0,0],[9,0],[9,9]]}",
        "plate.json:1: ", "unknown unit"},
       {"{\"depth\": 1, \"outer\": [[0,0],[9,0],[9,1e300]]}", "plate.json: ", "beyond 1000 m"},
@@ -114,8 +116,8 @@ TEST(OutlineJson, DeepNestingIsRefusedNotFollowed) {
   EXPECT_THAT(message_of(std::string(100000, '[')), HasSubstr("nested deeper"));
 }
 
-TEST(JsonValue, KnowsTheLineOfEveryValue) {
-  const JsonValue root = parse_json("{\n\"a\": 1\n,\n\"b\": [2,\n3]}", "x");
+TEST(DataValue, KnowsTheLineOfEveryValue) {
+  const DataValue root = parse_json("{\n\"a\": 1\n,\n\"b\": [2,\n3]}", "x");
   EXPECT_EQ(root.find("a")->line, 2);
   EXPECT_EQ(root.find("b")->line, 4);
   EXPECT_EQ(root.find("b")->items[1].line, 5);

@@ -1,10 +1,9 @@
-#include "read/outline/json_value.h"
-
 #include <cctype>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "read/outline/data_value.h"
 
 namespace clearcut {
 namespace {
@@ -55,7 +54,7 @@ class Reader {
   Position* position_;
 };
 
-/// Builds JsonValues from the parser's events.
+/// Builds DataValues from the parser's events.
 class Builder {
  public:
   using number_integer_t = nlohmann::json::number_integer_t;
@@ -68,8 +67,8 @@ class Builder {
 
   bool null() { return put({}); }
   bool boolean(bool value) {
-    JsonValue made;
-    made.kind = JsonValue::Kind::kBoolean;
+    DataValue made;
+    made.kind = DataValue::Kind::kBoolean;
     made.boolean = value;
     return put(std::move(made));
   }
@@ -77,14 +76,14 @@ class Builder {
   bool number_unsigned(number_unsigned_t value) { return put_number(static_cast<double>(value)); }
   bool number_float(number_float_t value, const string_t&) { return put_number(value); }
   bool string(string_t& value) {
-    JsonValue made;
-    made.kind = JsonValue::Kind::kString;
+    DataValue made;
+    made.kind = DataValue::Kind::kString;
     made.text = value;
     return put(std::move(made));
   }
   bool binary(binary_t&) { return false; }
-  bool start_object(std::size_t) { return open(JsonValue::Kind::kObject); }
-  bool start_array(std::size_t) { return open(JsonValue::Kind::kArray); }
+  bool start_object(std::size_t) { return open(DataValue::Kind::kObject); }
+  bool start_array(std::size_t) { return open(DataValue::Kind::kArray); }
   bool key(string_t& name) {
     keys_.back() = name;
     return true;
@@ -95,7 +94,7 @@ class Builder {
     fail(reason_of(error.what()));
   }
 
-  JsonValue take() { return std::move(root_); }
+  DataValue take() { return std::move(root_); }
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
@@ -112,16 +111,16 @@ class Builder {
     return "not JSON (" + reason + "); mend the text there";
   }
   bool put_number(double value) {
-    JsonValue made;
-    made.kind = JsonValue::Kind::kNumber;
+    DataValue made;
+    made.kind = DataValue::Kind::kNumber;
     made.number = value;
     return put(std::move(made));
   }
-  bool put(JsonValue value) {
+  bool put(DataValue value) {
     value.line = position_.line;
     return attach(std::move(value));
   }
-  bool attach(JsonValue value) {
+  bool attach(DataValue value) {
     if (open_.empty()) {
       root_ = std::move(value);
     } else if (open_.back().is_object()) {
@@ -131,9 +130,9 @@ class Builder {
     }
     return true;
   }
-  bool open(JsonValue::Kind kind) {
+  bool open(DataValue::Kind kind) {
     if (open_.size() >= kDeepest) fail("nested deeper than 64 levels; this is not an outline");
-    JsonValue made;
+    DataValue made;
     made.kind = kind;
     made.line = position_.line;
     open_.push_back(std::move(made));
@@ -141,7 +140,7 @@ class Builder {
     return true;
   }
   bool close() {
-    JsonValue done = std::move(open_.back());
+    DataValue done = std::move(open_.back());
     open_.pop_back();
     keys_.pop_back();
     return attach(std::move(done));
@@ -149,21 +148,14 @@ class Builder {
 
   const std::string& file_;
   const Position& position_;
-  JsonValue root_;
-  std::vector<JsonValue> open_;
+  DataValue root_;
+  std::vector<DataValue> open_;
   std::vector<std::string> keys_;
 };
 
 }  // namespace
 
-const JsonValue* JsonValue::find(std::string_view key) const {
-  for (auto member = members.rbegin(); member != members.rend(); ++member) {
-    if (member->first == key) return &member->second;
-  }
-  return nullptr;
-}
-
-JsonValue parse_json(std::string_view text, const std::string& file_name) {
+DataValue parse_json(std::string_view text, const std::string& file_name) {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   Position position;
   Builder builder(file_name, position);

@@ -1,0 +1,17 @@
+// Any text as SVG: read, or refused in one line.
+#include <cstdint>
+#include <string_view>
+
+#include "base/error.h"
+#include "read/svg/svg_reader.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace clearcut;
+  ReadOptions options;
+  options.depth_if_missing = 1;
+  try {
+    read_svg({reinterpret_cast<const char*>(data), size}, "fuzz.svg", options);
+  } catch (const InputError&) {
+  }
+  return 0;
+}

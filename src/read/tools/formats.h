@@ -1,0 +1,20 @@
+// One function for each format of tool library; see tool_library.h.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "read/tools/tool_library.h"
+
+namespace clearcut {
+
+/// A FreeCAD tool bit. Nothing, and a report, when it is no cutter for pockets.
+std::optional<LibraryTool> read_freecad_bit(std::string_view text, const std::string& file_name,
+                                            Diagnostics& diagnostics);
+ToolLibrary read_freecad_library(std::string_view text, const std::string& file_name);
+ToolLibrary read_linuxcnc_table(std::string_view text, const std::string& file_name,
+                                const ToolOptions& options);
+ToolLibrary read_fusion_library(std::string_view text, const std::string& file_name);
+ToolLibrary read_own_library(std::string_view text, const std::string& file_name);
+
+}  // namespace clearcut

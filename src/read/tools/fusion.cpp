@@ -1,0 +1,119 @@
+// Fusion's tool library as exported JSON: {"data": [{"type", "unit", "geometry": {"DC", ...},
+// "start-values"}]}.
+#include <algorithm>
+#include <map>
+
+#include "base/error.h"
+#include "read/outline/text.h"
+#include "read/tools/formats.h"
+
+namespace clearcut {
+namespace {
+
+std::optional<ToolKind> kind_of(const std::string& type) {
+  static const std::map<std::string, ToolKind> kinds{{"flat end mill", ToolKind::kEndMill},
+                                                     {"ball end mill", ToolKind::kBallEndMill},
+                                                     {"bull nose end mill", ToolKind::kBullNoseEndMill},
+                                                     {"face mill", ToolKind::kFaceMill},
+                                                     {"drill", ToolKind::kDrill},
+                                                     {"reamer", ToolKind::kReamer}};
+  const auto found = kinds.find(type);
+  return found == kinds.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string text_of(const DataValue& value, const char* key) {
+  const DataValue* found = value.is_object() ? value.find(key) : nullptr;
+  return found && found->is_string() ? found->text : "";
+}
+
+std::optional<double> number_of(const DataValue* value, const char* key) {
+  const DataValue* found = value && value->is_object() ? value->find(key) : nullptr;
+  return found && found->is_number() ? std::optional(found->number) : std::nullopt;
+}
+
+std::optional<MmPerMin> feed_of(const DataValue& preset, const char* key, double unit) {
+  const auto feed = number_of(&preset, key);
+  return feed && *feed > 0 ? std::optional(MmPerMin::of(*feed * unit)) : std::nullopt;
+}
+
+bool is_true(const DataValue& value, const char* key) {
+  const DataValue* found = value.find(key);
+  return found && found->kind == DataValue::Kind::kBoolean && found->boolean;
+}
+
+CuttingPreset preset_of(const DataValue& value, double unit, double diameter) {
+  CuttingPreset preset;
+  preset.name = text_of(value, "name");
+  preset.cutting.feed = feed_of(value, "v_f", unit);
+  preset.cutting.plunge_feed = feed_of(value, "v_f_plunge", unit);
+  preset.cutting.ramp_feed = feed_of(value, "v_f_ramp", unit);
+  const auto rpm = number_of(&value, "n");
+  if (rpm && *rpm > 0) preset.cutting.spindle_rpm = rpm;
+  const std::string coolant = text_of(value, "tool-coolant");
+  preset.cutting.coolant = !coolant.empty() && coolant != "disabled";
+  const auto stepdown = number_of(&value, "stepdown"), stepover = number_of(&value, "stepover");
+  if (stepdown && *stepdown > 0 && is_true(value, "use-stepdown")) preset.stepdown = *stepdown * unit;
+  if (stepover && *stepover > 0 && is_true(value, "use-stepover") && diameter > 0) {
+    preset.stepover = *stepover * unit / diameter;
+  }
+  return preset;
+}
+
+Tool tool_of(const DataValue& entry, ToolKind kind, double unit) {
+  const DataValue* geometry = entry.find("geometry");
+  Tool tool;
+  tool.kind = kind;
+  tool.name = text_of(entry, "description");
+  tool.number =
+      static_cast<int>(std::clamp(number_of(entry.find("post-process"), "number").value_or(0), 0.0, 1e6));
+  tool.diameter = unit * number_of(geometry, "DC").value_or(0);
+  tool.teeth = static_cast<int>(std::clamp(number_of(geometry, "NOF").value_or(2), 1.0, 100.0));
+  if (const auto length = number_of(geometry, "LCF"); length && *length > 0)
+    tool.flute_length = unit * *length;
+  tool.corner_radius = unit * number_of(geometry, "RE").value_or(0);
+  if (kind == ToolKind::kBallEndMill) tool.corner_radius = tool.diameter / 2;
+  tool.corner_radius = std::clamp(tool.corner_radius, 0.0, std::max(tool.diameter / 2, 0.0));
+  return tool;
+}
+
+void append_presets(const DataValue& entry, double unit, LibraryTool& tool) {
+  const DataValue* start = entry.find("start-values");
+  const DataValue* presets = start && start->is_object() ? start->find("presets") : nullptr;
+  if (!presets) return;
+  for (const DataValue& preset : presets->items) {
+    if (preset.is_object()) tool.presets.push_back(preset_of(preset, unit, tool.tool.diameter));
+  }
+}
+
+}  // namespace
+
+ToolLibrary read_fusion_library(std::string_view text, const std::string& file_name) {
+  const DataValue root = parse_json(text, file_name);
+  const DataValue* data = root.is_object() ? root.find("data") : nullptr;
+  if (!data || !data->is_array()) {
+    throw InputError(file_name + ":1",
+                     "this is not a Fusion tool library: no list \"data\"; export it as JSON");
+  }
+  ToolLibrary library;
+  for (const DataValue& entry : data->items) {
+    const std::string place = file_name + ":" + std::to_string(entry.line);
+    const std::string type = text_of(entry, "type"), unit_name = text_of(entry, "unit");
+    if (type == "holder") continue;
+    const auto kind = kind_of(type);
+    if (!kind) {
+      library.diagnostics.skip(place, "tool '" + printable(text_of(entry, "description")) + "' of type '" +
+                                          printable(type) + "' was dropped: it is no cutter for pockets");
+      continue;
+    }
+    if (unit_name != "inches" && unit_name != "millimeters") {
+      library.diagnostics.warn(place, "unit '" + printable(unit_name) + "' is unknown: millimetres assumed");
+    }
+    const double unit = unit_name == "inches" ? 25.4 : 1;
+    LibraryTool tool{tool_of(entry, *kind, unit), {}};
+    append_presets(entry, unit, tool);
+    library.tools.push_back(std::move(tool));
+  }
+  return library;
+}
+
+}  // namespace clearcut

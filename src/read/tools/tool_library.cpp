@@ -1,0 +1,140 @@
+#include "read/tools/tool_library.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/format.h"
+#include "read/outline/text.h"
+#include "read/tools/formats.h"
+
+namespace clearcut {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{64} << 20;
+/// mm. No cutter is wider.
+constexpr double kWidest = 1000;
+
+const std::vector<std::string>& kind_names() {
+  static const std::vector<std::string> names{"endmill", "facemill", "ball", "bullnose", "drill", "reamer"};
+  return names;
+}
+
+std::optional<MmPerMin> feed_of(DataSection& section, const std::string& key) {
+  const auto value = section.positive(key);
+  return value ? std::optional(MmPerMin::of(*value)) : std::nullopt;
+}
+
+/// The feeds and speeds of a [[tool]], as one preset when there are any.
+std::vector<CuttingPreset> presets_of(DataSection& section) {
+  CuttingPreset preset;
+  preset.name = "library";
+  preset.cutting.feed = feed_of(section, "feed");
+  preset.cutting.plunge_feed = feed_of(section, "plunge_feed");
+  preset.cutting.ramp_feed = feed_of(section, "ramp_feed");
+  preset.cutting.slot_feed = feed_of(section, "slot_feed");
+  preset.cutting.spindle_rpm = section.positive("spindle");
+  preset.cutting.spindle_clockwise = !section.flag("counter_clockwise").value_or(false);
+  preset.cutting.coolant = section.flag("coolant").value_or(false);
+  preset.stepdown = section.positive("stepdown");
+  preset.stepover = section.positive("stepover");
+  const CuttingData& cutting = preset.cutting;
+  const bool any = cutting.feed || cutting.plunge_feed || cutting.ramp_feed || cutting.slot_feed ||
+                   cutting.spindle_rpm || !cutting.spindle_clockwise || cutting.coolant || preset.stepdown ||
+                   preset.stepover;
+  return any ? std::vector{preset} : std::vector<CuttingPreset>{};
+}
+
+}  // namespace
+
+LibraryTool tool_of_section(DataSection section) {
+  LibraryTool out;
+  const auto kind = section.choice("kind", kind_names());
+  const auto diameter = section.positive("diameter");
+  if (!diameter) section.fail("diameter is missing; add diameter = 6");
+  out.tool.kind = *tool_kind_named(kind_names()[kind.value_or(0)]);
+  out.tool.diameter = *diameter;
+  out.tool.number = static_cast<int>(std::clamp(section.number("number").value_or(0), 0.0, 1e6));
+  out.tool.name = section.text("name").value_or("");
+  out.tool.corner_radius = section.not_negative("corner_radius").value_or(0);
+  if (out.tool.kind == ToolKind::kBallEndMill) out.tool.corner_radius = *diameter / 2;
+  if (out.tool.corner_radius > *diameter / 2)
+    section.fail_at("corner_radius", "is larger than the tool's radius");
+  out.tool.teeth = static_cast<int>(std::clamp(section.positive("teeth").value_or(2), 1.0, 100.0));
+  out.tool.flute_length = section.positive("flute_length");
+  out.tool.center_cutting = section.flag("center_cutting").value_or(true);
+  out.presets = presets_of(section);
+  section.refuse_unknown();
+  return out;
+}
+
+void settle(ToolLibrary& library, const std::string& where) {
+  std::set<int> taken;
+  std::vector<LibraryTool> kept;
+  int highest = 0;
+  for (const LibraryTool& entry : library.tools) highest = std::max(highest, entry.tool.number);
+  for (LibraryTool& entry : library.tools) {
+    Tool& tool = entry.tool;
+    const std::string name = tool.name.empty() ? "T" + std::to_string(tool.number) : printable(tool.name);
+    if (!(tool.diameter > 0) || tool.diameter > kWidest) {
+      library.diagnostics.skip(where, "tool '" + name + "' has no usable diameter and was dropped");
+      continue;
+    }
+    if (tool.number <= 0 || !taken.insert(tool.number).second) {
+      const int number = ++highest;
+      library.diagnostics.note(where, "tool '" + name + "' got the number " + std::to_string(number) +
+                                          (tool.number > 0 ? ": its own is taken" : ": it had none"));
+      tool.number = number;
+      taken.insert(number);
+    }
+    if (tool.name.empty()) tool.name = "T" + std::to_string(tool.number);
+    kept.push_back(std::move(entry));
+  }
+  library.tools = std::move(kept);
+}
+
+ToolLibrary read_tool_library_text(std::string_view text, const std::string& file_name,
+                                   const ToolOptions& options) {
+  const std::string extension = capitals(std::filesystem::path(file_name).extension().string());
+  ToolLibrary library;
+  if (extension == ".FCTB") {
+    if (const auto tool = read_freecad_bit(text, file_name, library.diagnostics))
+      library.tools.push_back(*tool);
+  } else if (extension == ".FCTL") {
+    library = read_freecad_library(text, file_name);
+  } else if (extension == ".TBL") {
+    library = read_linuxcnc_table(text, file_name, options);
+  } else if (extension == ".JSON") {
+    library = read_fusion_library(text, file_name);
+  } else if (extension == ".TOML") {
+    library = read_own_library(text, file_name);
+  } else {
+    throw InputError(file_name,
+                     "unknown kind of tool library; give .toml, .fctl, .fctb, .tbl or Fusion's .json");
+  }
+  settle(library, file_name);
+  if (library.tools.empty()) {
+    const auto& said = library.diagnostics.items();
+    throw InputError(file_name,
+                     "no usable tool in it" + (said.empty() ? "" : " (" + said.front().what + ")"));
+  }
+  return library;
+}
+
+ToolLibrary read_tool_library(const std::filesystem::path& file, const ToolOptions& options) {
+  return read_tool_library_text(read_file(file.string(), kLargestFile), file.string(), options);
+}
+
+ToolLibrary read_own_library(std::string_view text, const std::string& file_name) {
+  const DataValue root = parse_toml(text, file_name);
+  DataSection section(root, file_name, "");
+  ToolLibrary library;
+  for (DataSection& tool : section.sections("tool"))
+    library.tools.push_back(tool_of_section(std::move(tool)));
+  section.refuse_unknown();
+  return library;
+}
+
+}  // namespace clearcut

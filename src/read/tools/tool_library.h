@@ -1,0 +1,57 @@
+// Tool libraries of other programs, and our own.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "part/tool.h"
+#include "read/outline/data_value.h"
+
+namespace clearcut {
+
+/// Feeds and speeds that a library gives for a tool in one material.
+struct CuttingPreset {
+  std::string name;
+  CuttingData cutting;
+  std::optional<double> stepdown;  ///< mm
+  std::optional<double> stepover;  ///< fraction of the diameter
+};
+
+struct LibraryTool {
+  Tool tool;
+  std::vector<CuttingPreset> presets;
+};
+
+struct ToolLibrary {
+  std::vector<LibraryTool> tools;  ///< in the order of the file; numbers are unique
+  Diagnostics diagnostics;         ///< tools and values that were dropped, and why
+};
+
+struct ToolOptions {
+  /// Unit of LinuxCNC tables, which do not say: absent, mm with a warning.
+  std::optional<std::string> unit;
+};
+
+/// FreeCAD .fctb (one tool) and .fctl (a library, its tools beside it or in ../Bit), LinuxCNC .tbl, Fusion
+/// .json, and our .toml ([[tool]]; see docs/input.md), by extension.
+///
+/// Units   mm, mm/min and rpm, whatever the file has.
+/// Throws  InputError, one line, for files that cannot be read and for libraries without a single usable
+/// tool. Tools that are no rotating cutters for pockets (taps, thread mills, probes, V-bits, ...) are dropped
+/// and reported.
+ToolLibrary read_tool_library(const std::filesystem::path& file, const ToolOptions& options);
+/// The same for text already read. A .fctl has its tools looked for beside `file_name`.
+ToolLibrary read_tool_library_text(std::string_view text, const std::string& file_name,
+                                   const ToolOptions& options);
+
+/// One [[tool]] of our own format.
+LibraryTool tool_of_section(DataSection section);
+
+/// Drops tools without a diameter and gives numbers that are taken, or not above 0, new ones; reports both.
+void settle(ToolLibrary& library, const std::string& where);
+
+}  // namespace clearcut
