@@ -23,7 +23,7 @@ bool installed(const std::string& program) {
 
 TEST(Picture, BecomesAPngOfTheWidthAskedFor) {
   if (!installed("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is absent; install the package librsvg2-bin";
-  const testing::ScratchFolder folder;
+  const test_support::ScratchFolder folder;
   const std::string svg_file =
       folder.file("part.svg", svg(sample::part(), sample::toolpath(), sample::findings()));
   const std::string png_file = folder.path("part.png"), errors = folder.path("errors");
@@ -40,7 +40,7 @@ TEST(Picture, BecomesAPngOfTheWidthAskedFor) {
 
 /// The document after the page's script has run, opened at `moment`; "" when there is no browser.
 std::string document_in_browser(const std::string& page, const std::string& moment) {
-  const testing::ScratchFolder folder;
+  const test_support::ScratchFolder folder;
   const std::string file = folder.file("page.html", page);
   const std::string command =
       "timeout 60 chromium --headless --no-sandbox --disable-gpu --no-first-run "
