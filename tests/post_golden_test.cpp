@@ -140,7 +140,7 @@ void check(const Case& c, const std::string& dialect, bool inch) {
   EXPECT_TRUE(program.ended);
   expect_same(input, program.toolpath, 2 * rounding_of(options) + options.tol.chord);
   if (dialect == "grbl") {
-    for (const auto& fault : testing::grbl_faults(wanted)) ADD_FAILURE() << fault.error << ": " << fault.text;
+    for (const auto& fault : test_support::grbl_faults(wanted)) ADD_FAILURE() << fault.error << ": " << fault.text;
   }
 }
 
@@ -170,7 +170,7 @@ TEST(Golden, LinuxCncTakesItsOwn) {
     for (const auto& entry : fs::directory_iterator(folder_of(c))) {
       const std::string name = entry.path().filename().string();
       if (name.rfind("linuxcnc", 0) != 0 && name.rfind("mach", 0) != 0 && name != "input.ngc") continue;
-      const testing::CanonProgram canon = testing::run_rs274(read_file(entry.path().string()));
+      const test_support::CanonProgram canon = test_support::run_rs274(read_file(entry.path().string()));
       EXPECT_TRUE(canon.accepted) << entry.path() << ": " << canon.message;
     }
   }
