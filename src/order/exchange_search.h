@@ -1,0 +1,72 @@
+// Local search for every objective made of edges and corners, and, by re-evaluation, for those that depend on
+// the whole path: 2- and 3-exchanges over neighbour lists (2-opt, Or-opt and or-3opt among them) with
+// don't-look bits, chained by kicks.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/random.h"
+#include "order/array_tour.h"
+#include "order/neighbours.h"
+#include "order/objective.h"
+#include "order/stop.h"
+
+namespace clearcut::order {
+
+/// An open path is a closed tour through one more node, whose edges and corners cost nothing.
+class ExchangeSearch {
+ public:
+  /// `start` must be valid for the problem. `moves` and `objective` must outlive the search.
+  ExchangeSearch(const Moves& moves, const Objective& objective, const Neighbours& neighbours,
+                 const Tour& start, std::uint64_t seed);
+
+  /// To a local optimum; sooner when the watch ends.
+  void descend(const StopWatch& watch);
+  /// Kicks with repair; keeps what is no worse. Stops early at a value of at most `enough`.
+  void run(long long kicks, double enough, const StopWatch& watch);
+
+  double value() const { return value_; }
+  Tour tour() const;
+
+  /// Change of the edge and corner sums by an exchange, in O(1): a few edges and corners per exchanged edge.
+  double local_change(const Exchange& exchange) const;
+
+ private:
+  bool improve_node(int t0);
+  bool extend(int depth, double balance);
+  bool try_closing(double balance);
+  bool is_removed(int a, int b, int depth) const;
+  /// Cost of the edge a-b and of the corners it makes when the edges a-not_a and b-not_b leave.
+  double corners_made(int a, int b, int not_a, int not_b) const;
+  bool accept_if_better();
+  bool keeps_rules() const;
+  void kick();
+  double edge(int a, int b) const;
+  double corner(int a, int b, int c) const;
+  double corner_now(int v) const;
+  /// Best possible gain from taking out the last removed edge of the exchange.
+  double release(int i) const;
+  int candidate(int v, int i, int most) const;
+  /// Edges and corners that an exchange of the `length` nodes after position `before` may change.
+  double stretch_value(int before, int length) const;
+  int candidate_count(int v, int most) const;
+  void touch(int v);
+  void drain(const StopWatch& watch);
+
+  const Moves& moves_;
+  const Objective& objective_;
+  const Neighbours& neighbours_;
+  int extra_ = -1;  ///< -1 for closed tours
+  ArrayTour path_;
+  Random random_;
+  Exchange exchange_;
+  double value_ = 0;
+  double path_part_ = 0;
+  std::vector<int> queue_;
+  std::size_t head_ = 0;
+  std::vector<char> queued_;
+  std::vector<int> segments_;
+};
+
+}  // namespace clearcut::order

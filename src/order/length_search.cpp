@@ -1,0 +1,208 @@
+#include "order/length_search.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "order/chained_search.h"
+#include "order/population.h"
+#include "order/start_tours.h"
+
+namespace clearcut::order {
+
+namespace {
+
+using Cost = LengthModel::Cost;
+
+constexpr int kSmallestPopulation = 12;
+constexpr double kStartNoise = 0.5;
+/// Above this many points one exchange on the whole array is too slow to start from a greedy tour.
+constexpr int kLargestWholeDescent = 150000;
+constexpr int kWindow = 10000;
+
+struct Plan {
+  int population = 0;  ///< 0: chained search
+  long long kicks = 0;
+};
+
+/// Seconds of one core per tour in a population: measured on the reference instances, see docs/tour.md.
+double seconds_per_individual(int n) {
+  return 0.019 * std::pow(n / 2392.0, 1.75);
+}
+
+Plan plan_for(int n, double seconds) {
+  Plan plan;
+  const double affordable = 0.6 * std::min(seconds, 1e6) / seconds_per_individual(n);
+  const int largest = n < 500 ? 150 : 300;
+  plan.population = static_cast<int>(std::min<double>(affordable, largest));
+  if (plan.population < kSmallestPopulation) plan.population = 0;
+  plan.kicks = n / 10;
+  return plan;
+}
+
+/// The best tour so far, shared by parallel searches; reports on the calling thread only.
+class Best {
+ public:
+  Best(const LengthModel& model, const LengthSearchOptions& options) : model_(model), options_(options) {}
+  void offer(const std::vector<int>& nodes, Cost cost) {
+    if (!nodes_.empty() && cost >= cost_) return;
+    nodes_ = nodes;
+    cost_ = cost;
+    if (options_.improved) options_.improved(model_.to_problem(nodes_), model_.length(cost_));
+  }
+  bool enough() const { return !nodes_.empty() && model_.length(cost_) <= options_.enough; }
+  Cost cost() const { return cost_; }
+  const std::vector<int>& nodes() const { return nodes_; }
+
+ private:
+  const LengthModel& model_;
+  const LengthSearchOptions& options_;
+  std::vector<int> nodes_;
+  Cost cost_ = 0;
+};
+
+std::vector<int> start_tour(const LengthModel& model, std::uint64_t seed, long long kicks,
+                            const StopWatch& watch) {
+  Random random(seed);
+  ChainedSearch search(model, greedy_tour(model, kStartNoise, random), default_breadth(), random.next());
+  search.descend(watch);
+  search.run(kicks, watch);
+  return search.nodes();
+}
+
+std::vector<std::vector<int>> start_tours(const LengthModel& model, const Plan& plan, std::uint64_t seed,
+                                          const StopWatch& watch) {
+  std::vector<std::vector<int>> tours(static_cast<std::size_t>(plan.population));
+  std::vector<std::uint64_t> seeds;
+  Random random(seed);
+  for (int i = 0; i < plan.population; ++i) seeds.push_back(random.next());
+  tbb::parallel_for(0, plan.population, [&](int i) {
+    if (!watch.over()) tours[i] = start_tour(model, seeds[i], plan.kicks, watch);
+  });
+  std::erase_if(tours, [](const auto& t) { return t.empty(); });
+  return tours;
+}
+
+long long search_by_populations(const LengthModel& model, const Plan& plan,
+                                const LengthSearchOptions& options, const StopWatch& watch, Best& best) {
+  constexpr int kPatience = 3;
+  Random random(options.seed);
+  long long round = 0;
+  for (int idle = 0; round < options.stop.rounds && idle < kPatience && !watch.over() && !best.enough();
+       ++round) {
+    const Cost before = best.cost();
+    std::vector<std::vector<int>> tours = start_tours(model, plan, random.next(), watch);
+    for (const auto& nodes : tours) best.offer(nodes, model.tour_cost(nodes));
+    if (tours.size() < 2) break;
+    Population population(model, std::move(tours), {.children = 30, .seed = random.next()});
+    population.evolve(watch, [&](const std::vector<int>& nodes, Cost cost) {
+      best.offer(nodes, cost);
+      return !best.enough();
+    });
+    idle = round > 0 && best.cost() >= before ? idle + 1 : 0;
+  }
+  return round;
+}
+
+/// The points at positions [first, first + count) of the tour as a path with fixed ends; improved by kicks.
+std::vector<int> improve_window(const Problem& problem, std::span<const int> tour, int first, int count,
+                                std::uint64_t seed, const StopWatch& watch) {
+  const int n = static_cast<int>(tour.size());
+  std::vector<int> members;
+  Problem part;
+  part.metric = problem.metric;
+  part.shape = Shape::kOpenPath;
+  for (int i = 0; i < count; ++i) {
+    members.push_back(tour[(first + i) % n]);
+    part.points.push_back(problem.points[members.back()]);
+  }
+  part.start = 0;
+  part.end = count - 1;
+  if (problem.detour) {
+    part.detour = [&](int a, int b) { return problem.detour(members[a], members[b]); };
+  }
+  const LengthModel model(part, kCandidates);
+  Tour in_place(static_cast<std::size_t>(count));
+  std::iota(in_place.begin(), in_place.end(), 0);
+  ChainedSearch search(model, model.from_problem(in_place), default_breadth(), seed);
+  search.descend(watch);
+  search.run(count, watch);
+  std::vector<int> result;
+  for (const int i : model.to_problem(search.nodes())) result.push_back(members[i]);
+  return result;
+}
+
+/// One pass: windows side by side from a random offset, in parallel; no window shares a point with another.
+void improve_all_windows(const Problem& problem, Tour& tour, Random& random, const StopWatch& watch) {
+  const int n = static_cast<int>(tour.size());
+  const int windows = std::max(1, (n + kWindow / 2) / kWindow);
+  const int offset = problem.closed() ? static_cast<int>(random.below(static_cast<std::uint64_t>(n))) : 0;
+  const int shift = problem.closed() ? 0 : static_cast<int>(random.below(kWindow));
+  std::vector<int> begins{0};
+  for (int i = 1; i < windows; ++i)
+    begins.push_back(static_cast<int>(static_cast<long long>(n) * i / windows) - shift / 2);
+  begins.push_back(n);
+  std::vector<std::uint64_t> seeds;
+  for (int i = 0; i < windows; ++i) seeds.push_back(random.next());
+  const Tour before = tour;
+  tbb::parallel_for(0, windows, [&](int i) {
+    const int count = begins[i + 1] - begins[i];
+    if (watch.over() || count < 8) return;
+    const int first = (offset + begins[i]) % n;
+    const std::vector<int> part = improve_window(problem, before, first, count, seeds[i], watch);
+    for (int j = 0; j < count; ++j) tour[(first + j) % n] = part[j];
+  });
+}
+
+long long search_by_windows(const Problem& problem, const LengthModel& model,
+                            const LengthSearchOptions& options, const StopWatch& watch, Best& best) {
+  Random random(options.seed);
+  long long round = 0;
+  for (; round < options.stop.rounds && !watch.over() && !best.enough(); ++round) {
+    Tour tour = model.to_problem(best.nodes());
+    improve_all_windows(problem, tour, random, watch);
+    // What lies across the windows' borders is put right on the whole.
+    ChainedSearch whole(model, model.from_problem(tour), default_breadth(), random.next());
+    best.offer(whole.nodes(), whole.cost());
+    if (round % 4 == 1) whole.descend(watch);
+    best.offer(whole.nodes(), whole.cost());
+  }
+  return round;
+}
+
+}  // namespace
+
+std::vector<int> first_tour(const LengthModel& model, const StopWatch& watch) {
+  Random random(0);
+  if (model.size() > kLargestWholeDescent) {
+    std::vector<int> along_curve(static_cast<std::size_t>(model.size()));
+    std::iota(along_curve.begin(), along_curve.end(), 0);
+    return model.keeping_ends(std::move(along_curve));
+  }
+  ChainedSearch search(model, greedy_tour(model, 0, random), default_breadth(), 0);
+  search.descend(watch);
+  return search.nodes();
+}
+
+LengthSearchResult search_length(const Problem& problem, const LengthModel& model, std::vector<int> first,
+                                 const LengthSearchOptions& options) {
+  const StopWatch watch(options.stop);
+  Best best(model, options);
+  best.offer(first, model.tour_cost(first));
+  LengthSearchResult result;
+  const Plan plan = plan_for(problem.size(), options.stop.seconds);
+  if (plan.population > 0) {
+    result.rounds = search_by_populations(model, plan, options, watch, best);
+    result.method = "edge assembly, population " + std::to_string(plan.population);
+  } else {
+    result.rounds = search_by_windows(problem, model, options, watch, best);
+    result.method = "chained local search, windows of " + std::to_string(kWindow);
+  }
+  result.tour = model.to_problem(best.nodes());
+  result.length = model.length(best.cost());
+  return result;
+}
+
+}  // namespace clearcut::order

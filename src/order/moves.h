@@ -1,0 +1,62 @@
+// The moves between points as objectives see them: length, directions at both ends, turns on the way.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+
+#include "order/problem.h"
+
+namespace clearcut::order {
+
+/// A change of direction below this many degrees is no turn (the same figure as in the findings).
+inline constexpr double kTurnThresholdDegrees = 0.1;
+
+/// |angle| between two directions in degrees, 0..180; 0 when either is zero (coincident points).
+/// Tour eq. 4.16-4.19: the minor arc between two subpaths, here by one atan2 of cross and dot product.
+double turn_angle(Vec2 in, Vec2 out);
+
+/// Whether that angle is above the threshold; without trigonometry.
+bool is_turn(Vec2 in, Vec2 out);
+
+/// Everything an objective asks of the move a -> b.
+struct MoveShape {
+  double length = 0;       ///< in the problem's metric
+  Vec2 leaves;             ///< direction at a, not normalised
+  Vec2 arrives;            ///< direction at b
+  int inner_turns = 0;     ///< turns of a legal detour between its ends
+  double inner_angle = 0;  ///< degrees
+  bool straight = true;
+};
+
+/// Answers from coordinates where moves are straight, and remembers legal detours. Safe for several threads.
+class Moves {
+ public:
+  explicit Moves(const Problem& problem) : problem_(&problem) {}
+
+  const Problem& problem() const { return *problem_; }
+  bool has_detours() const { return static_cast<bool>(problem_->detour); }
+  double length(int a, int b) const {
+    return has_detours() ? shape(a, b).length : straight_distance(*problem_, a, b);
+  }
+  bool is_straight(int a, int b) const { return !has_detours() || shape(a, b).straight; }
+  MoveShape shape(int a, int b) const;
+  /// Turn at b on the way a -> b -> c, degrees.
+  double angle_at(int a, int b, int c) const;
+  bool turns_at(int a, int b, int c) const;
+
+ private:
+  static constexpr std::size_t kShards = 16;
+  struct Shard {
+    std::mutex mutex;
+    std::unordered_map<unsigned long long, MoveShape> known;
+  };
+  MoveShape straight_shape(int a, int b) const;
+  MoveShape detour_shape(int a, int b) const;
+
+  const Problem* problem_;
+  std::unique_ptr<std::array<Shard, kShards>> shards_ = std::make_unique<std::array<Shard, kShards>>();
+};
+
+}  // namespace clearcut::order

@@ -1,0 +1,27 @@
+#include "order/objective.h"
+
+namespace clearcut::order {
+
+double evaluate(const Objective& objective, const Moves& moves, std::span<const int> tour) {
+  double value = objective.constant() + (objective.path_dependent() ? objective.path(moves, tour) : 0);
+  each_edge(moves.problem(), tour, [&](int a, int b) { value += objective.edge(moves, a, b); });
+  each_corner(moves.problem(), tour, [&](int a, int b, int c) { value += objective.corner(moves, a, b, c); });
+  return value;
+}
+
+TourFigures figures(const Moves& moves, std::span<const int> tour) {
+  TourFigures result;
+  each_edge(moves.problem(), tour, [&](int a, int b) {
+    const MoveShape shape = moves.shape(a, b);
+    result.length += shape.length;
+    result.turns += shape.inner_turns;
+    result.angle_deg += shape.inner_angle;
+  });
+  each_corner(moves.problem(), tour, [&](int a, int b, int c) {
+    result.turns += moves.turns_at(a, b, c) ? 1 : 0;
+    result.angle_deg += moves.angle_at(a, b, c);
+  });
+  return result;
+}
+
+}  // namespace clearcut::order

@@ -1,0 +1,316 @@
+#include "order/solve.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "order/exact.h"
+#include "order/exchange_search.h"
+#include "order/lattice.h"
+#include "order/lattice_bounds.h"
+#include "order/length_search.h"
+#include "order/one_tree.h"
+
+namespace clearcut::order {
+
+namespace {
+
+constexpr double kSameValue = 1e-9;  // relative; rounding of sums
+
+int bound_iterations(int n) {
+  return n < 2000 ? 200 : n < 20000 ? 100 : n < 200000 ? 30 : 10;
+}
+
+struct Part {
+  double value = 0;
+  std::string basis;
+};
+
+/// Bounds of turns and angle that hold for the class of tours the bound may be compared with.
+struct TurnBounds {
+  int turns = 0;
+  double angle = 0;
+  std::string basis;
+};
+
+TurnBounds turn_bounds(const std::optional<Lattice>& lattice, bool closed, bool unit_steps) {
+  if (!lattice) return {closed ? 2 : 0, closed ? 360.0 : 0.0, "none for turns"};
+  if (unit_steps) {
+    const int turns = lattice_turns_bound(*lattice, closed);
+    return {turns, std::max(90.0 * turns, closed ? 360.0 : 0.0), "strip cover, unit steps"};
+  }
+  return {lattice_turns_bound_any_moves(*lattice, closed), closed ? 360.0 : 0.0, "runs"};
+}
+
+Bound combine(const Objective::Linear& linear, const Part& length, const TurnBounds& turns) {
+  Bound bound;
+  bound.value = linear.constant + linear.length * length.value + linear.turns * turns.turns +
+                linear.angle * turns.angle;
+  if (linear.length > 0) bound.basis = length.basis;
+  if (linear.turns > 0 || linear.angle > 0) bound.basis += (bound.basis.empty() ? "" : "; ") + turns.basis;
+  if (!linear.exact) bound.basis += (bound.basis.empty() ? "" : "; ") + std::string("0 for the rest");
+  return bound;
+}
+
+/// Everything the bound needs once per problem.
+class Bounds {
+ public:
+  Bounds(const Problem& problem, const Objective& objective)
+      : problem_(problem), linear_(objective.linear()), lattice_(Lattice::recognise(problem.points)) {
+    if (lattice_ && problem.metric == Metric::kEuclidean) {
+      length_ = {lattice_length_bound(*lattice_, problem.closed()), "lattice steps"};
+    }
+  }
+  const std::optional<Lattice>& lattice() const { return lattice_; }
+  /// The 1-tree bound, where length matters and the lattice's is not already reached by `nodes`.
+  void find_length(const LengthModel& model, std::span<const int> nodes, const StopWatch& watch) {
+    if (linear_.length == 0 || model.length(model.tour_cost(nodes)) <= length_.value * (1 + kSameValue))
+      return;
+    const double tree = held_karp_bound(model, nodes, bound_iterations(problem_.size()), watch);
+    if (tree > length_.value) length_ = {tree, "1-tree"};
+  }
+  /// The unit-step bound, unless a tour of other steps undercuts it.
+  Bound below(double objective_value) const {
+    for (const bool unit_steps : {true, false}) {
+      const Bound bound = combine(linear_, length_, turn_bounds_of(unit_steps));
+      if (bound.value <= objective_value * (1 + kSameValue) + kSameValue) return bound;
+    }
+    return combine(linear_, length_, turn_bounds_of(false));
+  }
+
+ private:
+  const TurnBounds& turn_bounds_of(bool unit_steps) const {
+    auto& known = turns_[unit_steps ? 1 : 0];
+    if (!known) known = turn_bounds(lattice_, problem_.closed(), unit_steps);
+    return *known;
+  }
+  const Problem& problem_;
+  Objective::Linear linear_;
+  std::optional<Lattice> lattice_;
+  Part length_{0, "none for length"};
+  mutable std::optional<TurnBounds> turns_[2];
+};
+
+/// Keeps the best tour and reports it.
+class Keeper {
+ public:
+  Keeper(const Problem& problem, const SolveOptions& options, const StopWatch& watch)
+      : problem_(problem), options_(options), watch_(watch) {}
+  /// Better, or as good and shorter.
+  void offer(const Tour& tour, double value) {
+    const double rounding = kSameValue * std::abs(value_);
+    if (!tour_.empty() && value > value_ + rounding) return;
+    const double length = tour_length(problem_, tour);
+    if (!tour_.empty() && value > value_ - rounding && length >= length_ * (1 - kSameValue)) return;
+    tour_ = tour;
+    value_ = value;
+    length_ = length;
+    if (options_.progress) options_.progress({tour_, value_, watch_.seconds()});
+  }
+  const Tour& tour() const { return tour_; }
+  double value() const { return value_; }
+
+ private:
+  const Problem& problem_;
+  const SolveOptions& options_;
+  const StopWatch& watch_;
+  Tour tour_;
+  double value_ = 0, length_ = 0;
+};
+
+/// Value at which the search may stop: the bound, or the gap asked for.
+double enough_value(const Bound& bound, const StopRule& stop) {
+  return std::max(bound.value * (1 + stop.gap), bound.value + std::abs(bound.value) * kSameValue);
+}
+
+StopRule remaining(const StopRule& stop, const StopWatch& watch, double share) {
+  StopRule rest = stop;
+  rest.seconds = std::max(0.0, (stop.seconds - watch.seconds()) * share);
+  return rest;
+}
+
+/// Offers the lattice's sweeps, in both directions; true when one of them is proven good enough.
+bool sweep(const Problem& problem, const Objective& objective, const Moves& moves,
+           const SolveOptions& options, const Bounds& bounds, Keeper& keeper,
+           std::vector<std::pair<double, Tour>>& valued) {
+  if (!bounds.lattice()) return false;
+  for (Tour tour : sweeps(*bounds.lattice(), problem.closed())) {
+    for (int direction = 0; direction < 2; ++direction) {
+      if (is_valid(problem, tour)) {
+        valued.push_back({evaluate(objective, moves, tour), tour});
+        keeper.offer(tour, valued.back().first);
+      }
+      std::reverse(tour.begin(), tour.end());
+    }
+  }
+  return !keeper.tour().empty() && keeper.value() <= enough_value(bounds.below(keeper.value()), options.stop);
+}
+
+void solve_length(const Problem& problem, const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
+                  Keeper& keeper, Solution& solution) {
+  const LengthModel model(problem, kCandidates);
+  const std::vector<int> first = first_tour(model, watch);
+  keeper.offer(model.to_problem(first), model.length(model.tour_cost(first)));
+  bounds.find_length(model, first, StopWatch(remaining(options.stop, watch, 0.2)));
+  LengthSearchOptions search;
+  search.stop = remaining(options.stop, watch, 1);
+  search.seed = options.seed;
+  search.enough = enough_value(bounds.below(keeper.value()), options.stop);
+  search.improved = [&](const Tour& tour, double length) { keeper.offer(tour, length); };
+  const LengthSearchResult result = search_length(problem, model, first, search);
+  solution.rounds = result.rounds;
+  solution.method = result.method;
+}
+
+/// A valid order made of nearest next points whose predecessors are done. O(n^2).
+Tour nearest_allowed(const Problem& problem, const Moves& moves) {
+  const int n = problem.size();
+  std::vector<int> waiting(problem.points.size(), 0);
+  for (const Precedence& p : problem.precedence) ++waiting[p.after];
+  std::vector<char> done(problem.points.size(), 0);
+  Tour tour;
+  for (int step = 0; step < n; ++step) {
+    int best = -1;
+    double best_length = 0;
+    for (int v = 0; v < n; ++v) {
+      if (done[v] || waiting[v] > 0 || (v == problem.end && step + 1 < n)) continue;
+      if (step == 0 && problem.start >= 0 && v != problem.start) continue;
+      const double length = tour.empty() ? 0 : moves.length(tour.back(), v);
+      if (best < 0 || length < best_length) {
+        best = v;
+        best_length = length;
+      }
+    }
+    done[best] = 1;
+    tour.push_back(best);
+    for (const Precedence& p : problem.precedence) waiting[p.after] -= p.before == best ? 1 : 0;
+  }
+  return tour;
+}
+
+/// Adds a short tour, or one that keeps precedence, and sorts: best first.
+void add_starts(const Problem& problem, const Objective& objective, const Moves& moves,
+                const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
+                std::vector<std::pair<double, Tour>>& valued) {
+  const LengthModel model(problem, kCandidates);
+  const std::vector<int> first = first_tour(model, watch);
+  bounds.find_length(model, first, StopWatch(remaining(options.stop, watch, 0.2)));
+  std::vector<Tour> tours{model.to_problem(first)};
+  if (!problem.precedence.empty()) tours = {nearest_allowed(problem, moves), topological_order(problem)};
+  for (Tour& tour : tours) {
+    if (is_valid(problem, tour)) valued.push_back({evaluate(objective, moves, tour), std::move(tour)});
+  }
+  std::stable_sort(valued.begin(), valued.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+/// Among tours of equal turns or angle the shorter one: a length so light that it never outweighs a turn.
+ObjectivePtr with_tie_break(const Objective& objective, const TourFigures& start) {
+  const auto borrowed = ObjectivePtr(std::shared_ptr<void>(), &objective);
+  if (objective.linear().length > 0 || start.length <= 0) return borrowed;
+  return weighted_sum({{1.0, borrowed}, {1e-4 / start.length, length_objective()}});
+}
+
+/// Islands search on their own and are compared after each round; their number is fixed, whatever the
+/// threads.
+void solve_general(const Problem& problem, const Objective& objective, const Moves& moves,
+                   const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
+                   std::vector<std::pair<double, Tour>> seeds, Keeper& keeper, Solution& solution) {
+  constexpr int kIslands = 4;
+  constexpr int kPatience = 25;
+  add_starts(problem, objective, moves, options, watch, bounds, seeds);
+  for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
+  const double enough = enough_value(bounds.below(keeper.value()), options.stop);
+
+  const Neighbours neighbours = nearest_neighbours(problem.points, std::min(problem.neighbour_count, 12));
+  const ObjectivePtr sharpened = with_tie_break(objective, figures(moves, keeper.tour()));
+  Random random(options.seed);
+  std::vector<ExchangeSearch> islands;
+  for (int i = 0; i < kIslands; ++i) {
+    const Tour& start = seeds[static_cast<std::size_t>(i) % seeds.size()].second;
+    islands.emplace_back(moves, *sharpened, neighbours, start, random.next());
+  }
+  const long long kicks = std::max(20, 1000 / (1 + problem.size() / 100));
+  const auto look = [&] {
+    for (const ExchangeSearch& island : islands)
+      keeper.offer(island.tour(), evaluate(objective, moves, island.tour()));
+  };
+  int idle = 0;
+  for (;
+       solution.rounds < options.stop.rounds && idle < kPatience && !watch.over() && keeper.value() > enough;
+       ++solution.rounds) {
+    const double before = keeper.value();
+    tbb::parallel_for(0, kIslands, [&](int i) {
+      if (solution.rounds == 0) islands[i].descend(watch);
+      islands[i].run(kicks, enough, watch);
+    });
+    look();
+    idle = keeper.value() < before ? 0 : idle + 1;
+  }
+  solution.method = "exchanges, " + std::to_string(kIslands) + " islands";
+}
+
+void finish(const Moves& moves, const Bound& bound, const Keeper& keeper, Solution& solution) {
+  solution.tour = keeper.tour();
+  solution.objective = keeper.value();
+  const TourFigures f = figures(moves, solution.tour);
+  solution.length = f.length;
+  solution.turns = f.turns;
+  solution.angle_deg = f.angle_deg;
+  solution.bound = std::min(bound.value, solution.objective);
+  solution.bound_basis = bound.basis;
+  const double difference = solution.objective - solution.bound;
+  const bool equal = difference <= kSameValue * std::abs(solution.objective);
+  solution.gap = equal                ? 0
+                 : solution.bound > 0 ? difference / solution.bound
+                                      : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Solution solve(const Problem& problem, const Objective& objective, const SolveOptions& options) {
+  check(problem);
+  const StopWatch watch(options.stop);
+  const Moves moves(problem);
+  Solution solution;
+  solution.seed = options.seed;
+  Keeper keeper(problem, options, watch);
+  Bound bound;
+  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    if (const auto exact = solve_exact(moves, objective)) {
+      keeper.offer(canonical(problem, exact->tour), exact->value);
+      bound = {exact->value, "exact"};
+      solution.method = "exact";
+      return;
+    }
+    Bounds bounds(problem, objective);
+    std::vector<std::pair<double, Tour>> seeds;
+    if (sweep(problem, objective, moves, options, bounds, keeper, seeds)) {
+      solution.method = "sweep";
+    } else if (objective.is_length() && problem.precedence.empty()) {
+      solve_length(problem, options, watch, bounds, keeper, solution);
+    } else {
+      solve_general(problem, objective, moves, options, watch, bounds, std::move(seeds), keeper, solution);
+    }
+    bound = bounds.below(keeper.value());
+  });
+  finish(moves, bound, keeper, solution);
+  solution.seconds = watch.seconds();
+  return solution;
+}
+
+Bound lower_bound(const Problem& problem, const Objective& objective, const Tour& tour,
+                  const StopWatch& watch) {
+  const Moves moves(problem);
+  Bounds bounds(problem, objective);
+  const LengthModel model(problem, kCandidates);
+  bounds.find_length(model, model.from_problem(tour), watch);
+  return bounds.below(evaluate(objective, moves, tour));
+}
+
+}  // namespace clearcut::order

@@ -1,0 +1,52 @@
+// The public face of ordering: a problem and an objective in, an order with its proven gap out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "order/objective.h"
+#include "order/problem.h"
+#include "order/stop.h"
+
+namespace clearcut::order {
+
+struct SolveOptions {
+  StopRule stop;
+  std::uint64_t seed = 1;
+  int threads = 0;                                ///< 0: all cores
+  std::function<void(const Progress&)> progress;  ///< best so far, from the calling thread
+};
+
+struct Solution {
+  Tour tour;  ///< indices of problem.points in visiting order
+  double objective = 0;
+  double length = 0;  ///< in the problem's metric
+  int turns = 0;
+  double angle_deg = 0;
+  double bound = 0;         ///< no tour has a smaller objective
+  std::string bound_basis;  ///< what the bound rests on
+  double gap = 0;           ///< (objective - bound) / bound; 0 when proven optimal
+  double seconds = 0;
+  std::uint64_t seed = 0;
+  long long rounds = 0;  ///< of the method; give them as stop.rounds to repeat a run exactly
+  std::string method;
+};
+
+/// Orders the points. Any size: up to about ten points the result is proven optimal, to about 20000 length is
+/// within 0.1 % of the optimum in a minute, and a million fits in memory. Keeps fixed ends and precedence;
+/// illegal moves cost their legal detour. The same seed gives the same tour on any number of threads, as long
+/// as it is not the clock that ends the search. Throws InputError for problems that contradict themselves.
+Solution solve(const Problem& problem, const Objective& objective, const SolveOptions& options);
+
+/// Lower bound of an objective: combined from the bounds of length (1-tree, lattice) and turns (lattice).
+/// `tour` is any valid tour with value `objective_value`; turn bounds for unit steps are used only if it does
+/// not undercut them.
+struct Bound {
+  double value = 0;
+  std::string basis;
+};
+Bound lower_bound(const Problem& problem, const Objective& objective, const Tour& tour,
+                  const StopWatch& watch);
+
+}  // namespace clearcut::order

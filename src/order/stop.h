@@ -1,0 +1,44 @@
+// When a search ends, and how it tells what it has found so far.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <limits>
+
+#include "order/problem.h"
+
+namespace clearcut::order {
+
+/// A best-so-far tour. Called on the thread that called solve(), or under a lock; return quickly.
+struct Progress {
+  const Tour& tour;
+  double objective = 0;
+  double seconds = 0;  ///< since the start
+};
+
+struct StopRule {
+  double seconds = 10;                                       ///< wall clock; infinity: no limit
+  long long rounds = std::numeric_limits<long long>::max();  ///< of the method; makes runs repeat exactly
+  double gap = 0;                             ///< stop when (objective - bound) / bound is at most this
+  const std::atomic<bool>* cancel = nullptr;  ///< looked at every few milliseconds
+};
+
+/// Asks for the time rarely enough to cost nothing.
+class StopWatch {
+ public:
+  explicit StopWatch(const StopRule& rule) : rule_(rule), start_(Clock::now()) {}
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  bool over() const {
+    if (rule_.cancel && rule_.cancel->load(std::memory_order_relaxed)) return true;
+    return seconds() >= rule_.seconds;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  StopRule rule_;
+  Clock::time_point start_;
+};
+
+}  // namespace clearcut::order
