@@ -140,7 +140,7 @@ class Linker {
       const Choice next = choose(state, above);
       CLEARCUT_ASSERT(next.pass < state.layer().passes.size());
       go_to(next, state, above);
-      cut(oriented(state, next), state.layer().z);
+      cut(oriented(state, next), state.pass(next.pass).kinds, state.layer().z);
       state.mark_done(next.pass);
     }
   }
@@ -307,12 +307,14 @@ class Linker {
     return back ? reversed(path) : path;
   }
 
-  void cut(const Path& path, double z) {
-    for (const auto& edge : path) {
-      Edge joined = edge;
-      if (&edge == &path.front()) joined.from = at_;  // the same point to rounding
-      moves_.push_back({joined, z, z, MoveKind::kCut, options_.feed, 0});
-      at_ = edge.to;
+  void cut(const Path& path, const std::vector<MoveKind>& kinds, double z) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      Edge joined = path[i];
+      if (i == 0) joined.from = at_;  // the same point to rounding
+      const MoveKind kind = kinds.empty() ? MoveKind::kCut : kinds[i];
+      moves_.push_back(
+          {joined, z, z, kind, kind == MoveKind::kLink ? options_.machine.rapid : options_.feed, 0});
+      at_ = joined.to;
     }
   }
 

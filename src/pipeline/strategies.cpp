@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "plan/adaptive.h"
 #include "plan/contour.h"
 
 namespace clearcut {
@@ -21,7 +22,7 @@ ContourOptions contour_options(const Operation& operation, const PlanOptions& op
 }  // namespace
 
 const std::vector<std::string>& strategy_names() {
-  static const std::vector<std::string> names{"auto", "contour"};
+  static const std::vector<std::string> names{"auto", "contour", "adaptive"};
   return names;
 }
 
@@ -31,13 +32,18 @@ Strategy strategy_named(const std::string& name, const Operation& operation, con
       return plan_contour(layer, contour, tol);
     };
   }
+  if (name == "adaptive") {
+    AdaptiveOptions adaptive;
+    if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
+    return [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); };
+  }
   throw InputError("--strategy",
                    fmt::format("'{}' is unknown; use one of {}", name, fmt::join(strategy_names(), ", ")));
 }
 
 std::vector<std::string> candidates_for(const std::string& name) {
   if (name != "auto") return {name};
-  return {strategy_names().begin() + 1, strategy_names().end()};
+  return {"contour"};
 }
 
 }  // namespace clearcut

@@ -1,6 +1,7 @@
 // What a strategy returns: passes of one layer, not yet ordered or linked.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct Pass {
   int component = 0;         ///< passes of one connected legal area share a component
   double offset = 0;         ///< mm from the wall (clearance), for closed offset contours
   bool reversible = true;    ///< may be cut in either direction (e.g. medial-axis spurs)
+  /// What each edge of `path` does, kCut or kLink (through cleared material, at the link feed). Empty: all cut.
+  std::vector<MoveKind> kinds;
+  /// The path begins by circling this point once: a helix about it may lead down to the path's start.
+  std::optional<Vec2> entry_center;
 };
 
 /// All passes of one layer of one feature with what linking needs to know.
