@@ -17,6 +17,8 @@ namespace {
 /// mm. Sites lie this near to the boundary where the diagram cannot prove its topology on coarser ones: half
 /// of the promised 1 um.
 constexpr double kFine = 0.0005;
+constexpr double kRefinement = 0.1;
+constexpr int kManyLines = 300;
 /// mm. Runs of lines made one line lie this near to it.
 constexpr double kSimplify = 0.0004;
 /// mm. Offsets smaller than this return the region: its own points are within the promise.
@@ -86,11 +88,31 @@ void append_axis_curve(const WallPair& walls, const AxisPoint& a, const AxisPoin
   }
 }
 
+/// Finer sites for the arcs in doubt; whether there were any that could be.
+bool refine(const voronoi::Diagram& diagram, voronoi::SiteErrors& errors) {
+  bool any = false;
+  for (const int i : diagram.doubtful) {
+    const double now = errors.of(i);
+    if (now <= kFine || !diagram.element(i).edge.is_arc()) continue;
+    errors.of_element[i] = std::max(kFine, now * kRefinement);
+    any = true;
+  }
+  return any;
+}
+
+/// Doubt about one arc costs another diagram of all edges: among many lines, arcs start finer.
+double usual_error(const Region& region, const Tolerances& tol) {
+  const auto edges = region.edges();
+  const auto lines = std::count_if(edges.begin(), edges.end(), [](const Edge& e) { return !e.is_arc(); });
+  return lines < kManyLines ? tol.topology_chord : tol.topology_chord * kRefinement;
+}
+
 voronoi::Diagram diagram_of(const Region& region, const Tolerances& tol) {
-  voronoi::Diagram coarse =
-      voronoi::make_diagram(voronoi::make_sites(region, tol.topology_chord, kSimplify), region);
-  if (coarse.exact) return coarse;
-  return voronoi::make_diagram(voronoi::make_sites(region, kFine, kSimplify), region);
+  voronoi::SiteErrors errors{usual_error(region, tol), {}};
+  for (;;) {
+    auto diagram = voronoi::make_diagram(voronoi::make_sites(region, errors, kSimplify), region);
+    if (!refine(diagram, errors)) return diagram;
+  }
 }
 
 }  // namespace

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/polygon/voronoi.hpp>
 #include <cmath>
 #include <limits>
+
+#include "geometry/voronoi/wide_arithmetic.h"
 
 namespace clearcut::voronoi {
 namespace {
@@ -45,7 +46,7 @@ class Maker {
   const Grid& grid() const { return out_.sites.grid; }
 
   void build() {
-    boost::polygon::voronoi_builder<std::int32_t> builder;
+    VoronoiBuilder builder;
     for (const Segment& s : out_.sites.segments) builder.insert_segment(s.from.x, s.from.y, s.to.x, s.to.y);
     BoostDiagram diagram;
     builder.construct(&diagram);
@@ -226,10 +227,15 @@ class Maker {
     const Around around = elements_around(h, node.point);
     const Node corrected = corrected_node(around, node.point);
     const auto [low, high] = distance_range(around, corrected.point);
-    const bool nearest = is_nearest_nearby(h, corrected);
-    const bool lost = around.count == 1 && corrected.point == node.point;
-    if (high - low > kNearer || !nearest || lost) out_.exact = false;
-    node = nearest ? corrected : unmoved(around, node.point);
+    const bool solved = high - low <= kNearer && (around.count > 1 || corrected.point != node.point);
+    const int nearer = nearer_element_nearby(h, corrected);
+    if (!solved || nearer >= 0) doubt(around, nearer);
+    node = nearer < 0 ? corrected : unmoved(around, node.point);
+  }
+
+  void doubt(const Around& around, int nearer) {
+    for (int i = 0; i < around.count; ++i) out_.doubtful.insert(around.elements[index(i)]);
+    if (nearer >= 0) out_.doubtful.insert(nearer);
   }
 
   /// For each concave arc, whether its centre is nowhere nearer to one of the walls next to it in the
@@ -248,17 +254,16 @@ class Maker {
     }
   }
 
-  /// No element at the next nodes is nearer to a corrected node than its own.
-  bool is_nearest_nearby(int first, const Node& node) const {
+  /// An element at the next nodes that is nearer to a corrected node than its own; -1 if there is none.
+  int nearer_element_nearby(int first, const Node& node) const {
     int h = first;
     do {
-      const int beyond = Diagram::twin(out_.next[index(h)]);
-      const int cell = out_.cell[index(beyond)];
-      if (distance(out_.element(out_.element_near(cell, node.point)), node.point) < node.clearance - kNearer)
-        return false;
+      const int beyond = out_.cell[index(Diagram::twin(out_.next[index(h)]))];
+      const int element = out_.element_near(beyond, node.point);
+      if (distance(out_.element(element), node.point) < node.clearance - kNearer) return element;
       h = out_.next[index(Diagram::twin(h))];
     } while (h != first);
-    return true;
+    return -1;
   }
 
   Node unmoved(const Around& around, Vec2 p) const { return {p, distance_range(around, p).first}; }

@@ -1,6 +1,7 @@
 // The segment Voronoi diagram of a region in flat arrays, its vertices corrected to the exact elements.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "geometry/voronoi/sites.h"
@@ -26,9 +27,10 @@ struct Diagram {
   std::vector<int> cell_element;  ///< of each cell: element, for doubled walls that on the left side
   std::vector<int> cell_back;     ///< of each cell: element on the right side of a doubled wall, or -1
   std::vector<int> cell_segment;  ///< of each cell: its segment, -1 for points
-  /// Every node is equally far from its elements and none nearby is nearer: the topology is that of the exact
-  /// boundary, and not only of one within the error of the sites.
-  bool exact = true;
+  /// Elements at nodes that are not equally far from them all or nearer to another, and elements that
+  /// crossed: with none, the topology is that of the exact boundary. (That of lines is always exact but for
+  /// the rounding.)
+  std::set<int> doubtful;
   double largest = 0;  ///< largest clearance inside
 
   int edge_count() const { return static_cast<int>(origin.size() / 2); }

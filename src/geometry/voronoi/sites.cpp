@@ -106,9 +106,9 @@ void append_tangents(const Edge& edge, double error, std::vector<Vec2>& out) {
 
 class Builder {
  public:
-  Builder(const Region& region, double error, double simplify) : error_(error) {
+  Builder(const Region& region, const SiteErrors& errors, double simplify) : errors_(errors) {
     sites_.grid = grid_for(region);
-    sites_.error = error;
+    sites_.error = errors.usual;
     std::vector<Loop> loops{simplified(region.outer(), simplify)};
     for (const Loop& island : region.islands()) loops.push_back(simplified(island, simplify));
     collect_corners(loops);
@@ -171,7 +171,7 @@ class Builder {
     const int element = add_element(Element::of_edge(moved));
     sites_.elements.back().end_vertex = to;
     points_.clear();
-    append_tangents(moved, error_, points_);
+    append_tangents(moved, errors_.of(element), points_);
     Segment next{corners_[index(from)].at, {}, element, from, element, -1};
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const bool last = i + 1 == points_.size();
@@ -201,6 +201,7 @@ class Builder {
     for (std::size_t i = 0; i < whole.size(); ++i) {
       Segment part = whole[i];
       for (; place != places.end() && index(place->segment) == i; ++place) {
+        if (place->element < 0) sites_.crossed.push_back(part.element);
         part.to = place->at;
         part.to_element = place->element >= 0 ? place->element : point_element(place->at);
         sites_.segments.push_back(part);
@@ -215,7 +216,6 @@ class Builder {
 
   int point_element(GridPoint p) {
     if (const int corner = corner_at(p); corner >= 0) return corner;
-    sites_.crossed = true;
     const auto [place, added] = crossings_.try_emplace(p, 0);
     if (added) place->second = add_element(Element::of_point(sites_.grid.to_mm(p)));
     return place->second;
@@ -281,7 +281,7 @@ class Builder {
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   Sites sites_;
-  double error_;
+  const SiteErrors& errors_;
   std::vector<Corner> corners_;
   std::map<GridPoint, int> crossings_;
   std::vector<Vec2> points_;
@@ -289,8 +289,8 @@ class Builder {
 
 }  // namespace
 
-Sites make_sites(const Region& region, double error, double simplify) {
-  return Builder(region, error, simplify).run();
+Sites make_sites(const Region& region, const SiteErrors& errors, double simplify) {
+  return Builder(region, errors, simplify).run();
 }
 
 }  // namespace clearcut::voronoi

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "base/tolerances.h"
@@ -47,12 +48,21 @@ struct Sites {
   double error = 0;  ///< mm, how far a site may lie from its element
   std::vector<Element> elements;
   std::vector<Segment> segments;
-  /// Segments crossed after rounding and had to be split.
-  bool crossed = false;
+  std::vector<int> crossed;  ///< elements whose segments crossed and had to be split
 };
 
-/// Arcs become tangents within `error` mm, runs of short lines one line within `simplify` mm; vertices in one
-/// square of the grid become one. Segments are split where they touch, doubled ones made one.
-Sites make_sites(const Region& region, double error, double simplify);
+/// How far the tangents for an arc may lie from it. mm.
+struct SiteErrors {
+  double usual = 0;
+  std::map<int, double> of_element;  ///< those that differ from the usual
+  double of(int element) const {
+    const auto found = of_element.find(element);
+    return found == of_element.end() ? usual : found->second;
+  }
+};
+
+/// Runs of short lines become one line within `simplify` mm; vertices in one square of the grid become one.
+/// Segments are split where they touch, doubled ones made one. Elements have the same index for all errors.
+Sites make_sites(const Region& region, const SiteErrors& errors, double simplify);
 
 }  // namespace clearcut::voronoi
