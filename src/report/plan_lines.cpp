@@ -73,6 +73,15 @@ void draw_vertical(SvgWriter& svg, const PlanView& view, const Move& move) {
                       {"stroke-width", svg_number(view.mm(1))}});
 }
 
+Box box_of(const Move& move) {
+  return move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+}
+
+/// The height down to which all of the move's strip is cut: a drill's depth, the high end of a ramp.
+double height_cut(const Move& move) {
+  return move.is_vertical() ? std::min(move.z_from, move.z_to) : std::max(move.z_from, move.z_to);
+}
+
 }  // namespace
 
 void draw_lines(SvgWriter& svg, const PlanView& view, const std::vector<Move>& moves,
@@ -118,8 +127,11 @@ std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::opt
     if (feature && feature_of(job.part, section) != *feature) continue;
     const Box reach = seen.grown(tool->radius());
     for (const Move& move : section.moves) {
-      const bool counts = !is_rapid(move.kind) && std::max(move.z_from, move.z_to) <= z + kSameDepth;
-      if (counts && !move.is_vertical() && drawable(move.path) && move.path.box().overlaps(reach)) {
+      const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSameDepth;
+      if (!counts || !drawable(move.path) || !box_of(move).overlaps(reach)) continue;
+      if (move.is_vertical()) {
+        by_diameter[tool->diameter].add(move.path.from);
+      } else {
         by_diameter[tool->diameter].add(move.path);
       }
     }

@@ -178,6 +178,7 @@ void draw_reach(SvgWriter& svg, const PlanView& view, const Reach& reach) {
   for (const Path& line : reach.fit_lines) {
     for (const Edge& edge : line) data.add(edge);
   }
+  for (const Vec2 point : reach.fit_points) data.add(point);
   if (data.empty()) return;
   svg.leaf("path", {{"d", data.text()},
                     {"fill", palette::kUncut},

@@ -64,6 +64,9 @@ Reach reach_of(const Job& job, int feature) {
     const Clearance clearance(region, kTolerances);
     for (Region& piece : clearance.inset(distance)) reach.centers.push_back(std::move(piece));
     for (Path& line : clearance.fit_lines(distance)) reach.fit_lines.push_back(std::move(line));
+    for (const AxisPoint& center : clearance.centers()) {
+      if (std::abs(center.clearance - distance) <= kTolerances.fit) reach.fit_points.push_back(center.point);
+    }
   }
   return reach;
 }

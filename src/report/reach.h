@@ -11,7 +11,8 @@ namespace clearcut {
 struct Reach {
   double diameter = 0;  ///< of the smallest cutter that worked on the feature, or was meant to; 0: none
   Regions centers;      ///< legal positions of its centre at the floor
-  std::vector<Path> fit_lines;  ///< and where it just fits
+  std::vector<Path> fit_lines;   ///< and where it just fits,
+  std::vector<Vec2> fit_points;  ///< along lines or in a single point (a drill in its hole)
 };
 
 /// Cost: one Clearance of the feature's allowed area.

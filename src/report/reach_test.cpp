@@ -52,6 +52,15 @@ TEST_F(ReachOfSample, ACutterThatJustFitsHasALine) {
   EXPECT_NEAR(fits, 20, 0.01);
 }
 
+TEST_F(ReachOfSample, ADrillFitsItsHoleInOnePoint) {
+  part.features[1].target =
+      part.features[1].allowed = {Region::from_valid_loops(sample::circle({90, 40}, 5), {})};
+  const Reach r = reach(1);
+  EXPECT_LT(area(r.centers), 1e-3);
+  ASSERT_FALSE(r.fit_points.empty());
+  for (const Vec2 point : r.fit_points) EXPECT_LT(distance(point, {90, 40}), 0.01);
+}
+
 TEST_F(ReachOfSample, LeaningWallsMakeTheFloorSmaller) {
   Feature& slot = part.features[1];  // 30 x 12, 8 deep
   slot.wall_slope = Radians::of(std::atan(0.25));

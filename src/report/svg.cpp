@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/format.h"
 #include "report/job_view.h"
@@ -24,6 +25,7 @@ constexpr double kListWidth = 500;    // of the list of features
 constexpr double kLegendWidth = 330;  // of the legend alone
 constexpr double kCaptionHeight = 66;
 constexpr int kPanelColumns = 3;
+constexpr std::size_t kMostPanels = 36;
 
 bool is_clean(const std::vector<const FeatureFindings*>& findings) {
   return std::all_of(findings.begin(), findings.end(),
@@ -97,22 +99,34 @@ double draw_main(SvgWriter& svg, const Job& job) {
   return std::max(view.corner.y + view.height, y) + kGap;
 }
 
+/// All features, or of very many those that are not clean before others, in order of the part.
+std::vector<int> features_with_panel(const Job& job) {
+  std::vector<int> features(job.part.features.size());
+  std::iota(features.begin(), features.end(), 0);
+  if (features.size() < 2) return {};
+  if (features.size() <= kMostPanels) return features;
+  std::stable_partition(features.begin(), features.end(),
+                        [&job](int f) { return !is_clean(findings_of(job.part, job.findings, f)); });
+  features.resize(kMostPanels);
+  std::sort(features.begin(), features.end());
+  return features;
+}
+
 double draw_panels(SvgWriter& svg, const Job& job, double top) {
   const double width = (kPageWidth - 2 * kPageMargin - (kPanelColumns - 1) * kGap) / kPanelColumns;
-  const double height = width * 0.86;
-  const int count = static_cast<int>(job.part.features.size());
-  if (count < 2) return top;
+  const double height = width * 0.86, row_height = height + kCaptionHeight + kGap;
+  const std::vector<int> features = features_with_panel(job);
+  const int count = static_cast<int>(features.size()), rows = (count + kPanelColumns - 1) / kPanelColumns;
   for (int i = 0; i < count; ++i) {
     PlanView view;
-    view.world = world_of(job, i);
+    view.world = world_of(job, features[static_cast<std::size_t>(i)]);
     view.corner = {kPageMargin + (i % kPanelColumns) * (width + kGap),
-                   top + kCaptionHeight + (i / kPanelColumns) * (height + kCaptionHeight + kGap)};
+                   top + kCaptionHeight + (i / kPanelColumns) * row_height};
     view.width = width;
     view.height = height;
-    draw_panel(svg, job, i, view);
+    draw_panel(svg, job, features[static_cast<std::size_t>(i)], view);
   }
-  const int rows = (count + kPanelColumns - 1) / kPanelColumns;
-  return top + rows * (height + kCaptionHeight + kGap);
+  return top + rows * row_height;
 }
 
 }  // namespace

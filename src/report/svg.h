@@ -17,7 +17,7 @@ struct SvgOptions {
 /// Shape   one SVG document: verdict and figures, the whole part from above (floors in shades of depth), a
 ///         legend, and one panel for each feature: floor, rest (within reach red, out of reach amber), tool
 ///         impact, cuts, links, entries, rapids, worst places, faults. A part with one feature has that panel
-///         alone, large.
+///         alone, large; of more than 36 features those that are not clean come first.
 /// Units   paths are in mm in the part's own frame, arcs are true arcs; rests and gouges are drawn from the
 ///         moves' exact strips, not from the findings.
 /// Text    names are escaped; moves that are not finite are left out.

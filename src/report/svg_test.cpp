@@ -134,6 +134,35 @@ TEST(Svg, AFeatureThatNothingWorksOnIsAllRed) {
   EXPECT_EQ(document.select_nodes(red.c_str()).size(), 2u);
 }
 
+TEST(Svg, ADrilledHoleIsSweptWhereTheDrillWent) {
+  Part part = sample::part();
+  part.features = {sample::pocket("HOLE", sample::circle({90, 40}, 5), {}, 0, -9)};
+  part.workplan.resize(1);
+  sample::Moves m({90, 40}, 2);
+  m.to(MoveKind::kPlunge, {90, 40}, -9).to(MoveKind::kRetract, {90, 40}, 2);
+  const std::string text = picture(part, {{Section{"HOLE", 0, 1, 0, true, false, m.moves}}}, {});
+  const std::string strip = std::string("//path[@stroke='") + palette::kFloor + "']";
+  EXPECT_THAT(parsed(text).select_node(strip.c_str()).node().attribute("d").value(), HasSubstr("M90 40h0"));
+}
+
+TEST(Svg, OfVeryManyFeaturesTheFaultyOnesHaveTheirPanels) {
+  Part part = sample::part();
+  Findings findings = sample::findings();
+  findings.features.clear();
+  for (int i = 2; i < 60; ++i) {
+    part.features.push_back(part.features[1]);
+    part.features.back().name = "SLOT" + std::to_string(i);
+    FeatureFindings found;
+    found.name = part.features.back().name;
+    found.figures.clean = i < 50;
+    findings.features.push_back(found);
+  }
+  const std::string words = all_words(picture(part, {}, findings));
+  EXPECT_THAT(words, HasSubstr("60  SLOT59"));
+  EXPECT_THAT(words, HasSubstr("51  SLOT50"));
+  EXPECT_THAT(words, Not(HasSubstr("50  SLOT49")));
+}
+
 TEST(Svg, HostileNamesStayText) {
   Part part = sample::part();
   part.name = "</title><script>alert(1)</script>\x01\xff";

@@ -86,6 +86,11 @@ void PathData::add(const Regions& regions) {
   for (const Region& region : regions) add(region);
 }
 
+void PathData::add(Vec2 point) {
+  if (drawable(point)) text_ += "M" + pair_of(point) + "h0";
+  down_ = false;
+}
+
 void SvgWriter::begin(std::string_view element, const Attributes& attributes) {
   text_.append(open_.size(), ' ');
   text_ += "<";

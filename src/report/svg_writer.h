@@ -25,6 +25,8 @@ class PathData {
   void add(const Loop& closed);
   void add(const Region& region);
   void add(const Regions& regions);
+  /// A point: a disc when it is stroked with round caps.
+  void add(Vec2 point);
   const std::string& text() const { return text_; }
   bool empty() const { return text_.empty(); }
 
