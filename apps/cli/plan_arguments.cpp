@@ -58,7 +58,9 @@ void PlanArguments::add_tool_options(CLI::App& command) {
 }
 
 void PlanArguments::add_cutting_options(CLI::App& command) {
-  command.add_option("--strategy", strategy_, "auto, contour, zigzag, spiral, adaptive or tour");
+  command.add_option(
+      "--strategy", strategy_,
+      "auto, contour, adaptive, or a published method: lom, rho, second, fixed, loops, bisectors");
   command.add_option("--stepover", stepover_,
                      "Distance of passes: fraction of the diameter, lom, rho, or 3.5mm");
   command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge");

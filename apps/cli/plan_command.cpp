@@ -46,7 +46,9 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
     return certificate_json(result.part, result.findings, certificate_info(command, options, result.program));
   });
   add(command.svg, [&] { return svg(result.part, result.toolpath, result.findings, {}); });
-  add(command.html, [&] { return html(result.part, result.toolpath, result.findings, {options.machine, result.program}); });
+  add(command.html, [&] {
+    return html(result.part, result.toolpath, result.findings, {options.machine, result.program});
+  });
   add(command.result, [&] { return result_file(result.toolpath, {result.part.name, std::nullopt}); });
   return files;
 }

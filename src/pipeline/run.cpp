@@ -44,14 +44,6 @@ LinkOptions link_options(const Part& part, const Workingstep& step, const PlanOp
   return link;
 }
 
-Section section_by(const std::string& strategy_name, const Part& part, const Workingstep& step,
-                   const std::vector<Layer>& layers, const PlanOptions& options) {
-  const auto strategy = strategy_named(strategy_name, step.operation, options);
-  std::vector<LayerPasses> passes;
-  for (const auto& layer : layers) passes.push_back(strategy(layer));
-  return link_layers(passes, link_options(part, step, options), options.tol);
-}
-
 void describe(Section& section, int index, const Part& part, const Workingstep& step) {
   section.label = feature_of(part, step).name;
   section.workingstep = index;
@@ -78,49 +70,59 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
   return layers;
 }
 
-/// The fastest section that the wanted strategies give for one workingstep; empty where the cutter does not
-/// fit.
-Section plan_step(int index, const Part& part, const PlanOptions& options) {
+/// The section of one workingstep; without moves where the cutter does not fit.
+Section plan_step(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
-  const auto layers = standing_layers(part, step, options);
-  Section best;
-  double best_time = 0;
-  for (const auto& name : candidates_for(options.strategy)) {
-    Section section = section_by(name, part, step, layers, options);
-    const double time = kinematic_time(section.moves, options.machine).seconds();
-    if (section.moves.empty() || (!best.moves.empty() && time >= best_time)) continue;
-    best = std::move(section);
-    best_time = time;
-  }
-  describe(best, index, part, step);
-  return best;
+  const auto strategy = strategy_for(attempt, step.operation, options);
+  std::vector<LayerPasses> passes;
+  for (const auto& layer : standing_layers(part, step, options)) passes.push_back(strategy(layer));
+  Section section = link_layers(passes, link_options(part, step, options), options.tol);
+  describe(section, index, part, step);
+  return section;
 }
 
-void refuse_if_nothing_is_cut(const Toolpath& toolpath, const Part& part, const PlanOptions& options) {
-  if (!toolpath.sections.empty()) return;
-  const auto& step = part.workplan.front();
-  throw InputError(
-      part.source_file,
-      fmt::format("nothing can be cut: tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
-                  tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
-                  feature_of(part, step).name,
-                  trimmed(largest_fitting_diameter(feature_of(part, step), options.tol), 3)));
+std::string does_not_fit(const Part& part, const Workingstep& step, const PlanOptions& options) {
+  return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
+                     tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
+                     feature_of(part, step).name,
+                     trimmed(largest_fitting_diameter(feature_of(part, step), options.tol), 3));
 }
 
-Toolpath plan_all(Part& part, const PlanOptions& options) {
-  Toolpath toolpath;
+/// What is planned for each workingstep, and by which of the attempts.
+struct Draft {
+  std::vector<Section> sections;
+  std::vector<std::size_t> attempt;
+};
+
+Draft draft_all(const Part& part, const std::vector<Attempt>& attempts, const PlanOptions& options) {
+  Draft draft;
   for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
-    Section section = plan_step(i, part, options);
-    if (!section.moves.empty()) {
-      toolpath.sections.push_back(std::move(section));
-      continue;
-    }
-    const auto& step = part.workplan[static_cast<std::size_t>(i)];
-    part.diagnostics.skip(feature_of(part, step).name,
-                          fmt::format("tool T{} ({} mm) has no legal position in it",
-                                      tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4)));
+    draft.sections.push_back(plan_step(i, part, attempts.front(), options));
+    draft.attempt.push_back(0);
+  }
+  return draft;
+}
+
+Toolpath toolpath_of(const Draft& draft) {
+  Toolpath toolpath;
+  for (const auto& section : draft.sections) {
+    if (!section.moves.empty()) toolpath.sections.push_back(section);
   }
   return toolpath;
+}
+
+void report_what_does_not_fit(Part& part, const Draft& draft, const PlanOptions& options) {
+  const bool nothing = std::all_of(draft.sections.begin(), draft.sections.end(),
+                                   [](const Section& section) { return section.moves.empty(); });
+  if (nothing) {
+    throw InputError(part.source_file,
+                     "nothing can be cut: " + does_not_fit(part, part.workplan.front(), options));
+  }
+  for (std::size_t i = 0; i < draft.sections.size(); ++i) {
+    const auto& step = part.workplan[i];
+    if (!draft.sections[i].moves.empty() || standing_layers(part, step, options).empty()) continue;
+    part.diagnostics.skip(feature_of(part, step).name, does_not_fit(part, step, options));
+  }
 }
 
 VerifyOptions verify_options(const PlanOptions& options) {
@@ -140,22 +142,25 @@ std::string stock_line(const Part& part) {
                      trimmed(stock.z_bottom, 3), trimmed(stock.z_top, 3));
 }
 
-/// Always the same number of lines, so that the numbered places of the certificate stay true.
-std::vector<std::string> header(const Part& part, const std::string& verdict) {
+/// The certificate in short lines, always as many: the numbered places of the findings must stay true.
+std::vector<std::string> verdict_lines(const std::optional<Figures>& all) {
+  if (!all) return {"CERTIFICATE: PENDING", "-", "-", "-", "-"};
+  return {fmt::format("CERTIFICATE: {}", all->clean ? "CLEAN" : "FAULTS FOUND"),
+          fmt::format("LEFT UNCUT: BELOW {:.4f} MM", all->uncut_thickness_mm),
+          fmt::format("GOUGE: {:.4f} MM", all->gouge_mm),
+          fmt::format("RAPIDS IN MATERIAL: {}", all->rapid_in_material),
+          fmt::format("TIME: {:.1f} S", all->time_s)};
+}
+
+std::vector<std::string> header(const Part& part, const std::optional<Figures>& all) {
   std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part)};
   for (const auto& tool : part.tools) {
     lines.push_back(
         fmt::format("TOOL T{}: {} {} MM", tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
   }
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
-  lines.push_back(verdict);
+  for (auto& line : verdict_lines(all)) lines.push_back(std::move(line));
   return lines;
-}
-
-std::string verdict_line(const Figures& all) {
-  return fmt::format("CERTIFICATE: {}, UNCUT BELOW {} MM, GOUGE {} MM, RAPIDS IN MATERIAL {}, TIME {} S",
-                     all.clean ? "CLEAN" : "FAULTS FOUND", trimmed(all.uncut_thickness_mm, 4),
-                     trimmed(all.gouge_mm, 4), all.rapid_in_material, trimmed(all.time_s, 1));
 }
 
 bool same_moves(const Toolpath& a, const Toolpath& b) {
@@ -171,7 +176,7 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
                     });
 }
 
-std::string post_with(const std::string& verdict, const Toolpath& toolpath, const Part& part,
+std::string post_with(const std::optional<Figures>& verdict, const Toolpath& toolpath, const Part& part,
                       const PlanOptions& options) {
   PostOptions post_options = options.post;
   post_options.header = header(part, verdict);
@@ -179,9 +184,35 @@ std::string post_with(const std::string& verdict, const Toolpath& toolpath, cons
   return post(toolpath, part, post_options);
 }
 
+/// Posts, reads back, and judges what was read.
+void certify(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
+  result.program = post_with(std::nullopt, planned, result.part, options);
+  result.toolpath = read_gcode(result.program, "program").toolpath;
+  result.findings = verify(result.part, result.toolpath, verify_options(options));
+}
+
+/// Plans every workingstep that was not certified clean by the next attempt. False when there was nothing to
+/// do.
+bool retry_unclean(Draft& draft, PlanResult& result, const std::vector<Attempt>& attempts,
+                   const PlanOptions& options) {
+  bool retried = false;
+  for (const auto& feature : result.findings.features) {
+    if (feature.figures.clean || feature.workingstep < 0) continue;
+    const auto i = static_cast<std::size_t>(feature.workingstep);
+    if (draft.sections[i].moves.empty() || draft.attempt[i] + 1 >= attempts.size()) continue;
+    const Attempt& next = attempts[++draft.attempt[i]];
+    draft.sections[i] = plan_step(feature.workingstep, result.part, next, options);
+    result.part.diagnostics.note(feature.name,
+                                 "was not certified clean at first and is planned again: " + next.strategy +
+                                     (next.stepover ? ", stepover " + *next.stepover : ""));
+    retried = true;
+  }
+  return retried;
+}
+
 /// Puts the verdict into the program's header and makes sure that nothing else has changed.
 void sign(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
-  result.program = post_with(verdict_line(result.findings.all), planned, result.part, options);
+  result.program = post_with(result.findings.all, planned, result.part, options);
   const auto again = read_gcode(result.program, "program").toolpath;
   CLEARCUT_ASSERT(same_moves(again, result.toolpath));
 }
@@ -218,12 +249,12 @@ void keep_stated_stepdowns(Part& prepared, const Part& part, const PlanOptions& 
 PlanResult plan(const Part& part, const PlanOptions& options) {
   PlanResult result;
   result.part = prepare(part, options);
-  const Toolpath planned = plan_all(result.part, options);
-  refuse_if_nothing_is_cut(planned, result.part, options);
-  result.program = post_with("CERTIFICATE: PENDING", planned, result.part, options);
-  result.toolpath = read_gcode(result.program, "program").toolpath;
-  result.findings = verify(result.part, result.toolpath, verify_options(options));
-  sign(result, planned, options);
+  const auto attempts = attempts_for(options);
+  Draft draft = draft_all(result.part, attempts, options);
+  report_what_does_not_fit(result.part, draft, options);
+  certify(result, toolpath_of(draft), options);
+  while (retry_unclean(draft, result, attempts, options)) certify(result, toolpath_of(draft), options);
+  sign(result, toolpath_of(draft), options);
   return result;
 }
 

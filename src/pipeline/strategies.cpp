@@ -1,6 +1,7 @@
 #include "pipeline/strategies.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -11,39 +12,75 @@
 namespace clearcut {
 namespace {
 
-ContourOptions contour_options(const Operation& operation, const PlanOptions& options) {
+/// A contour-parallel method by name: its step when the user gives none, and how it treats what steps leave.
+struct ContourMethod {
+  const char* name;
+  const char* description;
+  const char* stepover;
+  ResidualRule residuals;
+};
+
+constexpr ContourMethod kContourMethods[] = {
+    {"contour", "contours as wide as the cutter allows, rests cut locally", "widest", ResidualRule::kOurs},
+    {"lom", "published: step 2 R kappa from the smallest angle", "lom", ResidualRule::kNone},
+    {"rho", "published: step 2 R rho, overlap of 1 mm in the corner", "rho", ResidualRule::kNone},
+    {"second", "published: rho of the second smallest angle", "second", ResidualRule::kNone},
+    {"fixed", "contours at a fixed step, nothing else", "0.9", ResidualRule::kNone},
+    {"loops", "published: fixed step and a loop in every corner", "0.9", ResidualRule::kLoops},
+    {"bisectors", "published: fixed step and every corner's bisector", "0.9", ResidualRule::kBisectors}};
+
+const ContourMethod* contour_method(const std::string& name) {
+  const auto found = std::find_if(std::begin(kContourMethods), std::end(kContourMethods),
+                                  [&](const ContourMethod& method) { return name == method.name; });
+  return found == std::end(kContourMethods) ? nullptr : found;
+}
+
+Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, const Operation& operation,
+                          const PlanOptions& options) {
   ContourOptions contour;
-  if (options.stepover) contour.step = parse_step_rule(*options.stepover);
+  contour.step = parse_step_rule(attempt.stepover.value_or(method.stepover));
+  contour.residuals = method.residuals;
   contour.machine = options.machine;
   contour.feed = *operation.cutting.feed;
-  return contour;
+  return [contour, tol = options.tol](const Layer& layer) { return plan_contour(layer, contour, tol); };
+}
+
+Strategy adaptive_strategy(const PlanOptions& options) {
+  AdaptiveOptions adaptive;
+  if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
+  return [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); };
 }
 
 }  // namespace
 
 const std::vector<std::string>& strategy_names() {
-  static const std::vector<std::string> names{"auto", "contour", "adaptive"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all{"auto", "adaptive"};
+    for (const auto& method : kContourMethods) all.emplace_back(method.name);
+    return all;
+  }();
   return names;
 }
 
-Strategy strategy_named(const std::string& name, const Operation& operation, const PlanOptions& options) {
-  if (name == "contour") {
-    return [contour = contour_options(operation, options), tol = options.tol](const Layer& layer) {
-      return plan_contour(layer, contour, tol);
-    };
-  }
-  if (name == "adaptive") {
-    AdaptiveOptions adaptive;
-    if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
-    return [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); };
-  }
-  throw InputError("--strategy",
-                   fmt::format("'{}' is unknown; use one of {}", name, fmt::join(strategy_names(), ", ")));
+std::string description_of(const std::string& strategy) {
+  if (const auto* method = contour_method(strategy)) return method->description;
+  return strategy == "adaptive" ? "engagement limited, spiral and arcs" : "the fastest that certifies clean";
 }
 
-std::vector<std::string> candidates_for(const std::string& name) {
-  if (name != "auto") return {name};
-  return {"contour"};
+Strategy strategy_for(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
+  if (const auto* method = contour_method(attempt.strategy)) {
+    return contour_strategy(*method, attempt, operation, options);
+  }
+  if (attempt.strategy == "adaptive") return adaptive_strategy(options);
+  throw InputError("--strategy", fmt::format("'{}' is unknown; use one of {}", attempt.strategy,
+                                             fmt::join(strategy_names(), ", ")));
+}
+
+std::vector<Attempt> attempts_for(const PlanOptions& options) {
+  if (options.strategy != "auto") return {{options.strategy, options.stepover}};
+  std::vector<Attempt> attempts{{"contour", options.stepover}, {"contour", "0.6"}, {"contour", "0.35"}};
+  if (options.engagement_deg) attempts.insert(attempts.begin(), {"adaptive", std::nullopt});
+  return attempts;
 }
 
 }  // namespace clearcut

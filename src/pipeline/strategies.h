@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,21 @@ using Strategy = std::function<LayerPasses(const Layer&)>;
 /// Names that --strategy takes, "auto" first.
 const std::vector<std::string>& strategy_names();
 
-/// The strategy of that name with the operation's feed and the options' limits bound in.
-/// Throws InputError for an unknown name or a stepover that cannot be read.
-Strategy strategy_named(const std::string& name, const Operation& operation, const PlanOptions& options);
+/// What a name says, in one line for people.
+std::string description_of(const std::string& strategy);
 
-/// Names of the strategies that `name` stands for: itself, or all those that compete under "auto".
-std::vector<std::string> candidates_for(const std::string& name);
+/// One way to plan: a strategy by name (not "auto") with its stepover, where one is set.
+struct Attempt {
+  std::string strategy;
+  std::optional<std::string> stepover;
+};
+
+/// The strategy of an attempt with the operation's feed and the options' limits bound in.
+/// Throws InputError for an unknown name or a stepover that cannot be read.
+Strategy strategy_for(const Attempt& attempt, const Operation& operation, const PlanOptions& options);
+
+/// What the wanted strategy stands for, best first: one attempt, or under "auto" a list of which each is
+/// tried where the ones before it were not certified clean.
+std::vector<Attempt> attempts_for(const PlanOptions& options);
 
 }  // namespace clearcut

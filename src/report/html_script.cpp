@@ -138,7 +138,10 @@ function soilMove(i, radius) {
   soil((x0 - radius - wx0) * scale - 9, (wy1 - y1 - radius) * scale - 9, (x1 + radius - wx0) * scale + 9, (wy1 - y0 + radius) * scale + 9);
 }
 
-/** Takes away what move i cuts between fractions f and g. Ramps go down in steps of a quarter of a millimetre. */
+/**
+ * Takes away what move i cuts between fractions f and g. Ramps go down in steps of a quarter of a millimetre. Strips are
+ * a pixel wider than the cutter, so that the soft edges of two strips that meet leave no ridge that is not there.
+ */
 function cut(i, f, g) {
   const tool = job.sections[moves.section[i]].tool;
   if (tool < 0 || Math.min(moves.z0[i], moves.z1[i]) >= job.top || g <= f) return;
@@ -150,12 +153,12 @@ function cut(i, f, g) {
       const a = f + (g - f) * k / pieces, b = f + (g - f) * (k + 1) / pieces;
       c.beginPath();
       if (vertical) {
-        c.arc(moves.x0[i], moves.y0[i], radius, 0, 2 * Math.PI);
+        c.arc(moves.x0[i], moves.y0[i], radius + 0.5 / scale, 0, 2 * Math.PI);
         c.fillStyle = grey(Math.min(pointAt(i, a).z, pointAt(i, b).z) + above);
         c.fill();
       } else {
         trace(c, i, a, b);
-        c.lineWidth = 2 * radius;
+        c.lineWidth = 2 * radius + 1 / scale;
         c.strokeStyle = grey((pointAt(i, a).z + pointAt(i, b).z) / 2 + above);
         c.stroke();
       }

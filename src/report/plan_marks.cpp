@@ -12,6 +12,7 @@ namespace clearcut {
 namespace {
 
 constexpr int kMostFaultsMarked = 60;
+constexpr double kLeastShown = 0.0005;  // mm: less prints as zero
 
 /// 1, 2 or 5 times a power of ten, at most `most`.
 double round_length(double most) {
@@ -94,10 +95,10 @@ void draw_worst_places(SvgWriter& svg, const PlanView& view,
     if (f.engagement.max_at) {
       draw_place(svg, view, *f.engagement.max_at, fixed(f.engagement.max_deg, 0) + "\u00b0", palette::kFaint);
     }
-    if (f.uncut_at && f.uncut_thickness_mm > 0) {
+    if (f.uncut_at && f.uncut_thickness_mm >= kLeastShown) {
       draw_place(svg, view, *f.uncut_at, "left \u2264 " + fixed(f.uncut_thickness_mm, 3), judged);
     }
-    if (f.gouge_at && f.gouge_mm > 0) {
+    if (f.gouge_at && f.gouge_mm >= kLeastShown) {
       draw_place(svg, view, *f.gouge_at, "gouge " + fixed(f.gouge_mm, 3),
                  f.clean ? palette::kFaint : palette::kGouge);
     }
