@@ -140,7 +140,8 @@ void check(const Case& c, const std::string& dialect, bool inch) {
   EXPECT_TRUE(program.ended);
   expect_same(input, program.toolpath, 2 * rounding_of(options) + options.tol.chord);
   if (dialect == "grbl") {
-    for (const auto& fault : test_support::grbl_faults(wanted)) ADD_FAILURE() << fault.error << ": " << fault.text;
+    for (const auto& fault : test_support::grbl_faults(wanted))
+      ADD_FAILURE() << fault.error << ": " << fault.text;
   }
 }
 

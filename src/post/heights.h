@@ -6,8 +6,7 @@
 
 namespace clearcut {
 
-/// Where the tool may travel anywhere: the highest z of the toolpath, and no lower than the part's clearance
-/// plane (its stock top + 10 mm where none is given). mm.
+/// Where the tool may travel anywhere: the highest z of the toolpath, and no lower than part.safe_z(). mm.
 double safe_height(const Toolpath& toolpath, const Part& part);
 
 }  // namespace clearcut

@@ -79,6 +79,7 @@ const IsoDialect* iso_dialect_named(std::string_view name) {
 
 std::vector<std::string> iso_dialect_names() {
   std::vector<std::string> names;
+  names.reserve(kDialects.size() + 1);
   for (const IsoDialect& dialect : kDialects) names.emplace_back(dialect.name);
   return names;
 }
