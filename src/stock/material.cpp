@@ -20,56 +20,126 @@ double distance_to_path(const Edge& path, Vec2 p) {
   return path.from == path.to ? length_of(p - path.from) : distance(path, p);
 }
 
-/// Directions u with dot(n, u) > q form an arc about n's angle.
-void append_beyond(double angle_of_normal, double q, AngleSet::Arc*& out) {
-  if (q >= 1) return;
-  *out++ = {angle_of_normal, q <= -1 ? kPi : std::acos(q)};
-}
+/// The directions around a cutter's centre that are still in material, and a narrow view of them by which
+/// most sweeps are turned away without trigonometry.
+class Horizon {
+ public:
+  Horizon(AngleSet& angles, Vec2 center, double radius, double reference)
+      : angles_(angles), center_(center), radius_(radius), reference_(reference) {
+    look();
+  }
 
-/// Directions from `center` at `radius` that end inside the disc about `at`.
-void remove_disc(AngleSet& angles, Vec2 at, double disc, Vec2 center, double radius, double reference) {
-  const Vec2 v = at - center;
-  const double d = length_of(v);
-  if (d >= radius + disc || d + disc <= radius) return;
-  if (d + radius <= disc) return angles.remove(0, kPi);
-  const double cosine = (radius * radius + d * d - disc * disc) / (2 * radius * d);
-  angles.remove(angle_of(v) - reference, std::acos(std::clamp(cosine, -1.0, 1.0)));
-}
+  bool empty() const { return angles_.empty(); }
 
-/// What of the circle lies outside the straight part of a line's sweep; false when all of the circle does.
-bool arcs_outside_strip(const Edge& path, double direction, double length, double sweep, Vec2 center,
-                        double radius, AngleSet::Arc*& out) {
-  const Vec2 d = (path.to - path.from) / length, w = center - path.from;
-  const double along = dot(w, d), aside = cross(d, w);
-  if (along <= -radius || along >= length + radius || std::abs(aside) >= sweep + radius) return false;
-  append_beyond(direction + kPi / 2, (sweep - aside) / radius, out);
-  append_beyond(direction - kPi / 2, (sweep + aside) / radius, out);
-  append_beyond(direction + kPi, along / radius, out);
-  append_beyond(direction, (length - along) / radius, out);
-  return true;
-}
+  /// Whether a disc of `reach` about `at` may cover any of what is left.
+  bool may_meet(Vec2 at, double reach) const {
+    const double far = reach + rest_radius_;
+    return norm_squared(at - rest_center_) <= far * far;
+  }
 
-/// The same for the part of a ring that an arc of less than a half turn sweeps.
-bool arcs_outside_ring(const Edge& path, double sweep, Vec2 center, double radius, AngleSet::Arc*& out) {
-  const Vec2 w = center - path.center;
-  const double ring = path.radius(), d = length_of(w);
-  const double outer = ring + sweep, inner = ring - sweep;
-  if (d - radius >= outer || d + radius <= inner) return false;
-  const double away = d > 0 ? angle_of(w) : 0.0, twice = 2 * d * radius;
-  const auto cosine_at = [&](double rho) {
-    const double numerator = rho * rho - d * d - radius * radius;
-    return twice > 0 ? numerator / twice : (numerator > 0 ? 2.0 : -2.0);
-  };
-  append_beyond(away, cosine_at(outer), out);
-  if (inner > 0) append_beyond(away + kPi, -cosine_at(inner), out);
-  const double sign = path.turn == Turn::kCounterClockwise ? 1 : -1;
-  // Beyond the two rays that bound the piece.
-  const Vec2 before = left_of(unit(path.from - path.center)) * -sign;
-  const Vec2 after = left_of(unit(path.to - path.center)) * sign;
-  append_beyond(angle_of(before), -dot(before, w) / radius, out);
-  append_beyond(angle_of(after), -dot(after, w) / radius, out);
-  return true;
-}
+  void remove_disc(Vec2 at, double disc) {
+    const Vec2 v = at - center_;
+    const double d = length_of(v);
+    if (d >= radius_ + disc || d + disc <= radius_) return;
+    if (d + radius_ <= disc) return angles_.remove(0, kPi);
+    const double cosine =
+        std::clamp((radius_ * radius_ + d * d - disc * disc) / (2 * radius_ * d), -1.0, 1.0);
+    if (!faces(v, d, cosine)) return;
+    angles_.remove(angle_of(v) - reference_, std::acos(cosine));
+    look();
+  }
+
+  void remove_line(const Edge& path, double direction, double length, double sweep) {
+    const Vec2 d = (path.to - path.from) / length, w = center_ - path.from;
+    const double along = dot(w, d), aside = cross(d, w);
+    const bool meets = along > -radius_ && along < length + radius_ && std::abs(aside) < sweep + radius_;
+    if (!meets || !faces_disc(path.from + d * (length / 2), std::sqrt(sweep * sweep + length * length / 4)))
+      return;
+    AngleSet::Arc outside[4];
+    AngleSet::Arc* end = outside;
+    append_beyond(direction + kPi / 2, (sweep - aside) / radius_, end);
+    append_beyond(direction - kPi / 2, (sweep + aside) / radius_, end);
+    append_beyond(direction + kPi, along / radius_, end);
+    append_beyond(direction, (length - along) / radius_, end);
+    keep({outside, end});
+  }
+
+  /// The part of a ring that an arc of less than a half turn sweeps.
+  void remove_ring(const Edge& path, double sweep) {
+    const Vec2 w = center_ - path.center;
+    const double ring = path.radius(), d = length_of(w);
+    const double outer = ring + sweep, inner = ring - sweep;
+    if (d - radius_ >= outer || d + radius_ <= inner) return;
+    AngleSet::Arc outside[4];
+    AngleSet::Arc* end = outside;
+    const double away = d > 0 ? angle_of(w) : 0.0, twice = 2 * d * radius_;
+    const auto cosine_at = [&](double rho) {
+      const double numerator = rho * rho - d * d - radius_ * radius_;
+      return twice > 0 ? numerator / twice : (numerator > 0 ? 2.0 : -2.0);
+    };
+    append_beyond(away, cosine_at(outer), end);
+    if (inner > 0) append_beyond(away + kPi, -cosine_at(inner), end);
+    // Beyond the two rays that bound the piece.
+    const double sign = path.turn == Turn::kCounterClockwise ? 1 : -1;
+    const Vec2 before = left_of(unit(path.from - path.center)) * -sign;
+    const Vec2 after = left_of(unit(path.to - path.center)) * sign;
+    append_beyond(angle_of(before), -dot(before, w) / radius_, end);
+    append_beyond(angle_of(after), -dot(after, w) / radius_, end);
+    keep({outside, end});
+  }
+
+ private:
+  /// Directions u with dot(n, u) > q form an arc about n's angle.
+  static void append_beyond(double angle_of_normal, double q, AngleSet::Arc*& out) {
+    if (q >= 1) return;
+    *out++ = {angle_of_normal, q <= -1 ? kPi : std::acos(q)};
+  }
+
+  void keep(std::span<AngleSet::Arc> outside) {
+    for (AngleSet::Arc& arc : outside) arc.center -= reference_;
+    angles_.keep(outside);
+    look();
+  }
+
+  /// Whether directions within acos(cosine) of v (d long) meet those left.
+  bool faces(Vec2 v, double d, double cosine) const {
+    if (half_ >= kPi || cosine <= -cos_half_) return true;
+    const double sum = cosine * cos_half_ - std::sqrt(1 - cosine * cosine) * sin_half_;
+    return dot(v, ahead_) >= (sum - 1e-9) * d;
+  }
+
+  bool faces_disc(Vec2 at, double disc) const {
+    const Vec2 v = at - center_;
+    const double d = length_of(v);
+    if (d + radius_ <= disc) return true;
+    if (d >= radius_ + disc || d + disc <= radius_) return false;
+    return faces(v, d, (radius_ * radius_ + d * d - disc * disc) / (2 * radius_ * d));
+  }
+
+  void look() {
+    if (angles_.empty()) return;
+    const double from = angles_.intervals().front().from, to = angles_.intervals().back().to;
+    if (from == from_ && to == to_) return;
+    from_ = from;
+    to_ = to;
+    half_ = (to - from) / 2;
+    cos_half_ = std::cos(half_);
+    sin_half_ = std::sin(half_);
+    ahead_ = direction_of(reference_ + (from + to) / 2);
+    const bool wide = half_ >= kPi / 2;
+    rest_center_ = wide ? center_ : center_ + ahead_ * (radius_ * cos_half_);
+    rest_radius_ = (wide ? radius_ : radius_ * sin_half_) * (1 + 1e-12) + 1e-12;
+  }
+
+  AngleSet& angles_;
+  const Vec2 center_;
+  const double radius_;
+  const double reference_;
+  // Everything left lies within half_ of ahead_, and within rest_radius_ of rest_center_.
+  double from_ = 0, to_ = 0, half_ = 0, cos_half_ = 1, sin_half_ = 0;
+  Vec2 ahead_, rest_center_;
+  double rest_radius_ = 0;
+};
 
 }  // namespace
 
@@ -144,7 +214,10 @@ void Material::add_piece(const Edge& path, double z_from, double z_to, double ra
   if (sweep.z_low >= z_top_) return;
   if (path.from == path.to)
     sweep.z_high = sweep.z_from = sweep.z_to = sweep.z_low;  // straight down: only its end counts
-  const Entry entry{sweep.z_low, static_cast<int>(sweeps_.size())};
+  const bool point = path.from == path.to;
+  const Vec2 middle = point ? path.from : path.at(0.5);
+  const double reach = (point ? 0 : path.length() / 2) + radius;
+  const Entry entry{sweep.z_low, middle, reach * (1 + 1e-12), static_cast<int>(sweeps_.size())};
   for (Grid& grid : grids_) grid.insert(path, radius, entry);
   sweeps_.push_back(sweep);
 }
@@ -176,7 +249,7 @@ bool Material::is_removed(Vec2 p, double z) const {
   const std::vector<Entry>* near = grids_.front().at(p);
   if (!near) return false;
   for (const Entry& entry : *near) {
-    if (entry.z_low > z) continue;
+    if (entry.z_low > z || norm_squared(entry.middle - p) > entry.reach * entry.reach) continue;
     const Sweep& sweep = sweeps_[entry.sweep];
     if (sweep.z_high <= z ? covers(sweep, p) : covers(*below(sweep, z), p)) return true;
   }
@@ -190,7 +263,8 @@ double Material::height(Vec2 p) const {
   if (!near) return height;
   for (const Entry& entry : *near) {
     const Sweep& sweep = sweeps_[entry.sweep];
-    if (entry.z_low >= height || !covers(sweep, p)) continue;
+    if (entry.z_low >= height || norm_squared(entry.middle - p) > entry.reach * entry.reach) continue;
+    if (!covers(sweep, p)) continue;
     double low = sweep.z_low, high = sweep.z_high;  // covered at high, perhaps not at low
     if (covers(*below(sweep, low), p)) high = low;
     while (high - low > 1e-6) {
@@ -202,32 +276,27 @@ double Material::height(Vec2 p) const {
   return height;
 }
 
-void Material::remove_sweep(AngleSet& angles, const Sweep& sweep, Vec2 center, double radius,
-                            double reference) {
+template <typename View>
+void Material::remove_sweep(View& view, const Sweep& sweep) {
   const Edge& path = sweep.path;
-  if (path.from == path.to) return remove_disc(angles, path.from, sweep.radius, center, radius, reference);
-  AngleSet::Arc outside[4];
-  AngleSet::Arc* end = outside;
-  const bool meets = path.is_arc() ? arcs_outside_ring(path, sweep.radius, center, radius, end)
-                                   : arcs_outside_strip(path, sweep.direction, sweep.length, sweep.radius,
-                                                        center, radius, end);
-  if (meets) {
-    for (AngleSet::Arc* arc = outside; arc != end; ++arc) arc->center -= reference;
-    angles.keep({outside, end});
+  if (path.from == path.to) return view.remove_disc(path.from, sweep.radius);
+  if (path.is_arc()) {
+    view.remove_ring(path, sweep.radius);
+  } else {
+    view.remove_line(path, sweep.direction, sweep.length, sweep.radius);
   }
-  remove_disc(angles, path.from, sweep.radius, center, radius, reference);
-  remove_disc(angles, path.to, sweep.radius, center, radius, reference);
+  view.remove_disc(path.from, sweep.radius);
+  view.remove_disc(path.to, sweep.radius);
 }
 
 void Material::remove_outside(AngleSet& angles, Vec2 center, double radius, double reference) const {
   if (!plan_) return;
-  AngleSet::Arc beyond[4];
-  AngleSet::Arc* end = beyond;
-  append_beyond(0, (plan_->max.x - center.x) / radius, end);
-  append_beyond(kPi, (center.x - plan_->min.x) / radius, end);
-  append_beyond(kPi / 2, (plan_->max.y - center.y) / radius, end);
-  append_beyond(-kPi / 2, (center.y - plan_->min.y) / radius, end);
-  for (AngleSet::Arc* arc = beyond; arc != end; ++arc) angles.remove(arc->center - reference, arc->half);
+  const double beyond[] = {plan_->max.x - center.x, plan_->max.y - center.y, center.x - plan_->min.x,
+                           center.y - plan_->min.y};
+  for (int side = 0; side < 4; ++side) {
+    const double q = beyond[side] / radius;
+    if (q < 1) angles.remove(side * kPi / 2 - reference, q <= -1 ? kPi : std::acos(q));
+  }
 }
 
 void Material::remove_everything_else(AngleSet& angles, Vec2 center, double radius, double z,
@@ -236,14 +305,15 @@ void Material::remove_everything_else(AngleSet& angles, Vec2 center, double radi
   remove_outside(angles, center, radius, reference);
   const std::vector<Entry>* near = grid_for(radius).at(center);
   if (!near) return;
+  Horizon horizon(angles, center, radius, reference);
   // Latest first: what was cut last is most often what the circle still touches.
-  for (auto entry = near->rbegin(); entry != near->rend() && !angles.empty(); ++entry) {
-    if (entry->z_low > z) continue;
+  for (auto entry = near->rbegin(); entry != near->rend() && !horizon.empty(); ++entry) {
+    if (entry->z_low > z || !horizon.may_meet(entry->middle, entry->reach)) continue;
     const Sweep& sweep = sweeps_[entry->sweep];
     if (sweep.z_high <= z) {
-      remove_sweep(angles, sweep, center, radius, reference);
+      remove_sweep(horizon, sweep);
     } else {
-      remove_sweep(angles, *below(sweep, z), center, radius, reference);
+      remove_sweep(horizon, *below(sweep, z));
     }
   }
 }
@@ -276,9 +346,10 @@ Contact Material::engagement(const Move& move, double t, double radius) const {
   // move passed stands higher than its tip is now.
   const bool counts = move.path.is_arc() && move.z_to >= move.z_from;
   const int pieces = counts ? static_cast<int>(std::ceil(std::abs(move.path.sweep()) * t / kPieceSweep)) : 0;
+  Horizon horizon(angles, center, radius, angle_of(direction));
   for (int i = 0; i < pieces && !angles.empty(); ++i) {
     const Edge piece = move.path.part(t * i / pieces, t * (i + 1) / pieces);
-    remove_sweep(angles, make_sweep(piece, z, z, radius), center, radius, angle_of(direction));
+    remove_sweep(horizon, make_sweep(piece, z, z, radius));
   }
   return contact_of(angles);
 }

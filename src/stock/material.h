@@ -64,8 +64,11 @@ class Material {
     double direction = 0;  ///< angle of a line
     double length = 0;     ///< of a line
   };
+  /// A sweep in a cell's list, with a disc around it: most are turned away by that.
   struct Entry {
     double z_low;
+    Vec2 middle;
+    double reach;
     int sweep;
   };
   /// Square cells, each with all sweeps that a circle of up to `reach` around any of its points may touch.
@@ -83,8 +86,8 @@ class Material {
   static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);
   static std::optional<Sweep> below(const Sweep& sweep, double z);
   static bool covers(const Sweep& sweep, Vec2 p);
-  static void remove_sweep(AngleSet& angles, const Sweep& sweep, Vec2 center, double radius,
-                           double reference);
+  template <typename View>
+  static void remove_sweep(View& view, const Sweep& sweep);
   void remove_everything_else(AngleSet& angles, Vec2 center, double radius, double z, double reference) const;
   void remove_outside(AngleSet& angles, Vec2 center, double radius, double reference) const;
 

@@ -26,6 +26,13 @@ class EdgeTree {
     descend([&box](const Box& b) { return b.overlaps(box); }, visit);
   }
 
+  /// Calls visit(index) for every edge whose box comes within `reach` of p.
+  template <typename Visit>
+  void within(Vec2 p, double reach, Visit visit) const {
+    const double squared = reach * reach;
+    descend([=](const Box& b) { return squared_distance(b, p) <= squared; }, visit);
+  }
+
   struct Hit {
     int edge = -1;  ///< -1: none within the limit
     double distance = std::numeric_limits<double>::infinity();

@@ -40,9 +40,10 @@ class LevelJudge {
     worst_wall_ = nullptr;
     const double judged_z = z + slack_;
     if (judged_z >= part_.top_z()) return std::nullopt;
-    Box box = path.from == path.to ? Box{path.from, path.from} : path.box();
-    part_.wall_tree().overlapping(box.grown(radius_ + part_.greatest_lean()),
-                                  [&](int i) { against_wall(path, z, part_.walls()[i]); });
+    const bool point = path.from == path.to;
+    const double half = point ? 0 : path.length() / 2;
+    part_.wall_tree().within(point ? path.from : path.at(0.5), half + radius_ + part_.greatest_lean(),
+                             [&](int i) { against_wall(path, half, z, part_.walls()[i]); });
     if (!free_start) against_inside(path.from, z);
     if (worst_ && path.from != path.to) {
       against_inside(path.at(0.5), z);
@@ -53,9 +54,8 @@ class LevelJudge {
   }
 
  private:
-  void against_wall(const Edge& path, double z, const Wall& wall) {
+  void against_wall(const Edge& path, double half, double z, const Wall& wall) {
     if (!wall.stands_at(z + slack_)) return;
-    const double half = path.from == path.to ? 0 : path.length() / 2;
     const double farthest = radius_ + wall.lean(z);
     if (distance(wall.edge, path.from == path.to ? path.from : path.at(0.5)) >= farthest + half) return;
     const double apart = edge_distance(path, wall.edge);

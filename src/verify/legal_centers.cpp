@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+
+#include "verify/trimmed_curve.h"
 
 namespace clearcut {
 namespace {
@@ -15,75 +16,13 @@ constexpr double kRounding = 1e-7;
 /// less is the tip of a sharp corner.
 constexpr double kSlot = 0.05;
 
-using Interval = std::pair<double, double>;
+/// Walls before and after a curve's own that are tried first.
+constexpr int kNeighbours = 3;
 
-bool is_point(const Edge& edge) {
-  return edge.from == edge.to;
-}
+/// Times the middle of what is left of a curve is probed before all walls near are asked.
+constexpr int kProbes = 12;
 
-/// The curve at d on the left of an edge; empty if an arc has no curve there, a point if it shrinks to its
-/// centre.
-std::optional<Edge> parallel(const Edge& edge, double d, double fit) {
-  if (!edge.is_arc()) {
-    const Vec2 aside = left_of(unit(edge.to - edge.from)) * d;
-    return Edge::line(edge.from + aside, edge.to + aside);
-  }
-  const double radius = edge.radius();
-  const double shifted = edge.turn == Turn::kCounterClockwise ? radius - d : radius + d;
-  if (shifted < -fit) return std::nullopt;
-  if (shifted <= fit) return Edge::line(edge.center, edge.center);
-  const double k = shifted / radius;
-  return Edge::arc(edge.center + (edge.from - edge.center) * k, edge.center + (edge.to - edge.center) * k,
-                   edge.center, edge.turn);
-}
-
-std::vector<Edge> circle(Vec2 center, double radius) {
-  const Vec2 a = center + Vec2{radius, 0}, b = center - Vec2{radius, 0};
-  return {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)};
-}
-
-/// Curves that together hold the outline of all points within d of an edge.
-std::vector<Edge> outline_within(const Edge& edge, double d) {
-  std::vector<Edge> out = circle(edge.from, d);
-  for (const Edge& half : circle(edge.to, d)) out.push_back(half);
-  for (const Edge& side : {edge, edge.reversed()}) {
-    const auto curve = parallel(side, d, 0);
-    if (curve && !is_point(*curve)) out.push_back(*curve);
-  }
-  return out;
-}
-
-/// Takes from `parts` of the curve the stretches that are not legal: `cuts` are all places where that may
-/// change.
-template <typename IsLegal>
-void keep_legal(std::vector<Interval>& parts, std::vector<double>& cuts, IsLegal is_legal) {
-  std::sort(cuts.begin(), cuts.end());
-  std::vector<Interval> kept;
-  for (const Interval& part : parts) {
-    double from = part.first;
-    const auto keep_until = [&](double to) {
-      if (to <= from) return;
-      const bool legal = is_legal((from + to) / 2);
-      if (legal && !kept.empty() && kept.back().second == from) {
-        kept.back().second = to;
-      } else if (legal) {
-        kept.emplace_back(from, to);
-      }
-      from = to;
-    };
-    for (const double t : cuts) {
-      if (t > part.first && t < part.second) keep_until(t);
-    }
-    keep_until(part.second);
-  }
-  parts = std::move(kept);
-}
-
-void append_cuts(const Edge& curve, const Edge& wall, double d, std::vector<double>& cuts) {
-  for (const Edge& limit : outline_within(wall, d)) {
-    for (const Vec2 p : intersections(curve, limit)) cuts.push_back(nearest(curve, p).t);
-  }
-}
+using Interval = TrimmedCurve::Interval;
 
 /// Whether [from, to] is inside one of the intervals.
 bool is_inside(const std::vector<Interval>& intervals, const Interval& part) {
@@ -108,12 +47,12 @@ LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, con
 void LegalCenters::add_wall_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     const Wall& wall = part_.walls()[i];
-    const auto curve = parallel(wall.edge, reach_ + wall.lean(z_), fit_);
-    if (!curve) continue;
-    if (is_point(*curve)) {
-      add_fit_point(curve->from);
-    } else {
-      add_legal_parts(*curve);
+    for (const Edge& curve : parallel(wall.edge, reach_ + wall.lean(z_), fit_)) {
+      if (curve.from == curve.to) {
+        add_fit_point(curve.from);
+      } else {
+        add_legal_parts(curve, i);
+      }
     }
   }
 }
@@ -139,10 +78,10 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
       if (cross(heading, after) >= 0) continue;
       const Edge arc =
           Edge::arc(corner + left_of(heading) * d, corner + left_of(after) * d, corner, Turn::kClockwise);
-      if (distance(arc.from, arc.to) > kRounding) add_legal_parts(arc);
+      if (distance(arc.from, arc.to) > kRounding) add_legal_parts(arc, i);
     }
     if (matched) continue;
-    for (const Edge& half : circle(corner, d)) add_legal_parts(half);
+    for (const Edge& half : circle(corner, d)) add_legal_parts(half, i);
   }
 }
 
@@ -150,42 +89,50 @@ void LegalCenters::add_fit_point(Vec2 p) {
   if (clearance_over_reach(p) >= -fit_) found_.push_back(Edge::line(p, p));
 }
 
-void LegalCenters::add_legal_parts(const Edge& curve) {
-  const std::vector<Interval> fitting = legal_parts(curve, fit_);
-  if (fitting.empty()) return;
-  const std::vector<Interval> legal = legal_parts(curve, kRounding);
-  const double length = curve.length();
+void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
   const auto add = [&](const Interval& part) {
     const Edge piece = curve.part(part.first, part.second);
-    if (!is_point(piece) && part_.is_free(piece.at(0.5), z_)) found_.push_back(piece);
+    if (piece.from != piece.to && part_.is_free(piece.at(0.5), z_)) found_.push_back(piece);
   };
-  for (const Interval& part : legal) {
-    if ((part.second - part.first) * length > kRounding) add(part);
+  const TrimmedCurve legal = legal_parts(curve, wall, kRounding);
+  for (const Interval& part : legal.parts()) {
+    if ((part.second - part.first) * legal.length() > kRounding) add(part);
   }
-  for (const Interval& part : fitting) {
-    if ((part.second - part.first) * length > kSlot && !is_inside(legal, part)) add(part);
+  if (legal.whole()) return;
+  const TrimmedCurve fitting = legal_parts(curve, wall, fit_);
+  for (const Interval& part : fitting.parts()) {
+    if ((part.second - part.first) * legal.length() > kSlot && !is_inside(legal.parts(), part)) add(part);
   }
 }
 
-std::vector<Interval> LegalCenters::legal_parts(const Edge& curve, double allowed) const {
-  std::vector<Interval> parts{{0, 1}};
-  const double half = curve.length() / 2, upright = reach_ - allowed;
-  const Vec2 middle = curve.at(0.5);
-  part_.wall_tree().overlapping(curve.box().grown(reach_ + part_.greatest_lean()), [&](int i) {
-    if (parts.empty()) return;
-    const Wall& wall = part_.walls()[i];
-    const double farthest = upright + wall.lean(z_);
-    if (!wall.stands_at(z_) || distance(wall.edge, middle) >= farthest + half) return;
-    if (distance(curve, wall.edge) >= farthest) return;
-    std::vector<double> cuts;
-    append_cuts(curve, wall.edge, upright, cuts);
-    if (farthest > upright) append_cuts(curve, wall.edge, farthest, cuts);
-    keep_legal(parts, cuts, [&](double t) {
-      const Vec2 p = curve.at(t);
-      return distance(wall.edge, p) >= upright + part_.lean(wall, z_, p);
-    });
+TrimmedCurve LegalCenters::legal_parts(const Edge& curve, int wall, double allowed) const {
+  TrimmedCurve left(curve);
+  const double upright = reach_ - allowed;
+  const int last = static_cast<int>(part_.walls().size()) - 1;
+  for (int i = std::max(0, wall - kNeighbours); i <= std::min(last, wall + kNeighbours) && !left.empty();
+       ++i) {
+    cut_by_wall(left, part_.walls()[i], upright);
+  }
+  // While the middle of what is left is too near to a wall, that wall takes much of it.
+  for (int round = 0; round < kProbes && !left.empty(); ++round) {
+    const auto stands = [&](int i) { return part_.walls()[i].stands_at(z_); };
+    const auto hit = part_.wall_tree().nearest(left.middle(), upright, stands);
+    if (hit.edge < 0) break;
+    cut_by_wall(left, part_.walls()[hit.edge], upright);
+  }
+  if (left.empty()) return left;
+  part_.wall_tree().within(left.middle(), upright + part_.greatest_lean() + left.half(), [&](int i) {
+    if (!left.empty()) cut_by_wall(left, part_.walls()[i], upright);
   });
-  return parts;
+  return left;
+}
+
+void LegalCenters::cut_by_wall(TrimmedCurve& left, const Wall& wall, double upright) const {
+  const double farthest = upright + wall.lean(z_);
+  if (!wall.stands_at(z_) || distance(wall.edge, left.middle()) >= farthest + left.half()) return;
+  left.add_cuts(wall.edge, upright);
+  if (farthest > upright) left.add_cuts(wall.edge, farthest);
+  left.keep([&](Vec2 p) { return distance(wall.edge, p) >= upright + part_.lean(wall, z_, p); });
 }
 
 /// Least over all walls of distance - reach, as far as it is negative; 0 otherwise.

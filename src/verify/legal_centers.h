@@ -4,6 +4,7 @@
 #include "base/tolerances.h"
 #include "verify/edge_tree.h"
 #include "verify/finished_part.h"
+#include "verify/trimmed_curve.h"
 
 namespace clearcut {
 
@@ -28,10 +29,12 @@ class LegalCenters {
  private:
   void add_wall_curves(const std::vector<int>& walls);
   void add_corner_curves(const std::vector<int>& walls);
-  void add_legal_parts(const Edge& curve);
+  /// `wall`: that which the curve runs along; its neighbours are the likeliest to be nearer.
+  void add_legal_parts(const Edge& curve, int wall);
   void add_fit_point(Vec2 p);
-  /// Parameter intervals of `curve` that no wall comes nearer to than its reach less `allowed`.
-  std::vector<std::pair<double, double>> legal_parts(const Edge& curve, double allowed) const;
+  /// What of `curve` no wall comes nearer to than its reach less `allowed`.
+  TrimmedCurve legal_parts(const Edge& curve, int wall, double allowed) const;
+  void cut_by_wall(TrimmedCurve& left, const Wall& wall, double upright) const;
   double clearance_over_reach(Vec2 p) const;
 
   const FinishedPart& part_;

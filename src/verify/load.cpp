@@ -16,6 +16,9 @@ constexpr double kSliver = 0.05;
 /// mm. Longest step between places where contact is measured.
 constexpr double kLongestStep = 0.25;
 
+/// Cosine of the change of direction below which two moves join smoothly: 6 degrees.
+constexpr double kSmooth = 0.995;
+
 double degrees(double radians) {
   return radians * 180 / kPi;
 }
@@ -41,6 +44,7 @@ class LoadMeter {
       }
     }
     if (radius > 0 && judged.feeds()) material_.add(move, radius);
+    before_ = judged.feeds() ? &move : nullptr;
   }
 
  private:
@@ -53,9 +57,15 @@ class LoadMeter {
     const double length = move.length(), radius = judged.radius();
     const int steps = steps_of(length, radius);
     for (int i = 0; i < steps; ++i) measure_at(judged, (i + 0.5) / steps, length / steps);
-    // Just after the start and at the end: corners are where a cutter is loaded most.
-    measure_at(judged, std::min(0.01 / length, 0.25 / steps), 0);
-    measure_at(judged, 1, 0);
+    // Just after the start and at the end: corners are where a cutter is loaded most. Runs of short moves
+    // that go smoothly on have none.
+    if (!goes_smoothly_on(move)) measure_at(judged, std::min(0.01 / length, 0.25 / steps), 0);
+    if (steps > 1) measure_at(judged, 1, 0);
+  }
+
+  bool goes_smoothly_on(const Move& move) const {
+    if (!before_ || before_->is_vertical() || before_->path.to != move.path.from) return false;
+    return dot(direction_at(*before_, 1), direction_at(move, 0)) > kSmooth;
   }
 
   void measure_at(JudgedMove& judged, double t, double length) {
@@ -168,6 +178,7 @@ class LoadMeter {
 
   Material& material_;
   const LoadOptions& options_;
+  const Move* before_ = nullptr;  ///< the feed move before the one in hand
 };
 
 }  // namespace
