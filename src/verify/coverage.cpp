@@ -138,13 +138,13 @@ class CoverageProof {
     if (beside_target(cell, parents.outline, near.outline)) return true;
     ConvexPolygon part = part_in_target(cell, near.outline);
     if (part.empty()) return true;
-    if (cell.half <= question_.radius && take_covered(part, near.swaths)) return true;
+    if (cell.half <= question_.flat && take_covered(part, near.swaths)) return true;
     const bool within_reach = list_legals(cell, part, parents.legals, near.legals);
     if (cell.legality == Legality::kNone) {
       if (near.legals.empty()) return count_unreachable(cell, part);
       if (program_follows(near.legals)) return count_corner(cell, near);
     }
-    return cell.half <= question_.radius / 4 && settle_uncut(cell, part, near, within_reach);
+    return cell.half <= question_.flat / 4 && settle_uncut(cell, part, near, within_reach);
   }
 
   /// Stops at a cell that is not cut, or at one of the smallest; `part` holds what may be left of it.
@@ -153,7 +153,7 @@ class CoverageProof {
     const double excess = excess_at(cell.center), thickness = excess + cell.reach();
     if (thickness <= (smallest ? tol_.uncut : slack_)) return count_covered(thickness);
     // Where more is left elsewhere only the area is still asked for.
-    const bool minor = thickness <= worst_thickness_ && cell.half <= question_.radius / kAreaCells;
+    const bool minor = thickness <= worst_thickness_ && cell.half <= question_.flat / kAreaCells;
     const bool all_left = near.swaths.empty() && within_reach && cell.reach() <= 0.05 * excess;
     if (!smallest && !minor && !all_left) return false;
     return count_uncut(cell, part, thickness);
@@ -228,15 +228,15 @@ class CoverageProof {
     for (int k = from.begin; k < from.end; ++k) {
       const double d = distance(legal_.boundary().edges()[legals_[k]], cell.center);
       if (d < least) least = d, nearest = legals_[k];
-      if (d <= question_.radius + cell.reach()) legals_.push_back(legals_[k]);
+      if (d <= question_.flat + cell.reach()) legals_.push_back(legals_[k]);
     }
     out.end = end(legals_);
     if (cell.legality == Legality::kMixed && least > cell.reach()) {
       cell.legality = legal_.contains(cell.center) ? Legality::kAll : Legality::kNone;
     }
-    if (cell.legality == Legality::kAll || least + cell.reach() <= question_.radius) return true;
+    if (cell.legality == Legality::kAll || least + cell.reach() <= question_.flat) return true;
     return nearest >= 0 &&
-           excess_over(part, {legal_.boundary().edges()[nearest], question_.radius}) <= kRounding;
+           excess_over(part, {legal_.boundary().edges()[nearest], question_.flat}) <= kRounding;
   }
 
   bool program_follows(Range legals) {
@@ -257,7 +257,7 @@ class CoverageProof {
     const Vec2 middle = point ? curve.from : curve.at(0.5);
     double bound = kInfinite, at_middle = kInfinite;
     for (const auto& [radius, tree] : trees_) {
-      const double smaller = std::max(0.0, question_.radius - radius);
+      const double smaller = std::max(0.0, question_.flat - radius);
       for (const Vec2 p : {middle, curve.from, curve.to}) {
         const EdgeTree::Hit hit = tree.nearest(p, tol_.uncut * 2 + curve.length());
         if (hit.edge < 0) continue;
@@ -281,7 +281,7 @@ class CoverageProof {
   }
 
   double smallest_cell() const {
-    return std::min(question_.radius / 4, slack_ * std::exp2(leaves_ / kLeavesPerSize));
+    return std::min(question_.flat / 4, slack_ * std::exp2(leaves_ / kLeavesPerSize));
   }
 
   bool count_covered(double excess) {
@@ -336,16 +336,16 @@ class CoverageProof {
   bool settle_corner(Cell& cell, Near& near) {
     if (beside_target(cell, near.outline, near.outline)) return true;
     const double least = keep_nearest_legals(cell, near.legals);
-    if (least + cell.reach() <= question_.radius) return true;
+    if (least + cell.reach() <= question_.flat) return true;
     const double area = 4 * cell.half * cell.half;
-    const bool beyond = least > question_.radius;
-    if (2 * cell.half <= question_.radius / kCornerCells) {
+    const bool beyond = least > question_.flat;
+    if (2 * cell.half <= question_.flat / kCornerCells) {
       if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) && !in_film(cell.center)) {
         result_.unreachable_mm2 += area;
       }
       return true;
     }
-    if (cell.on_outline || least - cell.reach() <= question_.radius || may_have_film()) return false;
+    if (cell.on_outline || least - cell.reach() <= question_.flat || may_have_film()) return false;
     result_.unreachable_mm2 += area;
     return true;
   }
@@ -385,7 +385,10 @@ class CoverageProof {
 }  // namespace
 
 Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol) {
-  return CoverageProof(question, tol).run();
+  if (question.flat > tol.uncut) return CoverageProof(question, tol).run();
+  Coverage nothing;
+  nothing.target_mm2 = nothing.unreachable_mm2 = area(*question.target);
+  return nothing;
 }
 
 }  // namespace clearcut

@@ -21,6 +21,7 @@ struct CoverageQuestion {
   const Regions* target = nullptr;  ///< what is to be cut, plan view, before allowance and lean
   double z = 0;                     ///< at this depth
   double radius = 0;     ///< of the smallest cutter the work is given: what it reaches can be asked for
+  double flat = 0;       ///< of its flat end, <= radius: only that cuts down to z
   double allowance = 0;  ///< stock to leave on walls
   std::vector<Swath> swaths;
 };

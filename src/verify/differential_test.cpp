@@ -176,7 +176,7 @@ TEST(Differential, CoverageBoundsAgreeWithARaster) {
     const double radius = random.between(1, 3), allowance = random.below(2) == 0 ? 0 : 0.3;
     const Part part = pocket_part(outline, 2 * radius, -2);
     const FinishedPart finished(part);
-    CoverageQuestion question{&finished, &outline, -1.999, radius, allowance, {}};
+    CoverageQuestion question{&finished, &outline, -1.999, radius, radius, allowance, {}};
     for (int i = 0; i < 25; ++i) {
       Edge path = random_path(random, 12);
       if (std::abs(path.sweep()) > 2) path = path.part(0, 0.5);

@@ -133,6 +133,27 @@ void collect(const std::vector<JudgedMove>& moves, const Judge& judge, std::vect
   finish();
 }
 
+/// Steps that layers leave on a leaning wall, square to it.
+std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
+  if (!work.scallop || feature.wall_slope.radians() <= 0) return {};
+  double above = feature.top_z, highest = 0, z_of_highest = 0;
+  const auto look_at = [&](double z) {
+    const double step = (above - z) * std::sin(feature.wall_slope.radians());
+    if (step > highest) highest = step, z_of_highest = z;
+    above = z;
+  };
+  for (const LevelCoverage& layer : work.layers) look_at(layer.z);
+  look_at(work.floor.z);
+  if (highest <= *work.scallop + tol.uncut) return {};
+  const Vec2 corner = feature.target.empty() ? Vec2{} : feature.target.front().outer().front().from;
+  return {{FaultKind::kUncut,
+           feature.name,
+           {corner, z_of_highest, 0},
+           highest,
+           feature.name + ": the layers leave steps of " + mm(highest) + " on the leaning wall above z " +
+               trimmed(z_of_highest, 3) + " where " + mm(*work.scallop) + " is allowed."}};
+}
+
 int severity(FaultKind kind) {
   switch (kind) {
     case FaultKind::kRapidInMaterial:
@@ -180,21 +201,39 @@ std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& progra
   return faults;
 }
 
-std::vector<Fault> faults_of_coverage(const Feature& feature, const Coverage& coverage, bool any_cut,
-                                      double z, const Tolerances& tol) {
-  const Box box = clearcut::box(feature.target);
-  if (!any_cut || coverage.unreachable_mm2 >= coverage.target_mm2 * 0.9999) {
-    const Place place{box.empty() ? Vec2{} : box.center(), z, 0};
-    const std::string why = any_cut || coverage.uncut_mm2 == 0 ? "no cutter of its work fits into it"
-                                                               : "the program has no feed move down there";
-    return {{FaultKind::kNothingCut, feature.name, place, std::sqrt(std::max(0.0, coverage.target_mm2)),
-             feature.name + ": nothing is cut at z " + trimmed(z, 3) + "; " + why + "."}};
+const LevelCoverage& worst_level(const FeatureWork& work) {
+  const LevelCoverage* worst = &work.floor;
+  for (const LevelCoverage& layer : work.layers) {
+    if (layer.coverage.thickness_mm > worst->coverage.thickness_mm) worst = &layer;
   }
-  if (coverage.thickness_mm <= tol.uncut) return {};
-  const Place place{coverage.worst.value_or(box.center()), z, 0};
-  return {{FaultKind::kUncut, feature.name, place, coverage.thickness_mm,
-           feature.name + ": " + trimmed(coverage.uncut_mm2, 4) + " mm2 within reach is left uncut, up to " +
-               mm(coverage.thickness_mm) + " thick," + at(place) + "."}};
+  return *worst;
+}
+
+std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
+  const LevelCoverage& floor = work.floor;
+  const Coverage& bottom = floor.coverage;
+  const Vec2 middle = feature.target.empty() ? Vec2{} : box(feature.target).center();
+  const bool unreachable = bottom.unreachable_mm2 >= bottom.target_mm2 * 0.9999;
+  if (!floor.any_cut || unreachable) {
+    const std::string why = unreachable ? "no cutter of its work fits into it with its flat end"
+                                        : "the program has no feed move down there";
+    return {{FaultKind::kNothingCut,
+             feature.name,
+             {middle, floor.z, 0},
+             std::sqrt(bottom.target_mm2),
+             feature.name + ": nothing is cut at z " + trimmed(floor.z, 3) + "; " + why + "."}};
+  }
+  std::vector<Fault> faults = faults_of_steps(feature, work, tol);
+  const LevelCoverage& worst = worst_level(work);
+  const Coverage& left = worst.coverage;
+  if (left.thickness_mm > tol.uncut) {
+    const Place place{left.worst.value_or(middle), worst.z, 0};
+    faults.push_back({FaultKind::kUncut, feature.name, place, left.thickness_mm,
+                      feature.name + ": " + trimmed(left.uncut_mm2, 4) +
+                          " mm2 within reach is left uncut, up to " + mm(left.thickness_mm) + " thick," +
+                          at(place) + "."});
+  }
+  return faults;
 }
 
 void sort_worst_first(std::vector<Fault>& faults) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "toolpath/findings.h"
-#include "verify/coverage.h"
+#include "verify/feature_work.h"
 #include "verify/judged_move.h"
 #include "verify/verify.h"
 
@@ -15,9 +15,11 @@ namespace clearcut {
 std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
                                    const VerifyOptions& options);
 
-/// Material left in a feature, or nothing cut at all. `at` is the depth judged.
-std::vector<Fault> faults_of_coverage(const Feature& feature, const Coverage& coverage, bool any_cut,
-                                      double z, const Tolerances& tol);
+/// The level at which most is left, of leaning walls; the floor of others.
+const LevelCoverage& worst_level(const FeatureWork& work);
+
+/// Material left in a feature, nothing cut at all, or steps on a leaning wall that are too high.
+std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& work, const Tolerances& tol);
 
 /// The kinds that break things first, then by size.
 void sort_worst_first(std::vector<Fault>& faults);

@@ -1,6 +1,8 @@
 // A program as one list of moves, each with what is known and what was found out about it.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -29,6 +31,12 @@ struct MoveLoad {
   std::optional<Place> plunge_contact;  ///< where a cutter that may not plunge does
 };
 
+/// Radius of the part of a cutter's end that is flat: its floor needs no cusps. mm.
+inline double flat_radius_of(const Tool& tool) {
+  if (tool.kind == ToolKind::kBallEndMill) return 0;
+  return std::max(0.0, tool.radius() - tool.corner_radius);
+}
+
 struct JudgedMove {
   const Move* move = nullptr;
   const Tool* tool = nullptr;  ///< null: unknown
@@ -43,6 +51,7 @@ struct JudgedMove {
 
   bool feeds() const { return !is_rapid(move->kind); }
   double radius() const { return tool ? tool->radius() : 0; }
+  double flat_radius() const { return tool ? flat_radius_of(*tool) : 0; }
   double low_z() const { return std::min(move->z_from, move->z_to); }
   bool is_flat() const { return move->z_from == move->z_to; }
 };

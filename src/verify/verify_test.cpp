@@ -394,6 +394,63 @@ TEST(Verify, LeaningWallsStandNearerBelow) {
   EXPECT_NEAR(wrong.all.gouge_mm, 0.1, 1e-9);
 }
 
+TEST(Verify, EveryLayerCountsOnLeaningWalls) {
+  Part part = square_part();
+  part.features[0].wall_slope = Radians::of_degrees(30);
+  part.features[0].floor_z = -4;
+  part.workplan[0].operation.scallop = 0.55;
+  const auto program = [](const std::vector<double>& levels, double skipped) {
+    Writer writer;
+    double top = 0;
+    for (const double z : levels) {
+      std::vector<double> rings{2, 6.5, 11, 15};
+      if (z != skipped) rings.push_back(22 + z * std::tan(kPi / 6));
+      cut_square_rings(writer, {25, 25}, rings, top, z);
+      top = z;
+    }
+    return writer.done();
+  };
+  const Findings right = verify(part, program({-1, -2, -3, -4}, 0), {});
+  EXPECT_TRUE(right.all.clean) << report_of(right);
+  // A wall ring left out half way down leaves 22 - 1.155 - 15 beside it, though the floor is clear.
+  const Findings skipped = verify(part, program({-1, -2, -3, -4}, -2), {});
+  ASSERT_TRUE(has(skipped, FaultKind::kUncut)) << report_of(skipped);
+  EXPECT_EQ(fault_of(skipped, FaultKind::kUncut).at.z, -2);
+  EXPECT_GT(skipped.features[0].layers[1].figures.uncut_mm2, 10);
+  EXPECT_LE(skipped.features[0].layers[3].figures.uncut_thickness_mm, 0.005);
+  // 2 mm between layers leave steps of 2 sin 30.
+  const Findings coarse = verify(part, program({-1, -3, -4}, 0), {});
+  ASSERT_TRUE(has(coarse, FaultKind::kUncut)) << report_of(coarse);
+  EXPECT_NEAR(fault_of(coarse, FaultKind::kUncut).size, 1, 1e-9);
+}
+
+TEST(Verify, WhatIsLeftIsSaidLayerByLayer) {
+  Part part = pocket_part(rectangle(0, 0, 50, 50), 6, -4);
+  std::vector<double> rings = kRings;
+  rings.erase(rings.begin() + 2);
+  Writer writer;
+  cut_square_rings(writer, {25, 25}, rings, 0, -2);
+  cut_square_rings(writer, {25, 25}, rings, -2, -4);
+  const Findings findings = verify(part, writer.done(), {});
+  ASSERT_EQ(findings.features[0].layers.size(), 2u);
+  const double floor = findings.features[0].layers[1].figures.uncut_mm2;
+  EXPECT_GT(floor, 200);
+  EXPECT_NEAR(findings.features[0].layers[0].figures.uncut_mm2, floor, 1);
+  EXPECT_NEAR(findings.all.uncut_mm2, floor, 1);
+}
+
+TEST(Verify, ARoundedCutterLeavesItsFilletAtTheWall) {
+  Part part = square_part();
+  part.tools[0].corner_radius = 1;
+  std::vector<double> rings{1, 4, 7, 10, 13, 16, 19, 22};
+  const Findings findings = verify(part, square_program(rings), {});
+  EXPECT_FALSE(has(findings, FaultKind::kUncut)) << report_of(findings);
+  // A band 1 mm wide along the walls is out of the flat end's reach, and more in the corners.
+  EXPECT_NEAR(findings.all.unreachable_mm2, 4 * 50 - 4 + 4 * (1 - kPi / 4) * 4, 1);
+  part.tools[0].kind = ToolKind::kBallEndMill;
+  EXPECT_TRUE(has(verify(part, square_program(rings), {}), FaultKind::kNothingCut));
+}
+
 TEST(Verify, APlungeByACutterThatMayNotIsNamed) {
   Part part = square_part();
   part.tools[0].center_cutting = false;
