@@ -27,6 +27,9 @@ int parse_and_run(int argc, char** argv) {
   add_plan_command(app, exit_code);
   add_verify_command(app, exit_code);
   add_info_command(app, exit_code);
+  add_compare_command(app, exit_code);
+  add_reproduce_command(app, exit_code);
+  add_convert_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -1,0 +1,38 @@
+#include <filesystem>
+#include <memory>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "commands.h"
+#include "output.h"
+#include "plan_arguments.h"
+#include "post/outline_writer.h"
+#include "post/stepnc_writer.h"
+
+namespace clearcut::cli {
+namespace {
+
+std::string converted(const Part& part, const std::string& output) {
+  const auto extension = std::filesystem::path(output).extension();
+  if (extension == ".json") return write_outline_json(part);
+  if (extension == ".p21" || extension == ".stpnc") return write_stepnc(part);
+  throw InputError(output, "the kind of file is unknown; name it .json (outline) or .p21 (STEP-NC)");
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("convert", "Write a part as outline JSON or STEP-NC");
+  auto state = std::make_shared<PlanArguments>();
+  auto output = std::make_shared<std::string>();
+  state->add_part_options(*command, "INPUT");
+  command->add_option("-o,--output", *output, "File to write: .json or .p21")->required();
+  command->callback([state, output, &exit_code] {
+    const Part part = state->read();
+    write_files({{*output, converted(part, *output)}});
+    print(part.diagnostics, true);
+    exit_code = kClean;
+  });
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,87 @@
+#include "pipeline/compare.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "base/error.h"
+#include "pipeline/run.h"
+#include "pipeline/strategies.h"
+
+namespace clearcut {
+namespace {
+
+constexpr double kTau = 0.177;  // s, CPO-rho section 4
+
+struct Row {
+  std::string strategy;
+  std::optional<Figures> figures;
+  std::string refusal;
+};
+
+Row row_of(const std::string& strategy, const Part& part, PlanOptions options) {
+  options.strategy = strategy;
+  try {
+    return {strategy, plan(part, options).findings.all, ""};
+  } catch (const InputError& error) {
+    return {strategy, std::nullopt, error.what()};
+  }
+}
+
+std::vector<std::string> cells(const Row& row, bool fastest) {
+  if (!row.figures) return {row.strategy, row.refusal};
+  const auto& f = *row.figures;
+  return {row.strategy + (fastest ? " *" : ""),
+          fmt::format("{:.1f}", f.feed_mm),
+          fmt::format("{:.2f}", f.feed_mm / std::max(f.lower_bound_mm, 1e-9)),
+          std::to_string(f.retracts),
+          fmt::format("{:.2f}", f.time_s),
+          fmt::format("{:.2f}", published_time(f.time_naive_s, f.turns)),
+          fmt::format("{:.3f}", f.uncut_thickness_mm),
+          fmt::format("{:.2f}", f.uncut_mm2),
+          fmt::format("{:.4f}", f.gouge_mm),
+          fmt::format("{:.0f}", f.engagement.max_deg),
+          fmt::format("{:.0f}", f.engagement.mean_deg),
+          f.clean ? "yes" : "NO"};
+}
+
+const Row* fastest_clean(const std::vector<Row>& rows) {
+  const Row* best = nullptr;
+  for (const auto& row : rows) {
+    if (!row.figures || !row.figures->clean) continue;
+    if (!best || row.figures->time_s < best->figures->time_s) best = &row;
+  }
+  return best;
+}
+
+}  // namespace
+
+double published_time(double naive_s, int discontinuities) {
+  return naive_s + 2 * (1 + discontinuities) * kTau;
+}
+
+TextTable compare(const Part& part, const PlanOptions& options) {
+  std::vector<Row> rows;
+  for (const auto& name : strategy_names()) rows.push_back(row_of(name, part, options));
+  TextTable table;
+  table.title = part.name;
+  table.columns = {{"strategy", Align::kLeft},
+                   {"feed mm"},
+                   {"x bound"},
+                   {"retracts"},
+                   {"time s"},
+                   {"eq. 9 s"},
+                   {"uncut mm"},
+                   {"uncut mm2"},
+                   {"gouge mm"},
+                   {"eng max"},
+                   {"mean"},
+                   {"clean", Align::kLeft}};
+  const Row* best = fastest_clean(rows);
+  for (const auto& row : rows) table.add(cells(row, &row == best));
+  table.notes.push_back("* fastest that is certified clean");
+  for (const auto& name : strategy_names()) table.notes.push_back(name + ": " + description_of(name));
+  return table;
+}
+
+}  // namespace clearcut
