@@ -57,11 +57,20 @@ bool has_open_side(const Feature& feature) {
   return feature.kind != FeatureKind::kClosedPocket && feature.kind != FeatureKind::kRoundHole;
 }
 
+/// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest gouge
+/// that counts.
+double printing_reserve(const PlanOptions& options) {
+  return std::max(0.0, rounding_of(options.post) - options.tol.gouge / 2);
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that; in closed
 /// ones the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, const PlanOptions& options) {
   const auto& feature = feature_of(part, step);
-  auto layers = layers_of(feature, step.operation, tool_of(part, step).radius(), options.tol);
+  Operation operation = step.operation;
+  operation.allowance_side += printing_reserve(options);
+  operation.allowance_floor += printing_reserve(options);
+  auto layers = layers_of(feature, operation, tool_of(part, step).radius(), options.tol);
   for (auto& layer : layers) {
     const Regions standing = standing_target(part, step.feature, layer.z, options.tol);
     if (standing.empty() || has_open_side(feature)) layer.target = standing;
