@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "geometry/boolean.h"
 #include "post/outline_writer.h"
+#include "read/job/job_file.h"
 #include "read/outline/outline_reader.h"
 #include "read/read_part.h"
 #include "read/repair/meetings.h"
@@ -279,6 +280,44 @@ TEST(Corpus, EveryFileIsReadOrRefused) {
   }
   EXPECT_GT(read, 10);
   EXPECT_GT(refused, 5);
+}
+
+/// The same for jobs and tool libraries.
+TEST(Corpus, EveryJobAndToolLibraryIsReadOrRefused) {
+  const fs::path corpus = fs::path(CLEARCUT_SOURCE_DIR) / "tests" / "corpus";
+  int read = 0, refused = 0;
+  for (const std::string kind : {"job", "tools"}) {
+    ASSERT_TRUE(fs::is_directory(corpus / kind)) << kind;
+    for (const auto& entry : fs::directory_iterator(corpus / kind)) {
+      try {
+        if (kind == "job") {
+          read_job(entry.path());
+        } else {
+          read_tool_library(entry.path(), {});
+        }
+        ++read;
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << entry.path();
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GE(read, 7);
+  EXPECT_GE(refused, 8);
+}
+
+TEST(Examples, TheJobOfTheBracketIsReadWhole) {
+  const fs::path examples = fs::path(CLEARCUT_SOURCE_DIR) / "examples";
+  const Part part = read_part(examples / "bracket.toml", {});
+  ASSERT_EQ(part.features.size(), 1u);
+  EXPECT_EQ(part.tools.size(), 2u);
+  ASSERT_EQ(part.workplan.size(), 2u);
+  EXPECT_EQ(part.workplan[1].operation.kind, OperationKind::kFinishing);
+  EXPECT_DOUBLE_EQ(part.workplan[0].operation.allowance_side, 0.2);
+  ASSERT_TRUE(part.stock);
+  EXPECT_DOUBLE_EQ(part.stock->plan.width(), 90);
+  const JobFile job = read_job(examples / "bracket.toml");
+  EXPECT_EQ(job.machine.name, "desktop mill");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "read/dxf/dxf_reader.h"
+#include "read/job/job_file.h"
 #include "read/outline/outline_reader.h"
 #include "read/outline/text.h"
 #include "read/stepnc/stepnc.h"
@@ -82,7 +83,7 @@ Part read_part_text(std::string_view text, const std::string& file_name, const R
     case Kind::kJson:
       return read_outline_json(text, file_name, options);
     case Kind::kJob:
-      throw InputError(file_name, "job files are read by the command");
+      return part_of_job(read_job_text(text, file_name), options);
     case Kind::kUnknown:
       break;
   }

@@ -28,7 +28,7 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
 
 const DataValue* DataValue::find(std::string_view key) const {
   for (auto member = members.rbegin(); member != members.rend(); ++member) {
-    if (member->first == key) return &member->second;
+    if (member->key == key) return &member->value;
   }
   return nullptr;
 }
@@ -108,6 +108,23 @@ std::vector<std::string> DataSection::texts(const std::string& key) {
   return out;
 }
 
+std::vector<double> DataSection::numbers(const std::string& key) {
+  const DataValue* value = ask(key);
+  if (!value) return {};
+  std::vector<double> out;
+  if (!value->is_array()) fail_at(key, "must be a list of numbers");
+  for (const DataValue& item : value->items) {
+    if (!item.is_number() || !std::isfinite(item.number)) fail_at(key, "must be a list of numbers");
+    out.push_back(item.number);
+  }
+  return out;
+}
+
+bool DataSection::is_number(const std::string& key) {
+  const DataValue* value = ask(key);
+  return value && value->is_number();
+}
+
 std::optional<DataSection> DataSection::section(const std::string& key) {
   const DataValue* value = ask(key);
   if (!value) return std::nullopt;
@@ -135,13 +152,14 @@ std::optional<std::size_t> DataSection::choice(const std::string& key,
 }
 
 void DataSection::refuse_unknown() const {
-  for (const auto& [key, value] : table_->members) {
+  for (const DataMember& member : table_->members) {
+    const std::string& key = member.key;
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     const auto nearest = std::min_element(known_.begin(), known_.end(), [&](const auto& a, const auto& b) {
       return edits_between(key.substr(0, 40), a) < edits_between(key.substr(0, 40), b);
     });
     const bool close = nearest != known_.end() && edits_between(key.substr(0, 40), *nearest) <= 3;
-    throw InputError(file_ + ":" + std::to_string(value.line),
+    throw InputError(file_ + ":" + std::to_string(member.value.line),
                      "unknown key '" + printable(key) + "'" + (name_.empty() ? "" : " in " + name_) + "; " +
                          (close ? "did you mean '" + *nearest + "'?" : "remove it"));
   }

@@ -11,6 +11,8 @@
 
 namespace clearcut {
 
+struct DataMember;
+
 /// One value of a JSON or TOML text; members and items keep the order of the text.
 struct DataValue {
   enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
@@ -20,7 +22,7 @@ struct DataValue {
   double number = 0;
   std::string text;
   std::vector<DataValue> items;
-  std::vector<std::pair<std::string, DataValue>> members;
+  std::vector<DataMember> members;
 
   bool is_array() const { return kind == Kind::kArray; }
   bool is_object() const { return kind == Kind::kObject; }
@@ -28,6 +30,12 @@ struct DataValue {
   bool is_string() const { return kind == Kind::kString; }
   /// The member called `key`, or null. Of several the last, as everywhere.
   const DataValue* find(std::string_view key) const;
+};
+
+/// A value and its key.
+struct DataMember {
+  std::string key;
+  DataValue value;
 };
 
 /// Throws InputError "file:line: ..." for text that is not JSON, or nested deeper than 64.
@@ -53,6 +61,8 @@ class DataSection {
   /// [low, high] with low < high.
   std::optional<std::array<double, 2>> range(const std::string& key);
   std::vector<std::string> texts(const std::string& key);
+  std::vector<double> numbers(const std::string& key);
+  bool is_number(const std::string& key);
   std::optional<DataSection> section(const std::string& key);
   std::vector<DataSection> sections(const std::string& key);
   /// One of `names`, by its place; throws listing them.

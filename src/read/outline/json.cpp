@@ -46,8 +46,7 @@ class Reader {
     ++*this;
     return before;
   }
-  friend bool operator==(const Reader& a, const Reader& b) { return a.at_ == b.at_; }
-  friend bool operator!=(const Reader& a, const Reader& b) { return a.at_ != b.at_; }
+  bool operator==(const Reader& other) const { return at_ == other.at_; }
 
  private:
   const char* at_;
@@ -124,7 +123,7 @@ class Builder {
     if (open_.empty()) {
       root_ = std::move(value);
     } else if (open_.back().is_object()) {
-      open_.back().members.emplace_back(keys_.back(), std::move(value));
+      open_.back().members.push_back({keys_.back(), std::move(value)});
     } else {
       open_.back().items.push_back(std::move(value));
     }

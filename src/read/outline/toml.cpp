@@ -38,9 +38,9 @@ DataValue converted_table(const toml::table& table, const std::string& file, int
   out.kind = DataValue::Kind::kObject;
   out.line = line_of(table.source());
   for (const auto& [key, value] : table) {
-    out.members.emplace_back(std::string(key.str()), converted(value, file, depth + 1));
+    out.members.push_back({std::string(key.str()), converted(value, file, depth + 1)});
     // A table in brackets knows no line of its own where it is implied; its key does.
-    DataValue& made = out.members.back().second;
+    DataValue& made = out.members.back().value;
     if (made.line == 0) made.line = line_of(key.source());
   }
   return out;

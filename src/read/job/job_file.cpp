@@ -1,0 +1,208 @@
+#include "read/job/job_file.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/format.h"
+#include "read/job/machine_file.h"
+#include "read/outline/text.h"
+#include "read/outline/units.h"
+#include "read/repair/repair.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+
+fs::path beside(const std::string& job_file, const std::string& name) {
+  return fs::path(job_file).parent_path() / name;
+}
+
+std::optional<MmPerMin> feed_of(DataSection& section, const std::string& key) {
+  const auto value = section.positive(key);
+  return value ? std::optional(MmPerMin::of(*value)) : std::nullopt;
+}
+
+/// A length that is a coordinate: within a kilometre.
+std::optional<double> coordinate(DataSection& section, const std::string& key) {
+  const auto value = section.number(key);
+  if (value && std::abs(*value) > kLargestCoordinate) section.fail_at(key, "lies beyond 1000 m");
+  return value;
+}
+
+std::optional<int> count(DataSection& section, const std::string& key, double most) {
+  const auto value = section.number(key);
+  if (!value) return std::nullopt;
+  if (*value < 0 || *value > most || *value != std::floor(*value))
+    section.fail_at(key, "must be a whole number, 0 or more");
+  return static_cast<int>(*value);
+}
+
+/// 0.4, "0.4", "3.5mm", "lom", "rho".
+std::optional<std::string> stepover_of(DataSection& section) {
+  if (!section.has("stepover")) return std::nullopt;
+  if (section.is_number("stepover")) return trimmed(*section.positive("stepover"), 6);
+  return section.text("stepover");
+}
+
+CutSettings settings_of(DataSection& section) {
+  static const std::vector<std::string> entries{"helix", "ramp", "zigzag", "plunge"};
+  static const std::vector<std::string> directions{"climb", "conventional"};
+  static const std::vector<std::string> kinds{"roughing",       "finishing", "bottom_finishing",
+                                              "side_finishing", "drilling",  "reaming"};
+  CutSettings out;
+  out.strategy = section.text("strategy");
+  out.stepover = stepover_of(section);
+  out.stepdown = section.positive("stepdown");
+  out.allowance = section.number("allowance");
+  out.allowance_floor = section.not_negative("allowance_floor");
+  out.scallop = section.positive("scallop");
+  if (const auto entry = section.choice("entry", entries)) out.entry = static_cast<EntryKind>(*entry);
+  if (const auto angle = section.positive("entry_angle")) {
+    if (*angle > 90) section.fail_at("entry_angle", "must be at most 90 degrees");
+    out.entry_angle = Radians::of_degrees(*angle);
+  }
+  if (const auto direction = section.choice("direction", directions)) {
+    out.direction = static_cast<CutDirection>(*direction);
+  }
+  if (const auto kind = section.choice("kind", kinds)) out.kind = static_cast<OperationKind>(*kind);
+  out.tool = count(section, "tool", 1e6);
+  out.feed = feed_of(section, "feed");
+  out.plunge_feed = feed_of(section, "plunge_feed");
+  out.ramp_feed = feed_of(section, "ramp_feed");
+  out.slot_feed = feed_of(section, "slot_feed");
+  out.spindle_rpm = section.positive("spindle");
+  out.coolant = section.flag("coolant");
+  return out;
+}
+
+void read_part_section(DataSection section, JobFile& job) {
+  const auto file = section.text("file");
+  if (!file || file->empty()) section.fail("file is missing; add file = \"part.dxf\"");
+  job.part_file = beside(job.file, *file);
+  ReadOptions& read = job.read;
+  read.unit = section.text("unit");
+  if (read.unit && !mm_per_unit(*read.unit))
+    section.fail_at("unit", "is unknown; use one of " + known_units());
+  read.depth = section.positive("depth");
+  read.top = coordinate(section, "top");
+  read.layers = section.texts("layers");
+  read.find_arcs = section.flag("find_arcs");
+  if (const auto gap = section.not_negative("join_gap")) read.tol.join_gap = *gap;
+  if (read.tol.join_gap > 10 || read.tol.join_gap < 1e-6)
+    section.fail_at("join_gap", "must lie between 1e-6 and 10 mm");
+  const auto open = section.choice("open_curves", {"refuse", "skip"});
+  if (open && *open == 1) read.open_curves = OpenCurves::kSkip;
+  section.refuse_unknown();
+}
+
+LayerRule layer_rule(DataSection section) {
+  LayerRule rule;
+  const auto name = section.text("name");
+  if (!name) section.fail("name is missing; add name = \"POCKET*\"");
+  rule.pattern = *name;
+  const auto role = section.choice("role", {"pocket", "island", "hole", "ignore"});
+  if (role) rule.role = static_cast<LayerRole>(*role);
+  rule.depth = section.positive("depth");
+  rule.top = coordinate(section, "top");
+  section.refuse_unknown();
+  return rule;
+}
+
+JobStock stock_of(DataSection section) {
+  JobStock stock;
+  stock.x = section.range("x");
+  stock.y = section.range("y");
+  stock.z = section.range("z");
+  stock.margin = section.not_negative("margin");
+  if (!stock.z) section.fail("z is missing; add z = [bottom, top]");
+  if ((!stock.x || !stock.y) && !stock.margin) section.fail("needs x and y, or a margin around the features");
+  section.refuse_unknown();
+  return stock;
+}
+
+void read_tools_section(DataSection section, JobFile& job) {
+  const auto library = section.text("library");
+  if (!library) section.fail("library is missing; add library = \"tools.toml\"");
+  job.tool_library = beside(job.file, *library);
+  job.tool_options.unit = section.text("unit");
+  job.preset = section.text("preset").value_or("");
+  for (const double number : section.numbers("use")) {
+    if (number < 0 || number > 1e6) section.fail_at("use", "must list tool numbers");
+    job.tool_numbers.push_back(static_cast<int>(number));
+  }
+  section.refuse_unknown();
+}
+
+OperationRule operation_rule(DataSection section) {
+  OperationRule rule;
+  rule.line = section.line();
+  rule.feature = section.text("feature").value_or("*");
+  rule.skip = section.flag("skip").value_or(false);
+  rule.settings = settings_of(section);
+  section.refuse_unknown();
+  return rule;
+}
+
+JobOutput output_of(DataSection section) {
+  JobOutput out;
+  out.program = section.text("program");
+  out.post = section.text("post");
+  out.inch = section.flag("inch");
+  out.certificate = section.text("certificate");
+  out.svg = section.text("svg");
+  out.report = section.text("report");
+  out.result = section.text("result");
+  section.refuse_unknown();
+  return out;
+}
+
+void read_plan_section(DataSection section, JobFile& job) {
+  job.plan = settings_of(section);
+  job.clearance_z = coordinate(section, "clearance");
+  job.engagement_deg = section.positive("engagement");
+  if (job.engagement_deg && *job.engagement_deg > 360)
+    section.fail_at("engagement", "must be at most 360 degrees");
+  job.objective = section.text("objective");
+  job.time_s = section.positive("time");
+  if (const auto seed = count(section, "seed", 2e9)) job.seed = static_cast<std::uint64_t>(*seed);
+  section.refuse_unknown();
+}
+
+void read_machine_section(DataSection section, JobFile& job) {
+  Machine base;
+  if (const auto file = section.text("file")) base = read_machine(beside(job.file, *file));
+  job.machine = machine_of_section(section, base);
+}
+
+}  // namespace
+
+JobFile read_job_text(std::string_view text, const std::string& file_name) {
+  const DataValue root = parse_toml(text, file_name);
+  DataSection section(root, file_name, "");
+  JobFile job;
+  job.file = file_name;
+  const auto part = section.section("part");
+  if (!part) section.fail("[part] is missing; add [part] with file = \"part.dxf\"");
+  read_part_section(*part, job);
+  for (DataSection& layer : section.sections("layer"))
+    job.read.layer_rules.push_back(layer_rule(std::move(layer)));
+  if (const auto stock = section.section("stock")) job.stock = stock_of(*stock);
+  if (const auto tools = section.section("tools")) read_tools_section(*tools, job);
+  for (DataSection& tool : section.sections("tool")) job.tools.push_back(tool_of_section(std::move(tool)));
+  if (const auto machine = section.section("machine")) read_machine_section(*machine, job);
+  if (const auto plan = section.section("plan")) read_plan_section(*plan, job);
+  for (DataSection& one : section.sections("operation"))
+    job.operations.push_back(operation_rule(std::move(one)));
+  if (const auto output = section.section("output")) job.output = output_of(*output);
+  section.refuse_unknown();
+  return job;
+}
+
+JobFile read_job(const std::filesystem::path& file) {
+  return read_job_text(read_file(file.string(), kLargestFile), file.string());
+}
+
+}  // namespace clearcut

@@ -1,0 +1,93 @@
+// Job files: part, stock, tools, machine and operations in one TOML; see docs/input.md.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "part/part.h"
+#include "read/read_options.h"
+#include "read/tools/tool_library.h"
+#include "toolpath/machine.h"
+
+namespace clearcut {
+
+/// How to cut, for all operations ([plan]) or those of some features ([[operation]]). Absent values are left
+/// to what stands above them: operation, plan, the part's file, the planner's defaults.
+struct CutSettings {
+  std::optional<std::string> strategy;  ///< name
+  std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "3.5mm", "lom", "rho"
+  std::optional<double> stepdown;       ///< mm
+  std::optional<double> allowance;      ///< mm, on walls
+  std::optional<double> allowance_floor;
+  std::optional<double> scallop;  ///< mm
+  std::optional<EntryKind> entry;
+  std::optional<Radians> entry_angle;
+  std::optional<CutDirection> direction;
+  std::optional<int> tool;  ///< number
+  std::optional<OperationKind> kind;
+  std::optional<MmPerMin> feed, plunge_feed, ramp_feed, slot_feed;
+  std::optional<double> spindle_rpm;
+  std::optional<bool> coolant;
+};
+
+/// [[operation]]: settings for the workingsteps of all features that match.
+struct OperationRule {
+  std::string feature = "*";  ///< name, * for anything, any case
+  bool skip = false;          ///< not machined at all
+  CutSettings settings;
+  int line = 0;
+};
+
+/// What is to be written, as given; relative to the job's folder.
+struct JobOutput {
+  std::optional<std::string> program, post, certificate, svg, report, result;
+  std::optional<bool> inch;
+};
+
+struct JobStock {
+  std::optional<std::array<double, 2>> x, y, z;  ///< mm
+  std::optional<double> margin;                  ///< mm around the features where x or y is absent
+};
+
+/// A job as its file says it; nothing else read yet.
+struct JobFile {
+  std::string file;
+  std::filesystem::path part_file;  ///< found from the job's folder
+  ReadOptions read;
+  std::optional<JobStock> stock;
+  std::optional<double> clearance_z;
+  std::vector<LibraryTool> tools;  ///< [[tool]]
+  std::optional<std::filesystem::path> tool_library;
+  ToolOptions tool_options;
+  std::vector<int> tool_numbers;  ///< of the library, in order; empty: all
+  std::string preset;             ///< name of the library's preset; "": the first
+  Machine machine;
+  CutSettings plan;
+  std::vector<OperationRule> operations;
+  JobOutput output;
+  // For the planner as a whole.
+  std::optional<double> engagement_deg;
+  std::optional<std::string> objective;
+  std::optional<double> time_s;
+  std::optional<std::uint64_t> seed;
+};
+
+/// Throws InputError "file:line: ..." for bad TOML, unknown keys (with the nearest known one) and impossible
+/// values.
+JobFile read_job_text(std::string_view text, const std::string& file_name);
+JobFile read_job(const std::filesystem::path& file);
+
+/// The part of a job: its file read, stock and tools set, operations chosen. Of job.plan all but `strategy`
+/// and a `stepover` of "lom" or "rho" is in the operations afterwards; machine, output and the planner's
+/// values are left to the caller. `over`: options that go before the job's own (command line). Throws as
+/// read_part and read_tool_library, and when a tool number or a feature name matches nothing.
+Part part_of_job(const JobFile& job, const ReadOptions& over);
+
+/// A commented job for `part`, read from `part_file`: valid as it stands, with every key and its default.
+std::string job_text(const Part& part, const std::string& part_file);
+
+}  // namespace clearcut

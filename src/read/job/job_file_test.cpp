@@ -1,0 +1,195 @@
+#include "read/job/job_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.h"
+#include "read/job/machine_file.h"
+#include "read/read_part.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// A folder with two pockets, "a" and "b", beside the job.
+class Job : public ::testing::Test {
+ protected:
+  Job() : folder_(fs::path(::testing::TempDir()) / "clearcut_job") {
+    fs::create_directories(folder_);
+    write("plate.json",
+          R"({"units": "mm", "pockets": [{"name": "a", "outer": [[0,0],[30,0],[30,20],[0,20]], "depth": 4},
+                           {"name": "b", "outer": [[50,0],[80,0],[80,20],[50,20]], "depth": 8}]})");
+  }
+  ~Job() override { fs::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  std::string job_path() const { return (folder_ / "job.toml").string(); }
+  JobFile job(const std::string& text) const { return read_job_text(text, job_path()); }
+  Part part(const std::string& text) const { return part_of_job(job(text), {}); }
+  std::string refusal(const std::string& text) const {
+    try {
+      part(text);
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      return std::string(error.what()).substr(folder_.string().size() + 1);
+    }
+    return "not refused";
+  }
+  fs::path folder_;
+};
+
+const std::string kPart = "[part]\nfile = \"plate.json\"\n";
+const std::string kTools =
+    "[[tool]]\nnumber = 1\ndiameter = 6\nfeed = 800\nspindle = 9000\n[[tool]]\nnumber = 2\ndiameter = 3\n";
+
+TEST_F(Job, TheShortestJobIsThePart) {
+  const Part read = part(kPart);
+  EXPECT_EQ(read.workplan.size(), 2u);
+  EXPECT_TRUE(read.tools.empty());
+  EXPECT_FALSE(read.stock);
+}
+
+TEST_F(Job, StockByRangesOrMargin) {
+  const Part ranges = part(kPart + "[stock]\nx = [-5, 90]\ny = [-5, 30]\nz = [-20, 0]\n");
+  EXPECT_EQ(ranges.stock->plan.max, (Vec2{90, 30}));
+  EXPECT_EQ(ranges.stock->z_bottom, -20);
+  const Part margin = part(kPart + "[stock]\nmargin = 2\nz = [-20, 0]\n");
+  EXPECT_EQ(margin.stock->plan.min, (Vec2{-2, -2}));
+  EXPECT_EQ(margin.stock->plan.max, (Vec2{82, 22}));
+}
+
+TEST_F(Job, PlanThenOperationsThenTheirPresetsBelow) {
+  const Part read = part(
+      kPart + kTools +
+      "[plan]\nstepdown = 2\nallowance = 0.2\nstepover = 0.4\nentry = \"ramp\"\nspindle = 12000\n"
+      "[[operation]]\nfeature = \"B\"\ntool = 2\nstepover = \"1.5mm\"\nfeed = 400\nstrategy = \"zigzag\"\n");
+  ASSERT_EQ(read.tools.size(), 2u);
+  const Operation &a = read.workplan[0].operation, &b = read.workplan[1].operation;
+  EXPECT_EQ(read.tools[static_cast<std::size_t>(a.tool)].number, 1);
+  EXPECT_EQ(read.tools[static_cast<std::size_t>(b.tool)].number, 2);
+  EXPECT_DOUBLE_EQ(a.cutting.feed->mm_per_min(), 800);  // the tool's
+  EXPECT_DOUBLE_EQ(b.cutting.feed->mm_per_min(), 400);
+  EXPECT_DOUBLE_EQ(*a.cutting.spindle_rpm, 12000);  // the plan goes before the tool
+  EXPECT_DOUBLE_EQ(*a.stepover, 0.4);
+  EXPECT_DOUBLE_EQ(*b.stepover, 0.5);
+  EXPECT_EQ(b.strategy_hint, "zigzag");
+  EXPECT_EQ(*a.entry, EntryKind::kRamp);
+  EXPECT_DOUBLE_EQ(b.allowance_side, 0.2);
+}
+
+TEST_F(Job, FinishingIsAStepOfItsOwnAndLeavesNothing) {
+  const Part read =
+      part(kPart + kTools +
+           "[plan]\nallowance = 0.3\n[[operation]]\nfeature = \"*\"\nkind = \"finishing\"\ntool = 2\n");
+  ASSERT_EQ(read.workplan.size(), 4u);
+  EXPECT_DOUBLE_EQ(read.workplan[0].operation.allowance_side, 0.3);
+  EXPECT_EQ(read.workplan[2].operation.kind, OperationKind::kFinishing);
+  EXPECT_DOUBLE_EQ(read.workplan[2].operation.allowance_side, 0);
+  EXPECT_EQ(read.workplan[2].name, "a_finish");
+}
+
+TEST_F(Job, SkippedFeaturesAreReported) {
+  const Part read = part(kPart + "[[operation]]\nfeature = \"a\"\nskip = true\n");
+  ASSERT_EQ(read.workplan.size(), 1u);
+  EXPECT_EQ(read.diagnostics.items().back().severity, Severity::kSkipped);
+}
+
+TEST_F(Job, MachineToolsLibraryAndOutput) {
+  write("mill.toml", "name = \"mill\"\nrapid = 3000\ntravel = {x = [0, 300], y = [0, 200], z = [-50, 10]}\n");
+  write("tools.toml", kTools);
+  const JobFile read = job(
+      kPart +
+      "[machine]\nfile = \"mill.toml\"\nacceleration = 250\n[tools]\nlibrary = \"tools.toml\"\nuse = [2]\n"
+      "[plan]\nobjective = \"turns\"\nseed = 7\nengagement = 80\n[output]\nprogram = \"out.ngc\"\npost = "
+      "\"grbl\"\n");
+  EXPECT_EQ(read.machine.name, "mill");
+  EXPECT_DOUBLE_EQ(read.machine.rapid.mm_per_min(), 3000);
+  EXPECT_DOUBLE_EQ(read.machine.acceleration, 250);
+  EXPECT_DOUBLE_EQ((*read.machine.travel)[2][0], -50);
+  EXPECT_EQ(*read.output.post, "grbl");
+  EXPECT_EQ(*read.seed, 7u);
+  const Part with_tools = part_of_job(read, {});
+  ASSERT_EQ(with_tools.tools.size(), 1u);
+  EXPECT_EQ(with_tools.tools[0].number, 2);
+}
+
+TEST_F(Job, MistakesGiveOneLineWithFileAndLine) {
+  EXPECT_THAT(refusal(""), StartsWith("job.toml:1: [part] is missing"));
+  EXPECT_THAT(refusal("[part]\n"), StartsWith("job.toml:1: [part]: file is missing"));
+  EXPECT_THAT(refusal("[part]\nfile = 3\n"), StartsWith("job.toml:2: file must be text"));
+  EXPECT_THAT(refusal("[part\n"), StartsWith("job.toml:1: not TOML"));
+  EXPECT_THAT(refusal("[part]\nfile = \"gone.dxf\"\n"), HasSubstr("no such file"));
+  EXPECT_THAT(refusal("[part]\nfile = \"job.toml\"\n"), HasSubstr("cannot be a job"));
+  EXPECT_THAT(refusal(kPart + "[plan]\nstepdwon = 2\n"),
+              StartsWith("job.toml:4: unknown key 'stepdwon' in [plan]; did you mean 'stepdown'?"));
+  EXPECT_THAT(refusal(kPart + "[plan]\nstepdown = 0\n"), StartsWith("job.toml:4: stepdown must be above 0"));
+  EXPECT_THAT(refusal(kPart + "[plan]\nentry = \"dive\"\n"),
+              HasSubstr("use one of helix, ramp, zigzag, plunge"));
+  EXPECT_THAT(refusal(kPart + "[plans]\n"), HasSubstr("unknown key 'plans'; did you mean 'plan'?"));
+  EXPECT_THAT(refusal(kPart + "[[operation]]\nfeature = \"c\"\n"),
+              StartsWith("job.toml:3: no feature is called 'c'"));
+  EXPECT_THAT(refusal(kPart + "[[operation]]\ntool = 9\n"), StartsWith("job.toml:3: tool 9 is unknown"));
+  EXPECT_THAT(refusal(kPart + kTools + "[plan]\nstepover = \"wide\"\n"),
+              HasSubstr("stepover 'wide' is unknown"));
+  EXPECT_THAT(refusal(kPart + "[stock]\nx = [1, 2]\n"), HasSubstr("z is missing"));
+  EXPECT_THAT(refusal(kPart + "[stock]\nz = [2, 1]\n"), StartsWith("job.toml:4: z must be [low, high]"));
+  EXPECT_THAT(refusal(kPart + "[[operation]]\nskip = true\n"), HasSubstr("nothing is left to machine"));
+  EXPECT_THAT(refusal(kPart + "made = 2020-01-01\n"), HasSubstr("job.toml:3: dates"));
+}
+
+TEST_F(Job, TheWrittenJobIsReadAsItStands) {
+  Part plate = read_part(folder_ / "plate.json", {});
+  plate.features[0].name = "quote\"d";
+  plate.tools = {Tool{3, "T3", ToolKind::kEndMill, 6, 0, 2, std::nullopt, true}};
+  const std::string text = job_text(plate, "plate.json");
+  EXPECT_THAT(text, HasSubstr("\"quote\\\"d\""));
+  const Part again = part(text);
+  EXPECT_EQ(again.features.size(), 2u);
+  ASSERT_EQ(again.tools.size(), 1u);
+  EXPECT_EQ(again.tools[0].number, 3);
+}
+
+/// Every commented line of a written job is valid when its # is taken away.
+TEST_F(Job, TheKeysInTheCommentsExist) {
+  write("tools.toml", kTools);
+  write("mill.toml", "rapid = 3000\n");
+  std::string text = job_text(read_part(folder_ / "plate.json", {}), "plate.json");
+  std::string opened;
+  for (std::size_t start = 0; start < text.size();) {
+    const std::size_t end = text.find('\n', start);
+    std::string line = text.substr(start, end - start);
+    const bool is_key =
+        line.rfind("# ", 0) == 0 && (line.find(" = ") != std::string::npos || line.find("[") == 2);
+    const bool example = line.find("Lines after") != std::string::npos ||
+                         line.find("Features found") != std::string::npos ||
+                         line.find("POCKET*\"\n") != std::string::npos;
+    if (is_key && !example) line = line.substr(2);
+    opened += line + "\n";
+    start = end + 1;
+  }
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    for (std::size_t at; (at = opened.find(from)) != std::string::npos;) opened.replace(at, from.size(), to);
+  };
+  replace("preset = \"Aluminium\"", "");
+  replace("feature = \"POCKET*\"", "feature = \"a\"");
+  const JobFile read = job(opened);
+  EXPECT_EQ(read.read.layers, std::vector<std::string>{"POCKET*"});
+  EXPECT_EQ(read.operations.size(), 1u);
+  EXPECT_TRUE(read.machine.travel);
+}
+
+TEST(MachineFile, UnknownKeysAreRefused) {
+  EXPECT_THROW(read_machine_text("accelaration = 3\n", "mill.toml"), InputError);
+  EXPECT_THROW(read_machine_text("travel = {x = [0, 1]}\n", "mill.toml"), InputError);
+  EXPECT_DOUBLE_EQ(read_machine_text("max_feed = 900\n", "mill.toml").max_feed->mm_per_min(), 900);
+}
+
+}  // namespace
+}  // namespace clearcut

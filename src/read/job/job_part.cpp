@@ -1,0 +1,265 @@
+// The part that a job describes.
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "read/job/job_file.h"
+#include "read/outline/drawing.h"
+#include "read/outline/text.h"
+#include "read/read_part.h"
+
+namespace clearcut {
+namespace {
+
+/// Command line before job.
+ReadOptions merged(ReadOptions options, const ReadOptions& over) {
+  if (over.unit) options.unit = over.unit;
+  if (over.depth) options.depth = over.depth;
+  if (over.depth_if_missing) options.depth_if_missing = over.depth_if_missing;
+  if (over.top) options.top = over.top;
+  if (!over.layers.empty()) options.layers = over.layers;
+  if (over.find_arcs) options.find_arcs = over.find_arcs;
+  return options;
+}
+
+Stock stock_of(const JobStock& stock, const Part& part, const std::string& file) {
+  Box around;
+  for (const Feature& feature : part.features) around.add(box(feature.target));
+  if ((!stock.x || !stock.y) && around.empty())
+    throw InputError(file, "the stock needs x and y: the part has no outline");
+  around = around.grown(stock.margin.value_or(0));
+  Stock out;
+  out.plan.min = {stock.x ? (*stock.x)[0] : around.min.x, stock.y ? (*stock.y)[0] : around.min.y};
+  out.plan.max = {stock.x ? (*stock.x)[1] : around.max.x, stock.y ? (*stock.y)[1] : around.max.y};
+  out.z_bottom = (*stock.z)[0];
+  out.z_top = (*stock.z)[1];
+  return out;
+}
+
+/// The job's own tools, then those of its library that it uses.
+ToolLibrary tools_of(const JobFile& job) {
+  ToolLibrary all;
+  all.tools = job.tools;
+  if (job.tool_library) {
+    ToolLibrary library = read_tool_library(*job.tool_library, job.tool_options);
+    all.diagnostics.append(library.diagnostics);
+    for (const int number : job.tool_numbers) {
+      const bool found = std::any_of(library.tools.begin(), library.tools.end(),
+                                     [&](const LibraryTool& tool) { return tool.tool.number == number; });
+      if (!found)
+        throw InputError(job.file,
+                         "use = [..., " + std::to_string(number) + "]: the library has no such tool");
+    }
+    for (LibraryTool& tool : library.tools) {
+      const bool wanted = job.tool_numbers.empty() ||
+                          std::find(job.tool_numbers.begin(), job.tool_numbers.end(), tool.tool.number) !=
+                              job.tool_numbers.end();
+      if (wanted) all.tools.push_back(std::move(tool));
+    }
+  }
+  settle(all, job.file);
+  return all;
+}
+
+const CuttingPreset* preset_of(const LibraryTool& tool, const std::string& name) {
+  for (const CuttingPreset& preset : tool.presets) {
+    if (name.empty() || matches(name, preset.name)) return &preset;
+  }
+  return nullptr;
+}
+
+template <typename Value>
+void set_if(std::optional<Value>& target, const std::optional<Value>& value) {
+  if (value) target = value;
+}
+
+void apply_preset(const CuttingPreset& preset, Operation& operation) {
+  CuttingData& cutting = operation.cutting;
+  set_if(cutting.feed, preset.cutting.feed);
+  set_if(cutting.plunge_feed, preset.cutting.plunge_feed);
+  set_if(cutting.ramp_feed, preset.cutting.ramp_feed);
+  set_if(cutting.slot_feed, preset.cutting.slot_feed);
+  set_if(cutting.spindle_rpm, preset.cutting.spindle_rpm);
+  cutting.spindle_clockwise = preset.cutting.spindle_clockwise;
+  cutting.coolant = cutting.coolant || preset.cutting.coolant;
+  set_if(operation.stepdown, preset.stepdown);
+  set_if(operation.stepover, preset.stepover);
+}
+
+/// A stepover in fractions or mm as a fraction; nothing for "lom" and "rho", which the planner takes as a
+/// whole.
+std::optional<double> stepover_fraction(const std::string& text, double diameter, const std::string& place) {
+  if (text == "lom" || text == "rho") return std::nullopt;
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string unit = text.substr(static_cast<std::size_t>(end - text.data()));
+  if (error != std::errc{} || (!unit.empty() && unit != "mm") || !(value > 0)) {
+    throw InputError(place,
+                     "stepover '" + printable(text) + "' is unknown; use 0.4, \"3.5mm\", \"lom\" or \"rho\"");
+  }
+  return unit.empty() ? value : value / diameter;
+}
+
+void apply_settings(const CutSettings& settings, const Part& part, const std::string& place,
+                    Operation& operation) {
+  set_if(operation.stepdown, settings.stepdown);
+  if (settings.allowance) operation.allowance_side = *settings.allowance;
+  if (settings.allowance_floor) operation.allowance_floor = *settings.allowance_floor;
+  set_if(operation.scallop, settings.scallop);
+  set_if(operation.entry, settings.entry);
+  set_if(operation.entry_angle, settings.entry_angle);
+  set_if(operation.direction, settings.direction);
+  set_if(operation.cutting.feed, settings.feed);
+  set_if(operation.cutting.plunge_feed, settings.plunge_feed);
+  set_if(operation.cutting.ramp_feed, settings.ramp_feed);
+  set_if(operation.cutting.slot_feed, settings.slot_feed);
+  set_if(operation.cutting.spindle_rpm, settings.spindle_rpm);
+  if (settings.coolant) operation.cutting.coolant = *settings.coolant;
+  if (settings.strategy) operation.strategy_hint = *settings.strategy;
+  if (settings.stepover && !part.tools.empty()) {
+    const double diameter = part.tools[static_cast<std::size_t>(operation.tool)].diameter;
+    set_if(operation.stepover, stepover_fraction(*settings.stepover, diameter, place));
+  }
+}
+
+/// Settings and where they stand.
+struct Source {
+  const CutSettings* settings;
+  std::string place;
+};
+
+/// A workingstep and what shall be applied to it, in order.
+struct Planned {
+  Workingstep step;
+  std::vector<Source> sources;
+};
+
+bool is_finishing(const CutSettings& settings) {
+  return settings.kind == OperationKind::kFinishing || settings.kind == OperationKind::kBottomFinishing ||
+         settings.kind == OperationKind::kSideFinishing;
+}
+
+/// Applies tools, plan and operation rules to a part.
+class Dresser {
+ public:
+  Dresser(const JobFile& job, Part& part) : job_(job), part_(part) {}
+
+  void run() {
+    set_tools();
+    for (const Workingstep& step : part_.workplan) steps_.push_back({step, {{&job_.plan, job_.file}}});
+    for (const OperationRule& rule : job_.operations) apply(rule);
+    if (steps_.empty()) throw InputError(job_.file, "every operation is skipped; nothing is left to machine");
+    part_.workplan.clear();
+    for (Planned& planned : steps_) part_.workplan.push_back(dressed(std::move(planned)));
+  }
+
+ private:
+  /// The job's tools replace the part's; operations keep theirs by number where the job has it too.
+  void set_tools() {
+    ToolLibrary library = tools_of(job_);
+    part_.diagnostics.append(library.diagnostics);
+    if (library.tools.empty()) return;
+    const std::vector<Tool> before = std::move(part_.tools);
+    part_.tools.clear();
+    for (const LibraryTool& tool : library.tools) {
+      part_.tools.push_back(tool.tool);
+      if (const auto* preset = preset_of(tool, job_.preset)) presets_[tool.tool.number] = *preset;
+    }
+    for (Workingstep& step : part_.workplan) {
+      const auto old = static_cast<std::size_t>(step.operation.tool);
+      step.operation.tool = old < before.size() ? index_of(before[old].number).value_or(0) : 0;
+    }
+  }
+
+  std::optional<int> index_of(int number) const {
+    for (std::size_t i = 0; i < part_.tools.size(); ++i) {
+      if (part_.tools[i].number == number) return static_cast<int>(i);
+    }
+    return std::nullopt;
+  }
+
+  void apply(const OperationRule& rule) {
+    const std::string place = job_.file + ":" + std::to_string(rule.line);
+    const auto hit = [&](const Planned& planned) {
+      return matches(rule.feature, part_.features[static_cast<std::size_t>(planned.step.feature)].name);
+    };
+    if (std::none_of(steps_.begin(), steps_.end(), hit)) {
+      throw InputError(place,
+                       "no feature is called '" + printable(rule.feature) + "'; clearcut info lists them");
+    }
+    if (rule.skip) {
+      std::erase_if(steps_, hit);
+      part_.diagnostics.skip(place,
+                             "the operations of '" + printable(rule.feature) + "' are skipped by the job");
+    } else if (is_finishing(rule.settings)) {
+      add_finishing(rule, place);
+    } else {
+      for (Planned& planned : steps_) {
+        if (hit(planned)) planned.sources.push_back({&rule.settings, place});
+      }
+    }
+  }
+
+  /// Finishing comes as a workingstep of its own after all others, once per feature.
+  void add_finishing(const OperationRule& rule, const std::string& place) {
+    std::set<int> done;
+    std::vector<Planned> added;
+    for (const Planned& planned : steps_) {
+      const Feature& feature = part_.features[static_cast<std::size_t>(planned.step.feature)];
+      if (!matches(rule.feature, feature.name) || !done.insert(planned.step.feature).second) continue;
+      Planned finishing{planned.step, {{&job_.plan, job_.file}, {&rule.settings, place}}};
+      finishing.step.name += "_finish";
+      finishing.step.operation.name = finishing.step.name;
+      added.push_back(std::move(finishing));
+    }
+    steps_.insert(steps_.end(), added.begin(), added.end());
+  }
+
+  /// The tool first, then its preset, then the settings from the most general on.
+  Workingstep dressed(Planned planned) const {
+    Operation& operation = planned.step.operation;
+    for (const Source& source : planned.sources) {
+      if (source.settings->kind) operation.kind = *source.settings->kind;
+      if (!source.settings->tool) continue;
+      const auto index = index_of(*source.settings->tool);
+      if (!index) {
+        throw InputError(source.place, "tool " + std::to_string(*source.settings->tool) +
+                                           " is unknown; add it as [[tool]]");
+      }
+      operation.tool = *index;
+    }
+    if (!part_.tools.empty()) {
+      const auto preset = presets_.find(part_.tools[static_cast<std::size_t>(operation.tool)].number);
+      if (preset != presets_.end()) apply_preset(preset->second, operation);
+    }
+    for (const Source& source : planned.sources) {
+      // What roughing leaves on the walls is not left by finishing, unless its own rule says so.
+      if (is_finishing(*source.settings)) operation.allowance_side = operation.allowance_floor = 0;
+      apply_settings(*source.settings, part_, source.place, operation);
+    }
+    return std::move(planned.step);
+  }
+
+  const JobFile& job_;
+  Part& part_;
+  std::vector<Planned> steps_;
+  std::map<int, CuttingPreset> presets_;
+};
+
+}  // namespace
+
+Part part_of_job(const JobFile& job, const ReadOptions& over) {
+  if (capitals(job.part_file.extension().string()) == ".TOML") {
+    throw InputError(job.file, "the part of a job cannot be a job; name the drawing or program");
+  }
+  Part part = read_part(job.part_file, merged(job.read, over));
+  if (job.stock) part.stock = stock_of(*job.stock, part, job.file);
+  if (job.clearance_z) part.clearance_z = job.clearance_z;
+  Dresser(job, part).run();
+  return part;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,140 @@
+// The commented job that `init` writes.
+#include <fmt/format.h>
+
+#include "base/format.h"
+#include "read/job/job_file.h"
+
+namespace clearcut {
+namespace {
+
+/// Text in quotes, as TOML's basic strings want it.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      out += fmt::format("\\u{:04x}", static_cast<int>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + "\"";
+}
+
+std::string feature_line(const Feature& feature) {
+  const Box around = box(feature.target);
+  return fmt::format("#   {:<24} {:<14} {} x {} mm, z {} to {}\n", quoted(feature.name),
+                     name_of(feature.kind), trimmed(around.width(), 2), trimmed(around.height(), 2),
+                     trimmed(feature.top_z, 3), trimmed(feature.floor_z, 3));
+}
+
+std::string part_section(const Part& part, const std::string& part_file) {
+  std::string out = "[part]\nfile = " + quoted(part_file) + "   # beside this job\n" +
+                    "# unit = \"mm\"              # of a drawing that names none: mm, cm, m, in, px\n"
+                    "# depth = 5                # mm, of every feature, before what the drawing says\n"
+                    "# top = 0                  # mm, z of the drawing's plane\n"
+                    "# layers = [\"POCKET*\"]     # only these layers\n"
+                    "# join_gap = 0.01          # mm, gaps up to this are closed and reported\n"
+                    "# open_curves = \"refuse\"   # or skip\n"
+                    "# find_arcs = true         # arcs found again in runs of short lines\n";
+  out += "# Features found:\n";
+  for (const Feature& feature : part.features) out += feature_line(feature);
+  return out +
+         "\n# [[layer]]                # what the names of layers (or colours like \"#ff0000\") do not say\n"
+         "# name = \"POCKET*\"\n# role = \"pocket\"          # pocket, island, hole, ignore\n# depth = 5\n# "
+         "top = 0\n";
+}
+
+std::string stock_section(const Part& part) {
+  if (!part.stock) {
+    return "\n# [stock]                  # absent: solid everywhere outside the features\n"
+           "# margin = 5               # mm around the features, or x = [0, 100] and y = [0, 60]\n"
+           "# z = [-20, 0]             # bottom and top\n";
+  }
+  const Stock& stock = *part.stock;
+  return fmt::format("\n[stock]\nx = [{}, {}]\ny = [{}, {}]\nz = [{}, {}]\n", trimmed(stock.plan.min.x, 6),
+                     trimmed(stock.plan.max.x, 6), trimmed(stock.plan.min.y, 6), trimmed(stock.plan.max.y, 6),
+                     trimmed(stock.z_bottom, 6), trimmed(stock.z_top, 6));
+}
+
+std::string tool_section(const Tool& tool) {
+  std::string out =
+      fmt::format("\n[[tool]]\nnumber = {}\nname = {}\nkind = \"{}\"\ndiameter = {}\nteeth = {}\n",
+                  tool.number, quoted(tool.name), name_of(tool.kind), trimmed(tool.diameter, 6), tool.teeth);
+  if (tool.corner_radius > 0 && tool.kind != ToolKind::kBallEndMill) {
+    out += fmt::format("corner_radius = {}\n", trimmed(tool.corner_radius, 6));
+  }
+  if (tool.flute_length) out += fmt::format("flute_length = {}\n", trimmed(*tool.flute_length, 6));
+  if (!tool.center_cutting) out += "center_cutting = false\n";
+  return out;
+}
+
+std::string tool_sections(const Part& part) {
+  std::string out =
+      "\n# [tools]\n# library = \"tools.toml\"    # or FreeCAD .fctl/.fctb, LinuxCNC .tbl, Fusion .json\n"
+      "# use = [1, 2]             # numbers; absent: all\n# preset = \"Aluminium\"     # of the library; "
+      "absent: the first\n"
+      "# Kinds: endmill, facemill, ball, bullnose, drill, reamer. Feeds may stand here too: feed, "
+      "plunge_feed,\n"
+      "# ramp_feed, slot_feed (mm/min), spindle (rpm), coolant, stepdown (mm), stepover (fraction).\n";
+  bool any = false;
+  for (const Tool& tool : part.tools) {
+    if (tool.kind == ToolKind::kOther) continue;
+    out += tool_section(tool);
+    any = true;
+  }
+  return any ? out : out + "\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 6\nteeth = 2\n";
+}
+
+const char* const kRest = R"(
+[plan]                     # for all operations; absent values: the part's file, then the defaults
+# strategy = "auto"        # auto, contour, zigzag, spiral, adaptive, tour
+# stepover = 0.4           # fraction of the diameter, or "3.5mm", "lom", "rho"
+# stepdown = 2             # mm
+# allowance = 0            # mm left on walls
+# allowance_floor = 0      # mm left on floors
+# entry = "helix"          # helix, ramp, zigzag, plunge
+# entry_angle = 3          # degrees
+# direction = "climb"      # climb, conventional
+# feed = 1000              # mm/min; also plunge_feed, ramp_feed, slot_feed
+# spindle = 12000          # rpm
+# clearance = 10           # z of rapid travel, mm
+# engagement = 90          # largest engagement angle, degrees
+# objective = "time"       # length, turns, angle, engagement, time
+# time = 10                # longest search, s
+# seed = 1
+
+# [[operation]]            # what differs for some features; the same keys as [plan], and:
+# feature = "POCKET*"      # name, * for anything
+# tool = 1                 # number
+# kind = "finishing"       # an operation of its own after the others; also side_finishing, bottom_finishing
+# skip = false             # true: not machined
+
+# [machine]
+# file = "mill.toml"       # the same keys
+# rapid = 5000             # mm/min
+# acceleration = 500       # mm/s2
+# junction_deviation = 0.01  # mm
+# max_feed = 3000          # mm/min
+# max_spindle = 24000      # rpm
+# travel = {x = [0, 300], y = [0, 200], z = [-80, 20]}   # mm
+
+[output]
+# program = "out.ngc"
+# post = "linuxcnc"        # grbl, fanuc, haas, heidenhain, mach3, mach4, marlin
+# inch = false
+# certificate = "out.json"
+# svg = "out.svg"
+# report = "out.html"
+)";
+
+}  // namespace
+
+std::string job_text(const Part& part, const std::string& part_file) {
+  return "# A job for clearcut. Lengths in mm, feeds in mm/min, angles in degrees. Lines after # show what "
+         "may be said,\n"
+         "# with its default or an example.\n\n" +
+         part_section(part, part_file) + stock_section(part) + tool_sections(part) + kRest;
+}
+
+}  // namespace clearcut
