@@ -6,10 +6,14 @@
 #include <memory>
 
 #include "base/error.h"
+#include "link/entry.h"
 #include "toolpath/legal_area.h"
 
 namespace clearcut {
 namespace {
+
+/// mm over the material where ramps and helices begin.
+constexpr double kEntryHeight = 0.2;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -271,8 +275,22 @@ class Linker {
     const Vec2 entry = outside.value_or(p);
     rise_and_cross(entry, running() ? hop_height(entry, state, above) : options_.safe_z);
     vertical(approach_z(entry, state), MoveKind::kRapid, {});
-    vertical(state.layer().z, MoveKind::kPlunge, options_.plunge_feed);
-    if (entry != p) line_to(p, MoveKind::kLeadIn, options_.feed);
+    if (in_air(entry)) {
+      vertical(state.layer().z, MoveKind::kPlunge, options_.plunge_feed);
+      return line_to(p, MoveKind::kLeadIn, options_.feed);
+    }
+    enter_material(next, state);
+  }
+
+  /// From a little above the material down into it, as the entry option says.
+  void enter_material(const Choice& next, const LayerState& state) {
+    const Pass& pass = state.pass(next.pass);
+    vertical(std::min(z_, state.layer().z_top + kEntryHeight), MoveKind::kPlunge, options_.plunge_feed);
+    const EntryPlace place{at_, oriented(state, next).front().tangent_at(0), z_, state.layer().z,
+                           pass.entry_center};
+    const auto moves = entry_moves(place, state.legal(), options_);
+    moves_.insert(moves_.end(), moves.begin(), moves.end());
+    z_ = state.layer().z;
   }
 
   void rise_and_cross(Vec2 to, double height) {

@@ -27,7 +27,13 @@ const Feature& feature_of(const Part& part, const Workingstep& step) {
   return part.features.at(static_cast<std::size_t>(step.feature));
 }
 
-LinkOptions link_options(const Part& part, const Workingstep& step, const PlanOptions& options) {
+/// Where nobody says how to go down: a helix under limited engagement and for cutters that cannot plunge.
+EntryKind default_entry(const Tool& tool, const Attempt& attempt) {
+  return tool.center_cutting && attempt.strategy != "adaptive" ? EntryKind::kPlunge : EntryKind::kHelix;
+}
+
+LinkOptions link_options(const Part& part, const Workingstep& step, const Attempt& attempt,
+                         const PlanOptions& options) {
   const auto& operation = step.operation;
   LinkOptions link;
   link.tool_radius = tool_of(part, step).radius();
@@ -37,7 +43,7 @@ LinkOptions link_options(const Part& part, const Workingstep& step, const PlanOp
   link.feed = *operation.cutting.feed;
   link.plunge_feed = *operation.cutting.plunge_feed;
   link.ramp_feed = *operation.cutting.ramp_feed;
-  if (operation.entry) link.entry = *operation.entry;
+  link.entry = operation.entry.value_or(default_entry(tool_of(part, step), attempt));
   if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
   if (part.stock) link.stock = part.stock->plan;
   link.machine = options.machine;
@@ -57,8 +63,8 @@ bool has_open_side(const Feature& feature) {
   return feature.kind != FeatureKind::kClosedPocket && feature.kind != FeatureKind::kRoundHole;
 }
 
-/// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest gouge
-/// that counts.
+/// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
+/// gouge that counts.
 double printing_reserve(const PlanOptions& options) {
   return std::max(0.0, rounding_of(options.post) - options.tol.gouge / 2);
 }
@@ -85,7 +91,7 @@ Section plan_step(int index, const Part& part, const Attempt& attempt, const Pla
   const auto strategy = strategy_for(attempt, step.operation, options);
   std::vector<LayerPasses> passes;
   for (const auto& layer : standing_layers(part, step, options)) passes.push_back(strategy(layer));
-  Section section = link_layers(passes, link_options(part, step, options), options.tol);
+  Section section = link_layers(passes, link_options(part, step, attempt, options), options.tol);
   describe(section, index, part, step);
   return section;
 }

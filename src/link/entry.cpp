@@ -1,0 +1,111 @@
+#include "link/entry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearcut {
+namespace {
+
+constexpr double kWidestHelix =
+    0.9;  // radius of the centre's circle / tool radius: no post is left in its middle
+constexpr double kNarrowestHelix = 0.2;
+constexpr double kHelixShrink = 0.8;   // from one trial to the next
+constexpr double kLongestRamp = 4;     // tool radii
+constexpr double kShortestRamp = 0.2;  // tool radii
+constexpr int kCircleChecks = 24;      // chords around a circle
+
+struct Circle {
+  Vec2 center;
+  double radius = 0;
+};
+
+/// Whether a circle of the centre is legal: the polygon around it is.
+bool fits(const Circle& circle, const LegalArea& legal) {
+  const double around = circle.radius / std::cos(kPi / kCircleChecks);
+  for (int i = 0; i < kCircleChecks; ++i) {
+    const Vec2 a = circle.center + direction_of(2 * kPi * i / kCircleChecks) * around;
+    const Vec2 b = circle.center + direction_of(2 * kPi * (i + 1) / kCircleChecks) * around;
+    if (!legal.holds_line(a, b)) return false;
+  }
+  return true;
+}
+
+std::optional<Circle> helix_circle(const EntryPlace& place, const LegalArea& legal, double tool_radius) {
+  if (place.circle_center) return Circle{*place.circle_center, distance(*place.circle_center, place.start)};
+  for (double share = kWidestHelix; share >= kNarrowestHelix; share *= kHelixShrink) {
+    const double radius = share * tool_radius;
+    const Circle circle{place.start + left_of(place.direction) * radius, radius};
+    if (fits(circle, legal)) return circle;
+  }
+  return std::nullopt;
+}
+
+/// Half turns, counter-clockwise, from the start of the pass back to it.
+void append_turn(const Circle& circle, Vec2 start, double z_from, double z_to, const LinkOptions& options,
+                 std::vector<Move>& moves) {
+  const Vec2 opposite = circle.center * 2.0 - start;
+  const double middle = (z_from + z_to) / 2;
+  const auto half = [&](Vec2 a, Vec2 b, double za, double zb) {
+    moves.push_back({Edge::arc(a, b, circle.center, Turn::kCounterClockwise), za, zb, MoveKind::kRamp,
+                     options.ramp_feed, 0});
+  };
+  half(start, opposite, z_from, middle);
+  half(opposite, start, middle, z_to);
+}
+
+std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const LinkOptions& options) {
+  const double per_turn = 2 * kPi * circle.radius * std::tan(options.entry_angle.radians());
+  const double drop = place.z_above - place.z;
+  const int turns = std::max(1, static_cast<int>(std::ceil(drop / per_turn)));
+  std::vector<Move> moves;
+  for (int i = 0; i < turns; ++i) {
+    append_turn(circle, place.start, place.z_above - drop * i / turns, place.z_above - drop * (i + 1) / turns,
+                options, moves);
+  }
+  if (!place.circle_center) append_turn(circle, place.start, place.z, place.z, options, moves);
+  return moves;
+}
+
+std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& legal, double tool_radius) {
+  for (double reach = kLongestRamp; reach >= kShortestRamp; reach /= 2) {
+    for (const double side : {1.0, -1.0}) {
+      const Vec2 end = place.start + place.direction * (side * reach * tool_radius);
+      if (legal.holds_line(place.start, end)) return end;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Move> ramp(const EntryPlace& place, Vec2 end, const LinkOptions& options) {
+  const double per_way = distance(place.start, end) * std::tan(options.entry_angle.radians());
+  const double drop = place.z_above - place.z;
+  const int pairs = std::max(1, static_cast<int>(std::ceil(drop / (2 * per_way))));
+  std::vector<Move> moves;
+  const auto way = [&](Vec2 a, Vec2 b, double za, double zb) {
+    moves.push_back({Edge::line(a, b), za, zb, MoveKind::kRamp, options.ramp_feed, 0});
+  };
+  for (int i = 0; i < pairs; ++i) {
+    const double from = place.z_above - drop * i / pairs, to = place.z_above - drop * (i + 1) / pairs;
+    way(place.start, end, from, (from + to) / 2);
+    way(end, place.start, (from + to) / 2, to);
+  }
+  way(place.start, end, place.z, place.z);
+  way(end, place.start, place.z, place.z);
+  return moves;
+}
+
+}  // namespace
+
+std::vector<Move> entry_moves(const EntryPlace& place, const LegalArea& legal, const LinkOptions& options) {
+  if (options.entry == EntryKind::kHelix) {
+    if (const auto circle = helix_circle(place, legal, options.tool_radius))
+      return helix(place, *circle, options);
+  }
+  if (options.entry != EntryKind::kPlunge) {
+    if (const auto end = ramp_end(place, legal, options.tool_radius)) return ramp(place, *end, options);
+  }
+  return {{Edge::line(place.start, place.start), place.z_above, place.z, MoveKind::kPlunge,
+           options.plunge_feed, 0}};
+}
+
+}  // namespace clearcut

@@ -1,0 +1,81 @@
+#include "link/entry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace clearcut {
+namespace {
+
+Regions square(double side) {
+  return {Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{0, 0}, {side, 0}, {side, side}, {0, side}}), {})};
+}
+
+LinkOptions options_for(EntryKind entry) {
+  LinkOptions options;
+  options.tool_radius = 3;
+  options.entry = entry;
+  options.entry_angle = Radians::of_degrees(5);
+  return options;
+}
+
+EntryPlace place_at(Vec2 start) {
+  return {start, {1, 0}, 0.2, -4, std::nullopt};
+}
+
+void expect_way_down(const std::vector<Move>& moves, const EntryPlace& place, double steepest_deg,
+                     const Regions& legal) {
+  ASSERT_FALSE(moves.empty());
+  EXPECT_EQ(moves.front().path.from, place.start);
+  EXPECT_EQ(moves.front().z_from, place.z_above);
+  EXPECT_EQ(moves.back().path.to, place.start);
+  EXPECT_NEAR(moves.back().z_to, place.z, 1e-12);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (i > 0) EXPECT_EQ(moves[i].path.from, moves[i - 1].path.to);
+    const double slope = (moves[i].z_from - moves[i].z_to) / length(Path{moves[i].path});
+    EXPECT_LE(slope, std::tan(Radians::of_degrees(steepest_deg).radians()) + 1e-9);
+    for (const double t : {0.0, 0.25, 0.5, 0.75}) {
+      const Vec2 p = moves[i].path.at(t);
+      EXPECT_TRUE(contains(legal, p) || legal[0].boundary_distance(p) < 1e-3);
+    }
+  }
+}
+
+TEST(Entry, HelixIsNoSteeperThanAskedForAndStaysLegal) {
+  const auto legal = square(30);
+  for (const double y : {0.0, 5.0, 15.0}) {
+    const auto place = place_at({15, y});
+    const auto moves = entry_moves(place, LegalArea(legal), options_for(EntryKind::kHelix));
+    expect_way_down(moves, place, 5, legal);
+    EXPECT_TRUE(moves.front().path.is_arc());
+    EXPECT_EQ(moves.back().z_from, moves.back().z_to) << "ends with a flat circle";
+  }
+}
+
+TEST(Entry, HelixShrinksUntilItFits) {
+  const auto legal = square(2);
+  const auto place = place_at({1, 0});
+  const auto moves = entry_moves(place, LegalArea(legal), options_for(EntryKind::kHelix));
+  expect_way_down(moves, place, 5, legal);
+  EXPECT_LE(moves.front().path.radius(), 1.0);
+}
+
+TEST(Entry, SlotTakesARampInsteadOfAHelix) {
+  const Regions legal{Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{0, 0}, {30, 0}, {30, 0.2}, {0, 0.2}}), {})};
+  const auto place = place_at({5, 0.1});
+  const auto moves = entry_moves(place, LegalArea(legal), options_for(EntryKind::kHelix));
+  expect_way_down(moves, place, 5, legal);
+  EXPECT_FALSE(moves.front().path.is_arc());
+}
+
+TEST(Entry, PlungeGoesStraightDown) {
+  const auto moves = entry_moves(place_at({5, 5}), LegalArea(square(30)), options_for(EntryKind::kPlunge));
+  ASSERT_EQ(moves.size(), 1u);
+  EXPECT_TRUE(moves[0].is_vertical());
+  EXPECT_EQ(moves[0].kind, MoveKind::kPlunge);
+}
+
+}  // namespace
+}  // namespace clearcut
