@@ -32,7 +32,8 @@ void expect_way_down(const std::vector<Move>& moves, const EntryPlace& place, do
   EXPECT_EQ(moves.back().path.to, place.start);
   EXPECT_NEAR(moves.back().z_to, place.z, 1e-12);
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    if (i > 0) EXPECT_EQ(moves[i].path.from, moves[i - 1].path.to);
+    const Vec2 before = i > 0 ? moves[i - 1].path.to : place.start;
+    EXPECT_EQ(moves[i].path.from, before);
     const double slope = (moves[i].z_from - moves[i].z_to) / length(Path{moves[i].path});
     EXPECT_LE(slope, std::tan(Radians::of_degrees(steepest_deg).radians()) + 1e-9);
     for (const double t : {0.0, 0.25, 0.5, 0.75}) {
