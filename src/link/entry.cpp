@@ -19,18 +19,15 @@ struct Circle {
   double radius = 0;
 };
 
-/// Whether a circle of the centre is legal: the polygon around it is.
-bool fits(const Circle& circle, const LegalArea& legal) {
-  const double around = circle.radius / std::cos(kPi / kCircleChecks);
-  for (int i = 0; i < kCircleChecks; ++i) {
-    const Vec2 a = circle.center + direction_of(2 * kPi * i / kCircleChecks) * around;
-    const Vec2 b = circle.center + direction_of(2 * kPi * (i + 1) / kCircleChecks) * around;
-    if (!legal.holds_line(a, b)) return false;
-  }
-  return true;
+/// Whether the whole disc is legal, within the slack of legal moves.
+bool fits(const Circle& circle, const Regions& legal) {
+  return std::any_of(legal.begin(), legal.end(), [&](const Region& region) {
+    return region.contains(circle.center) &&
+           region.boundary_distance(circle.center) >= circle.radius - LegalArea::kSlack;
+  });
 }
 
-std::optional<Circle> helix_circle(const EntryPlace& place, const LegalArea& legal, double tool_radius) {
+std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal, double tool_radius) {
   if (place.circle_center) return Circle{*place.circle_center, distance(*place.circle_center, place.start)};
   for (double share = kWidestHelix; share >= kNarrowestHelix; share *= kHelixShrink) {
     const double radius = share * tool_radius;
@@ -66,11 +63,11 @@ std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const Lin
   return moves;
 }
 
-std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& legal, double tool_radius) {
+std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& area, double tool_radius) {
   for (double reach = kLongestRamp; reach >= kShortestRamp; reach /= 2) {
     for (const double side : {1.0, -1.0}) {
       const Vec2 end = place.start + place.direction * (side * reach * tool_radius);
-      if (legal.holds_line(place.start, end)) return end;
+      if (area.holds_line(place.start, end)) return end;
     }
   }
   return std::nullopt;
@@ -96,13 +93,14 @@ std::vector<Move> ramp(const EntryPlace& place, Vec2 end, const LinkOptions& opt
 
 }  // namespace
 
-std::vector<Move> entry_moves(const EntryPlace& place, const LegalArea& legal, const LinkOptions& options) {
+std::vector<Move> entry_moves(const EntryPlace& place, const Regions& legal, const LinkOptions& options) {
   if (options.entry == EntryKind::kHelix) {
     if (const auto circle = helix_circle(place, legal, options.tool_radius))
       return helix(place, *circle, options);
   }
   if (options.entry != EntryKind::kPlunge) {
-    if (const auto end = ramp_end(place, legal, options.tool_radius)) return ramp(place, *end, options);
+    if (const auto end = ramp_end(place, LegalArea(legal), options.tool_radius))
+      return ramp(place, *end, options);
   }
   return {{Edge::line(place.start, place.start), place.z_above, place.z, MoveKind::kPlunge,
            options.plunge_feed, 0}};

@@ -27,6 +27,6 @@ struct EntryPlace {
 ///          none fits: ramp.
 /// Ramp     to and fro along the beginning of the pass, at most two diameters of it; where nothing fits:
 /// plunge. Plunge   straight down. Cost     O(edges near the entry).
-std::vector<Move> entry_moves(const EntryPlace& place, const LegalArea& legal, const LinkOptions& options);
+std::vector<Move> entry_moves(const EntryPlace& place, const Regions& legal, const LinkOptions& options);
 
 }  // namespace clearcut

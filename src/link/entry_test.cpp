@@ -47,7 +47,7 @@ TEST(Entry, HelixIsNoSteeperThanAskedForAndStaysLegal) {
   const auto legal = square(30);
   for (const double y : {0.0, 5.0, 15.0}) {
     const auto place = place_at({15, y});
-    const auto moves = entry_moves(place, LegalArea(legal), options_for(EntryKind::kHelix));
+    const auto moves = entry_moves(place, legal, options_for(EntryKind::kHelix));
     expect_way_down(moves, place, 5, legal);
     EXPECT_TRUE(moves.front().path.is_arc());
     EXPECT_EQ(moves.back().z_from, moves.back().z_to) << "ends with a flat circle";
@@ -57,7 +57,7 @@ TEST(Entry, HelixIsNoSteeperThanAskedForAndStaysLegal) {
 TEST(Entry, HelixShrinksUntilItFits) {
   const auto legal = square(2);
   const auto place = place_at({1, 0});
-  const auto moves = entry_moves(place, LegalArea(legal), options_for(EntryKind::kHelix));
+  const auto moves = entry_moves(place, legal, options_for(EntryKind::kHelix));
   expect_way_down(moves, place, 5, legal);
   EXPECT_LE(moves.front().path.radius(), 1.0);
 }
@@ -66,13 +66,13 @@ TEST(Entry, SlotTakesARampInsteadOfAHelix) {
   const Regions legal{Region::from_valid_loops(
       loop_from_points(std::vector<Vec2>{{0, 0}, {30, 0}, {30, 0.2}, {0, 0.2}}), {})};
   const auto place = place_at({5, 0.1});
-  const auto moves = entry_moves(place, LegalArea(legal), options_for(EntryKind::kHelix));
+  const auto moves = entry_moves(place, legal, options_for(EntryKind::kHelix));
   expect_way_down(moves, place, 5, legal);
   EXPECT_FALSE(moves.front().path.is_arc());
 }
 
 TEST(Entry, PlungeGoesStraightDown) {
-  const auto moves = entry_moves(place_at({5, 5}), LegalArea(square(30)), options_for(EntryKind::kPlunge));
+  const auto moves = entry_moves(place_at({5, 5}), square(30), options_for(EntryKind::kPlunge));
   ASSERT_EQ(moves.size(), 1u);
   EXPECT_TRUE(moves[0].is_vertical());
   EXPECT_EQ(moves[0].kind, MoveKind::kPlunge);

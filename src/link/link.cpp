@@ -288,7 +288,7 @@ class Linker {
     vertical(std::min(z_, state.layer().z_top + kEntryHeight), MoveKind::kPlunge, options_.plunge_feed);
     const EntryPlace place{at_, oriented(state, next).front().tangent_at(0), z_, state.layer().z,
                            pass.entry_center};
-    const auto moves = entry_moves(place, state.legal(), options_);
+    const auto moves = entry_moves(place, state.layer().legal, options_);
     moves_.insert(moves_.end(), moves.begin(), moves.end());
     z_ = state.layer().z;
   }
