@@ -13,10 +13,9 @@ namespace clearcut {
 /// Time of each move when they are run one after the other, from rest to rest, with full look-ahead.
 ///
 /// Model   Trapezoidal speed along each move at machine.acceleration. Between moves the speed obeys the
-/// junction
-///         deviation rule of Grbl: v^2 = a d s / (1 - s), s = sin(theta / 2), theta the angle between the
-///         moves (pi: straight on). On arcs v^2 <= a r. Rapids and feed moves without a feed run at
-///         machine.rapid.
+///         junction deviation rule of Grbl: v^2 = a d s / (1 - s), s = sin(theta / 2), theta the angle
+///         between the moves (pi: straight on). On arcs v^2 <= a r. Rapids and feed moves without a feed run
+///         at machine.rapid.
 /// Cost    O(n).
 std::vector<Seconds> move_times(std::span<const Move> moves, const Machine& machine);
 

@@ -27,24 +27,22 @@ struct CoverageQuestion {
 };
 
 struct Coverage {
-  double uncut_mm2 =
-      0;  ///< upper bound of the reachable area left; films thinner than tol.uncut are not counted
+  double uncut_mm2 = 0;       ///< upper bound of the reachable area left; films under tol.uncut do not count
   double thickness_mm = 0;    ///< upper bound: no reachable point lies farther than this from what was cut
   std::optional<Vec2> worst;  ///< where thickness_mm was met, if uncut_mm2 > 0
-  double unreachable_mm2 =
-      0;  ///< area of the target no legal centre reaches (estimate, error below 1 % of R^2 a corner)
+  /// Area of the target that no legal centre reaches: an estimate, error below 1 % of R^2 a corner.
+  double unreachable_mm2 = 0;
   double target_mm2 = 0;
 };
 
-/// Target points that a legal centre reaches, minus the swept discs; SPEC F2.
+/// Target points that a legal centre reaches, minus the swept discs; docs/verification.md.
 ///
-/// Method  A quadtree over the target. A cell is proven cut when its part of the target lies in one swath, or
-/// in
-///         the convex rest that swaths before it left; beside the target; unreachable, when no boundary of
-///         the legal area comes within the radius; or, wholly outside the legal area, cut because the program
-///         runs along every stretch of the legal area's boundary within reach of it: the centre that reaches
-///         a point is the nearest legal one, which lies on that boundary. All other cells are split, down to
-///         half of tol.uncut.
+/// Method  A quadtree over the target. A cell is proven cut when its part of the target lies in one swath,
+///         or in the convex rest that swaths before it left; beside the target; unreachable, when no boundary
+///         of the legal area comes within the radius; or, wholly outside the legal area, cut because the
+///         program runs along every stretch of the legal area's boundary within reach of it: the centre that
+///         reaches a point is the nearest legal one, which lies on that boundary. All other cells are split,
+///         down to half of tol.uncut.
 /// Error   thickness_mm and uncut_mm2 are proven bounds for walls and paths as given (rounding 1e-7 mm).
 /// Cost    O((swaths + walls + cells) log n); cells grow with area / R^2 and with the length of what is left.
 Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol);

@@ -9,8 +9,9 @@
 namespace clearcut {
 
 /// Edges with a tree of boxes, eight to a box. Outlines and programs run from neighbour to neighbour, so that
-/// boxes over consecutive edges are small without sorting. Edges may be points (from == to). Cost    build
-/// O(n); a search O(log n + found) for such edges.
+/// boxes over consecutive edges are small without sorting. Edges may be points (from == to).
+///
+/// Cost    build O(n); a search O(log n + found) for such edges.
 class EdgeTree {
  public:
   EdgeTree() = default;

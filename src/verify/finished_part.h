@@ -29,9 +29,8 @@ struct Wall {
 /// pockets vanish.
 ///
 /// Cost    build O(n log n + crossings); a question O(features * log n).
-/// Error   walls thinner than 2 * kProbe are not seen. Where a deeper feature cuts into the leaning wall of
-/// another,
-///         that wall is taken to stand there too.
+/// Error   walls thinner than 2 * kProbe are not seen. Where a deeper feature cuts into the leaning wall
+///         of another, that wall is taken to stand there too.
 class FinishedPart {
  public:
   explicit FinishedPart(const Part& part);

@@ -14,11 +14,13 @@ struct LoadOptions {
   std::optional<double> limit_deg;  ///< engagement above this is counted apart
 };
 
-/// Runs the program through the stock, move by move, and fills every move's `load`; SPEC F3, F4.
+/// Runs the program through the stock, move by move, and fills every move's `load`.
 ///
-/// Contact is measured at the middle of steps of at most R/10 and 0.25 mm, and at both ends of each move, on
-/// a circle kFilm smaller than the cutter, so that grazing a wall that is already cut is no contact.
-/// Engagement counts level moves; descending ones are entries. Cost    O(length / step * moves near).
+/// Contact is measured at the middle of steps of at most R/10 and 0.25 mm, and on both sides of corners, on a
+/// circle kFilm smaller than the cutter, so that grazing a wall that is already cut is no contact. Engagement
+/// counts level moves; descending ones are entries.
+///
+/// Cost    O(length / step * moves near).
 void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options);
 
 }  // namespace clearcut
