@@ -12,7 +12,6 @@ constexpr double kNarrowestHelix = 0.2;
 constexpr double kHelixShrink = 0.8;   // from one trial to the next
 constexpr double kLongestRamp = 4;     // tool radii
 constexpr double kShortestRamp = 0.2;  // tool radii
-constexpr int kCircleChecks = 24;      // chords around a circle
 
 struct Circle {
   Vec2 center;

@@ -175,6 +175,16 @@ std::optional<bool> Node::flag(std::size_t i) const {
   return std::nullopt;
 }
 
+std::vector<Node> nodes_called(const P21File& file, std::string_view keyword) {
+  std::vector<Node> result;
+  for (const P21Entity& entity : file.entities) {
+    const std::string_view word = file.records[entity.first_record].keyword;
+    if (word.size() == keyword.size() && entity.records == 1 && upper(word) == keyword)
+      result.emplace_back(file, entity);
+  }
+  return result;
+}
+
 namespace {
 
 struct AnglePlace {

@@ -67,6 +67,9 @@ class Node {
   std::string keyword_;
 };
 
+/// All entities of one kind, in file order.
+std::vector<Node> nodes_called(const P21File& file, std::string_view keyword);
+
 /// What every part of the mapping needs: tolerances, where to report, and the units that the file leaves
 /// open.
 class Context {

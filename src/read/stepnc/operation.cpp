@@ -82,14 +82,12 @@ bool same_tool(const Tool& a, const Tool& b) {
 }  // namespace
 
 Tools::Tools(Context& context) {
-  for (const P21Entity& entity : context.file.entities) {
-    const Node node(context.file, entity);
-    if (!node.is("MILLING_CUTTING_TOOL")) continue;
+  for (const Node& node : nodes_called(context.file, "MILLING_CUTTING_TOOL")) {
     try {
       Tool tool = read_tool(node, context);
       const auto number = number_in(tool.name);
       if (number) tool.number = *number;
-      by_entity_[entity.id] = add(std::move(tool), number.has_value());
+      by_entity_[node.id()] = add(std::move(tool), number.has_value());
     } catch (const InputError&) {
       // find() reports it where an operation needs this tool.
     }

@@ -15,11 +15,14 @@
 
 #include "base/format.h"
 #include "geometry/boolean.h"
+#include "read/repair/edge_index.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::stepnc {
 
 namespace {
+
+constexpr double kTouch = 1e-6;  // mm; loops nearer than this touch
 
 Loop box_loop(const Box& box) {
   const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
@@ -62,10 +65,15 @@ Loop snapped(const Loop& loop, const Box& stock, const Tolerances& tol) {
 }
 
 bool crosses(const Loop& a, const Loop& b) {
+  const std::vector<Loop> others{b};
+  const EdgeIndex index(others);
+  bool found = false;
   for (const Edge& e : a) {
-    const Box near = e.box().grown(1e-6);
-    for (const Edge& f : b)
-      if (near.overlaps(f.box()) && distance(e, f) < 1e-6) return true;
+    index.visit(e.box().grown(kTouch), [&](EdgeId id) {
+      found = distance(e, index.edge(id)) < kTouch;
+      return !found;
+    });
+    if (found) return true;
   }
   return false;
 }
@@ -116,6 +124,7 @@ class OpenSide {
   /// The standard puts the material on the wall's left. A step that would take the larger part of the stock
   /// so was drawn the other way round.
   Loop closed(Context& context) const {
+    warn_of_inner_ends(context);
     const Loop standard = closed_around(reversed(draft_.wall));
     if (!draft_.wall_is_step) return standard;
     const Loop other = closed_around(draft_.wall);
@@ -127,6 +136,16 @@ class OpenSide {
   }
 
  private:
+  void warn_of_inner_ends(Context& context) const {
+    const Box inner = stock_.grown(-context.tol.join_gap);
+    if (!inner.contains(draft_.wall.front().from) && !inner.contains(draft_.wall.back().to)) return;
+    context.warn(
+        draft_.wall_is_step
+            ? "an end of the step lies inside the stock; a wall is left there"
+            : "an end of its open side lies inside the stock; it is opened straight to the nearest edge",
+        draft_.node);
+  }
+
   double reach() const { return stock_.width() + stock_.height() + 10; }
 
   /// How much of the stock the loop takes, roughly.
@@ -242,14 +261,17 @@ Loop disc(Vec2 center, double radius) {
 }
 
 /// The course, prolonged at open ends so that the slot leaves the stock.
-Path prolonged_course(const Draft& draft, const Box& stock, const Tolerances& tol) {
+Path prolonged_course(const Draft& draft, const Box& stock, Context& context) {
   Path course = draft.course;
-  const bool closed = distance(course.front().from, course.back().to) <= tol.join_gap;
+  const bool closed = distance(course.front().from, course.back().to) <= context.tol.join_gap;
   if (closed) return course;
   const double extra = draft.width + 2;
   const auto open = [&](int end, Vec2 at) {
-    const bool at_edge = !stock.grown(-tol.join_gap).contains(at);
-    return at_edge && (draft.ends_given ? draft.ends[end] == SlotEnd::kOpen : true);
+    const bool at_edge = !stock.grown(-context.tol.join_gap).contains(at);
+    const bool said_open = draft.ends_given && draft.ends[end] == SlotEnd::kOpen;
+    if (said_open && !at_edge)
+      context.warn("an open end lies inside the stock; a wall is left there", draft.node);
+    return at_edge && (said_open || !draft.ends_given);
   };
   const auto prolong = [&](Edge& edge, bool at_start) {
     const Vec2 tangent = edge.tangent_at(at_start ? 0 : 1);
@@ -265,7 +287,7 @@ Path prolonged_course(const Draft& draft, const Box& stock, const Tolerances& to
 }
 
 Regions slot_regions(const Draft& draft, const Box& stock, Context& context) {
-  const Path course = prolonged_course(draft, stock, context.tol);
+  const Path course = prolonged_course(draft, stock, context);
   context.spend(course.size(), draft.node);
   std::vector<Loop> pieces;
   for (const Edge& edge : course) pieces.push_back(widened(edge, draft.width / 2, draft));

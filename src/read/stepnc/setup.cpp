@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/format.h"
@@ -42,18 +43,9 @@ class Collector {
   std::size_t elements_ = 0;
 };
 
-std::vector<Node> nodes_of(const P21File& file, std::string_view keyword) {
-  std::vector<Node> result;
-  for (const P21Entity& entity : file.entities) {
-    Node node(file, entity);
-    if (node.is(keyword)) result.push_back(std::move(node));
-  }
-  return result;
-}
-
 /// The workplan that no other contains.
 Node main_workplan(Context& context) {
-  const std::vector<Node> plans = nodes_of(context.file, "WORKPLAN");
+  const std::vector<Node> plans = nodes_called(context.file, "WORKPLAN");
   if (plans.empty())
     throw InputError(context.file.name, "no PROJECT and no WORKPLAN; this is not a STEP-NC program");
   std::vector<std::uint64_t> nested;
@@ -69,7 +61,7 @@ Node main_workplan(Context& context) {
 
 Program read_program(Context& context) {
   Program program;
-  const std::vector<Node> projects = nodes_of(context.file, "PROJECT");
+  const std::vector<Node> projects = nodes_called(context.file, "PROJECT");
   if (projects.size() > 1) context.warn("more than one project; only the first is carried out", projects[1]);
   const bool has_plan = !projects.empty() && !projects[0].unset(1);
   if (!projects.empty()) {
@@ -94,9 +86,11 @@ Program read_program(Context& context) {
 
 namespace {
 
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
 struct Extent {
-  Vec3 min{INFINITY, INFINITY, INFINITY};
-  Vec3 max{-INFINITY, -INFINITY, -INFINITY};
+  Vec3 min{kFar, kFar, kFar};
+  Vec3 max{-kFar, -kFar, -kFar};
   void add(Vec3 p) {
     min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};

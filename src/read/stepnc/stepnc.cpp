@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -17,6 +18,7 @@ namespace stepnc {
 
 namespace {
 
+constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kLevel = 0.01;  // mm; heights nearer than this are one
 
 class Reader {
@@ -70,6 +72,7 @@ class Reader {
   std::map<std::uint64_t, InputError> bad_features_;
   std::vector<int> feature_of_draft_;  // -> Part::features, -1 when it failed
   std::set<std::string> names_;
+  std::map<std::string, int> copies_;  // of a name after the first
   bool absolute_depths_ = false;
   std::optional<InputError> first_error_;
 };
@@ -130,7 +133,7 @@ void Reader::derive_stock() {
         "no bounding geometry of the workpiece; the material is taken as solid around the features");
     return;
   }
-  Stock stock{*plan, INFINITY, -INFINITY};
+  Stock stock{*plan, kFar, -kFar};
   for (const Draft& draft : drafts_) {
     stock.z_bottom = std::min(stock.z_bottom, floor_of(draft));
     stock.z_top = std::max(stock.z_top, draft.placement_z);
@@ -156,7 +159,7 @@ std::string Reader::unique_name(const Draft& draft) {
   std::string base = draft.name;
   if (base.empty()) base = std::string(name_of(draft.kind)) + " #" + std::to_string(draft.node.id());
   std::string name = base;
-  for (int k = 2; !names_.insert(name).second; ++k) name = base + " (" + std::to_string(k) + ")";
+  while (!names_.insert(name).second) name = base + " (" + std::to_string(1 + ++copies_[base]) + ")";
   return name;
 }
 
