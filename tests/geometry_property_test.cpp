@@ -18,6 +18,7 @@
 #include "base/debug_sink.h"
 #include "base/random.h"
 #include "base/units.h"
+#include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "support/data.h"
 
@@ -435,6 +436,35 @@ std::vector<double> levels_of(const Case& c, double largest, Random& random) {
   return levels;
 }
 
+/// Axis points lie as far from the boundary as they say, no climbed peak is higher than the largest
+/// clearance, fit lines keep to the distance they promise.
+std::string check_axis(const Case& c, const Clearance& clearance, const std::vector<Vec2>& peaks, double d) {
+  char text[200] = "";
+  const auto complain = [&](const char* what, Vec2 p, double is, double should) {
+    std::snprintf(text, sizeof text, "%s at (%.9g, %.9g): %.9g for %.9g", what, p.x, p.y, is, should);
+  };
+  for (const AxisPoint& p : clearance.axis().points) {
+    const double is = std::max(0.0, inside_distance(c.region, p.point));
+    if (std::abs(is - p.clearance) > kPromise) complain("axis", p.point, p.clearance, is);
+  }
+  for (const AxisEdge& e : clearance.axis().edges) {
+    if (e.a == e.b) complain("axis edge", {}, e.a, e.b);
+  }
+  for (const Vec2 p : peaks) {
+    const double is = inside_distance(c.region, p);
+    if (is > clearance.max() + kPromise) complain("largest", p, clearance.max(), is);
+  }
+  for (const Path& path : clearance.fit_lines(d)) {
+    for (const Edge& e : path) {
+      for (const double t : {0.0, 0.2, 0.5, 1.0}) {
+        const double is = inside_distance(c.region, e.at(t));
+        if (std::abs(is - d) > kTol.fit + kPromise / 2) complain("fit line", e.at(t), is, d);
+      }
+    }
+  }
+  return text;
+}
+
 /// One region at a few levels; what is wrong with it, or nothing.
 std::string check_case(const std::string& name, const Case& c, int seed, Random& random) {
   const Clearance clearance(c.region, kTol);
@@ -446,6 +476,8 @@ std::string check_case(const std::string& name, const Case& c, int seed, Random&
     peaks.push_back(
         climb(c.region, {random.between(box.min.x, box.max.x), random.between(box.min.y, box.max.y)}));
   }
+  const std::string axis_fault = check_axis(c, clearance, peaks, levels[random.below(levels.size())]);
+  if (!axis_fault.empty()) return name + ": " + axis_fault;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     Checker checker(c.region, levels[i], results[i], random);
     std::string fault = checker.fault();
@@ -489,6 +521,49 @@ TEST(GeometryProperty, InsetsOfRandomRegions) {
     }
     if (fault.empty()) continue;
     ADD_FAILURE() << fault;
+    ++faults;
+  }
+}
+
+/// Union, difference and intersection of two random regions: asked at random points and beside the result.
+std::string check_boolean(const Region& a, const Region& b, Random& random) {
+  const Regions both = unite({a}, {b}, kTol), common = intersect({a}, {b}, kTol),
+                rest = subtract({a}, {b}, kTol);
+  std::vector<Vec2> points;
+  const Box box = clearcut::box({a, b});
+  for (int i = 0; i < 30; ++i) {
+    points.push_back({random.between(box.min.x, box.max.x), random.between(box.min.y, box.max.y)});
+  }
+  for (const Regions* result : {&both, &common, &rest}) {
+    for (const Region& r : *result) {
+      for (const Edge& e : r.edges()) {
+        const Vec2 p = e.at(0.37), n = left_of(e.tangent_at(0.37)) * (2 * kPromise);
+        if (std::min(a.boundary_distance(p), b.boundary_distance(p)) > 4 * kTol.chord) return "off the walls";
+        points.push_back(p + n);
+        points.push_back(p - n);
+      }
+    }
+  }
+  for (const Vec2 p : points) {
+    if (std::min(a.boundary_distance(p), b.boundary_distance(p)) < kPromise) continue;
+    const bool in_a = a.contains(p), in_b = b.contains(p);
+    if (contains(both, p) != (in_a || in_b)) return "union";
+    if (contains(common, p) != (in_a && in_b)) return "intersection";
+    if (contains(rest, p) != (in_a && !in_b)) return "difference";
+  }
+  const double balance = area(both) + area(common) - a.area() - b.area();
+  return std::abs(balance) > 0.05 ? "areas" : "";
+}
+
+TEST(GeometryProperty, BooleansOfRandomRegions) {
+  int faults = 0;
+  for (int seed = 0; seed < case_count() / 20 && faults < 20; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed) + 1000000);
+    const Region a = family_of(seed).make(random).region, b = family_of(seed + 7).make(random).region;
+    const std::string fault = check_boolean(a, b, random);
+    if (fault.empty()) continue;
+    ADD_FAILURE() << family_of(seed).name << " and " << family_of(seed + 7).name << ", seed " << seed << ": "
+                  << fault;
     ++faults;
   }
 }

@@ -28,7 +28,10 @@ constexpr double kSameCircle = 1e-6;
 
 class Maker {
  public:
-  Maker(Sites sites, const Region& region) : region_(region) { out_.sites = std::move(sites); }
+  Maker(Sites sites, const Region& region) : region_(region) {
+    out_.doubtful.insert(sites.met.begin(), sites.met.end());
+    out_.sites = std::move(sites);
+  }
 
   Diagram run() {
     build();
@@ -245,10 +248,12 @@ class Maker {
     for (std::size_t h = 0; h < out_.origin.size(); ++h) {
       const int a = out_.cell_element[index(out_.cell[h])];
       const Element& arc = out_.element(a);
-      if (arc.wall != Wall::kConcave || out_.origin[h] < 0) continue;
-      if (center_open_[index(a)] == 0 || out_.inside[index(out_.origin[h])] == 0) continue;
-      const int other = out_.cell[index(Diagram::twin(static_cast<int>(h)))];
-      const int b = out_.element_near(other, out_.nodes[index(out_.origin[h])].point);
+      if (arc.wall != Wall::kConcave || center_open_[index(a)] == 0) continue;
+      const int twin = Diagram::twin(static_cast<int>(h));
+      const int v = out_.origin[h], w = out_.origin[index(twin)];
+      const int inside = v >= 0 && out_.inside[index(v)] != 0 ? v : w;
+      if (inside < 0 || out_.inside[index(inside)] == 0) continue;
+      const int b = out_.element_near(out_.cell[index(twin)], out_.nodes[index(inside)].point);
       if (b == a) continue;
       center_open_[index(a)] = distance(out_.element(b), arc.edge.center) >= arc.radius - kSameCircle ? 1 : 0;
     }

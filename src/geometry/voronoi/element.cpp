@@ -1,7 +1,6 @@
 #include "geometry/voronoi/element.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace clearcut::voronoi {
@@ -49,24 +48,22 @@ std::optional<Vec2> circle_meets_circle(const OffsetCurve& a, const OffsetCurve&
   return nearer(middle + side, middle - side, guess);
 }
 
-/// A common normal and the critical places on it.
+/// A common normal and the places of the bisector on it.
 struct CommonNormal {
   Vec2 direction;
-  std::array<Critical, 2> places;
-  int count = 0;
-  void add(Vec2 p, double clearance) { places[static_cast<std::size_t>(count++)] = {p, clearance}; }
+  std::optional<Critical> lowest, highest;
 };
 
 CommonNormal normal_of_line_and_round(const Element& line, const Element& round) {
   const Vec2 n = left_normal(line.edge), b = round.edge.center;
   const double height = dot(b - line.edge.from, n);
-  CommonNormal normal{n, {}, 0};
+  CommonNormal normal{n, {}, {}};
   if (round.wall == Wall::kConcave) {
     const double s = (round.radius - height) / 2;
-    if (s >= 0) normal.add(b + n * s, height + s);
+    if (s >= 0) normal.highest = {b + n * s, height + s};
   } else {
     const double c = (height - round.radius) / 2;
-    normal.add(b - n * (round.radius + c), c);
+    normal.lowest = {b - n * (round.radius + c), c};
   }
   return normal;
 }
@@ -77,17 +74,17 @@ CommonNormal normal_of_rounds(const Element& a, const Element& b) {
   const double d = fast_norm(between);
   if (d < 1e-9) return {};
   const Vec2 u = between / d;
-  CommonNormal normal{u, {}, 0};
+  CommonNormal normal{u, {}, {}};
   if (a.wall != Wall::kConcave) {
     const double c = (d - a.radius - b.radius) / 2;
-    normal.add(a.edge.center + u * (a.radius + c), c);
+    normal.lowest = {a.edge.center + u * (a.radius + c), c};
   } else if (b.wall != Wall::kConcave) {
     const double low = (a.radius - d - b.radius) / 2, high = (a.radius + d - b.radius) / 2;
-    normal.add(b.edge.center + u * (b.radius + low), low);
-    normal.add(b.edge.center - u * (b.radius + high), high);
+    normal.lowest = {b.edge.center + u * (b.radius + low), low};
+    normal.highest = {b.edge.center - u * (b.radius + high), high};
   } else {
     const double x = (a.radius - b.radius + d) / 2;
-    if (x >= 0 && x <= d) normal.add(a.edge.center + u * x, a.radius - x);
+    if (x >= 0 && x <= d) normal.highest = {a.edge.center + u * x, a.radius - x};
   }
   return normal;
 }
@@ -144,16 +141,20 @@ std::optional<Vec2> meeting_near(const OffsetCurve& a, const OffsetCurve& b, Vec
 std::optional<Critical> critical_between(const Element& a, const Element& b, Vec2 p, Vec2 q) {
   if (!a.is_round() && !b.is_round()) return std::nullopt;
   const CommonNormal normal = common_normal(a, b);
-  std::optional<Critical> best;
-  for (int i = 0; i < normal.count; ++i) {
-    const Critical& place = normal.places[static_cast<std::size_t>(i)];
-    const double side_p = cross(normal.direction, p - place.point);
-    const double side_q = cross(normal.direction, q - place.point);
-    if (side_p * side_q >= 0 || place.clearance <= 0) continue;
-    const Vec2 middle = lerp(p, q, 0.5);
-    if (!best || norm_squared(place.point - middle) < norm_squared(best->point - middle)) best = place;
-  }
-  return best;
+  const Vec2 middle = lerp(p, q, 0.5);
+  // The normal crosses the bisector of an island inside an arc twice: p and q are near one of the two.
+  const bool both = normal.lowest && normal.highest;
+  const bool near_lowest =
+      both ? norm_squared(normal.lowest->point - middle) < norm_squared(normal.highest->point - middle)
+           : normal.lowest.has_value();
+  const std::optional<Critical>& place = near_lowest ? normal.lowest : normal.highest;
+  if (!place || place->clearance <= 0) return std::nullopt;
+  if (cross(normal.direction, p - place->point) * cross(normal.direction, q - place->point) >= 0)
+    return std::nullopt;
+  // Smoothly joined walls have their whole common normal for a bisector: the widest place may lie beyond q.
+  const double along = dot(place->point - p, q - p);
+  if (!near_lowest && (along <= 0 || along >= norm_squared(q - p))) return std::nullopt;
+  return place;
 }
 
 }  // namespace clearcut::voronoi

@@ -55,12 +55,13 @@ class Band {
     if (point(e.a).clearance > point(e.b).clearance) std::swap(e.a, e.b);
     const double ca = point(e.a).clearance, cb = point(e.b).clearance;
     if (cb < low_ || ca >= high_) return;
-    const int a = ca >= low_ ? place_at(e.a) : cut(e, (low_ - ca) / (cb - ca), false);
-    const int b = cb < high_ ? place_at(e.b) : cut(e, (high_ - ca) / (cb - ca), true);
+    const Walls walls = axis_.walls[index(edge)];
+    const int a = ca >= low_ ? place_at(e.a) : cut(e, walls, low_, false);
+    const int b = cb < high_ ? place_at(e.b) : cut(e, walls, high_, true);
     if (places_[index(a)].point == places_[index(b)].point) return;
     places_[index(a)].parts.push_back(parts_.size());
     places_[index(b)].parts.push_back(parts_.size());
-    parts_.push_back({a, b, axis_.walls[index(edge)], false});
+    parts_.push_back({a, b, walls, false});
   }
 
   const AxisPoint& point(int p) const { return axis_.graph.points[index(p)]; }
@@ -71,8 +72,19 @@ class Band {
     return found->second;
   }
 
-  int cut(const AxisEdge& e, double t, bool into_region) {
-    places_.push_back({lerp(point(e.a).point, point(e.b).point, t), into_region, {}});
+  /// Place on an edge that rises from a to b where the clearance is `level`, by bisection on the curved
+  /// bisector.
+  int cut(const AxisEdge& e, Walls walls, double level, bool into_region) {
+    const Element &a = d_.element(walls.a), &b = d_.element(walls.b);
+    const auto place = [&](double t) {
+      return on_bisector(a, b, lerp(point(e.a).point, point(e.b).point, t));
+    };
+    double below = 0, above = 1;
+    for (int step = 0; step < 40; ++step) {
+      const double middle = (below + above) / 2;
+      (distance(a, place(middle)) < level ? below : above) = middle;
+    }
+    places_.push_back({place(below), into_region, {}});
     return static_cast<int>(places_.size()) - 1;
   }
 

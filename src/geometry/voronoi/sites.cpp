@@ -201,7 +201,8 @@ class Builder {
     for (std::size_t i = 0; i < whole.size(); ++i) {
       Segment part = whole[i];
       for (; place != places.end() && index(place->segment) == i; ++place) {
-        if (place->element < 0) sites_.crossed.push_back(part.element);
+        sites_.met.push_back(part.element);
+        if (place->element >= 0) sites_.met.push_back(place->element);
         part.to = place->at;
         part.to_element = place->element >= 0 ? place->element : point_element(place->at);
         sites_.segments.push_back(part);
@@ -263,6 +264,7 @@ class Builder {
     for (const std::size_t i : members) {
       const Segment& s = sites_.segments[i];
       const bool is_forward = s.from == start;
+      sites_.met.push_back(s.element);
       balance += is_forward ? 1 : -1;
       (is_forward ? forward : backward) = static_cast<int>(i);
       if (s.back_element >= 0) balance -= is_forward ? 1 : -1;

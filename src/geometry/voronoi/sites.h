@@ -48,7 +48,7 @@ struct Sites {
   double error = 0;  ///< mm, how far a site may lie from its element
   std::vector<Element> elements;
   std::vector<Segment> segments;
-  std::vector<int> crossed;  ///< elements whose segments crossed and had to be split
+  std::vector<int> met;  ///< elements whose segments crossed, touched or overlapped
 };
 
 /// How far the tangents for an arc may lie from it. mm.

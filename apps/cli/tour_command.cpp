@@ -1,0 +1,54 @@
+#include <memory>
+
+#include "base/file.h"
+#include "commands.h"
+#include "output.h"
+#include "pipeline/tour.h"
+
+namespace clearcut::cli {
+namespace {
+
+struct TourCommand {
+  std::string input;
+  TourOptions options;
+  bool open = false;
+  bool closed = false;
+  std::string json;
+  std::string svg;
+};
+
+void run(TourCommand command) {
+  if (command.open || command.closed) command.options.closed = command.closed;
+  const auto result = solve_tour(command.input, command.options);
+  std::vector<OutputFile> files;
+  if (!command.json.empty()) files.push_back({command.json, tour_json(result)});
+  if (!command.svg.empty()) files.push_back({command.svg, tour_svg(result)});
+  write_files(files);
+  if (command.json != "-") print_line(tour_line(result));
+}
+
+}  // namespace
+
+void add_tour_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("tour", "Order points: a TSPLIB file or a lattice such as 10x10");
+  auto state = std::make_shared<TourCommand>();
+  command->add_option("INPUT", state->input, "TSPLIB file (EUC_2D) or COLUMNSxROWS")->required();
+  command->add_option("--objective", state->options.objective,
+                      "length, turns, angle, time, or weights 1:length,20:turns");
+  auto* open = command->add_flag("--open", state->open, "An open path with free ends (default for lattices)");
+  command->add_flag("--closed", state->closed, "A closed tour (default for files)")->excludes(open);
+  command->add_option("--time", state->options.time_s, "Longest search, s")->check(CLI::PositiveNumber);
+  command->add_option("--seed", state->options.seed, "Seed of the search");
+  command->add_option("--threads", state->options.threads, "Threads; 0: all cores")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--feed", state->options.feed, "Feed for the objective time, mm/min")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--json", state->json, "Result to write (- for standard output)");
+  command->add_option("--svg", state->svg, "Picture to write");
+  command->callback([state, &exit_code] {
+    run(*state);
+    exit_code = kClean;
+  });
+}
+
+}  // namespace clearcut::cli

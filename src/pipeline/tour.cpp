@@ -1,0 +1,129 @@
+#include "pipeline/tour.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/format.h"
+#include "geometry/box.h"
+#include "order/lattice.h"
+#include "order/tsplib.h"
+
+namespace clearcut {
+namespace {
+
+order::ObjectivePtr single_objective(const std::string& name, double feed) {
+  if (name == "length") return order::length_objective();
+  if (name == "turns") return order::turns_objective();
+  if (name == "angle") return order::angle_objective();
+  if (name == "time") return order::time_objective(feed);
+  throw InputError("--objective",
+                   fmt::format("'{}' is unknown; use length, turns, angle, time, or weights such as "
+                               "1:length,20:turns",
+                               name));
+}
+
+double weight_of(const std::string& text) {
+  double weight = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), weight);
+  if (error != std::errc() || end != text.data() + text.size() || !(weight >= 0)) {
+    throw InputError("--objective", fmt::format("'{}' is no weight of 0 or more", text));
+  }
+  return weight;
+}
+
+order::Problem problem_of(const std::string& input, const TourOptions& options) {
+  const auto lattice = order::parse_lattice(input);
+  order::Problem problem = lattice ? order::lattice_problem(lattice->columns, lattice->rows)
+                                   : order::read_tsplib(read_file(input), input);
+  const bool closed = options.closed.value_or(!lattice);
+  problem.shape = closed ? order::Shape::kClosedTour : order::Shape::kOpenPath;
+  return problem;
+}
+
+}  // namespace
+
+order::ObjectivePtr objective_named(const std::string& text, double feed) {
+  if (text.find(':') == std::string::npos) return single_objective(text, feed);
+  std::vector<std::pair<double, order::ObjectivePtr>> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const auto colon = part.find(':');
+    if (colon == std::string::npos)
+      throw InputError("--objective", fmt::format("'{}' lacks its weight", part));
+    parts.emplace_back(weight_of(part.substr(0, colon)), single_objective(part.substr(colon + 1), feed));
+    begin = end + 1;
+  }
+  return order::weighted_sum(std::move(parts));
+}
+
+TourResult solve_tour(const std::string& input, const TourOptions& options) {
+  const auto objective = objective_named(options.objective, options.feed);
+  TourResult result;
+  result.problem = problem_of(input, options);
+  result.objective = options.objective;
+  order::SolveOptions solve_options;
+  solve_options.stop.seconds = options.time_s;
+  solve_options.seed = options.seed;
+  solve_options.threads = options.threads;
+  result.solution = order::solve(result.problem, *objective, solve_options);
+  return result;
+}
+
+std::string tour_json(const TourResult& result) {
+  const auto& s = result.solution;
+  nlohmann::ordered_json json;
+  json["name"] = result.problem.name;
+  json["objective"] = s.objective;
+  json["objective_name"] = result.objective;
+  json["length"] = s.length;
+  json["turns"] = s.turns;
+  json["angle_deg"] = s.angle_deg;
+  json["bound"] = s.bound;
+  json["bound_basis"] = s.bound_basis;
+  json["gap"] = s.gap;
+  json["time_s"] = s.seconds;
+  json["seed"] = s.seed;
+  json["rounds"] = s.rounds;
+  json["method"] = s.method;
+  json["closed"] = result.problem.closed();
+  json["tour"] = s.tour;
+  return json.dump() + "\n";
+}
+
+std::string tour_svg(const TourResult& result) {
+  Box box;
+  for (const auto p : result.problem.points) box.add(p);
+  const double size = std::max({box.width(), box.height(), 1e-9});
+  const Box page = box.grown(0.03 * size);
+  std::string path;
+  for (const int i : result.solution.tour) {
+    const Vec2 p = result.problem.points[static_cast<std::size_t>(i)];
+    path += fmt::format("{}{} {}", path.empty() ? "M" : " L", trimmed(p.x, 4),
+                        trimmed(page.min.y + page.max.y - p.y, 4));
+  }
+  if (result.problem.closed()) path += " Z";
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"1200\">"
+      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"white\"/>"
+      "<path d=\"{}\" fill=\"none\" stroke=\"#1d4f91\" stroke-width=\"{}\" "
+      "stroke-linejoin=\"round\"/></svg>\n",
+      page.min.x, page.min.y, page.width(), page.height(), page.min.x, page.min.y, page.width(),
+      page.height(), path, size / 600);
+}
+
+std::string tour_line(const TourResult& result) {
+  const auto& s = result.solution;
+  return fmt::format(
+      "{}: {} points, {} {}, length {}, turns {}, angle {} deg, bound {} ({}), gap {:.4f} %, {:.2f} s, "
+      "seed {}, {}",
+      result.problem.name, result.problem.size(), result.objective, trimmed(s.objective, 4),
+      trimmed(s.length, 4), s.turns, trimmed(s.angle_deg, 3), trimmed(s.bound, 4), s.bound_basis, 100 * s.gap,
+      s.seconds, s.seed, s.method);
+}
+
+}  // namespace clearcut

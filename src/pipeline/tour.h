@@ -1,0 +1,38 @@
+// Tours over point sets from files and lattices.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "order/solve.h"
+
+namespace clearcut {
+
+struct TourOptions {
+  std::string objective = "length";  ///< length, turns, angle, time, or weights "0.5:length,20:turns"
+  std::optional<bool> closed;        ///< default: TSPLIB files closed, lattices open
+  double time_s = 10;
+  std::uint64_t seed = 1;
+  int threads = 0;     ///< 0: all cores
+  double feed = 1000;  ///< mm/min, for the objective time
+};
+
+struct TourResult {
+  order::Problem problem;
+  order::Solution solution;
+  std::string objective;
+};
+
+/// `input` is a TSPLIB file or a lattice such as "10x10". Throws InputError.
+TourResult solve_tour(const std::string& input, const TourOptions& options);
+
+/// The fields of `tour --json`: objective, length, turns, angle_deg, bound, gap, time_s, seed, tour
+/// (0-based).
+std::string tour_json(const TourResult& result);
+std::string tour_svg(const TourResult& result);
+std::string tour_line(const TourResult& result);
+
+/// Throws InputError for an unknown objective.
+order::ObjectivePtr objective_named(const std::string& text, double feed);
+
+}  // namespace clearcut
