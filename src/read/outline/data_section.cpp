@@ -24,6 +24,13 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+bool is_pair(const DataValue& value) {
+  if (!value.is_array() || value.items.size() != 2) return false;
+  return std::all_of(value.items.begin(), value.items.end(), [](const DataValue& item) {
+    return item.is_number() && std::isfinite(item.number);
+  });
+}
+
 }  // namespace
 
 const DataValue* DataValue::find(std::string_view key) const {
@@ -88,10 +95,15 @@ std::optional<bool> DataSection::flag(const std::string& key) {
 std::optional<std::array<double, 2>> DataSection::range(const std::string& key) {
   const DataValue* value = ask(key);
   if (!value) return std::nullopt;
-  const bool is_pair = value->is_array() && value->items.size() == 2 && value->items[0].is_number() &&
-                       value->items[1].is_number();
-  if (!is_pair || !(value->items[0].number < value->items[1].number))
+  if (!is_pair(*value) || !(value->items[0].number < value->items[1].number))
     fail_at(key, "must be [low, high] with low < high");
+  return std::array<double, 2>{value->items[0].number, value->items[1].number};
+}
+
+std::optional<std::array<double, 2>> DataSection::pair(const std::string& key) {
+  const DataValue* value = ask(key);
+  if (!value) return std::nullopt;
+  if (!is_pair(*value)) fail_at(key, "must be two numbers: [x, y]");
   return std::array<double, 2>{value->items[0].number, value->items[1].number};
 }
 

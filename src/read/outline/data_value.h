@@ -60,6 +60,8 @@ class DataSection {
   std::optional<bool> flag(const std::string& key);
   /// [low, high] with low < high.
   std::optional<std::array<double, 2>> range(const std::string& key);
+  /// [x, y].
+  std::optional<std::array<double, 2>> pair(const std::string& key);
   std::vector<std::string> texts(const std::string& key);
   std::vector<double> numbers(const std::string& key);
   bool is_number(const std::string& key);

@@ -1,0 +1,25 @@
+// What must hold before the elements of a job are interpolated and reduced.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "part/design_element.h"
+
+namespace clearcut::grid {
+
+struct ElementFault {
+  std::string place;  ///< "file:line element 'id'"
+  std::string text;   ///< what is wrong with sizes, and what to do
+};
+
+/// Every fault of every element, in their order; empty for a job that can be planned.
+std::vector<ElementFault> faults_of(const ElementJob& job);
+
+/// Throws one InputError with all faults on one line.
+void check(const ElementJob& job);
+
+/// Elements that do not lie on the grid: their squares are up to half a square off. To be told, not refused.
+std::vector<ElementFault> off_grid(const ElementJob& job);
+
+}  // namespace clearcut::grid

@@ -1,0 +1,217 @@
+#include "plan/grid/visit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "plan/grid/interpolate.h"
+#include "plan/grid/reduce.h"
+#include "plan/grid/shape.h"
+
+namespace clearcut::grid {
+namespace {
+
+constexpr double kRounding = 1e-9;  // mm
+
+/// Squares of one element, which of them are reduced, and where the tool goes for each.
+struct Discrete {
+  std::vector<Square> squares;
+  std::vector<bool> reduced;
+  std::vector<Vec2> at;
+};
+
+Discrete discrete(std::vector<Square> squares, const SquareGrid& grid) {
+  Discrete result;
+  result.reduced.assign(squares.size(), false);
+  for (const Square s : squares) result.at.push_back(grid.center(s));
+  result.squares = std::move(squares);
+  return result;
+}
+
+void mark(Discrete& result, const Places& kept) {
+  for (const std::size_t i : kept) result.reduced[i] = true;
+}
+
+/// Lines and arcs: the tool goes to the place on the curve that the square stands for.
+Discrete discrete_curve(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
+  Discrete result = discrete(interpolate(element, grid), grid);
+  mark(result, reduce_curve(result.squares, tool_radius / grid.cell));
+  const auto core = core_of(element, tool_radius);
+  CLEARCUT_ASSERT(core.has_value());
+  for (Vec2& at : result.at) at = nearest_point(*core, at);
+  return result;
+}
+
+/// Holes and slots wider than the tool: those squares where the tool has room, in two phases.
+Discrete discrete_area(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
+  const Vec2 to = element.kind == ElementKind::kHole ? element.from : element.to;
+  const double room = element.width / 2 - tool_radius;
+  Discrete result = discrete(interpolate(element, grid), grid);
+  Places legal;
+  std::vector<Square> legal_squares;
+  for (std::size_t i = 0; i < result.squares.size(); ++i) {
+    const Vec2 p = result.at[i];
+    const double away =
+        element.from == to ? distance(element.from, p) : distance(Edge::line(element.from, to), p);
+    if (away > room + kRounding) continue;
+    legal.push_back(i);
+    legal_squares.push_back(result.squares[i]);
+  }
+  for (const std::size_t i : reduce_area(legal_squares, tool_radius / grid.cell)) result.reduced[legal[i]] = true;
+  return result;
+}
+
+/// Holes and slots as wide as the tool, or too narrow for any square: their axis, both ends included.
+Discrete discrete_axis(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
+  const bool is_point = element.kind == ElementKind::kHole || element.from == element.to;
+  const auto axis = is_point ? std::vector<Vec2>{element.from}
+                             : interpolate_line(element.from, element.to, grid.cell);
+  Discrete result = discrete(activate(axis, grid), grid);
+  mark(result, reduce_curve(result.squares, tool_radius / grid.cell));
+  result.reduced.front() = result.reduced.back() = true;
+  for (Vec2& at : result.at)
+    at = is_point ? element.from : nearest_point(Edge::line(element.from, element.to), at);
+  result.at.front() = element.from;
+  if (!is_point) result.at.back() = element.to;
+  return result;
+}
+
+Discrete discrete_of(const DesignElement& element, const ElementJob& job, const SquareGrid& grid) {
+  const double radius = tool_of(job, element)->radius();
+  if (element.kind == ElementKind::kLine || element.kind == ElementKind::kArc)
+    return discrete_curve(element, radius, grid);
+  if (element.kind == ElementKind::kRectangle) {
+    Discrete result = discrete(interpolate(element, grid), grid);
+    mark(result, reduce_rectangle(result.squares, radius / grid.cell, job.middle_row));
+    return result;
+  }
+  Discrete result = discrete_area(element, radius, grid);
+  const bool any = std::find(result.reduced.begin(), result.reduced.end(), true) != result.reduced.end();
+  const bool wider = element.width > 2 * radius + kRounding;
+  return any && wider ? result : discrete_axis(element, radius, grid);
+}
+
+/// From one point of an element to the next.
+Edge step_between(Vec2 from, Vec2 to, const std::optional<Edge>& core) {
+  if (!core || !core->is_arc()) return Edge::line(from, to);
+  const bool left_about = cross(from - core->center, to - core->center) > 0;
+  return Edge::arc(from, to, core->center, left_about ? Turn::kCounterClockwise : Turn::kClockwise);
+}
+
+Path path_through(const std::vector<Vec2>& points, const std::optional<Edge>& core) {
+  Path path;
+  Vec2 at = points.front();
+  for (const Vec2 p : points) {
+    if (distance(at, p) < kRounding) continue;
+    path.push_back(step_between(at, p, core));
+    at = p;
+  }
+  if (path.empty()) path.push_back(Edge::line(at, at));
+  return path;
+}
+
+std::vector<int> solved(const std::vector<Vec2>& points, const VisitSolver& solve) {
+  if (points.size() < 2) return std::vector<int>(points.size(), 0);
+  auto order = solve(points);
+  CLEARCUT_ASSERT(order.size() == points.size());
+  return order;
+}
+
+ElementVisit visit_element(std::size_t element, const ElementJob& job, const PointTable& table,
+                           const VisitSolver& solve) {
+  std::vector<std::size_t> reduced;
+  std::vector<Vec2> at;
+  for (std::size_t i = 0; i < table.points.size(); ++i) {
+    const GridPoint& point = table.points[i];
+    if (!point.reduced || point.element != static_cast<int>(element) + 1) continue;
+    reduced.push_back(i);
+    at.push_back(point.at);
+  }
+  ElementVisit visit{element, {}, {}};
+  std::vector<Vec2> in_order;
+  for (const int i : solved(at, solve)) {
+    visit.points.push_back(reduced[static_cast<std::size_t>(i)]);
+    in_order.push_back(at[static_cast<std::size_t>(i)]);
+  }
+  const auto& shape = job.elements[element];
+  visit.path = path_through(in_order, core_of(shape, tool_of(job, shape)->radius()));
+  return visit;
+}
+
+void turn_round(ElementVisit& visit) {
+  std::reverse(visit.points.begin(), visit.points.end());
+  if (visit.path.front().from != visit.path.front().to) visit.path = reversed(visit.path);
+}
+
+Vec2 entry(const ElementVisit& visit, std::size_t turned) {
+  return turned == 0 ? visit.path.front().from : visit.path.back().to;
+}
+
+/// Turns visits round so that the ways between them add up to least: shortest path over both directions.
+void choose_directions(std::vector<ElementVisit>& visits) {
+  std::vector<std::array<std::size_t, 2>> before(visits.size());
+  std::array<double, 2> cost{0, 0};
+  for (std::size_t i = 1; i < visits.size(); ++i) {
+    std::array<double, 2> next{};
+    for (const std::size_t turned : {0u, 1u}) {
+      const auto way = [&](std::size_t previous) {
+        return cost[previous] + distance(entry(visits[i - 1], 1 - previous), entry(visits[i], turned));
+      };
+      before[i][turned] = way(1) < way(0) ? 1 : 0;
+      next[turned] = way(before[i][turned]);
+    }
+    cost = next;
+  }
+  std::size_t turned = cost[1] < cost[0] ? 1 : 0;
+  for (std::size_t i = visits.size(); i-- > 0;) {
+    const std::size_t earlier = before[i][turned];
+    if (turned == 1) turn_round(visits[i]);
+    turned = earlier;
+  }
+}
+
+/// The elements of one tool in the order of their visits.
+std::vector<ElementVisit> visit_tool(int tool, const ElementJob& job, const PointTable& table,
+                                     const VisitSolver& solve) {
+  std::vector<ElementVisit> visits;
+  std::vector<Vec2> centers;
+  for (std::size_t i = 0; i < job.elements.size(); ++i) {
+    if (job.elements[i].tool != tool) continue;
+    visits.push_back(visit_element(i, job, table, solve));
+    centers.push_back(box(visits.back().path).center());
+  }
+  std::vector<ElementVisit> in_order;
+  for (const int i : solved(centers, solve)) in_order.push_back(std::move(visits[static_cast<std::size_t>(i)]));
+  if (!in_order.empty()) choose_directions(in_order);
+  return in_order;
+}
+
+}  // namespace
+
+PointTable tabulate(const ElementJob& job) {
+  PointTable table{grid_of(job), {}};
+  for (std::size_t e = 0; e < job.elements.size(); ++e) {
+    const auto& element = job.elements[e];
+    const Discrete points = discrete_of(element, job, table.grid);
+    for (std::size_t i = 0; i < points.squares.size(); ++i)
+      table.points.push_back(
+          {static_cast<int>(e) + 1, element.tool, points.squares[i], points.at[i], points.reduced[i], -1});
+  }
+  return table;
+}
+
+std::vector<ElementVisit> plan_visits(const ElementJob& job, PointTable& table, const VisitSolver& solve) {
+  std::vector<ElementVisit> visits;
+  for (const auto& tool : job.tools) {
+    for (auto& visit : visit_tool(tool.number, job, table, solve)) visits.push_back(std::move(visit));
+  }
+  int place = 0;
+  for (const auto& visit : visits) {
+    for (const std::size_t i : visit.points) table.points[i].visit = ++place;
+  }
+  return visits;
+}
+
+}  // namespace clearcut::grid
