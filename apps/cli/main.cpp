@@ -27,6 +27,7 @@ int parse_and_run(int argc, char** argv) {
   add_plan_command(app, exit_code);
   add_verify_command(app, exit_code);
   add_info_command(app, exit_code);
+  add_elements_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_reproduce_command(app, exit_code);
   add_convert_command(app, exit_code);

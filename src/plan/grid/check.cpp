@@ -38,7 +38,8 @@ class Checker {
     check_depth();
     check_size();
     const Tool* tool = tool_of(job_, element_);
-    if (!tool) fault(fmt::format("uses tool {}, which the job does not have; add it as [[tool]]", element_.tool));
+    if (!tool)
+      fault(fmt::format("uses tool {}, which the job does not have; add it as [[tool]]", element_.tool));
     if (!tool || faults_.size() > before) return;
     check_tool(*tool);
     if (faults_.size() > before) return;
@@ -51,7 +52,8 @@ class Checker {
 
   void check_depth() {
     const double thickness = job_.stock.z_top - job_.stock.z_bottom;
-    if (!(element_.depth > 0)) fault(fmt::format("has depth {}; it must be above 0", trimmed(element_.depth, 4)));
+    if (!(element_.depth > 0))
+      fault(fmt::format("has depth {}; it must be above 0", trimmed(element_.depth, 4)));
     if (element_.depth > thickness + kRounding)
       fault(fmt::format("is {} deep in stock of {}; make it shallower", mm(element_.depth), mm(thickness)));
   }
@@ -131,15 +133,15 @@ void check_job(const ElementJob& job, std::vector<ElementFault>& faults) {
   std::set<int> numbers;
   for (const auto& tool : job.tools) {
     if (!numbers.insert(tool.number).second)
-      faults.push_back({job.source_file,
-                        fmt::format("has two tools numbered {}; give each its own number", tool.number)});
+      faults.push_back(
+          {job.source_file, fmt::format("has two tools numbered {}; give each its own number", tool.number)});
   }
   const Box& plan = job.stock.plan;
   const double squares = plan.width() / job.resolution * (plan.height() / job.resolution);
   if (squares > kMostSquares)
-    faults.push_back({job.source_file,
-                      fmt::format("resolution {} gives {:.0f} squares, over {:.0f}; make it coarser",
-                                  mm(job.resolution), squares, kMostSquares)});
+    faults.push_back(
+        {job.source_file, fmt::format("resolution {} gives {:.0f} squares, over {:.0f}; make it coarser",
+                                      mm(job.resolution), squares, kMostSquares)});
 }
 
 /// How far a point is from the nearest centre of a square, mm.
@@ -185,8 +187,9 @@ std::vector<ElementFault> off_grid(const ElementJob& job) {
     if (std::abs(steps - std::round(steps)) > kRounding)
       noticed.push_back(
           {place_of(element),
-           fmt::format("the tool's radius of {} is no whole number of squares of {}: rows stay {} off the wall",
-                       mm(tool_of(job, element)->radius()), mm(grid.cell), mm(std::ceil(steps) * grid.cell))});
+           fmt::format(
+               "the tool's radius of {} is no whole number of squares of {}: rows stay {} off the wall",
+               mm(tool_of(job, element)->radius()), mm(grid.cell), mm(std::ceil(steps) * grid.cell))});
   }
   return noticed;
 }

@@ -9,8 +9,8 @@
 
 namespace clearcut::grid {
 
-/// Points on the straight way, both ends included: max(2, ceil(3 distance / cell)) of them at regular steps of
-/// the coordinate with the longer extent.
+/// Points on the straight way, both ends included: max(2, ceil(3 distance / cell)) of them at regular steps
+/// of the coordinate with the longer extent.
 std::vector<Vec2> interpolate_line(Vec2 from, Vec2 to, double cell);
 
 /// The two centres of circles of `radius` through both points; the first lies on the left of from -> to.
@@ -19,8 +19,8 @@ std::array<Vec2, 2> arc_centers(Vec2 from, Vec2 to, double radius);
 /// The arc of at most half a turn from `from` to `to` in the element's direction.
 Edge arc_of(const DesignElement& arc);
 
-/// Step in x of the circular interpolator: 0.001 mm, less where the steep ends of a large circle would jump by
-/// more than a third of a square. mm.
+/// Step in x of the circular interpolator: 0.001 mm, less where the steep ends of a large circle would jump
+/// by more than a third of a square. mm.
 double circle_step(double radius, double cell);
 /// The full circle about (0, 0): x from -radius to radius in steps, upper half, then mirrored. Clockwise.
 std::vector<Vec2> circle_at_origin(double radius, double step);

@@ -22,18 +22,18 @@ struct ElementEdges {
 ElementEdges find_edges(const std::vector<Square>& squares);
 
 /// Linear and circular element reduction (LCERA): from both ends inwards, of the squares at or beyond the
-/// tool's periphery the nearest to it. The ends themselves are not kept: there the element ends, and the tool's
-/// centre stays its radius away. Ascending places; empty when the element is too short. `radius` in squares.
-/// O(n^2 / radius).
+/// tool's periphery the nearest to it. The ends themselves are not kept: there the element ends, and the
+/// tool's centre stays its radius away. Ascending places; empty when the element is too short. `radius` in
+/// squares. O(n^2 / radius).
 Places reduce_curve(const std::vector<Square>& squares, double radius);
 
 /// The rows kept between the edge rows `low` and `high`: both move inwards by `step` squares until they meet
 /// (d1 = d2 = step, d3 by the rule). Ascending.
 std::vector<int> kept_rows(int low, int high, int step, MiddleRow rule);
 
-/// Rectangular pocket reduction (RPERA): lower and upper edges inwards first, then left and right ones of what
-/// was kept. `radius` in squares; where it is not whole the next whole number is taken, so that walls stay
-/// whole. Ascending places. O(n).
+/// Rectangular pocket reduction (RPERA): lower and upper edges inwards first, then left and right ones of
+/// what was kept. `radius` in squares; where it is not whole the next whole number is taken, so that walls
+/// stay whole. Ascending places. O(n).
 Places reduce_rectangle(const std::vector<Square>& squares, double radius, MiddleRow rule);
 
 /// Squares with a neighbour (of four) that is not in the list. O(n log n).

@@ -59,15 +59,16 @@ Discrete discrete_area(const DesignElement& element, double tool_radius, const S
     legal.push_back(i);
     legal_squares.push_back(result.squares[i]);
   }
-  for (const std::size_t i : reduce_area(legal_squares, tool_radius / grid.cell)) result.reduced[legal[i]] = true;
+  for (const std::size_t i : reduce_area(legal_squares, tool_radius / grid.cell))
+    result.reduced[legal[i]] = true;
   return result;
 }
 
 /// Holes and slots as wide as the tool, or too narrow for any square: their axis, both ends included.
 Discrete discrete_axis(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
   const bool is_point = element.kind == ElementKind::kHole || element.from == element.to;
-  const auto axis = is_point ? std::vector<Vec2>{element.from}
-                             : interpolate_line(element.from, element.to, grid.cell);
+  const auto axis =
+      is_point ? std::vector<Vec2>{element.from} : interpolate_line(element.from, element.to, grid.cell);
   Discrete result = discrete(activate(axis, grid), grid);
   mark(result, reduce_curve(result.squares, tool_radius / grid.cell));
   result.reduced.front() = result.reduced.back() = true;
@@ -183,7 +184,8 @@ std::vector<ElementVisit> visit_tool(int tool, const ElementJob& job, const Poin
     centers.push_back(box(visits.back().path).center());
   }
   std::vector<ElementVisit> in_order;
-  for (const int i : solved(centers, solve)) in_order.push_back(std::move(visits[static_cast<std::size_t>(i)]));
+  for (const int i : solved(centers, solve))
+    in_order.push_back(std::move(visits[static_cast<std::size_t>(i)]));
   if (!in_order.empty()) choose_directions(in_order);
   return in_order;
 }

@@ -64,7 +64,8 @@ ToolEntry tool_of(DataSection section, std::size_t place) {
   if (const auto name = section.text("name")) entry.tool.name = *name;
   const std::string kind = section.text("kind").value_or("endmill");
   const auto known = tool_kind_named(kind);
-  if (!known) section.fail_at("kind", "'" + kind + "' is unknown; use endmill, bullnose, ball, drill or facemill");
+  if (!known)
+    section.fail_at("kind", "'" + kind + "' is unknown; use endmill, bullnose, ball, drill or facemill");
   entry.tool.kind = *known;
   entry.tool.diameter = required(section.positive("diameter"), section, "diameter");
   entry.tool.flute_length = section.positive("flute_length");
@@ -106,7 +107,8 @@ DesignElement element_of(DataSection section, const std::string& file_name, std:
   element.id = section.text("id").value_or("element " + std::to_string(place + 1));
   element.kind = static_cast<ElementKind>(required(section.choice("kind", kKinds), section, "kind"));
   read_shape(section, element);
-  element.tool = whole(section, "tool", section.number("tool").value_or(tools.empty() ? 1 : tools[0].tool.number));
+  element.tool =
+      whole(section, "tool", section.number("tool").value_or(tools.empty() ? 1 : tools[0].tool.number));
   element.depth = required_number(section, "depth");
   element.stepdown = section.positive("stepdown");
   CuttingData base;

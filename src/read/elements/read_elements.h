@@ -10,9 +10,9 @@
 namespace clearcut {
 
 /// TOML: name, resolution (mm), middle_row = "keep" or "strict", [stock] with x, y, z = [low, high],
-/// [[tool]] and [[element]]; docs/grid.md lists every key. Only the form is checked here; whether the elements
-/// can be made is checked by the planner, all faults at once.
-/// Throws InputError "file:line: ...". Cost O(length).
+/// [[tool]] and [[element]]; docs/grid.md lists every key. Only the form is checked here; whether the
+/// elements can be made is checked by the planner, all faults at once. Throws InputError "file:line: ...".
+/// Cost O(length).
 ElementJob read_elements(const std::filesystem::path& file);
 ElementJob read_elements_text(std::string_view text, const std::string& file_name);
 

@@ -1,0 +1,133 @@
+#include "pipeline/certify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "base/version.h"
+#include "link/link.h"
+#include "read/gcode/gcode.h"
+#include "verify/verify.h"
+
+namespace clearcut {
+namespace {
+
+const Tool& tool_of(const Part& part, const Workingstep& step) {
+  return part.tools.at(static_cast<std::size_t>(step.operation.tool));
+}
+
+const Feature& feature_of(const Part& part, const Workingstep& step) {
+  return part.features.at(static_cast<std::size_t>(step.feature));
+}
+
+LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind entry,
+                         const PlanOptions& options) {
+  const auto& operation = step.operation;
+  LinkOptions link;
+  link.tool_radius = tool_of(part, step).radius();
+  link.safe_z = part.safe_z();
+  link.direction = *operation.direction;
+  link.spindle_clockwise = operation.cutting.spindle_clockwise;
+  link.feed = *operation.cutting.feed;
+  link.plunge_feed = *operation.cutting.plunge_feed;
+  link.ramp_feed = *operation.cutting.ramp_feed;
+  link.entry = operation.entry.value_or(entry);
+  if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
+  if (part.stock) link.stock = part.stock->plan;
+  link.machine = options.machine;
+  return link;
+}
+
+void describe(Section& section, int index, const Part& part, const Workingstep& step) {
+  section.label = feature_of(part, step).name;
+  section.workingstep = index;
+  section.tool_number = tool_of(part, step).number;
+  section.spindle_rpm = *step.operation.cutting.spindle_rpm;
+  section.spindle_clockwise = step.operation.cutting.spindle_clockwise;
+  section.coolant = step.operation.cutting.coolant;
+}
+
+std::string stock_line(const Part& part) {
+  if (!part.stock) return "STOCK: NOT GIVEN";
+  const auto& stock = *part.stock;
+  return fmt::format("STOCK: X {} TO {} Y {} TO {} Z {} TO {} MM", trimmed(stock.plan.min.x, 3),
+                     trimmed(stock.plan.max.x, 3), trimmed(stock.plan.min.y, 3), trimmed(stock.plan.max.y, 3),
+                     trimmed(stock.z_bottom, 3), trimmed(stock.z_top, 3));
+}
+
+/// The certificate in short lines, always as many: the numbered places of the findings must stay true.
+std::vector<std::string> verdict_lines(const std::optional<Figures>& all) {
+  if (!all) return {"CERTIFICATE: PENDING", "-", "-", "-", "-"};
+  return {fmt::format("CERTIFICATE: {}", all->clean ? "CLEAN" : "FAULTS FOUND"),
+          fmt::format("LEFT UNCUT: BELOW {:.4f} MM", all->uncut_thickness_mm),
+          fmt::format("GOUGE: {:.4f} MM", all->gouge_mm),
+          fmt::format("RAPIDS IN MATERIAL: {}", all->rapid_in_material),
+          fmt::format("TIME: {:.1f} S", all->time_s)};
+}
+
+std::vector<std::string> header(const Part& part, const std::optional<Figures>& all) {
+  std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part)};
+  for (const auto& tool : part.tools) {
+    lines.push_back(
+        fmt::format("TOOL T{}: {} {} MM", tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
+  }
+  lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
+  for (auto& line : verdict_lines(all)) lines.push_back(std::move(line));
+  return lines;
+}
+
+bool same_moves(const Toolpath& a, const Toolpath& b) {
+  const auto same_move = [](const Move& m, const Move& n) {
+    return m.path == n.path && m.z_from == n.z_from && m.z_to == n.z_to && m.kind == n.kind &&
+           m.feed == n.feed && m.line == n.line;
+  };
+  return std::equal(a.sections.begin(), a.sections.end(), b.sections.begin(), b.sections.end(),
+                    [&](const Section& s, const Section& t) {
+                      return s.tool_number == t.tool_number &&
+                             std::equal(s.moves.begin(), s.moves.end(), t.moves.begin(), t.moves.end(),
+                                        same_move);
+                    });
+}
+
+std::string post_with(const std::optional<Figures>& verdict, const Toolpath& toolpath, const Part& part,
+                      const PlanOptions& options) {
+  PostOptions post_options = options.post;
+  post_options.header = header(part, verdict);
+  if (post_options.program_name.empty()) post_options.program_name = part.name;
+  return post(toolpath, part, post_options);
+}
+
+}  // namespace
+
+Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
+                  const PlanOptions& options) {
+  const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
+  Section section = link_layers(passes, link_options(part, step, entry, options), options.tol);
+  describe(section, workingstep, part, step);
+  return section;
+}
+
+VerifyOptions verify_options(const PlanOptions& options) {
+  VerifyOptions verify;
+  verify.tol = options.tol;
+  verify.machine = options.machine;
+  verify.engagement_limit_deg = options.engagement_deg;
+  verify.threads = options.threads;
+  return verify;
+}
+
+void certify(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
+  result.program = post_with(std::nullopt, planned, result.part, options);
+  result.toolpath = read_gcode(result.program, "program").toolpath;
+  result.findings = verify(result.part, result.toolpath, verify_options(options));
+}
+
+void sign(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
+  result.program = post_with(result.findings.all, planned, result.part, options);
+  const auto again = read_gcode(result.program, "program").toolpath;
+  CLEARCUT_ASSERT(same_moves(again, result.toolpath));
+}
+
+}  // namespace clearcut

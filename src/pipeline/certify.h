@@ -1,0 +1,25 @@
+// The way from passes to a judged program that every plan takes: link, post, read back, verify, sign.
+#pragma once
+
+#include <vector>
+
+#include "pipeline/run.h"
+#include "toolpath/pass.h"
+#include "verify/verify.h"
+
+namespace clearcut {
+
+/// The section of one workingstep, by its place in the workplan, through its passes layer by layer. The part
+/// is prepared. `entry` is how to go down where the operation does not say.
+Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
+                  const PlanOptions& options);
+
+VerifyOptions verify_options(const PlanOptions& options);
+
+/// Posts `planned` for result.part, reads it back, and judges what was read.
+void certify(PlanResult& result, const Toolpath& planned, const PlanOptions& options);
+
+/// Puts the verdict into the program's header and makes sure that nothing else has changed.
+void sign(PlanResult& result, const Toolpath& planned, const PlanOptions& options);
+
+}  // namespace clearcut

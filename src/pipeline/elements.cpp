@@ -1,0 +1,222 @@
+#include "pipeline/elements.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+
+#include "base/format.h"
+#include "geometry/clearance.h"
+#include "order/solve.h"
+#include "pipeline/certify.h"
+#include "pipeline/prepare.h"
+#include "plan/grid/check.h"
+#include "plan/grid/shape.h"
+#include "plan/grid/visit.h"
+#include "plan/layers.h"
+
+namespace clearcut {
+namespace {
+
+constexpr double kSearchSeconds = 2;  // for one order, where options set nothing
+constexpr long long kSearchRounds = 200;
+
+order::Solution shortest_visit(const std::vector<Vec2>& points, const PlanOptions& options) {
+  order::Problem problem;
+  problem.points = points;
+  problem.shape = order::Shape::kOpenPath;
+  order::SolveOptions solve;
+  solve.seed = options.seed;
+  solve.threads = options.threads;
+  solve.stop.seconds = options.time_s.value_or(kSearchSeconds);
+  solve.stop.rounds = kSearchRounds;
+  return order::solve(problem, *order::length_objective(), solve);
+}
+
+Workingstep step_of(std::size_t element, const ElementJob& job) {
+  const auto& from = job.elements[element];
+  Workingstep step;
+  step.name = from.id;
+  step.source = from.source;
+  step.feature = static_cast<int>(element);
+  step.operation.name = from.id;
+  step.operation.tool = static_cast<int>(tool_of(job, from) - job.tools.data());
+  step.operation.cutting = from.cutting;
+  step.operation.stepdown = from.stepdown;
+  return step;
+}
+
+/// The part that the elements describe, its workplan in the order of the visits.
+Part part_of(const ElementJob& job, const std::vector<grid::ElementVisit>& visits, const Tolerances& tol) {
+  Part part;
+  part.name = job.name;
+  part.source_file = job.source_file;
+  part.stock = job.stock;
+  part.tools = job.tools;
+  for (const auto& element : job.elements) part.features.push_back(grid::feature_of(element, job));
+  for (const auto& visit : visits) part.workplan.push_back(step_of(visit.element, job));
+  for (const auto& noticed : grid::off_grid(job)) part.diagnostics.warn(noticed.place, noticed.text);
+  stack_tops(part, tol);
+  return part;
+}
+
+/// Where the tool's centre may be. Grooves as wide as the tool have room for nothing but their own line.
+Regions legal_of(const Region& target, double tool_radius, const Tolerances& tol) {
+  const Clearance clearance(target, tol);
+  Regions legal = clearance.inset(tool_radius);
+  return legal.empty() ? clearance.inset(tool_radius - tol.fit) : legal;
+}
+
+std::vector<LayerPasses> passes_of(const grid::ElementVisit& visit, const Part& part, const Workingstep& step,
+                                   const Tolerances& tol) {
+  const auto& feature = part.features[static_cast<std::size_t>(step.feature)];
+  const double radius = part.tools[static_cast<std::size_t>(step.operation.tool)].radius();
+  const Regions legal = legal_of(feature.target.front(), radius, tol);
+  std::vector<LayerPasses> layers;
+  double top = feature.top_z;
+  for (const double z : layer_heights(feature.top_z, feature.floor_z, *step.operation.stepdown)) {
+    LayerPasses layer;
+    layer.z_top = top;
+    layer.z = z;
+    layer.legal = legal;
+    layer.target = feature.target;
+    layer.strategy = "grid";
+    Pass pass;
+    pass.path = visit.path;
+    layer.passes.push_back(std::move(pass));
+    layers.push_back(std::move(layer));
+    top = z;
+  }
+  return layers;
+}
+
+/// A visit of one point is a plunge and no more.
+void drop_standing_moves(Section& section) {
+  std::erase_if(section.moves,
+                [](const Move& move) { return move.path.from == move.path.to && move.z_from == move.z_to; });
+}
+
+Toolpath toolpath_of(const std::vector<grid::ElementVisit>& visits, const Part& part,
+                     const PlanOptions& options) {
+  Toolpath toolpath;
+  for (std::size_t i = 0; i < visits.size(); ++i) {
+    const auto passes = passes_of(visits[i], part, part.workplan[i], options.tol);
+    Section section = link_step(passes, static_cast<int>(i), EntryKind::kPlunge, part, options);
+    drop_standing_moves(section);
+    if (!section.moves.empty()) toolpath.sections.push_back(std::move(section));
+  }
+  return toolpath;
+}
+
+std::vector<ElementFigures> figures_of(const ElementJob& job, const PointTable& table,
+                                       const std::vector<grid::ElementVisit>& visits) {
+  std::vector<ElementFigures> figures(job.elements.size());
+  for (std::size_t i = 0; i < figures.size(); ++i) figures[i].id = job.elements[i].id;
+  for (const auto& point : table.points) {
+    auto& own = figures[static_cast<std::size_t>(point.element) - 1];
+    ++own.squares;
+    if (point.reduced) ++own.reduced;
+  }
+  for (const auto& visit : visits) figures[visit.element].visit_mm = length(visit.path);
+  return figures;
+}
+
+/// A row of the paper's table with the tool radius that gives its figures.
+struct PrintedRow {
+  double side;
+  double radius;
+  MiddleRow rule;
+  const char* unreduced_time;
+  const char* reduced_time;
+};
+
+constexpr std::array<PrintedRow, 6> kTable1{{{10, 2, MiddleRow::kKeep, "> 3 h", "85 s"},
+                                             {12, 2, MiddleRow::kKeep, "> 5 h", "160 s"},
+                                             {20, 3, MiddleRow::kKeep, "> 10 h", "7.5 min"},
+                                             {20, 4, MiddleRow::kKeep, "> 10 h", "85 s"},
+                                             {30, 3, MiddleRow::kKeep, "> 1 day", "20 min"},
+                                             {30, 3, MiddleRow::kStrict, "> 1 day", "12 min"}}};
+
+ElementJob job_of(const PrintedRow& row) {
+  ElementJob job;
+  job.name = "square";
+  job.stock = {{{0, 0}, {row.side, row.side}}, -1, 0};
+  job.middle_row = row.rule;
+  Tool tool;
+  tool.diameter = 2 * row.radius;
+  job.tools = {tool};
+  DesignElement square;
+  square.id = "square";
+  square.length = square.width = row.side;
+  square.depth = 1;
+  job.elements = {square};
+  return job;
+}
+
+std::vector<std::string> cells_of(const PrintedRow& row) {
+  const auto start = std::chrono::steady_clock::now();
+  const ElementJob job = job_of(row);
+  PointTable table = grid::tabulate(job);
+  order::Solution solution;
+  grid::plan_visits(job, table, [&](const std::vector<Vec2>& points) {
+    solution = shortest_visit(points, {});
+    return solution.tour;
+  });
+  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+  const bool proven = solution.gap < 1e-9;
+  return {fmt::format("{0} x {0}", trimmed(row.side, 0)),
+          trimmed(row.radius, 1),
+          row.rule == MiddleRow::kKeep ? "keep" : "strict",
+          std::to_string(table.points.size()),
+          std::to_string(count_reduced(table)),
+          fmt::format("{:.2f}", solution.length),
+          fmt::format("{:.2f}", solution.bound),
+          proven ? "optimal" : fmt::format("gap {:.2f} %", 100 * solution.gap),
+          fmt::format("{:.1f}", spent.count()),
+          row.unreduced_time,
+          row.reduced_time};
+}
+
+}  // namespace
+
+ElementsResult plan_elements(const ElementJob& job, const PlanOptions& options) {
+  grid::check(job);
+  ElementsResult result;
+  result.points = grid::tabulate(job);
+  const auto visits = grid::plan_visits(job, result.points, [&](const std::vector<Vec2>& points) {
+    return shortest_visit(points, options).tour;
+  });
+  result.elements = figures_of(job, result.points, visits);
+  result.plan.part = prepare(part_of(job, visits, options.tol), options);
+  const Toolpath planned = toolpath_of(visits, result.plan.part, options);
+  certify(result.plan, planned, options);
+  sign(result.plan, planned, options);
+  return result;
+}
+
+TextTable element_table(const ElementsResult& result) {
+  TextTable table;
+  table.columns = {{"element", Align::kLeft}, {"squares"}, {"reduced"}, {"kept %"}, {"visit mm"}};
+  for (const auto& element : result.elements) {
+    const double share = 100.0 * static_cast<double>(element.reduced) / static_cast<double>(element.squares);
+    table.add({element.id, std::to_string(element.squares), std::to_string(element.reduced),
+               fmt::format("{:.1f}", share), fmt::format("{:.2f}", element.visit_mm)});
+  }
+  return table;
+}
+
+TextTable grid_reduction_table() {
+  TextTable table;
+  table.title = "Squares after interpolation and reduction, and the time to an order of visits";
+  table.columns = {
+      {"pocket mm"},      {"tool R mm"}, {"middle row", Align::kLeft}, {"squares"}, {"reduced"},
+      {"visit mm"},       {"bound mm"},  {"proven", Align::kLeft},     {"time ms"}, {"printed all"},
+      {"printed reduced"}};
+  for (const auto& row : kTable1) table.add(cells_of(row));
+  table.notes = {"Time: interpolation, reduction and search for the shortest open path, on one thread.",
+                 "Printed: convergence of a genetic algorithm over all squares and over the reduced ones.",
+                 "Tool radii and the rule of the middle row are not printed; these give the printed counts."};
+  return table;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,40 @@
+// Jobs of design elements: interpolated, reduced, visited, and certified like every other plan.
+#pragma once
+
+#include <vector>
+
+#include "part/design_element.h"
+#include "pipeline/plan_options.h"
+#include "pipeline/run.h"
+#include "report/text_table.h"
+
+namespace clearcut {
+
+/// One element as it was planned.
+struct ElementFigures {
+  std::string id;
+  std::size_t squares = 0;
+  std::size_t reduced = 0;
+  double visit_mm = 0;  ///< from its first point to its last, in one layer
+};
+
+struct ElementsResult {
+  PlanResult plan;
+  PointTable points;
+  std::vector<ElementFigures> elements;  ///< in the job's order
+};
+
+/// Checks the job, tabulates and reduces its elements, orders the visits, and makes a judged program of them.
+/// options: post, machine, tol, seed, time_s (longest search for one order, default 2 s) count; the rest
+/// comes from the job. What the reduction leaves uncut is in the findings, as everywhere. Throws InputError
+/// with all faults of the job on one line.
+ElementsResult plan_elements(const ElementJob& job, const PlanOptions& options);
+
+/// The elements with their squares, reduced squares and lengths of visit.
+TextTable element_table(const ElementsResult& result);
+
+/// Table 1 of the grid paper: squares before and after reduction, and the time to an order of visits with
+/// what is proven of it, beside the printed times of its genetic algorithm.
+TextTable grid_reduction_table();
+
+}  // namespace clearcut
