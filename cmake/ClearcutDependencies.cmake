@@ -9,6 +9,11 @@ find_package(nlohmann_json REQUIRED)
 find_package(TBB REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 find_package(pugixml REQUIRED)
+# Optional: without it STEP solids are refused with a message that names the package.
+option(CLEARCUT_STEP_SOLIDS "Read STEP solids, where Open CASCADE is found" ON)
+if(CLEARCUT_STEP_SOLIDS)
+  find_package(OpenCASCADE QUIET)
+endif()
 
 # One interface library per role, so that a module never names a package.
 add_library(clearcut_testing INTERFACE)
@@ -34,4 +39,10 @@ function(clearcut_link_packages)
       target_link_libraries(clearcut_${module} PUBLIC ${package})
     endif()
   endforeach()
+  if(OpenCASCADE_FOUND)
+    target_link_libraries(clearcut_read PRIVATE TKSTEP TKXSBase TKTopAlgo TKBRep TKG3d TKMath TKernel)
+    set_source_files_properties(src/read/step_solid/solid_model.cpp PROPERTIES
+      COMPILE_DEFINITIONS CLEARCUT_STEP_SOLIDS
+      COMPILE_OPTIONS "-isystem;${OpenCASCADE_INCLUDE_DIR}")
+  endif()
 endfunction()

@@ -9,6 +9,7 @@
 #include "read/job/job_file.h"
 #include "read/outline/outline_reader.h"
 #include "read/outline/text.h"
+#include "read/step_solid/step_solid.h"
 #include "read/stepnc/stepnc.h"
 #include "read/svg/svg_reader.h"
 
@@ -75,6 +76,7 @@ Part read_part_text(std::string_view text, const std::string& file_name, const R
   if (kind == Kind::kUnknown) kind = kind_of_content(text);
   switch (kind) {
     case Kind::kStep:
+      if (is_step_solid(text)) return read_step_solid(text, file_name, options);
       return read_program(text, file_name, options);
     case Kind::kDxf:
       return read_dxf(text, file_name, options);

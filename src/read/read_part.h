@@ -9,7 +9,7 @@
 
 namespace clearcut {
 
-/// .p21 .stp .step .stpnc .238 (STEP-NC), .dxf, .svg, .json (outline), .toml (job); files of other names by
+/// .p21 .stp .step .stpnc .238 (STEP-NC or a solid, by its schema), .dxf, .svg, .json (outline), .toml (job); files of other names by
 /// their first bytes. See docs/input.md.
 ///
 /// Throws InputError, one line, for a file that is missing, empty, unreadable, of another kind, or larger

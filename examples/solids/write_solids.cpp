@@ -1,0 +1,106 @@
+// Writes examples/bracket.step (the pocket of bracket.json in a block) and examples/nested.step.
+#include <APIHeaderSection_MakeHeader.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <Interface_Static.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
+#include <gp_Circ.hxx>
+#include <gp_Pln.hxx>
+#include <iostream>
+
+#include "base/units.h"
+#include "read/read_part.h"
+
+namespace {
+
+using namespace clearcut;
+
+TopoDS_Wire wire_of(const Loop& loop) {
+  BRepBuilderAPI_MakeWire wire;
+  for (const Edge& edge : loop) {
+    const gp_Pnt from(edge.from.x, edge.from.y, 0), to(edge.to.x, edge.to.y, 0);
+    if (!edge.is_arc()) {
+      wire.Add(BRepBuilderAPI_MakeEdge(from, to));
+      continue;
+    }
+    const gp_Dir axis(0, 0, edge.turn == Turn::kCounterClockwise ? 1 : -1);
+    const gp_Circ circle(gp_Ax2(gp_Pnt(edge.center.x, edge.center.y, 0), axis), edge.radius());
+    wire.Add(BRepBuilderAPI_MakeEdge(circle, from, to));
+  }
+  return wire;
+}
+
+/// What a region sweeps from z 0 down to z -depth.
+TopoDS_Shape swept(const Region& region, double depth) {
+  BRepBuilderAPI_MakeFace face(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), wire_of(region.outer()));
+  for (const Loop& island : region.islands()) face.Add(wire_of(island));
+  return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0, 0, -depth));
+}
+
+TopoDS_Shape block(const Box& plan, double height) {
+  return BRepPrimAPI_MakeBox(gp_Pnt(plan.min.x, plan.min.y, -height), gp_Pnt(plan.max.x, plan.max.y, 0));
+}
+
+Loop rounded(const Box& box, double radius) {
+  const double bulge = std::tan(kPi / 8);
+  const double x0 = box.min.x, y0 = box.min.y, x1 = box.max.x, y1 = box.max.y, r = radius;
+  const BulgeVertex vertices[] = {{{x0 + r, y0}, 0},     {{x1 - r, y0}, bulge}, {{x1, y0 + r}, 0},
+                                  {{x1, y1 - r}, bulge}, {{x1 - r, y1}, 0},     {{x0 + r, y1}, bulge},
+                                  {{x0, y1 - r}, 0},     {{x0, y0 + r}, bulge}};
+  return loop_from_bulges(vertices);
+}
+
+Loop circle(Vec2 center, double radius) {
+  const BulgeVertex vertices[] = {{center - Vec2{radius, 0}, 1}, {center + Vec2{radius, 0}, 1}};
+  return loop_from_bulges(vertices);
+}
+
+TopoDS_Shape bracket(const std::filesystem::path& examples) {
+  const Part part = read_part(examples / "bracket.json", {});
+  return BRepAlgoAPI_Cut(block({{-10, -10}, {90, 60}}, 15), swept(part.features[0].target[0], 5));
+}
+
+/// A pocket with a boss, a deeper one in its floor with a hole through, and a notch open to one side.
+TopoDS_Shape nested() {
+  TopoDS_Shape shape = block({{0, 0}, {110, 80}}, 20);
+  const auto cut = [&](const Loop& outer, const std::vector<Loop>& islands, double depth) {
+    shape = BRepAlgoAPI_Cut(shape, swept(Region::from_valid_loops(outer, islands), depth));
+  };
+  cut(rounded({{10, 10}, {70, 70}}, 6), {circle({26, 56}, 5)}, 6);
+  cut(rounded({{30, 16}, {62, 44}}, 6), {}, 12);
+  cut(circle({46, 30}, 6), {}, 20);
+  cut(rounded({{85, 20}, {130, 60}}, 6), {}, 4);
+  return shape;
+}
+
+void write(const TopoDS_Shape& shape, const std::filesystem::path& file) {
+  STEPControl_Writer writer;
+  // Without curves in parameter space, which any reader finds again.
+  Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+  writer.Transfer(shape, STEPControl_ManifoldSolidBrep);
+  APIHeaderSection_MakeHeader header(writer.Model());
+  header.SetName(new TCollection_HAsciiString(file.stem().c_str()));
+  header.SetTimeStamp(new TCollection_HAsciiString("2024-01-01T00:00:00"));
+  header.Apply(writer.Model());
+  writer.Write(file.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: write_solids <examples folder>\n";
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  write(bracket(folder), folder / "bracket.step");
+  write(nested(), folder / "nested.step");
+  return 0;
+}

@@ -1,0 +1,49 @@
+// How high a solid stands over every place of its plan.
+#pragma once
+
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/tolerances.h"
+#include "geometry/region.h"
+#include "read/step_solid/solid_model.h"
+
+namespace clearcut {
+
+/// A face that looks up, in plan view, with the height under which nothing may be cut there.
+struct Cell {
+  int face = 0;  ///< index into SolidModel::faces
+  double z = 0;
+  bool floor = false;  ///< flat, or the conical end of a drilled hole
+  std::vector<Path> curves;
+  Regions area;
+  std::vector<Vec2> inside;  ///< points well inside the area
+};
+
+/// mm. Heights that differ by less are the same.
+inline constexpr double kSameHeight = 1e-5;
+
+class HeightMap {
+ public:
+  /// Throws InputError naming the face whose outline does not close.
+  HeightMap(const SolidModel& solid, const std::string& file_name, const Tolerances& tol);
+
+  const std::vector<Cell>& cells() const { return cells_; }
+  /// Where a cutter may go down to z: everything out to kOpenReach around the plan except under what stands
+  /// higher.
+  Regions free_at(double z) const;
+  /// What was mended in faces' outlines.
+  const Diagnostics& mends() const { return mends_; }
+
+ private:
+  Regions exact_free_at(double z) const;
+  Regions overlaid_free_at(double z) const;
+  double standing_area(double z) const;
+
+  Tolerances tol_;
+  Box reach_;
+  std::vector<Cell> cells_;
+  Diagnostics mends_;
+};
+
+}  // namespace clearcut

@@ -1,0 +1,60 @@
+// The faces of a solid as seen along the tool's axis (-Z): all that reading a solid needs of the CAD kernel.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/edge.h"
+
+namespace clearcut {
+
+/// Where the outside of a face looks.
+enum class Facing {
+  kUp,       ///< nowhere downwards, and upwards somewhere
+  kDown,     ///< nowhere upwards, and downwards somewhere
+  kUpright,  ///< sideways everywhere: a vertical wall
+  kMixed     ///< upwards here and downwards there
+};
+
+/// The middle of an upright plane that looks along X or Y.
+struct WallFront {
+  Vec2 outward;  ///< unit
+  Vec2 before;   ///< a point 0.01 mm before the wall's middle
+};
+
+struct SolidFace {
+  int number = 0;       ///< in order of the file, from 1
+  std::string surface;  ///< "plane", "cylinder", ...
+  Facing facing = Facing::kUpright;
+  bool level = false;  ///< a horizontal plane, at z_low = z_high
+  double z_low = 0;
+  double z_high = 0;
+  Box plan;
+  /// Its edges in plan view, in no order, the face on their left seen from outside. Vertical edges are left
+  /// out. Only for faces that look up.
+  std::vector<Path> outline;
+  std::optional<WallFront> front;
+};
+
+struct SolidModel {
+  std::vector<SolidFace> faces;
+  Box plan;
+  double z_bottom = 0;
+  double z_top = 0;
+  int bodies = 0;
+};
+
+/// Whether this build has the component that reads solids.
+bool solids_can_be_read();
+
+/// Reads the solids of a STEP file (AP203, AP214, AP242), units turned to mm.
+///
+/// Error   lines and circles are exact, other curves within kCurveTolerance of their lines and arcs.
+/// Throws  InputError, one line, where the file holds no solid, the kernel refuses it, or the component is
+///         absent.
+/// Cost    that of the kernel: about 0.1 ms a face and more for free surfaces.
+SolidModel load_solid(std::string_view text, const std::string& file_name);
+
+}  // namespace clearcut

@@ -1,0 +1,272 @@
+#include "read/step_solid/step_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <set>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "geometry/boolean.h"
+#include "read/outline/drawing.h"
+#include "read/outline/text.h"
+#include "read/step_solid/height_map.h"
+#include "read/step_solid/solid_model.h"
+
+namespace clearcut {
+namespace {
+
+/// Heights times edges, about a minute.
+constexpr double kMostWork = 2e7;
+/// mm2. Smaller areas are rounding.
+constexpr double kSpeck = 0.01;
+/// Faces named one by one before the rest is counted.
+constexpr int kMostNamed = 40;
+
+bool any_inside(const std::vector<Vec2>& points, const Region& region) {
+  return std::any_of(points.begin(), points.end(), [&](Vec2 p) { return region.contains(p); });
+}
+
+std::string span(double low, double high) {
+  return trimmed(low, 3) + ".." + trimmed(high, 3);
+}
+
+std::string described(const SolidFace& face) {
+  return "face " + std::to_string(face.number) + " (" + face.surface + ", x " +
+         span(face.plan.min.x, face.plan.max.x) + ", y " + span(face.plan.min.y, face.plan.max.y) + ", z " +
+         span(face.z_low, face.z_high) + ")";
+}
+
+/// One solid while its features are found.
+class Finder {
+ public:
+  Finder(const SolidModel& solid, const std::string& file_name, const ReadOptions& options)
+      : solid_(solid), file_name_(file_name), tol_(options.tol), map_(solid, file_name, options.tol) {}
+
+  Part part();
+
+ private:
+  std::vector<double> levels() const;
+  void refuse_too_much(std::size_t levels) const;
+  void add_level(double z);
+  std::vector<int> floors_in(const Region& region, double z) const;
+  void add_area(const Region& target, const Region& allowed, bool open, double z);
+  FeatureKind kind_of(const Region& target, bool open, bool through) const;
+  void set_tops();
+  void report_hidden_floors();
+  void report_left_out();
+  void report_set_ups();
+  void report_cone(const Cell& cell);
+  bool is_reached(const SolidFace& wall) const;
+
+  const SolidModel& solid_;
+  const std::string& file_name_;
+  Tolerances tol_;
+  HeightMap map_;
+  Part part_;
+  std::set<int> reached_;  ///< indices of cells
+};
+
+Part Finder::part() {
+  part_.name = std::filesystem::path(file_name_).stem().string();
+  part_.source_file = file_name_;
+  part_.stock = Stock{solid_.plan, solid_.z_bottom, solid_.z_top};
+  part_.diagnostics.append(map_.mends());
+  part_.diagnostics.note(
+      file_name_, "the solid's bounding box is taken as the stock: " + trimmed(solid_.plan.width(), 3) +
+                      " x " + trimmed(solid_.plan.height(), 3) + ", z " +
+                      span(solid_.z_bottom, solid_.z_top));
+  if (solid_.bodies > 1)
+    part_.diagnostics.warn(file_name_, std::to_string(solid_.bodies) + " solids are taken as one part");
+  const std::vector<double> heights = levels();
+  refuse_too_much(heights.size());
+  for (const double z : heights) add_level(z);
+  report_hidden_floors();
+  report_left_out();
+  report_set_ups();
+  if (part_.features.empty())
+    throw InputError(file_name_,
+                     "no floor looks up (+Z) and nothing goes through; turn the solid so that the tool comes "
+                     "from +Z");
+  set_tops();
+  return std::move(part_);
+}
+
+/// Heights of floors below the top, top down; last the solid's bottom, for what has no floor.
+std::vector<double> Finder::levels() const {
+  std::vector<double> heights;
+  for (const Cell& cell : map_.cells())
+    if (cell.floor && cell.z < solid_.z_top - kSameHeight) heights.push_back(cell.z);
+  heights.push_back(solid_.z_bottom);
+  std::sort(heights.rbegin(), heights.rend());
+  const auto same = [](double a, double b) { return std::abs(a - b) < kSameHeight; };
+  heights.erase(std::unique(heights.begin(), heights.end(), same), heights.end());
+  return heights;
+}
+
+void Finder::refuse_too_much(std::size_t levels) const {
+  std::size_t edges = 0;
+  for (const Cell& cell : map_.cells())
+    for (const Path& path : cell.curves) edges += path.size();
+  if (static_cast<double>(levels) * static_cast<double>(edges) > kMostWork)
+    throw InputError(file_name_, "the solid has " + std::to_string(levels) + " heights and " +
+                                     std::to_string(edges) + " edges, too many to plan; simplify it");
+}
+
+void Finder::add_level(double z) {
+  const Region stock =
+      Region::from_valid_loops(loop_from_points(std::vector<Vec2>{solid_.plan.min,
+                                                                  {solid_.plan.max.x, solid_.plan.min.y},
+                                                                  solid_.plan.max,
+                                                                  {solid_.plan.min.x, solid_.plan.max.y}}),
+                               {});
+  const Box inside = solid_.plan.grown(kOpenReach / 2);
+  for (const Region& free : map_.free_at(z)) {
+    const bool open = !inside.contains(free.box().min);
+    if (!open) {
+      add_area(free, free, false, z);
+      continue;
+    }
+    for (const Region& target : intersect({free}, {stock}, tol_)) add_area(target, free, true, z);
+  }
+}
+
+/// Indices of the cells that are the region's floor at z.
+std::vector<int> Finder::floors_in(const Region& region, double z) const {
+  std::vector<int> floors;
+  const auto& cells = map_.cells();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i].floor && std::abs(cells[i].z - z) < kSameHeight && any_inside(cells[i].inside, region))
+      floors.push_back(static_cast<int>(i));
+  }
+  return floors;
+}
+
+FeatureKind Finder::kind_of(const Region& target, bool open, bool through) const {
+  if (!open) return circle_diameter(target, tol_) ? FeatureKind::kRoundHole : FeatureKind::kClosedPocket;
+  if (through) return FeatureKind::kOutsideProfile;
+  const double whole = solid_.plan.width() * solid_.plan.height();
+  return target.area() > whole - kSpeck ? FeatureKind::kPlanarFace : FeatureKind::kOpenPocket;
+}
+
+void Finder::add_area(const Region& target, const Region& allowed, bool open, double z) {
+  if (target.area() < kSpeck) return;
+  const std::vector<int> floors = floors_in(target, z);
+  const bool through = z < solid_.z_bottom + kSameHeight;
+  if (floors.empty() && !through) return;
+  Feature feature;
+  feature.kind = kind_of(target, open, through);
+  feature.name = name_of(feature.kind);
+  feature.target = {target};
+  feature.allowed = {allowed};
+  feature.top_z = solid_.z_top;
+  feature.floor_z = z;
+  feature.through = through;
+  if (feature.kind == FeatureKind::kRoundHole) feature.hole_diameter = circle_diameter(target, tol_);
+  for (const int index : floors) {
+    reached_.insert(index);
+    const Cell& cell = map_.cells()[static_cast<std::size_t>(index)];
+    const SolidFace& face = solid_.faces[static_cast<std::size_t>(cell.face)];
+    feature.source += (feature.source.empty() ? "face " : ", ") + std::to_string(face.number);
+    if (!face.level) report_cone(cell);
+  }
+  add_feature(part_, std::move(feature));
+}
+
+/// What the features before it leave standing decides where each begins.
+void Finder::set_tops() {
+  const std::vector<double> tops = stacked_tops(part_, tol_);
+  for (std::size_t i = 0; i < tops.size(); ++i) part_.features[i].top_z = tops[i];
+}
+
+void Finder::report_cone(const Cell& cell) {
+  const SolidFace& face = solid_.faces[static_cast<std::size_t>(cell.face)];
+  part_.diagnostics.skip(file_name_, described(face) + " is a drill's point: the hole is cut flat at z " +
+                                         trimmed(cell.z, 3) + ", where it begins");
+}
+
+void Finder::report_hidden_floors() {
+  const auto& cells = map_.cells();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!cells[i].floor || cells[i].z > solid_.z_top - kSameHeight || reached_.count(static_cast<int>(i)))
+      continue;
+    part_.diagnostics.skip(file_name_, described(solid_.faces[static_cast<std::size_t>(cells[i].face)]) +
+                                           " lies under an overhang: left out");
+  }
+}
+
+void Finder::report_left_out() {
+  std::set<int> floors;
+  for (const Cell& cell : map_.cells())
+    if (cell.floor && cell.z < solid_.z_top - kSameHeight) floors.insert(cell.face);
+  int count = 0;
+  for (const SolidFace& face : solid_.faces) {
+    if (face.facing == Facing::kUpright || face.level || floors.count(face.number - 1)) continue;
+    if (++count <= kMostNamed)
+      part_.diagnostics.skip(
+          file_name_,
+          described(face) + " is neither a flat floor nor a vertical wall: left out, its material stays");
+  }
+  if (count > kMostNamed)
+    part_.diagnostics.skip(
+        file_name_, std::to_string(count - kMostNamed) + " more faces that are not 2.5-D are left out");
+}
+
+/// Whether the cutter comes by right in front of a wall, down to its foot.
+bool Finder::is_reached(const SolidFace& wall) const {
+  const Vec2 p = wall.front->before;
+  if (!solid_.plan.contains(p)) return true;
+  const auto& cells = map_.cells();
+  return std::none_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+    return cell.z > wall.z_low + 0.001 && contains(cell.area, p);
+  });
+}
+
+/// Floors that look another way, one line for each direction.
+void Finder::report_set_ups() {
+  const char* const names[] = {"-Z", "+X", "-X", "+Y", "-Y"};
+  std::string faces[5];
+  int counts[5] = {};
+  for (const SolidFace& face : solid_.faces) {
+    int direction = -1;
+    if (face.level && face.facing == Facing::kDown && face.z_low > solid_.z_bottom + kSameHeight)
+      direction = 0;
+    if (face.front && !is_reached(face)) {
+      const Vec2 out = face.front->outward;
+      direction = out.x > 0 ? 1 : out.x < 0 ? 2 : out.y > 0 ? 3 : 4;
+    }
+    if (direction < 0) continue;
+    if (++counts[direction] <= 10)
+      faces[direction] += (faces[direction].empty() ? "" : ", ") + std::to_string(face.number);
+  }
+  for (std::size_t i = 0; i < 5; ++i) {
+    if (counts[i] == 0) continue;
+    part_.diagnostics.skip(file_name_, std::to_string(counts[i]) + " floor(s) look along " + names[i] +
+                                           " (faces " + faces[i] + (counts[i] > 10 ? ", ..." : "") +
+                                           "): they need another set-up, with the solid turned");
+  }
+}
+
+}  // namespace
+
+bool is_step_solid(std::string_view text) {
+  const std::string head = capitals(std::string(text.substr(0, 65536)));
+  const std::size_t at = head.find("FILE_SCHEMA");
+  if (at == std::string::npos) return false;
+  const std::string schema = head.substr(at, head.find(';', at) - at);
+  for (const char* name : {"AUTOMOTIVE_DESIGN", "CONFIG_CONTROL_DESIGN", "AP203", "AP214", "AP242"})
+    if (schema.find(name) != std::string::npos) return true;
+  return false;
+}
+
+Part read_step_solid(std::string_view text, const std::string& file_name, const ReadOptions& options) {
+  const SolidModel solid = load_solid(text, file_name);
+  Part part = Finder(solid, file_name, options).part();
+  if (options.unit || options.depth || options.top || !options.layers.empty()) {
+    part.diagnostics.warn(file_name,
+                          "unit, depth, top and layers given as options are for drawings; not used here");
+  }
+  return part;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,166 @@
+// STEP solids: the same regions as the drawings of the same part, set-ups, what is left out, and the whole
+// job.
+#include "read/step_solid/step_solid.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/file.h"
+#include "base/units.h"
+#include "pipeline/prepare.h"
+#include "pipeline/run.h"
+#include "post/stepnc_writer.h"
+#include "read/read_part.h"
+#include "read/step_solid/solid_model.h"
+#include "support/same_regions.h"
+
+namespace clearcut {
+namespace {
+
+using test_support::boundary_gap;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+#define SKIP_WITHOUT_OPEN_CASCADE() \
+  if (!solids_can_be_read()) GTEST_SKIP() << "built without Open CASCADE: STEP solids cannot be read"
+
+fs::path example(const std::string& name) {
+  return fs::path(CLEARCUT_SOURCE_DIR) / "examples" / name;
+}
+
+PlanOptions with_tool(double diameter) {
+  PlanOptions options;
+  options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
+  return options;
+}
+
+std::string skipped(const Part& part) {
+  std::string all;
+  for (const Diagnostic& item : part.diagnostics.items())
+    if (item.severity == Severity::kSkipped) all += item.what + "\n";
+  return all;
+}
+
+double circle_area(double radius) {
+  return kPi * radius * radius;
+}
+double rounded_area(double width, double height, double radius) {
+  return width * height - (4 - kPi) * radius * radius;
+}
+
+TEST(StepSolid, BracketIsTheSameRegionAsInEveryOtherFormat) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part solid = read_part(example("bracket.step"), {});
+  ASSERT_EQ(solid.features.size(), 1u);
+  EXPECT_EQ(solid.features[0].kind, FeatureKind::kClosedPocket);
+  EXPECT_EQ(skipped(solid), "");
+  ASSERT_TRUE(solid.stock);
+  EXPECT_NEAR(solid.stock->plan.min.x, -10, 1e-6);
+  EXPECT_NEAR(solid.stock->plan.max.y, 60, 1e-6);
+  EXPECT_NEAR(solid.stock->z_bottom, -15, 1e-6);
+  for (const char* name : {"bracket.json", "bracket.dxf", "bracket.svg"}) {
+    const Part drawn = read_part(example(name), {});
+    EXPECT_NEAR(solid.features[0].top_z, drawn.features[0].top_z, 1e-6) << name;
+    EXPECT_NEAR(solid.features[0].floor_z, drawn.features[0].floor_z, 1e-6) << name;
+    EXPECT_LT(boundary_gap(solid.features[0].target, drawn.features[0].target), 0.001) << name;
+    EXPECT_LT(boundary_gap(solid.features[0].allowed, drawn.features[0].allowed), 0.001) << name;
+    EXPECT_NEAR(area(solid.features[0].target), area(drawn.features[0].target), 1e-3) << name;
+  }
+}
+
+/// The solid as a STEP-NC program, printed and read again: still the same regions.
+TEST(StepSolid, BracketIsTheSameRegionAsItsStepNcProgram) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  Part solid = prepare(read_part(example("bracket.step"), {}), with_tool(6));
+  const Part program = read_part_text(write_stepnc(solid), "bracket.stpnc", {});
+  ASSERT_EQ(program.features.size(), 1u);
+  EXPECT_LT(boundary_gap(solid.features[0].target, program.features[0].target), 0.001);
+}
+
+/// See examples/solids/write_solids.cpp for the measures.
+TEST(StepSolid, NestedPocketsBossOpenSideAndHoleAreFound) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read_part(example("nested.step"), {});
+  EXPECT_EQ(skipped(part), "");
+  ASSERT_EQ(part.features.size(), 4u);
+  const Feature& notch = part.features[0];
+  EXPECT_EQ(notch.kind, FeatureKind::kOpenPocket);
+  EXPECT_NEAR(notch.floor_z, -4, 1e-9);
+  EXPECT_NEAR(area(notch.target), 25 * 40 - (4 - kPi) * 36 / 2, 1e-3);
+  // Open beyond the stock, where nothing stands.
+  EXPECT_TRUE(contains(notch.allowed, {500, 40}));
+  EXPECT_TRUE(contains(notch.allowed, {-500, 40}));
+  EXPECT_FALSE(contains(notch.allowed, {80, 40}));
+  EXPECT_FALSE(contains(notch.allowed, {109, 61}));
+
+  const Feature& upper = part.features[1];
+  EXPECT_EQ(upper.kind, FeatureKind::kClosedPocket);
+  EXPECT_NEAR(upper.floor_z, -6, 1e-9);
+  EXPECT_NEAR(upper.top_z, 0, 1e-9);
+  // The lower pocket's opening belongs to it; the boss does not.
+  EXPECT_NEAR(area(upper.target), rounded_area(60, 60, 6) - circle_area(5), 1e-6);
+  ASSERT_EQ(upper.target.size(), 1u);
+  EXPECT_EQ(upper.target[0].islands().size(), 1u);
+
+  const Feature& lower = part.features[2];
+  EXPECT_EQ(lower.kind, FeatureKind::kClosedPocket);
+  EXPECT_NEAR(lower.top_z, -6, 1e-9);
+  EXPECT_NEAR(lower.floor_z, -12, 1e-9);
+  EXPECT_NEAR(area(lower.target), rounded_area(32, 28, 6), 1e-6);
+
+  const Feature& hole = part.features[3];
+  EXPECT_EQ(hole.kind, FeatureKind::kRoundHole);
+  EXPECT_TRUE(hole.through);
+  EXPECT_NEAR(hole.top_z, -12, 1e-9);
+  EXPECT_NEAR(hole.floor_z, -20, 1e-9);
+  EXPECT_NEAR(hole.hole_diameter.value_or(0), 12, 1e-9);
+}
+
+void expect_clean(const std::string& name, double tool) {
+  const PlanResult result = plan(read_part(example(name), {}), with_tool(tool));
+  EXPECT_TRUE(result.findings.all.clean) << name;
+  for (const auto& fault : result.findings.faults) ADD_FAILURE() << name << ": " << fault.text;
+  EXPECT_LE(result.findings.all.uncut_thickness_mm, 0.01) << name;
+  EXPECT_LE(result.findings.all.gouge_mm, 0.001) << name;
+  EXPECT_GT(result.findings.all.feed_mm, 100) << name;
+}
+
+TEST(StepSolid, ThePlansOfTheExamplesAreCertifiedClean) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  expect_clean("bracket.step", 6);
+  expect_clean("nested.step", 8);
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    read_part_text(text, "s.step", {});
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+    return error.what();
+  }
+  return "not refused";
+}
+
+const std::string kHead =
+    "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+    "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n";
+
+TEST(StepSolid, WithoutTheComponentTheMessageNamesThePackage) {
+  if (solids_can_be_read()) GTEST_SKIP() << "built with Open CASCADE";
+  EXPECT_THAT(refusal(read_file(example("bracket.step").string())), HasSubstr("libocct-data-exchange-dev"));
+}
+
+TEST(StepSolid, FilesWithoutSolidAreRefusedInOneLine) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  EXPECT_THAT(refusal(kHead + "#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n"),
+              HasSubstr("no solid"));
+  EXPECT_THAT(refusal(kHead + "#1=CARTESIAN_POINT('',(0.,0."), HasSubstr("s.step:"));
+  EXPECT_THAT(refusal(kHead), HasSubstr("s.step:"));
+}
+
+}  // namespace
+}  // namespace clearcut
