@@ -17,6 +17,7 @@ void add_elements_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_reproduce_command(CLI::App& app, int& exit_code);
 void add_convert_command(CLI::App& app, int& exit_code);
+void add_init_command(CLI::App& app, int& exit_code);
 void add_tour_command(CLI::App& app, int& exit_code);
 
 }  // namespace clearcut::cli

@@ -35,4 +35,17 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   });
 }
 
+void add_init_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("init", "Write a commented job file for a part");
+  auto state = std::make_shared<PlanArguments>();
+  auto output = std::make_shared<std::string>();
+  state->add_part_options(*command, "INPUT");
+  command->add_option("-o,--output", *output, "Job to write (default: standard output)");
+  command->callback([state, output, &exit_code] {
+    const std::string path = output->empty() ? "-" : *output;
+    write_files({{path, job_text(state->read(), state->input())}});
+    exit_code = kClean;
+  });
+}
+
 }  // namespace clearcut::cli

@@ -31,6 +31,7 @@ int parse_and_run(int argc, char** argv) {
   add_compare_command(app, exit_code);
   add_reproduce_command(app, exit_code);
   add_convert_command(app, exit_code);
+  add_init_command(app, exit_code);
   add_tour_command(app, exit_code);
   try {
     app.parse(argc, argv);

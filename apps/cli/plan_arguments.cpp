@@ -1,6 +1,10 @@
 #include "plan_arguments.h"
 
+#include <filesystem>
+
 #include "base/error.h"
+#include "read/job/machine_file.h"
+#include "read/tools/tool_library.h"
 
 namespace clearcut::cli {
 namespace {
@@ -47,6 +51,8 @@ void PlanArguments::add_tool_options(CLI::App& command) {
       "--tool", tools_,
       "KIND:DIAMETER[:T3][:flutes=2][:corner=0.5][:name=N][:noplunge]; kinds: endmill, facemill, bullnose, "
       "ball, drill, reamer (repeatable)");
+  command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml");
+  command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2");
   command.add_option("--junction-deviation", junction_deviation_, "Junction deviation of the machine, mm");
   command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min");
@@ -89,29 +95,52 @@ Part PlanArguments::read() const {
   return part;
 }
 
+std::optional<JobFile> PlanArguments::job() const {
+  if (std::filesystem::path(input_).extension() != ".toml") return std::nullopt;
+  return read_job(input_);
+}
+
+std::vector<Tool> PlanArguments::tools() const {
+  std::vector<Tool> tools;
+  if (tool_library_) {
+    for (const auto& entry : read_tool_library(*tool_library_, {}).tools) tools.push_back(entry.tool);
+  }
+  for (const auto& text : tools_) tools.push_back(parse_tool(text));
+  return tools;
+}
+
+Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
+  Machine machine = machine_file_ ? read_machine(*machine_file_) : job ? job->machine : Machine{};
+  if (acceleration_) machine.acceleration = *acceleration_;
+  if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
+  if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
+  return machine;
+}
+
+/// The command line goes before the job, the job before the defaults.
 PlanOptions PlanArguments::options() const {
+  const auto from_job = job();
+  const JobFile given = from_job.value_or(JobFile{});
   PlanOptions options;
-  for (const auto& text : tools_) options.tools.push_back(parse_tool(text));
-  options.strategy = strategy_;
-  options.stepover = stepover_;
+  options.tools = tools();
+  options.machine = machine(from_job);
+  options.strategy = strategy_.value_or(given.plan.strategy.value_or("auto"));
+  options.stepover = stepover_ ? stepover_ : given.plan.stepover;
   options.stepdown = stepdown_;
   options.allowance = allowance_;
   options.allowance_floor = allowance_floor_;
   options.depth = depth_;
-  options.engagement_deg = engagement_;
+  options.engagement_deg = engagement_ ? engagement_ : given.engagement_deg;
   options.entry = named(kEntries, entry_, "--entry");
   options.direction = named(kDirections, direction_, "--direction");
   options.cutting.feed = feed_of(feed_);
   options.cutting.plunge_feed = feed_of(plunge_feed_);
   options.cutting.spindle_rpm = spindle_;
-  if (acceleration_) options.machine.acceleration = *acceleration_;
-  if (junction_deviation_) options.machine.junction_deviation = *junction_deviation_;
-  if (rapid_feed_) options.machine.rapid = MmPerMin::of(*rapid_feed_);
-  options.post.dialect = post_;
-  options.post.inch = inch_;
-  options.objective = objective_;
-  options.time_s = time_;
-  options.seed = seed_;
+  options.post.dialect = post_.value_or(given.output.post.value_or("linuxcnc"));
+  options.post.inch = inch_ || given.output.inch.value_or(false);
+  options.objective = objective_.value_or(given.objective.value_or("time"));
+  options.time_s = time_ ? time_ : given.time_s;
+  options.seed = seed_.value_or(given.seed.value_or(1));
   options.threads = threads_;
   check(options);
   return options;

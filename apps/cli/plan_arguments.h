@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pipeline/plan_options.h"
+#include "read/job/job_file.h"
 #include "read/read_part.h"
 
 namespace clearcut::cli {
@@ -23,16 +24,22 @@ class PlanArguments {
   Part read() const;
   PlanOptions options() const;
   const std::string& input() const { return input_; }
-  std::uint64_t seed() const { return seed_; }
+  /// The job file, when the input is one.
+  std::optional<JobFile> job() const;
 
  private:
+  std::vector<Tool> tools() const;
+  Machine machine(const std::optional<JobFile>& job) const;
+
   std::string input_;
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;
   std::optional<double> top_;
   std::optional<double> depth_;
-  std::string strategy_ = "auto";
+  std::optional<std::string> tool_library_;
+  std::optional<std::string> machine_file_;
+  std::optional<std::string> strategy_;
   std::optional<std::string> stepover_;
   std::optional<double> stepdown_;
   std::optional<double> allowance_;
@@ -46,12 +53,12 @@ class PlanArguments {
   std::optional<double> acceleration_;
   std::optional<double> junction_deviation_;
   std::optional<double> rapid_feed_;
-  std::string post_ = "linuxcnc";
+  std::optional<std::string> post_;
   bool inch_ = false;
   std::optional<double> clearance_z_;
-  std::string objective_ = "time";
+  std::optional<std::string> objective_;
   std::optional<double> time_;
-  std::uint64_t seed_ = 1;
+  std::optional<std::uint64_t> seed_;
   int threads_ = 1;
 };
 

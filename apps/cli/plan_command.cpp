@@ -1,5 +1,7 @@
+#include <filesystem>
 #include <memory>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/version.h"
 #include "commands.h"
@@ -53,7 +55,25 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
   return files;
 }
 
-int run(const PlanCommand& command) {
+std::string in_folder_of(const std::string& job_file, const std::string& name) {
+  return (std::filesystem::path(job_file).parent_path() / name).string();
+}
+
+/// Files that the command line leaves open are written where the job says.
+void take_outputs_from(const JobFile& job, PlanCommand& command) {
+  const auto take = [&](std::string& path, const std::optional<std::string>& from_job) {
+    if (path.empty() && from_job) path = in_folder_of(job.file, *from_job);
+  };
+  take(command.output, job.output.program);
+  take(command.certificate, job.output.certificate);
+  take(command.svg, job.output.svg);
+  take(command.html, job.output.report);
+  take(command.result, job.output.result);
+}
+
+int run(PlanCommand command) {
+  if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
+  if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
   const PlanOptions options = command.arguments.options();
   const PlanResult result = plan(command.arguments.read(), options);
   write_files(output_files(command, options, result));
@@ -72,7 +92,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   state->arguments.add_part_options(*command, "INPUT");
   state->arguments.add_tool_options(*command);
   state->arguments.add_cutting_options(*command);
-  command->add_option("-o,--output", state->output, "Program to write (- for standard output)")->required();
+  command->add_option("-o,--output", state->output, "Program to write (- for standard output)");
   command->add_option("--certificate", state->certificate, "Certificate to write (JSON)");
   command->add_option("--svg", state->svg, "Picture to write");
   command->add_option("--report", state->html, "Animated report to write (HTML)");

@@ -88,7 +88,7 @@ std::string tool_sections(const Part& part) {
 
 const char* const kRest = R"(
 [plan]                     # for all operations; absent values: the part's file, then the defaults
-# strategy = "auto"        # auto, contour, zigzag, spiral, adaptive, tour
+# strategy = "auto"        # auto, contour, adaptive, lom, rho, second, fixed
 # stepover = 0.4           # fraction of the diameter, or "3.5mm", "lom", "rho"
 # stepdown = 2             # mm
 # allowance = 0            # mm left on walls
