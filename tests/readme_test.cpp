@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <regex>
 #include <sstream>
 
 #include "base/file.h"
@@ -51,6 +53,33 @@ TEST(Readme, CommandsRunCleanAsWritten) {
     const auto result = run_clearcut(command);
     EXPECT_EQ(result.exit_code, 0) << command[0] << " " << command[1] << "\n" << result.out << result.err;
   }
+}
+
+TEST(Readme, LinksLeadSomewhere) {
+  const std::string text = read_file(kSource + "/README.md");
+  const std::regex link("\\]\\(([^)]+)\\)");
+  int links = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it, ++links) {
+    EXPECT_TRUE(std::filesystem::exists(kSource + "/" + (*it)[1].str())) << (*it)[1];
+  }
+  EXPECT_GE(links, 8);
+}
+
+/// Every key that the sources cite, such as [name1999], stands in docs/references.bib.
+TEST(Readme, CitedKeysAreInTheReferences) {
+  const std::string references = read_file(kSource + "/docs/references.bib");
+  const std::regex citation("\\[([a-z]+(19|20)[0-9]{2}[a-z]?)\\]");
+  int cited = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kSource + "/src")) {
+    const auto extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp") continue;
+    const std::string text = read_file(entry.path().string());
+    for (std::sregex_iterator it(text.begin(), text.end(), citation), end; it != end; ++it, ++cited) {
+      EXPECT_NE(references.find("{" + (*it)[1].str() + ","), std::string::npos)
+          << entry.path() << " cites " << (*it)[1];
+    }
+  }
+  EXPECT_GT(cited, 5);
 }
 
 }  // namespace
