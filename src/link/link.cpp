@@ -181,7 +181,8 @@ class Linker {
   /// Rapids may cross low where the layer above has been cleared all along the way.
   double hop_height(Vec2 to, const LayerState& state, const LayerState* above) const {
     const double low = state.layer().z_top + options_.above_material;
-    const bool cleared = above != nullptr && low < options_.safe_z && above->legal().holds_line(at_, to);
+    const bool cleared = above != nullptr && above->layer().film == 0 && low < options_.safe_z &&
+                         above->legal().holds_line(at_, to);
     return cleared ? low : options_.safe_z;
   }
 

@@ -63,9 +63,10 @@ class ResidualGraph {
     const std::size_t b = vertex(piece.high_id, piece.high.point);
     root_[b] = root_[b] || (piece.high_id < 0 && piece.high.clearance >= node.next_level);
     if (a == b) return;  // the lone centre of a round pocket
-    // An axis that begins above the level begins in the centre of a round wall, which fans out around it.
-    served_[a].front().around = std::min(served_[a].front().around, piece.low.clearance - from);
-    served_[b].front().around = 0;
+    // What flows to a place of the axis lies this near to it; more than two walls may feed it (centres of
+    // fillets).
+    served_[a].front().around = piece.low.clearance - from;
+    served_[b].front().around = piece.high.clearance - from;
     links_at_[a].push_back(links_.size());
     links_at_[b].push_back(links_.size());
     links_.push_back({a, b});
@@ -78,7 +79,7 @@ class ResidualGraph {
       root_.push_back(false);
       visited_.push_back(false);
       links_at_.emplace_back();
-      served_.push_back({{point, radius_}});
+      served_.push_back({{point, 0.0}});
     }
     return it->second;
   }

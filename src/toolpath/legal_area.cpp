@@ -22,7 +22,7 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
   }
   if (edges_.empty()) return;
   const double size = std::max({box_.width(), box_.height(), 1e-9});
-  const double across = std::clamp(std::sqrt(static_cast<double>(edges_.size())), 1.0, 512.0);
+  const double across = std::clamp(2 * std::sqrt(static_cast<double>(edges_.size())), 24.0, 512.0);
   cell_ = size / across;
   columns_ = column(box_.max.x) + 1;
   rows_ = row(box_.max.y) + 1;
@@ -34,6 +34,45 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
       }
     }
   }
+  mark_empty_cells();
+}
+
+/// Neighbouring cells without edges lie on the same side: one exact test for each connected group.
+void LegalArea::mark_empty_cells() {
+  constexpr char kUnknown = 2;
+  inside_.assign(cells_.size(), kUnknown);
+  std::vector<std::size_t> open;
+  for (std::size_t first = 0; first < cells_.size(); ++first) {
+    if (inside_[first] != kUnknown || !cells_[first].empty()) continue;
+    const char side = clearcut::contains(regions_, cell_box(first).center()) ? 1 : 0;
+    inside_[first] = side;
+    open.push_back(first);
+    const auto visit = [&](std::size_t cell) {
+      if (inside_[cell] != kUnknown || !cells_[cell].empty()) return;
+      inside_[cell] = side;
+      open.push_back(cell);
+    };
+    while (!open.empty()) {
+      const std::size_t cell = open.back(), c = cell % columns_, r = cell / columns_;
+      open.pop_back();
+      if (c > 0) visit(cell - 1);
+      if (c + 1 < columns_) visit(cell + 1);
+      if (r > 0) visit(cell - columns_);
+      if (r + 1 < rows_) visit(cell + columns_);
+    }
+  }
+}
+
+Box LegalArea::cell_box(std::size_t cell) const {
+  const Vec2 low =
+      box_.min + Vec2{static_cast<double>(cell % columns_), static_cast<double>(cell / columns_)} * cell_;
+  return {low, low + Vec2{cell_, cell_}};
+}
+
+bool LegalArea::contains(Vec2 p) const {
+  if (edges_.empty() || !box_.contains(p)) return false;
+  const std::size_t cell = row(p.y) * columns_ + column(p.x);
+  return cells_[cell].empty() ? inside_[cell] == 1 : clearcut::contains(regions_, p);
 }
 
 std::size_t LegalArea::column(double x) const {
@@ -66,7 +105,18 @@ bool LegalArea::on_boundary(Vec2 p) const {
 }
 
 bool LegalArea::holds(Vec2 p) const {
-  return on_boundary(p) || contains(regions_, p);
+  return contains(p) || on_boundary(p);
+}
+
+bool LegalArea::surely_holds(const Box& where) const {
+  if (edges_.empty() || !box_.contains(where.min) || !box_.contains(where.max)) return false;
+  for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
+    for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
+      const std::size_t cell = r * columns_ + c;
+      if (!cells_[cell].empty() || inside_[cell] != 1) return false;
+    }
+  }
+  return true;
 }
 
 bool LegalArea::holds_line(Vec2 a, Vec2 b) const {

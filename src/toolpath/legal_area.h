@@ -15,12 +15,18 @@ class LegalArea {
   /// Whether every point of the straight way a-b is inside or within `slack` mm of the boundary.
   bool holds_line(Vec2 a, Vec2 b) const;
   bool holds(Vec2 p) const;
+  /// Whether p is inside (on the boundary: either). Quick: most places need no look at any edge.
+  bool contains(Vec2 p) const;
+  /// Whether all of `where` is inside and no boundary runs near it. May say no though it is so.
+  bool surely_holds(const Box& where) const;
   const Box& box() const { return box_; }
 
   /// mm. How far outside the boundary is still on it: half of the smallest gouge that counts.
   static constexpr double kSlack = 5e-4;
 
  private:
+  void mark_empty_cells();
+  Box cell_box(std::size_t cell) const;
   std::vector<std::size_t> edges_near(const Box& where) const;
   bool on_boundary(Vec2 p) const;
   std::size_t column(double x) const;
@@ -34,6 +40,7 @@ class LegalArea {
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
   std::vector<std::vector<std::size_t>> cells_;
+  std::vector<char> inside_;  ///< of each cell without edges: whether it lies inside
 };
 
 }  // namespace clearcut

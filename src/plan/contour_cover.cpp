@@ -1,0 +1,208 @@
+#include "plan/contour_cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace clearcut {
+namespace {
+
+/// mm. A point this much nearer than the radius to an edge is inside its swept area, not on the rim.
+constexpr double kRim = 1e-7;
+/// mm. A point on the border of two cells is found in both.
+constexpr double kBorder = 1e-6;
+
+double squared_distance_to_line(const Edge& e, Vec2 p) {
+  const Vec2 d = e.to - e.from, s = p - e.from;
+  const double along = dot(s, d), whole = norm_squared(d);
+  if (along <= 0) return norm_squared(s);
+  if (along >= whole) return norm_squared(p - e.to);
+  const double c = cross(d, s);
+  return c * c / whole;
+}
+
+bool within(const Edge& e, Vec2 p, double reach) {
+  if (e.is_arc()) return distance(e, p) <= reach;
+  return squared_distance_to_line(e, p) <= reach * reach;
+}
+
+}  // namespace
+
+Cover::Cover(std::span<const Edge> edges, double radius)
+    : edges_(edges.begin(), edges.end()), radius_(radius) {
+  for (const auto& edge : edges_) box_.add(edge.box());
+  if (edges_.empty()) return;
+  box_ = box_.grown(2 * radius);
+  const double most_cells = 4.0 * static_cast<double>(edges_.size()) + 64;
+  cell_ = std::max(radius / 2, std::sqrt(box_.width() * box_.height() / most_cells));
+  columns_ = static_cast<std::size_t>(box_.width() / cell_) + 1;
+  rows_ = static_cast<std::size_t>(box_.height() / cell_) + 1;
+  edges_in_.resize(columns_ * rows_);
+  const double half_diagonal = cell_ * 0.7072;
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+    for_cells(edges_[i].box().grown(radius), [&](std::size_t cell, Vec2 center) {
+      if (within(edges_[i], center, radius + half_diagonal)) edges_in_[cell].push_back(i);
+    });
+  }
+}
+
+template <typename F>
+void Cover::for_cells(const Box& box, F&& f) const {
+  const auto clamp_to = [](double v, std::size_t n) {
+    return static_cast<std::size_t>(std::clamp(v, 0.0, static_cast<double>(n - 1)));
+  };
+  const std::size_t c0 = clamp_to((box.min.x - box_.min.x) / cell_, columns_);
+  const std::size_t c1 = clamp_to((box.max.x - box_.min.x) / cell_, columns_);
+  const std::size_t r0 = clamp_to((box.min.y - box_.min.y) / cell_, rows_);
+  const std::size_t r1 = clamp_to((box.max.y - box_.min.y) / cell_, rows_);
+  for (std::size_t r = r0; r <= r1; ++r) {
+    for (std::size_t c = c0; c <= c1; ++c) {
+      const Vec2 center{box_.min.x + (static_cast<double>(c) + 0.5) * cell_,
+                        box_.min.y + (static_cast<double>(r) + 0.5) * cell_};
+      f(r * columns_ + c, center);
+    }
+  }
+}
+
+std::size_t Cover::cell_of(Vec2 p) const {
+  const auto c = static_cast<std::size_t>((p.x - box_.min.x) / cell_);
+  const auto r = static_cast<std::size_t>((p.y - box_.min.y) / cell_);
+  return std::min(r, rows_ - 1) * columns_ + std::min(c, columns_ - 1);
+}
+
+bool Cover::holds(Vec2 p, double slack) const {
+  if (edges_.empty() || !box_.contains(p)) return false;
+  const auto& near = edges_in_[cell_of(p)];
+  return std::any_of(near.begin(), near.end(),
+                     [&](std::uint32_t i) { return within(edges_[i], p, radius_ - slack); });
+}
+
+double Cover::distance_to(Vec2 p) const {
+  double best = std::numeric_limits<double>::infinity();
+  if (edges_.empty() || !box_.contains(p)) return best;
+  for (const std::uint32_t i : edges_in_[cell_of(p)]) best = std::min(best, distance(edges_[i], p));
+  return best;
+}
+
+void Cover::add_curve(const Curve& curve) {
+  const double half_diagonal = cell_ * 0.7072 + kBorder;
+  const auto number = static_cast<std::uint32_t>(curves_.size());
+  curves_.push_back(curve);
+  for_cells(curve.box.grown(kBorder), [&](std::size_t cell, Vec2 center) {
+    const double off = curve.circle ? std::abs(std::sqrt(norm_squared(center - curve.a)) - curve.radius)
+                                    : std::abs(cross(curve.direction, center - curve.a));
+    if (off <= half_diagonal) curves_in_[cell].push_back(number);
+  });
+}
+
+void Cover::add_curves() {
+  curves_in_.assign(edges_in_.size(), {});
+  const auto add_circle = [&](Vec2 center, double r, const Box& box) {
+    if (r > kRim) add_curve({true, center, {}, r, box});
+  };
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Edge& e = edges_[i];
+    const Box around = e.box().grown(radius_);
+    if (e.is_arc()) {
+      add_circle(e.center, e.radius() + radius_, around);
+      add_circle(e.center, e.radius() - radius_, around);
+    } else {
+      const Vec2 u = unit(e.to - e.from), n = left_of(u) * radius_;
+      for (const Vec2 side : {n, -n}) {
+        Box box;
+        box.add(e.from + side);
+        box.add(e.to + side);
+        add_curve({false, e.from + side, u, 0, box});
+      }
+    }
+    const bool joined = i > 0 && edges_[i - 1].to == e.from;
+    if (!joined) add_circle(e.from, radius_, Box{e.from, e.from}.grown(radius_));
+    if (joined) add_joint(edges_[i - 1], e);
+    const bool goes_on = i + 1 < edges_.size() && edges_[i + 1].from == e.to;
+    if (!goes_on) add_circle(e.to, radius_, Box{e.to, e.to}.grown(radius_));
+  }
+}
+
+/// The circle about the joint of two edges is a rim only between their normals, on the outer side of the
+/// turn.
+void Cover::add_joint(const Edge& before, const Edge& after) {
+  const Vec2 in = before.tangent_at(1), out = after.tangent_at(0), p = after.from;
+  const double turn = cross(in, out);
+  Box box = Box{p, p}.grown(radius_);
+  if (dot(in, out) > 0) {
+    if (std::abs(turn) < 1e-12) return;
+    // Less than a quarter: the arc lies within its sagitta of the chord.
+    const double side = turn > 0 ? -radius_ : radius_;
+    const Vec2 a = p + left_of(in) * side, b = p + left_of(out) * side;
+    box = {};
+    box.add(a);
+    box.add(b);
+    box = box.grown(0.3 * norm(b - a));
+  }
+  add_curve({true, p, {}, radius_, box});
+}
+
+void Cover::add_joint_points() {
+  for (const auto& e : edges_) {
+    for (const double t : {0.0, 1.0}) {
+      const Vec2 u = e.tangent_at(t), p = t == 0 ? e.from : e.to;
+      joints_.push_back(p + left_of(u) * radius_);
+      joints_.push_back(p - left_of(u) * radius_);
+    }
+  }
+}
+
+void Cover::add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out) const {
+  if (!p.circle && !q.circle) {
+    const double det = cross(p.direction, q.direction);
+    if (std::abs(det) < 1e-9) return;
+    out.push_back(p.a + p.direction * (cross(q.a - p.a, q.direction) / det));
+  } else if (p.circle != q.circle) {
+    const Curve& line = p.circle ? q : p;
+    const Curve& circle = p.circle ? p : q;
+    const Vec2 foot = line.a + line.direction * dot(circle.a - line.a, line.direction);
+    const double h2 = circle.radius * circle.radius - norm_squared(foot - circle.a);
+    if (h2 < -1e-9) return;
+    const Vec2 half = line.direction * std::sqrt(std::max(0.0, h2));
+    out.push_back(foot + half);
+    out.push_back(foot - half);
+  } else {
+    const Vec2 between = q.a - p.a;
+    const double d = norm(between);
+    if (d < 1e-9) return;
+    const double x = 0.5 * (d + (p.radius - q.radius) * (p.radius + q.radius) / d);
+    const double y2 = p.radius * p.radius - x * x;
+    if (y2 < -1e-9) return;
+    const Vec2 foot = p.a + between * (x / d), side = left_of(between / d) * std::sqrt(std::max(0.0, y2));
+    out.push_back(foot + side);
+    out.push_back(foot - side);
+  }
+}
+
+std::vector<Vec2> Cover::holes(const std::function<bool(Vec2)>& matters) const {
+  Cover work(*this);
+  work.add_curves();
+  work.add_joint_points();
+  std::vector<Vec2> found;
+  const auto look_at = [&](Vec2 p) {
+    if (!holds(p, kRim) && matters(p)) found.push_back(p);
+  };
+  for (const Vec2 p : work.joints_) look_at(p);
+  std::vector<Vec2> meetings;
+  for (std::size_t cell = 0; cell < work.curves_in_.size(); ++cell) {
+    const auto& here = work.curves_in_[cell];
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      for (std::size_t j = i + 1; j < here.size(); ++j) {
+        meetings.clear();
+        add_meetings(work.curves_[here[i]], work.curves_[here[j]], meetings);
+        for (const Vec2 p : meetings) {
+          // Each meeting is looked at in its own cell alone.
+          if (box_.contains(p) && cell_of(p) == cell) look_at(p);
+        }
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,176 @@
+#include "plan/contour_search.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "plan/contour_skeleton.h"
+#include "plan/contour_tighten.h"
+#include "toolpath/kinematics.h"
+
+namespace clearcut {
+namespace {
+
+/// Steps tried, as shares of the diameter: wide steps need more mending in corners, narrow ones more rings.
+constexpr double kSteps[] = {1.0, 0.95, 0.9, 0.85, 0.8};
+/// Work allowed, in vertices of flexible ways over all trials: some tenths of a second.
+constexpr double kMostVertices = 8000;
+/// Flexible ways have about this many vertices per radius of length.
+constexpr double kVerticesPerRadius = 1.7;
+/// Share of the radius by which flexible ways may stray from the rings they start as.
+constexpr double kChord = 0.004;
+/// Rounds after which plans are compared, further rounds of the best, and how many of those.
+constexpr int kHeats = 3;
+constexpr int kFinalRounds = 3;
+constexpr int kFinalists = 2;
+/// mm. Height of a lift and its plunge, for comparing with staying down.
+constexpr double kLift = 10;
+
+/// The passes of one component, numbered anew, without lines on which the cutter just fits.
+std::vector<Pass> component_of(const std::vector<Pass>& passes, int component) {
+  std::vector<Pass> own;
+  std::vector<int> number(passes.size(), -1);
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    if (passes[i].component != component || (passes[i].parent < 0 && !passes[i].closed)) continue;
+    number[i] = static_cast<int>(own.size());
+    own.push_back(passes[i]);
+    if (own.back().parent >= 0) own.back().parent = number[static_cast<std::size_t>(own.back().parent)];
+  }
+  return own;
+}
+
+/// One component's contest.
+class Search {
+ public:
+  Search(const ContourOptions& options, const LegalArea& legal, double radius, const Box& where)
+      : options_(options), legal_(legal) {
+    job_.radius = radius;
+    job_.legal = &legal;
+    job_.where = where;
+    job_.matters = [this](Vec2 p) { return job_.where.contains(p) && legal_.contains(p); };
+  }
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
+
+  void enter(const std::vector<Pass>& passes) {
+    SkeletonOptions skeleton;
+    skeleton.chord = kChord * job_.radius;
+    skeleton.hop = lift_time() * options_.feed.mm_per_s();
+    skeleton.legal = [&](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
+    entries_.push_back({Tightener(skeleton_of(passes, skeleton), job_), 0});
+  }
+
+  struct Winner {
+    std::vector<Path> ways;
+    double film = 0;
+  };
+
+  /// All run a few rounds, the fastest run to the end. Empty when none is proven to clear everything.
+  Winner winner() {
+    for (auto& entry : entries_) {
+      entry.tightener.pull(kHeats);
+      entry.time = time_of(paths_of(entry.tightener.skeleton()));
+    }
+    std::sort(entries_.begin(), entries_.end(),
+              [](const Entry& a, const Entry& b) { return a.time < b.time; });
+    Winner best;
+    double best_time = std::numeric_limits<double>::infinity();
+    int finished = 0;
+    for (auto& entry : entries_) {
+      if (finished == kFinalists) break;
+      entry.tightener.pull(kFinalRounds);
+      if (!entry.tightener.finish()) continue;
+      ++finished;
+      auto paths = paths_of(entry.tightener.skeleton());
+      const double time = time_of(paths);
+      if (time >= best_time) continue;
+      best_time = time;
+      best = {std::move(paths), entry.tightener.film()};
+    }
+    return best;
+  }
+
+ private:
+  struct Entry {
+    Tightener tightener;
+    double time = 0;
+  };
+
+  double lift_time() const {
+    const double a = options_.machine.acceleration, v = options_.machine.rapid.mm_per_s();
+    return 3 * std::min(2 * std::sqrt(kLift / a), kLift / v + v / a) +
+           kLift / 3 / (0.3 * options_.feed.mm_per_s());
+  }
+
+  double time_of(const std::vector<Path>& paths) const {
+    double time = 0;
+    for (const auto& path : paths) {
+      std::vector<Move> moves;
+      for (const auto& edge : path) moves.push_back({edge, 0, 0, MoveKind::kCut, options_.feed, 0});
+      time += kinematic_time(moves, options_.machine).seconds() + lift_time();
+    }
+    return time;
+  }
+
+  const ContourOptions& options_;
+  const LegalArea& legal_;
+  TightenJob job_;
+  std::vector<Entry> entries_;
+};
+
+double vertices_of(const std::vector<Pass>& passes, double radius) {
+  double length_of_inner = 0;
+  for (const auto& pass : passes) {
+    if (pass.parent >= 0) length_of_inner += length(pass.path);
+  }
+  return length_of_inner / radius * kVerticesPerRadius;
+}
+
+void replace_component(LayerPasses& layer, int component, const std::vector<Path>& ways) {
+  std::vector<Pass> kept;
+  for (auto& pass : layer.passes) {
+    if (pass.component != component) kept.push_back(std::move(pass));
+  }
+  for (const auto& way : ways) {
+    Pass pass;
+    pass.path = way;
+    pass.component = component;
+    pass.reversible = false;
+    kept.push_back(std::move(pass));
+  }
+  layer.passes = std::move(kept);
+}
+
+}  // namespace
+
+void shorten_passes(const std::vector<Domain>& domains, RingJob job, const ContourOptions& options,
+                    const Tolerances& tol, LayerPasses& result) {
+  const LegalArea legal(result.legal);
+  const double vertices = vertices_of(result.passes, job.radius);
+  const auto trials = std::min<std::size_t>(
+      std::size(kSteps), static_cast<std::size_t>(kMostVertices / std::max(vertices, 1.0)));
+  if (trials == 0) return;
+  std::vector<std::vector<Pass>> variants{result.passes};
+  for (std::size_t k = 1; k < trials; ++k) {
+    job.step = [&, k](const Region&) { return 2 * job.radius * kSteps[k]; };
+    variants.push_back(ring_passes(domains, job, tol));
+  }
+  double film = 0;
+  int components = 0;
+  for (const auto& pass : result.passes) components = std::max(components, pass.component + 1);
+  for (int component = 0; component < components; ++component) {
+    Box where;
+    for (const auto& pass : component_of(result.passes, component)) where.add(box(pass.path));
+    if (where.empty()) continue;
+    Search search(options, legal, job.radius, where);
+    for (const auto& variant : variants) {
+      const auto own = component_of(variant, component);
+      if (!own.empty()) search.enter(own);
+    }
+    const auto winner = search.winner();
+    film = std::max(film, winner.ways.empty() ? result.film : winner.film);
+    if (!winner.ways.empty()) replace_component(result, component, winner.ways);
+  }
+  result.film = film;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,714 @@
+// Symbols of the minimisation (an augmented Lagrangian with Newton steps):
+//
+//   v_i       vertices of the ways                       unknown
+//   w         witnesses: places that have to be cut      given, more after each exact check
+//   d(w)      distance from w to the nearest band (straight piece between neighbouring vertices)
+//   lambda_w  force with which w holds its band          multiplier
+//   rho       stiffness of that hold                     1 / mm
+//
+//   minimise  sum |v_i - v_(i+1)| + kEven / 2 sum |v_i - v_(i+1)|^2 / spacing   subject to   d(w) <= limit
+//
+// Along one way the Hessian couples neighbours only, so that a Newton step is one block-tridiagonal solve.
+#include "plan/contour_tighten.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "base/units.h"
+#include "plan/contour_cover.h"
+
+namespace clearcut {
+namespace {
+
+/// mm. While ways are pulled, witnesses are kept this much inside the radius.
+constexpr double kPullMargin = 0.0005;
+/// mm. At the end they are kept this much inside it, so that the exact check holds for a radius less by ...
+constexpr double kWitnessMargin = 0.004;
+/// mm. ... this much, which is above the rounding of any program text.
+constexpr double kProvenMargin = 0.001;
+/// mm. Where strokes fit exactly side by side, as they do in pockets of round dimensions, no margin is left.
+/// There the check runs with this much more than the radius, and a film may stay that is thinner than
+/// tol.uncut.
+constexpr double kFilm = 0.0035;
+/// Spacing of vertices, as a share of the radius.
+constexpr double kSpacing = 0.6;
+/// Weight of the springs that keep vertices evenly spaced.
+constexpr double kEven = 0.02;
+/// Share of the radius below which lengths are smoothed, so that vertices may meet.
+constexpr double kSoft = 0.01;
+/// Damping of the Newton step, 1 / radius.
+constexpr double kDamping = 0.02;
+/// Rounds after the last pull in which the exact check has to find nothing left; as many again for a film.
+constexpr int kSettlingRounds = 4;
+constexpr int kMendingRounds = 14;
+
+/// How one round of Newton steps goes.
+struct Pull {
+  int steps = 0;
+  double reach = 0;       ///< longest first step, shares of the radius
+  double last_reach = 0;  ///< longest last step, as a share of the first
+  double soft = 0;        ///< stiffness of the first step, 1 / radius
+  double tension = 1;     ///< force of the bands
+};
+constexpr Pull kFirstPull{40, 0.3, 0.03, 2};
+constexpr Pull kLaterPull{10, 0.1, 0.03, 100};
+constexpr Pull kSettling{10, 0.02, 0.2, 2000};
+/// Without tension nothing slides away while the last holes are closed.
+constexpr Pull kMending{10, 0.02, 0.5, 2e4, 0};
+/// Stiffness of every last step, 1 / radius.
+constexpr double kStiffest = 2e4;
+
+struct Band {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+};
+
+/// A symmetric 2 x 2 matrix.
+struct Sym2 {
+  double xx = 0, xy = 0, yy = 0;
+  Sym2& operator+=(const Sym2& o) {
+    xx += o.xx;
+    xy += o.xy;
+    yy += o.yy;
+    return *this;
+  }
+  friend Sym2 operator*(const Sym2& m, double k) { return {m.xx * k, m.xy * k, m.yy * k}; }
+  friend Vec2 operator*(const Sym2& m, Vec2 v) { return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y}; }
+  Sym2 inverse() const {
+    const double det = xx * yy - xy * xy;
+    return {yy / det, -xy / det, xx / det};
+  }
+  /// this * inner * this
+  Sym2 around(const Sym2& inner) const {
+    const Vec2 c0 = inner * Vec2{xx, xy}, c1 = inner * Vec2{xy, yy};
+    return {xx * c0.x + xy * c0.y, xx * c1.x + xy * c1.y, xy * c1.x + yy * c1.y};
+  }
+};
+
+Sym2 outer_product(Vec2 u) {
+  return {u.x * u.x, u.x * u.y, u.y * u.y};
+}
+
+Vec2 nearest_on_ring(const Path& ring, Vec2 p, Vec2* tangent = nullptr) {
+  Vec2 best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const auto& edge : ring) {
+    const auto on = nearest(edge, p);
+    if (on.distance >= best_distance) continue;
+    best_distance = on.distance;
+    best = on.point;
+    if (tangent) *tangent = edge.tangent_at(on.t);
+  }
+  return best;
+}
+
+struct Witness {
+  Vec2 p;
+  bool moving = false;  ///< keeps to the middle between the bands on both sides of it
+};
+
+/// A witness near the limit with the bands that may hold it while nothing moves farther than the skin.
+struct Active {
+  std::uint32_t witness = 0;
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;
+};
+
+}  // namespace
+
+struct Tightener::Impl {
+  Impl(Skeleton skeleton, const TightenJob& job)
+      : skeleton_(std::move(skeleton)),
+        job_(job),
+        limit_(job.radius - kPullMargin),
+        proven_(job.radius - kProvenMargin) {
+    for (const auto& ring : skeleton_.rings) fixed_.insert(fixed_.end(), ring.begin(), ring.end());
+    respace();
+    list_bands();
+    if (bands_.empty()) return;
+    make_grid();
+    seed_witnesses();
+    seed_seams();
+  }
+
+  void pull(int rounds) {
+    for (int k = 0; k < rounds && !bands_.empty(); ++k) {
+      relax(round_++ == 0 ? kFirstPull : kLaterPull);
+      add_witnesses(cover().holes(job_.matters));
+      respace();
+      list_bands();
+    }
+  }
+
+  bool finish() {
+    // Still witnesses have done their work by now and would quarrel with the moving ones.
+    std::erase_if(witnesses_, [](const Witness& w) { return !w.moving; });
+    limit_ = job_.radius - kWitnessMargin;
+    if (!mend()) {
+      limit_ = job_.radius - kPullMargin;
+      proven_ = job_.radius + kFilm;
+      if (!mend()) return false;
+    }
+    if (!all_legal()) return false;
+    polish();
+    return true;
+  }
+
+  double film() const { return std::max(0.0, proven_ - job_.radius); }
+
+  bool mend() {
+    for (int k = 0; k < kMendingRounds; ++k) {
+      if (!bands_.empty()) relax(k < kSettlingRounds ? kSettling : kMending);
+      const auto left = cover().holes(job_.matters);
+      if (left.empty()) return true;
+      if (bands_.empty()) return false;
+      add_witnesses(left);
+      respace();
+      list_bands();
+    }
+    return false;
+  }
+
+  Vec2& at(std::uint32_t i) { return skeleton_.points[i].at; }
+  Vec2 at(std::uint32_t i) const { return skeleton_.points[i].at; }
+  Vec2 point(int i) const { return skeleton_.points[static_cast<std::size_t>(i)].at; }
+  bool on_ring(std::uint32_t i) const { return skeleton_.points[i].ring >= 0; }
+
+  // --- witnesses
+
+  void seed_witnesses() {
+    const Cover by_rings(fixed_, proven_);
+    const double spacing = job_.radius / 2;
+    bool odd = false;
+    for (double y = job_.where.min.y; y <= job_.where.max.y; y += spacing * 0.866, odd = !odd) {
+      for (double x = job_.where.min.x + (odd ? spacing / 2 : 0); x <= job_.where.max.x; x += spacing) {
+        const Vec2 p{x, y};
+        if (!by_rings.holds(p) && job_.matters(p)) witnesses_.push_back({p});
+      }
+    }
+    for (const Vec2 p : by_rings.holes(job_.matters)) witnesses_.push_back({p});
+  }
+
+  /// Moving witnesses beside every band: they follow the seam between it and what runs there.
+  void seed_seams() {
+    for (const auto& band : bands_) {
+      const Vec2 a = at(band.a), b = at(band.b);
+      if (distance(a, b) < 1e-6) continue;
+      const Vec2 n = left_of(unit(b - a)) * limit_;
+      for (const Vec2 p : {lerp(a, b, 0.5) + n, lerp(a, b, 0.5) - n}) {
+        if (job_.matters(p)) witnesses_.push_back({p, true});
+      }
+    }
+  }
+
+  /// One witness in the depth of every hole: its rim is as near as can be to the limit.
+  void add_witnesses(const std::vector<Vec2>& rim) {
+    const Cover now = cover();
+    std::vector<Vec2> added;
+    const auto open = [&](Vec2 a, Vec2 b) {
+      return !now.holds(lerp(a, b, 0.5)) && !now.holds(lerp(a, b, 0.25)) && !now.holds(lerp(a, b, 0.75));
+    };
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+      double size = 0;
+      Vec2 p = rim[i];
+      for (std::size_t j = 0; j < rim.size(); ++j) {
+        const double d = std::sqrt(norm_squared(rim[i] - rim[j]));
+        if (d > size && d < 2 * job_.radius && open(rim[i], rim[j])) {
+          size = d;
+          p = lerp(rim[i], rim[j], 0.5);
+        }
+      }
+      if (size == 0) {
+        p = deepest_near(rim[i], now);
+        size = distance(p, rim[i]);
+      }
+      const auto near = [&](Vec2 q) { return distance(p, q) < std::max(1e-4, 0.2 * size); };
+      if (std::any_of(added.begin(), added.end(), near)) continue;
+      added.push_back(p);
+      witnesses_.push_back({p, true});
+      if (size < 1e-3) witnesses_.push_back({p, false});
+    }
+  }
+
+  /// Climbs from p to where the bands are farthest, by shorter and shorter steps.
+  Vec2 deepest_near(Vec2 p, const Cover& now) const {
+    double depth = now.distance_to(p);
+    for (double step = 0.2 * job_.radius; step > 1e-4 * job_.radius;) {
+      Vec2 best = p;
+      for (int k = 0; k < 8; ++k) {
+        const Vec2 q = p + direction_of(k * kPi / 4) * step;
+        const double d = now.distance_to(q);
+        if (d > depth && d < 2 * job_.radius && job_.matters(q)) {
+          depth = d;
+          best = q;
+        }
+      }
+      if (best == p) step /= 2;
+      p = best;
+    }
+    return p;
+  }
+
+  Cover cover() const {
+    std::vector<Edge> edges = fixed_;
+    for (const auto& band : bands_) {
+      if (at(band.a) != at(band.b)) edges.push_back(Edge::line(at(band.a), at(band.b)));
+    }
+    return Cover(edges, proven_);
+  }
+
+  // --- bands
+
+  template <typename F>
+  void for_ways(F&& f) {
+    for (auto& leg : skeleton_.legs) {
+      f(leg.way_in);
+      for (auto& way : leg.detours) f(way);
+    }
+  }
+
+  void list_bands() {
+    bands_.clear();
+    for_ways([&](const std::vector<int>& way) {
+      for (std::size_t i = 1; i < way.size(); ++i) {
+        bands_.push_back({static_cast<std::uint32_t>(way[i - 1]), static_cast<std::uint32_t>(way[i])});
+      }
+    });
+  }
+
+  /// Splits long bands and drops vertices that crowd.
+  void respace() {
+    const double spacing = kSpacing * job_.radius;
+    for_ways([&](std::vector<int>& way) {
+      std::vector<int> even;
+      for (std::size_t i = 0; i < way.size(); ++i) {
+        const bool inner = i > 0 && i + 1 < way.size();
+        if (inner && crowded(point(even.back()), point(way[i]), point(way[i + 1]), spacing)) continue;
+        if (i > 0) split(even.back(), way[i], spacing, even);
+        even.push_back(way[i]);
+      }
+      way = std::move(even);
+    });
+  }
+
+  static bool crowded(Vec2 before, Vec2 p, Vec2 after, double spacing) {
+    const double reach = distance(before, p) + distance(p, after);
+    if (reach < 0.3 * spacing) return true;
+    return reach < spacing && reach - distance(before, after) < 0.002 * spacing;
+  }
+
+  void split(int from, int to, double spacing, std::vector<int>& way) {
+    const Vec2 a = point(from), b = point(to);
+    const int parts = static_cast<int>(distance(a, b) / spacing + 0.7);
+    for (int k = 1; k < parts; ++k) {
+      way.push_back(static_cast<int>(skeleton_.points.size()));
+      skeleton_.points.push_back({lerp(a, b, static_cast<double>(k) / parts), -1});
+    }
+  }
+
+  bool all_legal() const {
+    return std::all_of(bands_.begin(), bands_.end(),
+                       [&](const Band& band) { return job_.legal->holds_line(at(band.a), at(band.b)); });
+  }
+
+  // --- polish
+
+  /// Drops every vertex that coverage can do without: fewer corners, shorter way.
+  void polish() {
+    for_ways([&](std::vector<int>& way) {
+      for (std::size_t i = 1; i + 1 < way.size();) {
+        list_bands();
+        if (may_drop(way[i - 1], way[i], way[i + 1])) {
+          way.erase(way.begin() + static_cast<std::ptrdiff_t>(i));
+        } else {
+          ++i;
+        }
+      }
+    });
+    list_bands();
+  }
+
+  bool may_drop(int before, int dropped, int after) const {
+    const Vec2 a = point(before), p = point(dropped), b = point(after);
+    if (distance(a, p) < 1e-6 || distance(p, b) < 1e-6) return true;
+    if (distance(a, b) < 1e-6 || !job_.legal->holds_line(a, b)) return false;
+    const double reach = proven_;
+    const Edge first = Edge::line(a, p), second = Edge::line(p, b);
+    Box near;
+    near.add(first.box());
+    near.add(second.box());
+    near = near.grown(2 * reach);
+    std::vector<Edge> edges{Edge::line(a, b)};
+    for (const auto& edge : fixed_) {
+      if (near.overlaps(edge.box())) edges.push_back(edge);
+    }
+    for (const auto& band : bands_) {
+      const bool gone = static_cast<int>(band.a) == dropped || static_cast<int>(band.b) == dropped;
+      if (gone || at(band.a) == at(band.b)) continue;
+      const Edge edge = Edge::line(at(band.a), at(band.b));
+      if (near.overlaps(edge.box())) edges.push_back(edge);
+    }
+    const auto was_cut = [&](Vec2 q) {
+      return (distance(first, q) <= reach || distance(second, q) <= reach) && job_.matters(q);
+    };
+    return Cover(edges, reach).holes(was_cut).empty();
+  }
+
+  // --- minimisation
+
+  /// Newton steps, at first wide and soft, at last small and stiff.
+  void relax(const Pull& pull) {
+    skin_ = 0.1 * job_.radius;
+    moved_since_listing_ = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < pull.steps; ++i) {
+      const double share = static_cast<double>(i) / pull.steps;
+      tension_ = pull.tension;
+      stiffness_ = pull.soft / job_.radius * std::pow(kStiffest / pull.soft, share);
+      step(pull.reach * job_.radius * std::pow(pull.last_reach, share));
+    }
+  }
+
+  void step(double reach) {
+    if (moved_since_listing_ > skin_) list_active();
+    before_.resize(skeleton_.points.size());
+    for (std::size_t i = 0; i < before_.size(); ++i) before_[i] = skeleton_.points[i].at;
+    assemble();
+    for_ways([&](const std::vector<int>& way) { solve(way); });
+    const double longest = longest_move();
+    const double scale = longest > reach ? reach / longest : 1;
+    for (std::size_t i = 0; i < before_.size(); ++i) skeleton_.points[i].at = before_[i] + move_[i] * scale;
+    slide();
+    undo_illegal();
+    moved_since_listing_ += std::min(longest, reach);
+  }
+
+  double longest_move() const {
+    double most = 0;
+    for (const Vec2 m : move_) most = std::max(most, norm_squared(m));
+    return std::sqrt(most);
+  }
+
+  /// Gradient and Hessian of the augmented Lagrangian, per vertex and per band.
+  void assemble() {
+    gradient_.assign(skeleton_.points.size(), {});
+    diagonal_.assign(skeleton_.points.size(), {kDamping / job_.radius, 0, kDamping / job_.radius});
+    coupling_.assign(bands_.size(), {});
+    move_.assign(skeleton_.points.size(), {});
+    for (std::uint32_t i = 0; i < bands_.size(); ++i) add_pull(i);
+    for (const auto& active : active_) add_hold(active);
+  }
+
+  void add_pull(std::uint32_t i) {
+    const Band band = bands_[i];
+    const Vec2 d = at(band.b) - at(band.a);
+    const double soft = kSoft * job_.radius, spring = kEven / (kSpacing * job_.radius);
+    const double l = std::sqrt(norm_squared(d) + soft * soft);
+    const Vec2 u = d / l, g = (u + d * spring) * tension_;
+    Sym2 h = Sym2{(1 - u.x * u.x) / l + spring, -u.x * u.y / l, (1 - u.y * u.y) / l + spring} * tension_;
+    gradient_[band.a] = gradient_[band.a] - g;
+    gradient_[band.b] = gradient_[band.b] + g;
+    diagonal_[band.a] += h;
+    diagonal_[band.b] += h;
+    coupling_[i] += h * -1;
+  }
+
+  static constexpr std::uint32_t kFixed = std::numeric_limits<std::uint32_t>::max();
+
+  /// The place of a band, or of a fixed edge, that is nearest to a witness.
+  struct Hold {
+    std::uint32_t band = kFixed;
+    double t = 0;
+    double distance = std::numeric_limits<double>::infinity();
+    Vec2 away;  ///< unit, from there to the witness
+  };
+
+  void add_hold(const Active& active) {
+    Witness& witness = witnesses_[active.witness];
+    const Hold hold = nearest_hold(active, witness.p);
+    if (hold.distance < limit_ - skin_) return;
+    if (!witness.moving) return hold_band(hold, 1.0);
+    const Hold other = opposite_hold(active, witness.p, hold);
+    if (!std::isfinite(other.distance)) return hold_band(hold, 1.0);
+    // To where both are equally far: along n1 - n2, in which direction each distance changes at the same
+    // rate.
+    const double rate = 1 - dot(hold.away, other.away);
+    const double gap = other.distance - hold.distance;
+    const double step = std::min(gap, 0.2 * job_.radius);
+    witness.p = witness.p + (hold.away - other.away) * (0.5 * step / rate);
+    const double half = (hold.distance + other.distance) / 2;
+    for (Hold h : {hold, other}) {
+      h.distance = half;
+      hold_band(h, 0.5);
+    }
+  }
+
+  /// Adds the force with which a witness at `hold.distance` holds a band; `share` is how far the distance
+  /// changes with the band.
+  void hold_band(const Hold& hold, double share) {
+    const double force = stiffness_ * (hold.distance - limit_) * share;
+    if (force <= 0 || hold.distance < 1e-9 || hold.band == kFixed) return;
+    const Band band = bands_[hold.band];
+    const double bend = force / hold.distance;
+    Sym2 h = outer_product(hold.away) * (stiffness_ * share - bend);
+    h.xx += bend;
+    h.yy += bend;
+    const double s = 1 - hold.t, t = hold.t;
+    gradient_[band.a] = gradient_[band.a] - hold.away * (force * s);
+    gradient_[band.b] = gradient_[band.b] - hold.away * (force * t);
+    diagonal_[band.a] += h * (s * s);
+    diagonal_[band.b] += h * (t * t);
+    coupling_[hold.band] += h * (s * t);
+  }
+
+  /// From the place of band `i` that is nearest to p, to p.
+  Vec2 way_from_band(std::uint32_t i, Vec2 p, double& t) const {
+    const Vec2 a = at(bands_[i].a), d = at(bands_[i].b) - a, s = p - a;
+    const double whole = norm_squared(d), forward = dot(s, d);
+    t = forward <= 0 ? 0.0 : forward >= whole ? 1.0 : forward / whole;
+    return s - d * t;
+  }
+
+  static void finish(Hold& hold, Vec2 way) {
+    hold.distance = std::sqrt(norm_squared(way));
+    if (hold.distance > 0) hold.away = way / hold.distance;
+  }
+
+  Hold nearest_hold(const Active& active, Vec2 p) const {
+    Hold best;
+    Vec2 best_way;
+    double nearest_squared = std::numeric_limits<double>::infinity(), t = 0;
+    for (std::uint32_t k = active.first; k < active.end; ++k) {
+      const Vec2 way = way_from_band(candidates_[k], p, t);
+      const double squared = norm_squared(way);
+      if (squared >= nearest_squared) continue;
+      nearest_squared = squared;
+      best_way = way;
+      best.band = candidates_[k];
+      best.t = t;
+    }
+    finish(best, best_way);
+    return best;
+  }
+
+  /// The nearest hold on the other side of p, fixed edges included.
+  Hold opposite_hold(const Active& active, Vec2 p, const Hold& nearest) const {
+    Hold best;
+    Vec2 best_way;
+    double best_squared = std::numeric_limits<double>::infinity(), t = 0;
+    const auto opposite = [&](Vec2 way, double squared) {
+      const double c = dot(way, nearest.away);
+      return squared < best_squared && (c <= 0 || c * c < 0.25 * squared);
+    };
+    for (std::uint32_t k = active.first; k < active.end; ++k) {
+      const Vec2 way = way_from_band(candidates_[k], p, t);
+      const double squared = norm_squared(way);
+      if (!opposite(way, squared)) continue;
+      best_squared = squared;
+      best_way = way;
+      best.band = candidates_[k];
+      best.t = t;
+    }
+    for (const std::uint32_t i : fixed_grid_[cell_of(p)]) {
+      const Vec2 way = p - nearest_point(fixed_[i], p);
+      const double squared = norm_squared(way);
+      if (squared <= 0 || !opposite(way, squared)) continue;
+      best_squared = squared;
+      best_way = way;
+      best.band = kFixed;
+    }
+    if (std::isfinite(best_squared)) finish(best, best_way);
+    return best;
+  }
+
+  /// Newton step of the free vertices of one way, by block elimination from its first to its last.
+  void solve(const std::vector<int>& way) {
+    const std::size_t n = way.size();
+    if (n == 0) return;
+    const std::size_t first_band = next_band_;
+    next_band_ = first_band + n - 1 == bands_.size() ? 0 : first_band + n - 1;
+    pivot_.resize(n);
+    right_.resize(n);
+    const auto vertex = [&](std::size_t i) { return static_cast<std::uint32_t>(way[i]); };
+    for (std::size_t i = 0; i < n; ++i) {
+      Sym2 d = diagonal_[vertex(i)];
+      Vec2 r = -gradient_[vertex(i)];
+      if (on_ring(vertex(i))) {
+        d = kHeld;
+        r = {};
+      } else if (i > 0 && !on_ring(vertex(i - 1))) {
+        const Sym2 c = coupling_[first_band + i - 1];
+        const Sym2 reduced = c.around(pivot_[i - 1]);
+        d += reduced * -1;
+        r = r - c * (pivot_[i - 1] * right_[i - 1]);
+      }
+      pivot_[i] = d.inverse();
+      right_[i] = r;
+    }
+    for (std::size_t i = n; i-- > 0;) {
+      if (on_ring(vertex(i))) continue;
+      Vec2 r = right_[i];
+      if (i + 1 < n && !on_ring(vertex(i + 1))) r = r - coupling_[first_band + i] * move_[vertex(i + 1)];
+      move_[vertex(i)] = pivot_[i] * r;
+    }
+    for (const std::size_t i : {std::size_t{0}, n - 1}) {
+      if (on_ring(vertex(i))) move_[vertex(i)] = slide_step(vertex(i));
+    }
+  }
+
+  Vec2 slide_step(std::uint32_t i) const {
+    Vec2 tangent{1, 0};
+    nearest_on_ring(skeleton_.rings[static_cast<std::size_t>(skeleton_.points[i].ring)], at(i), &tangent);
+    return tangent * (-dot(gradient_[i], tangent) / dot(tangent, diagonal_[i] * tangent));
+  }
+
+  void slide() {
+    for (auto& vertex : skeleton_.points) {
+      if (vertex.ring < 0) continue;
+      vertex.at = nearest_on_ring(skeleton_.rings[static_cast<std::size_t>(vertex.ring)], vertex.at);
+    }
+  }
+
+  /// Bands that have left the legal area go back to where they were.
+  void undo_illegal() {
+    for (std::size_t i = 0; i < bands_.size(); ++i) {
+      const Band band = bands_[i];
+      if (safe_[i] || (at(band.a) == before_[band.a] && at(band.b) == before_[band.b])) continue;
+      if (job_.legal->holds_line(at(band.a), at(band.b))) continue;
+      at(band.a) = before_[band.a];
+      at(band.b) = before_[band.b];
+    }
+  }
+
+  // --- which witnesses count
+
+  void list_active() {
+    active_.clear();
+    candidates_.clear();
+    const double far = limit_ + 2 * skin_, near = limit_ - 2 * skin_;
+    sort_bands_into_grid(far);
+    for (std::uint32_t w = 0; w < witnesses_.size(); ++w) {
+      const Vec2 p = witnesses_[w].p;
+      const auto first = static_cast<std::uint32_t>(candidates_.size());
+      double nearest_squared = far * far, t = 0;
+      for (const std::uint32_t band : grid_[cell_of(p)]) {
+        const double squared = norm_squared(way_from_band(band, p, t));
+        if (squared > far * far) continue;
+        candidates_.push_back(band);
+        nearest_squared = std::min(nearest_squared, squared);
+      }
+      if (nearest_squared < near * near || (witnesses_[w].moving && !job_.matters(p))) {
+        candidates_.resize(first);
+        continue;
+      }
+      if (candidates_.size() == first) candidates_.push_back(nearest_band(p));
+      active_.push_back({w, first, static_cast<std::uint32_t>(candidates_.size())});
+    }
+    moved_since_listing_ = 0;
+  }
+
+  std::uint32_t nearest_band(Vec2 p) const {
+    std::uint32_t best = 0;
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < bands_.size(); ++i) {
+      double t = 0;
+      const double d = norm_squared(way_from_band(i, p, t));
+      if (d >= best_distance) continue;
+      best_distance = d;
+      best = i;
+    }
+    return best;
+  }
+
+  std::size_t cell_of(Vec2 p) const {
+    const auto index = [&](double v, std::size_t n) {
+      return static_cast<std::size_t>(std::clamp(v / cell_, 0.0, static_cast<double>(n - 1)));
+    };
+    return index(p.y - job_.where.min.y, rows_) * columns_ + index(p.x - job_.where.min.x, columns_);
+  }
+
+  using Grid = std::vector<std::vector<std::uint32_t>>;
+
+  void add_to_grid(const Box& box, std::uint32_t number, Grid& grid) const {
+    const std::size_t low = cell_of(box.min), high = cell_of(box.max);
+    for (std::size_t r = low / columns_; r <= high / columns_; ++r) {
+      for (std::size_t c = low % columns_; c <= high % columns_; ++c)
+        grid[r * columns_ + c].push_back(number);
+    }
+  }
+
+  void make_grid() {
+    cell_ = job_.radius;
+    columns_ = static_cast<std::size_t>(job_.where.width() / cell_) + 1;
+    rows_ = static_cast<std::size_t>(job_.where.height() / cell_) + 1;
+    fixed_grid_.assign(columns_ * rows_, {});
+    for (std::uint32_t i = 0; i < fixed_.size(); ++i) {
+      add_to_grid(fixed_[i].box().grown(1.5 * job_.radius), i, fixed_grid_);
+    }
+  }
+
+  void sort_bands_into_grid(double far) {
+    grid_.assign(columns_ * rows_, {});
+    safe_.assign(bands_.size(), 0);
+    for (std::uint32_t i = 0; i < bands_.size(); ++i) {
+      Box box;
+      box.add(at(bands_[i].a));
+      box.add(at(bands_[i].b));
+      add_to_grid(box.grown(far), i, grid_);
+      safe_[i] = job_.legal->surely_holds(box.grown(2 * skin_));
+    }
+  }
+
+  static constexpr Sym2 kHeld{1, 0, 1};
+  /// Pulls are unit forces: more than this only builds up where witnesses contradict each other.
+  static constexpr double kMostForce = 20;
+
+  Skeleton skeleton_;
+  const TightenJob& job_;
+  double limit_;   ///< distance at which witnesses begin to hold
+  double proven_;  ///< radius of the exact check
+  double skin_ = 0;
+  double stiffness_ = 0;
+  double tension_ = 1;
+  std::vector<Edge> fixed_;
+  std::vector<Band> bands_;
+  std::vector<Witness> witnesses_;
+  std::vector<Active> active_;
+  std::vector<std::uint32_t> candidates_;
+  std::vector<Vec2> before_, gradient_, move_, right_;
+  std::vector<Sym2> diagonal_, coupling_, pivot_;
+  std::size_t next_band_ = 0;
+  double moved_since_listing_ = 0;
+  int round_ = 0;
+  double cell_ = 1;
+  std::size_t columns_ = 1;
+  std::size_t rows_ = 1;
+  Grid grid_, fixed_grid_;
+  std::vector<char> safe_;  ///< of each band: it cannot leave the legal area before the next listing
+};
+
+Tightener::Tightener(Skeleton skeleton, const TightenJob& job)
+    : impl_(std::make_unique<Impl>(std::move(skeleton), job)) {}
+Tightener::~Tightener() = default;
+Tightener::Tightener(Tightener&&) noexcept = default;
+Tightener& Tightener::operator=(Tightener&&) noexcept = default;
+
+void Tightener::pull(int rounds) {
+  impl_->pull(rounds);
+}
+
+bool Tightener::finish() {
+  return impl_->finish();
+}
+
+double Tightener::film() const {
+  return impl_->film();
+}
+
+const Skeleton& Tightener::skeleton() const {
+  return impl_->skeleton_;
+}
+
+}  // namespace clearcut
