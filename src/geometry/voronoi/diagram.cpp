@@ -19,6 +19,7 @@ std::size_t index(int i) {
 
 /// Nodes nearer to the boundary than this many grid units have no trustworthy side; they count as on it.
 constexpr double kOnBoundaryUnits = 2;
+constexpr double kMostUnitsMoved = 20;
 /// mm. Spread of the exact distances at a node below which it is solved.
 constexpr double kSolved = 1e-9;
 /// mm. A wall nearer than a node's own by more than this is an error.
@@ -231,9 +232,23 @@ class Maker {
     const Node corrected = corrected_node(around, node.point);
     const auto [low, high] = distance_range(around, corrected.point);
     const bool solved = high - low <= kNearer && (around.count > 1 || corrected.point != node.point);
+    const bool far = norm(corrected.point - node.point) > farthest_move(around, corrected.clearance);
     const int nearer = nearer_element_nearby(h, corrected);
-    if (!solved || nearer >= 0) doubt(around, nearer);
-    node = nearer < 0 ? corrected : unmoved(around, node.point);
+    if (!solved || far || nearer >= 0) doubt(around, nearer);
+    node = !far && nearer < 0 ? corrected : unmoved(around, node.point);
+  }
+
+  /// How far off a node may be: by the rounding of its sites to the grid and, with arcs, as far as tangents
+  /// within their error reach. (Nearly parallel walls hold a node less well than that: there it stays as it
+  /// is.)
+  double farthest_move(const Around& around, double clearance) const {
+    double reach = kMostUnitsMoved * grid().unit;
+    for (int i = 0; i < around.count; ++i) {
+      const Element& e = out_.element(around.elements[index(i)]);
+      if (e.edge.is_arc())
+        reach = std::max(reach, 4 * std::sqrt(out_.sites.error * std::max(clearance, e.radius)));
+    }
+    return reach;
   }
 
   void doubt(const Around& around, int nearer) {

@@ -159,8 +159,8 @@ class Tracer {
     const bool beyond = t < 0 || t > 1;
     const Vec2 guess = lerp(p.point, q.point, std::clamp(t, 0.0, 1.0));
     const int element = diagram_.element_near(cut.cell, guess);
-    if (beyond) return {element, guess, guess, guess, true, false};
-    return {element, guess, p.point, q.point, false, false};
+    if (beyond) return {element, guess, guess, guess, true, false, {}};
+    return {element, guess, p.point, q.point, false, false, {}};
   }
 
   const Diagram& diagram_;

@@ -1,6 +1,7 @@
 // All offsets of a diagram at given distances, as closed runs of pieces, one piece a cell.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/voronoi/diagram.h"
@@ -14,8 +15,9 @@ struct Piece {
   Vec2 guess;
   Vec2 low;
   Vec2 high;
-  bool at_node = false;  ///< the bisector ends before it reaches the level exactly: start at `guess`
-  bool mended = false;   ///< pieces before it were dropped: the joint may lie off the bisector
+  bool at_node = false;       ///< the bisector ends before it reaches the level exactly: start at `guess`
+  bool mended = false;        ///< pieces before it were dropped: the joint may lie off the bisector
+  std::optional<Vec2> joint;  ///< where it starts, once solved
 };
 
 /// Closed; the material at this depth lies on the left. Neighbouring pieces are of different elements, but

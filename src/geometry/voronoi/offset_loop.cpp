@@ -35,40 +35,72 @@ class Assembler {
   std::optional<Loop> run() {
     if (pieces_.size() == 1) return full_circle();
     drop_shrunken_arcs();
-    mend_corners();
-    if (pieces_.size() < 2) return std::nullopt;
-    solve_joints();
-    while (drop_reversed()) {
+    drop_false_vertices();
+    insert_missing_vertices();
+    do {
       if (pieces_.size() < 2) return std::nullopt;
-    }
+      solve_joints();
+    } while (drop_reversed());
     return emit();
   }
 
  private:
   const Element& element(const Piece& piece) const { return diagram_.element(piece.element); }
-  Piece& piece(std::size_t i) { return pieces_[i % pieces_.size()]; }
+  std::size_t count() const { return pieces_.size(); }
+  Piece& piece(std::size_t i) { return pieces_[i % count()]; }
+  const Piece& piece(std::size_t i) const { return pieces_[i % count()]; }
+  /// Elements on both sides of the joint at the start of piece i.
+  const Element& before(std::size_t i) const { return element(piece(i + count() - 1)); }
+  const Element& after(std::size_t i) const { return element(piece(i)); }
 
-  /// Removes piece i; the piece after it starts in the middle of what was there.
-  void drop(std::size_t i) {
-    Piece& after = piece(i + 1);
-    const Piece& gone = piece(i);
-    after.low = gone.guess;
-    after.high = after.guess;
-    after.at_node = false;
-    after.mended = true;
-    after.guess = lerp(gone.guess, after.guess, 0.5);
-    pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(i));
+  /// Removes pieces; the one after a removed run starts in the middle of what was there. Neighbours that are
+  /// then of one element become one piece.
+  void remove(const std::vector<char>& gone) {
+    const auto kept = std::find(gone.begin(), gone.end(), 0);
+    if (kept == gone.end()) return pieces_.clear();
+    // From a piece that stays, once around: no run of removed ones is split.
+    const auto start = static_cast<std::size_t>(kept - gone.begin());
+    std::vector<Piece> left;
+    for (std::size_t k = 0; k < count(); ++k) {
+      const std::size_t i = (start + k) % count();
+      if (gone[i] == 0) left.push_back(gone[(i + count() - 1) % count()] == 0 ? piece(i) : bridged(i, gone));
+    }
+    pieces_ = std::move(left);
+    merge_equal_neighbours();
   }
 
+  Piece bridged(std::size_t i, const std::vector<char>& gone) const {
+    std::size_t first = i + count() - 1;
+    while (gone[(first + count() - 1) % count()] != 0) first = (first + count() - 1) % count();
+    const Vec2 from = piece(first).guess, to = piece(i).guess;
+    return {piece(i).element, lerp(from, to, 0.5), from, to, false, true, {}};
+  }
+
+  /// The piece before goes on: what starts at the second of two equals is its inside.
   void merge_equal_neighbours() {
-    for (std::size_t i = 0; pieces_.size() > 1 && i < pieces_.size();) {
-      if (piece(i).element == piece(i + pieces_.size() - 1).element) {
-        // The piece before goes on: what starts here is its inside.
-        pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(i));
-      } else {
-        ++i;
-      }
+    std::vector<Piece> left;
+    for (const Piece& p : pieces_) {
+      if (left.empty() || left.back().element != p.element) left.push_back(p);
     }
+    if (left.size() > 1 && left.front().element == left.back().element) {
+      left.front() = left.back();
+      left.pop_back();
+    }
+    pieces_ = std::move(left);
+  }
+
+  /// Removes the pieces for which `is_false` holds; whether there were any.
+  template <class Test>
+  bool remove_if(Test is_false) {
+    std::vector<char> gone(count(), 0);
+    for (std::size_t i = 0; i < count(); ++i) {
+      // Never two neighbours at once: without the first, the second may be right.
+      const bool beside_gone = gone[(i + count() - 1) % count()] != 0 || gone[(i + 1) % count()] != 0;
+      if (!beside_gone && is_false(i)) gone[i] = 1;
+    }
+    if (std::find(gone.begin(), gone.end(), 1) == gone.end()) return false;
+    remove(gone);
+    return true;
   }
 
   /// Whether neighbours that go on to meet without the arc stay within the slack of it.
@@ -80,17 +112,10 @@ class Assembler {
 
   /// Concave arcs whose offset has (almost) shrunk to their centre.
   void drop_shrunken_arcs() {
-    bool dropped = false;
-    for (std::size_t i = 0; i < pieces_.size();) {
-      const Element& e = element(pieces_[i]);
-      if (e.wall == Wall::kConcave && is_shrunken(e)) {
-        drop(i);
-        dropped = true;
-      } else {
-        ++i;
-      }
+    while (count() > 0 && remove_if([this](std::size_t i) {
+             return after(i).wall == Wall::kConcave && is_shrunken(after(i));
+           })) {
     }
-    if (dropped) merge_equal_neighbours();
   }
 
   /// Distance between the offsets of two edges at their common vertex, > 0 where an arc about it joins them.
@@ -109,54 +134,50 @@ class Assembler {
     return a.edge.to + n * (d_ / fast_norm(n));
   }
 
-  /// The chords of arcs may turn a vertex the wrong way: decided here by the exact tangents.
-  void mend_corners() {
-    drop_false_vertices();
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const Element &a = element(piece(i + pieces_.size() - 1)), &b = element(piece(i));
-      if (!are_neighbours(a, b)) continue;
-      const double wide = opening(a.edge, b.edge);
-      // The chords hide a turn of at most half a step each: a wider one has its own cell in the diagram.
-      if (wide <= kSmooth || wide > d_ * kPi / 2 || !starts_beside_vertex(i)) continue;
-      insert_vertex(i);
-      ++i;
-    }
+  /// Sites are rounded and may turn a vertex the wrong way: decided here by the exact tangents.
+  void drop_false_vertices() {
+    if (count() < 3) return;
+    remove_if([this](std::size_t i) {
+      const Element &a = before(i), &v = after(i), &b = after(i + 1);
+      return v.is_point() && are_neighbours(a, b) && a.edge.to == v.edge.from &&
+             opening(a.edge, b.edge) <= kSmooth;
+    });
   }
 
-  void drop_false_vertices() {
-    bool dropped = false;
-    for (std::size_t i = 0; pieces_.size() > 2 && i < pieces_.size();) {
-      const Element &a = element(piece(i + pieces_.size() - 1)), &v = element(piece(i)),
-                    &b = element(piece(i + 1));
-      if (v.is_point() && are_neighbours(a, b) && a.edge.to == v.edge.from &&
-          opening(a.edge, b.edge) <= kSmooth) {
-        drop(i);
-        dropped = true;
+  void insert_missing_vertices() {
+    std::vector<Piece> all;
+    all.reserve(count());
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (lacks_vertex(i)) {
+        const Element &a = before(i), &b = after(i);
+        const Vec2 start = end_of(a), end = start_of(b);
+        all.push_back({a.end_vertex, start, start, start, false, false, {}});
+        all.push_back({piece(i).element, end, end, end, false, false, {}});
       } else {
-        ++i;
+        all.push_back(piece(i));
       }
     }
-    if (dropped) merge_equal_neighbours();
+    pieces_ = std::move(all);
+  }
+
+  bool lacks_vertex(std::size_t i) const {
+    const Element &a = before(i), &b = after(i);
+    if (!are_neighbours(a, b)) return false;
+    const double wide = opening(a.edge, b.edge);
+    // Rounding hides small turns only: a wide one has its own cell in the diagram.
+    return wide > kSmooth && wide < d_ * kPi / 2 && starts_beside_vertex(i);
   }
 
   /// Whether the joint before piece i lies beside the common vertex and not where the two edges meet again.
-  bool starts_beside_vertex(std::size_t i) {
-    const Piece& here = piece(i);
-    const Element &a = element(piece(i + pieces_.size() - 1)), &b = element(here);
-    const double to_vertex = fast_norm(here.guess - beside_vertex(a, b));
-    const auto met = meeting_near(offset_curve(a, d_), offset_curve(b, d_), here.guess, slack_);
-    return !met || to_vertex <= fast_norm(*met - here.guess) + opening(a.edge, b.edge);
+  bool starts_beside_vertex(std::size_t i) const {
+    const Element &a = before(i), &b = after(i);
+    const double to_vertex = fast_norm(piece(i).guess - beside_vertex(a, b));
+    const auto met = meeting_near(offset_curve(a, d_), offset_curve(b, d_), piece(i).guess, slack_);
+    return !met || to_vertex <= fast_norm(*met - piece(i).guess) + opening(a.edge, b.edge);
   }
 
-  void insert_vertex(std::size_t i) {
-    const Element &a = element(piece(i + pieces_.size() - 1)), &b = element(piece(i));
-    const Vec2 v = a.edge.to;
-    const Vec2 start = v + left_of(a.edge.tangent_at(1)) * d_, end = v + left_of(b.edge.tangent_at(0)) * d_;
-    const Piece arc{a.end_vertex, start, start, start, false, false};
-    piece(i).guess = piece(i).low = piece(i).high = end;
-    piece(i).at_node = false;
-    pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(i), arc);
-  }
+  Vec2 end_of(const Element& edge) const { return edge.edge.to + left_of(edge.edge.tangent_at(1)) * d_; }
+  Vec2 start_of(const Element& edge) const { return edge.edge.from + left_of(edge.edge.tangent_at(0)) * d_; }
 
   /// One element all round: an island that is a point, or an arc that is all but closed. Others are an
   /// accident of rounding about an arc's centre.
@@ -170,19 +191,16 @@ class Assembler {
   }
 
   void solve_joints() {
-    joints_.resize(pieces_.size());
-    for (std::size_t i = 0; i < pieces_.size(); ++i) joints_[i] = solve_joint(i);
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (!pieces_[i].joint) pieces_[i].joint = solve_joint(i);
+    }
   }
 
-  Vec2 solve_joint(std::size_t i) {
+  Vec2 solve_joint(std::size_t i) const {
     const Piece& here = piece(i);
-    const Element &a = element(piece(i + pieces_.size() - 1)), &b = element(here);
-    if (b.is_point() && !a.is_point() && a.edge.to == b.edge.from) {
-      return a.edge.to + left_of(a.edge.tangent_at(1)) * d_;
-    }
-    if (a.is_point() && !b.is_point() && b.edge.from == a.edge.from) {
-      return b.edge.from + left_of(b.edge.tangent_at(0)) * d_;
-    }
+    const Element &a = before(i), &b = after(i);
+    if (b.is_point() && !a.is_point() && a.edge.to == b.edge.from) return end_of(a);
+    if (a.is_point() && !b.is_point() && b.edge.from == a.edge.from) return start_of(b);
     if (are_neighbours(a, b) && std::abs(opening(a.edge, b.edge)) <= kSmooth && starts_beside_vertex(i)) {
       return beside_vertex(a, b);
     }
@@ -198,26 +216,19 @@ class Assembler {
     return 0.5 * fast_norm(here.high - here.low) + 20 * slack_ + root;
   }
 
-  Vec2 joint(std::size_t i) const { return joints_[i % joints_.size()]; }
+  Vec2 joint(std::size_t i) const { return *piece(i).joint; }
 
   /// A piece that would run against its direction exists in the diagram only: its neighbours meet without it.
   bool drop_reversed() {
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (!runs_backwards(i)) continue;
-      drop(i);
-      merge_equal_neighbours();
-      if (!pieces_.empty()) solve_joints();
-      return true;
-    }
-    return false;
+    return remove_if([this](std::size_t i) { return runs_backwards(i); });
   }
 
-  bool runs_backwards(std::size_t i) {
-    const OffsetCurve curve = offset_curve(element(piece(i)), d_);
+  bool runs_backwards(std::size_t i) const {
+    const OffsetCurve curve = offset_curve(after(i), d_);
     if (curve.straight) return dot(joint(i + 1) - joint(i), curve.direction) < -kCoincident;
     // The offset of an arc turns no farther than the arc, that of a vertex no farther than half round. An arc
     // that runs a little backwards seems to go nearly all round instead.
-    const Edge& source = element(piece(i)).edge;
+    const Edge& source = after(i).edge;
     const double most = source.is_arc() ? std::abs(source.sweep()) : kPi;
     const Edge arc = Edge::arc(joint(i), joint(i + 1), curve.point, curve.turn);
     return arc.from != arc.to && std::abs(arc.sweep()) > (most + 2 * kPi) / 2;
@@ -273,7 +284,6 @@ class Assembler {
   double d_;
   double slack_;
   std::vector<Piece> pieces_;
-  std::vector<Vec2> joints_;
 };
 
 }  // namespace
