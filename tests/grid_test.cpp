@@ -603,6 +603,21 @@ TEST(ElementJob, AnEmptyStrictReductionIsAFaultBeforePlanning) {
   EXPECT_THAT(grid::faults_of(job).front().text, HasSubstr("middle_row = \"keep\""));
 }
 
+TEST(ElementJob, AbsurdSizesAreRefusedAtOnce) {
+  const char* pocket =
+      "[[element]]\nkind = \"rectangle\"\nbase = [5, 5]\nlength = 20\nwidth = 20\ndepth = 1\n";
+  for (const char* resolution : {"1e-300", "1e-9", "0.001", "100.0", "1e300"})
+    EXPECT_FALSE(grid::faults_of(job_with(pocket, std::string("resolution = ") + resolution)).empty())
+        << resolution;
+  const char* huge =
+      "[[element]]\nkind = \"rectangle\"\nbase = [5, 5]\nlength = 1e300\nwidth = 1e12\ndepth = 1\n";
+  EXPECT_FALSE(grid::faults_of(job_with(huge)).empty());
+  const char* arc =
+      "[[element]]\nkind = \"arc\"\nfrom = [5, 5]\nto = [30, 5]\nradius = 1e200\ndirection = \"cw\"\ndepth = "
+      "1\n";
+  EXPECT_FALSE(grid::faults_of(job_with(arc)).empty());
+}
+
 TEST(ElementJob, SpellingMistakesAreFound) {
   try {
     job_with("[[element]]\nkind = \"hole\"\ncentre = [1, 2]\n");

@@ -27,6 +27,16 @@ std::string place_of(const DesignElement& element) {
   return fmt::format("{} {} '{}'", element.source, name_of(element.kind), element.id);
 }
 
+/// Squares of the stock, at least.
+double squares_of(const ElementJob& job) {
+  const Box& plan = job.stock.plan;
+  return (plan.width() / job.resolution + 1) * (plan.height() / job.resolution + 1);
+}
+
+bool fits_a_grid(const ElementJob& job) {
+  return squares_of(job) <= kMostSquares;
+}
+
 /// Collects what is wrong with one element.
 class Checker {
  public:
@@ -44,7 +54,7 @@ class Checker {
     check_tool(*tool);
     if (faults_.size() > before) return;
     check_stock(*tool);
-    check_reduction(*tool);
+    if (faults_.size() == before && fits_a_grid(job_)) check_reduction(*tool);
   }
 
  private:
@@ -113,7 +123,7 @@ class Checker {
 
   void check_reduction(const Tool& tool) {
     if (element_.kind != ElementKind::kRectangle) return;
-    const int step = static_cast<int>(std::ceil(tool.radius() / job_.resolution - kRounding));
+    const int step = edge_step(tool.radius() / job_.resolution);
     for (const double side : {element_.length, element_.width}) {
       const int last = static_cast<int>(std::lround(side / job_.resolution));
       if (!kept_rows(0, last, step, job_.middle_row).empty()) continue;
@@ -136,12 +146,10 @@ void check_job(const ElementJob& job, std::vector<ElementFault>& faults) {
       faults.push_back(
           {job.source_file, fmt::format("has two tools numbered {}; give each its own number", tool.number)});
   }
-  const Box& plan = job.stock.plan;
-  const double squares = plan.width() / job.resolution * (plan.height() / job.resolution);
-  if (squares > kMostSquares)
+  if (!fits_a_grid(job))
     faults.push_back(
-        {job.source_file, fmt::format("resolution {} gives {:.0f} squares, over {:.0f}; make it coarser",
-                                      mm(job.resolution), squares, kMostSquares)});
+        {job.source_file, fmt::format("resolution {} gives {:.3g} squares, over {:.0f}; make it coarser",
+                                      mm(job.resolution), squares_of(job), kMostSquares)});
 }
 
 /// How far a point is from the nearest centre of a square, mm.

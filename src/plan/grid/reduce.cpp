@@ -102,6 +102,10 @@ Places reduce_curve(const std::vector<Square>& squares, double radius) {
   return {kept.begin(), kept.end()};
 }
 
+int edge_step(double radius) {
+  return std::max(1, static_cast<int>(std::ceil(radius - kRounding)));
+}
+
 std::vector<int> kept_rows(int low, int high, int step, MiddleRow rule) {
   std::set<int> rows;
   for (int lower = low + step, upper = high - step; valid_gap(upper - lower, rule);
@@ -114,7 +118,7 @@ std::vector<int> kept_rows(int low, int high, int step, MiddleRow rule) {
 
 Places reduce_rectangle(const std::vector<Square>& squares, double radius, MiddleRow rule) {
   const ElementEdges edges = find_edges(squares);
-  const int step = std::max(1, static_cast<int>(std::ceil(radius - kRounding)));
+  const int step = edge_step(radius);
   const auto rows = kept_rows(squares[edges.left.front()].row, squares[edges.left.back()].row, step, rule);
   const auto columns =
       kept_rows(squares[edges.left.front()].column, squares[edges.right.front()].column, step, rule);

@@ -27,6 +27,9 @@ ElementEdges find_edges(const std::vector<Square>& squares);
 /// squares. O(n^2 / radius).
 Places reduce_curve(const std::vector<Square>& squares, double radius);
 
+/// How many squares an edge moves inwards at a time: the tool's radius, rounded up, at least one.
+int edge_step(double radius);
+
 /// The rows kept between the edge rows `low` and `high`: both move inwards by `step` squares until they meet
 /// (d1 = d2 = step, d3 by the rule). Ascending.
 std::vector<int> kept_rows(int low, int high, int step, MiddleRow rule);
