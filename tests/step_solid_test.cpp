@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/random.h"
 #include "base/units.h"
 #include "pipeline/prepare.h"
 #include "pipeline/run.h"
@@ -120,6 +121,45 @@ TEST(StepSolid, NestedPocketsBossOpenSideAndHoleAreFound) {
   EXPECT_NEAR(hole.hole_diameter.value_or(0), 12, 1e-9);
 }
 
+const Feature* feature_at(const Part& part, double floor_z) {
+  for (const Feature& feature : part.features)
+    if (std::abs(feature.floor_z - floor_z) < 1e-6) return &feature;
+  return nullptr;
+}
+
+TEST(StepSolid, WhatACutterFromAboveCannotMakeIsNamed) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read_part(example("awkward.step"), {});
+  const std::string left_out = skipped(part);
+  EXPECT_THAT(left_out, HasSubstr("cylinder, x 67.5..72.5"));
+  EXPECT_THAT(left_out, HasSubstr("1 floor(s) look along -Z"));
+  EXPECT_THAT(left_out, HasSubstr("1 floor(s) look along -X"));
+  EXPECT_THAT(left_out, HasSubstr("lies under an overhang"));
+  EXPECT_THAT(left_out, HasSubstr("the hole is cut flat at z -12"));
+  EXPECT_THAT(left_out, HasSubstr("(cone, x 59..81, y 4..26, z -3..0) is neither"));
+}
+
+TEST(StepSolid, TheRestOfAnAwkwardSolidIsFoundAllTheSame) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read_part(example("awkward.step"), {});
+  ASSERT_EQ(part.features.size(), 4u);
+  const Feature *pocket = feature_at(part, -8), *sunk = feature_at(part, -10),
+                *drilled = feature_at(part, -12), *corner = feature_at(part, -30);
+  ASSERT_TRUE(pocket && sunk && drilled && corner);
+  EXPECT_EQ(pocket->kind, FeatureKind::kClosedPocket);
+  EXPECT_NEAR(area(pocket->target), rounded_area(40, 40, 6), 0.01);
+  EXPECT_EQ(sunk->kind, FeatureKind::kRoundHole);
+  EXPECT_NEAR(sunk->hole_diameter.value_or(0), 16, 0.001);
+  EXPECT_EQ(drilled->kind, FeatureKind::kRoundHole);
+  EXPECT_NEAR(drilled->hole_diameter.value_or(0), 6, 0.001);
+  EXPECT_FALSE(drilled->through);
+  EXPECT_EQ(corner->kind, FeatureKind::kOutsideProfile);
+  EXPECT_TRUE(corner->through);
+  EXPECT_NEAR(area(corner->target), 9 * 9 / 2.0, 0.01);
+  EXPECT_TRUE(contains(corner->allowed, {118, 58}));
+  EXPECT_FALSE(contains(corner->allowed, {100, 50}));
+}
+
 void expect_clean(const std::string& name, double tool) {
   const PlanResult result = plan(read_part(example(name), {}), with_tool(tool));
   EXPECT_TRUE(result.findings.all.clean) << name;
@@ -133,6 +173,7 @@ TEST(StepSolid, ThePlansOfTheExamplesAreCertifiedClean) {
   SKIP_WITHOUT_OPEN_CASCADE();
   expect_clean("bracket.step", 6);
   expect_clean("nested.step", 8);
+  expect_clean("awkward.step", 5);
 }
 
 std::string refusal(const std::string& text) {
@@ -160,6 +201,27 @@ TEST(StepSolid, FilesWithoutSolidAreRefusedInOneLine) {
               HasSubstr("no solid"));
   EXPECT_THAT(refusal(kHead + "#1=CARTESIAN_POINT('',(0.,0."), HasSubstr("s.step:"));
   EXPECT_THAT(refusal(kHead), HasSubstr("s.step:"));
+}
+
+/// Damage of every kind is read or refused in one line, and always ends.
+TEST(StepSolid, DamagedFilesAreReadOrRefused) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const std::string original = read_file(example("bracket.step").string());
+  const std::size_t data = original.find("DATA;");
+  const char* pieces[] = {"$", "*", "'", "(", ")", "#", "0", "-", ".", ",", "1e9", "#1", "", "\n", "9"};
+  int read = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    std::string text = original;
+    for (std::uint64_t k = 0; k <= random.below(4); ++k)
+      text.replace(data + 10 + random.below(text.size() - data - 100), random.below(6),
+                   pieces[random.below(15)]);
+    SCOPED_TRACE(seed);
+    const std::string answer = refusal(text);
+    ++(answer == "not refused" ? read : refused);
+  }
+  EXPECT_GT(read, 3);
+  EXPECT_GT(refused, 10);
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
-// Writes examples/bracket.step (the pocket of bracket.json in a block) and examples/nested.step.
+// Writes bracket.step (the pocket of bracket.json in a block), nested.step, and
+// awkward.step, where much is not for a cutter from above.
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
@@ -80,6 +83,25 @@ TopoDS_Shape nested() {
   return shape;
 }
 
+/// A pocket, a countersunk hole, a drilled one with its point, a corner cut off; and a hole across, a pocket
+/// from below and one from the side.
+TopoDS_Shape awkward() {
+  TopoDS_Shape shape = block({{0, 0}, {120, 60}}, 30);
+  const auto cut = [&](const TopoDS_Shape& tool) { shape = BRepAlgoAPI_Cut(shape, tool); };
+  const gp_Dir down(0, 0, -1);
+  cut(swept(Region::from_valid_loops(rounded({{10, 10}, {50, 50}}, 6), {}), 8));
+  cut(swept(Region::from_valid_loops(circle({70, 15}, 8), {}), 10));
+  cut(BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(70, 15, 0), down), 11, 8, 3));
+  cut(swept(Region::from_valid_loops(circle({100, 15}, 3), {}), 12));
+  cut(BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(100, 15, -12), down), 3, 0, 2));
+  const Vec2 corner[] = {{110, 61}, {121, 50}, {121, 61}};
+  cut(swept(Region::from_valid_loops(loop_from_points(corner), {}), 30));
+  cut(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(70, -1, -22), gp_Dir(0, 1, 0)), 2.5, 62));
+  cut(BRepPrimAPI_MakeBox(gp_Pnt(80, 30, -30), gp_Pnt(105, 45, -25)));
+  cut(BRepPrimAPI_MakeBox(gp_Pnt(-1, 20, -28), gp_Pnt(5, 40, -20)));
+  return shape;
+}
+
 void write(const TopoDS_Shape& shape, const std::filesystem::path& file) {
   STEPControl_Writer writer;
   // Without curves in parameter space, which any reader finds again.
@@ -102,5 +124,6 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   write(bracket(folder), folder / "bracket.step");
   write(nested(), folder / "nested.step");
+  write(awkward(), folder / "awkward.step");
   return 0;
 }

@@ -29,8 +29,6 @@ SolidModel load_solid(std::string_view, const std::string& file_name) {
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
@@ -39,12 +37,13 @@ SolidModel load_solid(std::string_view, const std::string& file_name) {
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 #include <cmath>
-#include <mutex>
 #include <sstream>
 
 #include "base/units.h"
 #include "read/outline/curve_fit.h"
 #include "read/part21/part21.h"
+#include "read/step_solid/apart.h"
+#include "read/step_solid/model_bytes.h"
 
 namespace clearcut {
 namespace {
@@ -53,26 +52,14 @@ namespace {
 constexpr double kSquare = 1e-6;
 /// mm. Shorter edges in plan view are vertical edges of the solid.
 constexpr double kVertical = 1e-6;
+/// Seconds of the processor.
+constexpr int kLongestRead = 120;
 /// mm. The kernel's box is taken to the faces' own extents where it differs by less.
 constexpr double kBoxSlack = 1e-3;
 
 Vec2 plan_of(const gp_Pnt& p) {
   return {p.X(), p.Y()};
 }
-
-/// The kernel speaks through one messenger for the whole process: silent while this lives.
-class Silence {
- public:
-  Silence() : kept_(Message::DefaultMessenger()->Printers()) {
-    Message::DefaultMessenger()->ChangePrinters().Clear();
-  }
-  ~Silence() { Message::DefaultMessenger()->ChangePrinters() = kept_; }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  Message_SequenceOfPrinters kept_;
-};
 
 std::string surface_name(GeomAbs_SurfaceType type) {
   switch (type) {
@@ -241,6 +228,25 @@ SolidModel read_with_kernel(std::string_view text, const std::string& file_name)
   return model_of(shape, file_name);
 }
 
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+/// The solid after an 'S', or after an 'E' why there is none.
+std::string answer(std::string_view text, const std::string& file_name) {
+  try {
+    return "S" + bytes_of(read_with_kernel(text, file_name));
+  } catch (const InputError& error) {
+    return std::string("E") + error.what();
+  } catch (const Standard_Failure& failure) {
+    const char* reason = failure.GetMessageString();
+    return "E" + file_name + ": Open CASCADE cannot read this solid (" + failure.DynamicType()->Name() +
+           (reason && *reason ? ": " + one_line(reason) : "") + "); export it again";
+  }
+}
+
 }  // namespace
 
 bool solids_can_be_read() {
@@ -250,19 +256,13 @@ bool solids_can_be_read() {
 SolidModel load_solid(std::string_view text, const std::string& file_name) {
   // Names the line of a broken file, which the kernel does not.
   parse_part21(text, file_name);
-  static std::mutex one_at_a_time;
-  const std::lock_guard<std::mutex> lock(one_at_a_time);
-  const Silence silence;
-  try {
-    return read_with_kernel(text, file_name);
-  } catch (const Standard_Failure& failure) {
-    std::string reason = failure.GetMessageString() ? failure.GetMessageString() : "";
-    for (char& c : reason)
-      if (c == '\n' || c == '\r') c = ' ';
-    throw InputError(file_name, "Open CASCADE cannot read this solid (" +
-                                    std::string(failure.DynamicType()->Name()) +
-                                    (reason.empty() ? "" : ": " + reason) + "); export it again");
-  }
+  // The kernel crashes on some damaged files.
+  const auto got = done_apart([&] { return answer(text, file_name); }, kLongestRead);
+  if (!got || got->empty())
+    throw InputError(file_name, "Open CASCADE breaks down over this solid, or takes more than " +
+                                    std::to_string(kLongestRead) + " s; export it again");
+  if (got->front() == 'E') throw InputError("", got->substr(1));
+  return model_from_bytes(got->substr(1));
 }
 
 }  // namespace clearcut

@@ -1,6 +1,7 @@
 #include "read/step_solid/step_solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
@@ -58,6 +59,9 @@ class Finder {
   void report_set_ups();
   void report_cone(const Cell& cell);
   bool is_reached(const SolidFace& wall) const;
+  bool is_faced(const SolidFace& wall) const;
+  bool is_undermined(const SolidFace& ceiling) const;
+  int set_up_of(const SolidFace& face) const;
 
   const SolidModel& solid_;
   const std::string& file_name_;
@@ -222,27 +226,55 @@ bool Finder::is_reached(const SolidFace& wall) const {
   });
 }
 
+/// Whether a wall that looks the other way stands before its middle: no cutter comes from there.
+bool Finder::is_faced(const SolidFace& wall) const {
+  const Vec2 p = wall.front->before;
+  const double z = (wall.z_low + wall.z_high) / 2;
+  return std::any_of(solid_.faces.begin(), solid_.faces.end(), [&](const SolidFace& other) {
+    if (!other.front || dot(other.front->outward, wall.front->outward) > -0.5) return false;
+    const Vec2 away = other.plan.center() - p;
+    if (dot(away, wall.front->outward) <= 0 || z < other.z_low || z > other.z_high) return false;
+    const Vec2 across = left_of(wall.front->outward);
+    const double reach = std::abs(across.x) * other.plan.width() + std::abs(across.y) * other.plan.height();
+    return std::abs(dot(away, across)) <= reach / 2;
+  });
+}
+
+/// Whether the solid goes on below the middle of a face that looks down.
+bool Finder::is_undermined(const SolidFace& ceiling) const {
+  const auto& cells = map_.cells();
+  return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+    return cell.z < ceiling.z_low - kSameHeight && contains(cell.area, ceiling.plan.center());
+  });
+}
+
+constexpr const char* kSetUps[] = {"-Z", "+X", "-X", "+Y", "-Y"};
+
+/// Index into kSetUps of the direction that the face is a floor for; -1 for none.
+int Finder::set_up_of(const SolidFace& face) const {
+  if (face.level && face.facing == Facing::kDown)
+    return face.z_low > solid_.z_bottom + kSameHeight && !is_undermined(face) ? 0 : -1;
+  if (!face.front || is_reached(face) || is_faced(face)) return -1;
+  const Vec2 out = face.front->outward;
+  if (out.x != 0) return out.x > 0 ? 1 : 2;
+  return out.y > 0 ? 3 : 4;
+}
+
 /// Floors that look another way, one line for each direction.
 void Finder::report_set_ups() {
-  const char* const names[] = {"-Z", "+X", "-X", "+Y", "-Y"};
-  std::string faces[5];
-  int counts[5] = {};
+  std::array<std::vector<int>, std::size(kSetUps)> floors;
   for (const SolidFace& face : solid_.faces) {
-    int direction = -1;
-    if (face.level && face.facing == Facing::kDown && face.z_low > solid_.z_bottom + kSameHeight)
-      direction = 0;
-    if (face.front && !is_reached(face)) {
-      const Vec2 out = face.front->outward;
-      direction = out.x > 0 ? 1 : out.x < 0 ? 2 : out.y > 0 ? 3 : 4;
-    }
-    if (direction < 0) continue;
-    if (++counts[direction] <= 10)
-      faces[direction] += (faces[direction].empty() ? "" : ", ") + std::to_string(face.number);
+    const int direction = set_up_of(face);
+    if (direction >= 0) floors[static_cast<std::size_t>(direction)].push_back(face.number);
   }
-  for (std::size_t i = 0; i < 5; ++i) {
-    if (counts[i] == 0) continue;
-    part_.diagnostics.skip(file_name_, std::to_string(counts[i]) + " floor(s) look along " + names[i] +
-                                           " (faces " + faces[i] + (counts[i] > 10 ? ", ..." : "") +
+  for (std::size_t i = 0; i < floors.size(); ++i) {
+    if (floors[i].empty()) continue;
+    std::string names;
+    for (std::size_t k = 0; k < std::min<std::size_t>(floors[i].size(), 10); ++k)
+      names += (k ? ", " : "") + std::to_string(floors[i][k]);
+    part_.diagnostics.skip(file_name_, std::to_string(floors[i].size()) + " floor(s) look along " +
+                                           kSetUps[i] + " (faces " + names +
+                                           (floors[i].size() > 10 ? ", ..." : "") +
                                            "): they need another set-up, with the solid turned");
   }
 }

@@ -1,0 +1,14 @@
+// A solid's faces as bytes, to pass from one process to another of the same program.
+#pragma once
+
+#include <string>
+
+#include "read/step_solid/solid_model.h"
+
+namespace clearcut {
+
+std::string bytes_of(const SolidModel& solid);
+/// The inverse. Only for what bytes_of made.
+SolidModel model_from_bytes(const std::string& bytes);
+
+}  // namespace clearcut
