@@ -10,8 +10,8 @@
 namespace clearcut {
 namespace {
 
-/// mm. How much deeper than the stepdown a pass may be before it counts as too deep: two heights rounded by the
-/// coarsest controller (0.0001 inch), and far below what a cutter notices.
+/// mm. How much deeper than the stepdown a pass may be before it counts as too deep: two heights rounded by
+/// the coarsest controller (0.0001 inch), and far below what a cutter notices.
 constexpr double kStepdownSlack = 5.5e-3;
 
 std::string mm(double value) {

@@ -16,6 +16,8 @@ constexpr double kSliver = 0.05;
 /// mm. Longest step between places where contact is measured.
 constexpr double kLongestStep = 0.25;
 
+/// mm. A level move this near to the ramps before it runs over them.
+constexpr double kOverRamp = 0.01;
 /// Cosine of the change of direction below which two moves join smoothly: 6 degrees.
 constexpr double kSmooth = 0.995;
 
@@ -34,6 +36,7 @@ class LoadMeter {
   void measure(JudgedMove& judged) {
     const Move& move = *judged.move;
     const double radius = judged.radius();
+    follow_entry(judged);
     if (judged.low_z() < material_.z_top() - kFilm && radius > kFilm) {
       if (!judged.feeds()) {
         measure_rapid(judged);
@@ -63,6 +66,25 @@ class LoadMeter {
     if (steps > 1) measure_at(judged, 1, 0);
   }
 
+  /// A level move over the ramp just run clears what the ramp left: it still belongs to the entry.
+  void follow_entry(const JudgedMove& judged) {
+    const Move& move = *judged.move;
+    in_entry_ = false;
+    if (!judged.feeds() || move.z_to > move.z_from) return ramps_.clear();
+    if (move.z_to < move.z_from) {
+      if (!move.is_vertical()) ramps_.push_back(&move);
+      return;
+    }
+    in_entry_ = !ramps_.empty() && !move.is_vertical();
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) in_entry_ = in_entry_ && over_ramps(move.path.at(t));
+    if (!in_entry_) ramps_.clear();
+  }
+
+  bool over_ramps(Vec2 p) const {
+    return std::any_of(ramps_.begin(), ramps_.end(),
+                       [&](const Move* ramp) { return distance(ramp->path, p) < kOverRamp; });
+  }
+
   bool goes_smoothly_on(const Move& move) const {
     if (!before_ || before_->is_vertical() || before_->path.to != move.path.from) return false;
     return dot(direction_at(*before_, 1), direction_at(move, 0)) > kSmooth;
@@ -79,7 +101,7 @@ class LoadMeter {
     MoveLoad& load = judged.load;
     if (contact.angle > 0)
       measure_axial(judged, move.path.at(t), angle_of(direction_at(move, t)), z, contact.angles);
-    if (!judged.is_flat()) return;
+    if (!judged.is_flat() || in_entry_) return;
     if (contact.angle <= 0) {
       load.air_mm += length;
       return;
@@ -178,7 +200,9 @@ class LoadMeter {
 
   Material& material_;
   const LoadOptions& options_;
-  const Move* before_ = nullptr;  ///< the feed move before the one in hand
+  const Move* before_ = nullptr;    ///< the feed move before the one in hand
+  std::vector<const Move*> ramps_;  ///< of the entry being run
+  bool in_entry_ = false;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ struct LoadOptions {
 ///
 /// Contact is measured at the middle of steps of at most R/10 and 0.25 mm, and on both sides of corners, on a
 /// circle kFilm smaller than the cutter, so that grazing a wall that is already cut is no contact. Engagement
-/// counts level moves; descending ones are entries.
+/// counts level moves; descending ones, and level ones over the ramps just run, are entries.
 ///
 /// Cost    O(length / step * moves near).
 void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options);

@@ -55,6 +55,10 @@ class Writer {
   Writer& arc(Vec2 to, Vec2 center, Turn turn) {
     return add(Edge::arc(at_, to, center, turn), z_, MoveKind::kCut, 1000);
   }
+  /// Counter-clockwise about `center`, down or up to z.
+  Writer& helix(Vec2 to, Vec2 center, double z) {
+    return add(Edge::arc(at_, to, center, Turn::kCounterClockwise), z, MoveKind::kCut, 500);
+  }
   /// Rapid over `to`, rapid down to 1 mm over `top`, plunge to z.
   Writer& enter(Vec2 to, double top, double z) {
     rapid(at_, 10).rapid(to, 10).rapid(to, top + 1);

@@ -489,6 +489,20 @@ TEST(Verify, ThreadsDoNotChangeTheResult) {
   EXPECT_EQ(a.all.engagement.mean_deg, b.all.engagement.mean_deg);
 }
 
+TEST(Verify, TheRoundThatEndsAHelixIsPartOfTheEntry) {
+  const Vec2 c{25, 25};
+  Writer writer;
+  writer.rapid(c + Vec2{2, 0}, 10).rapid(c + Vec2{2, 0}, 0.5);
+  for (const double z : {0.0, -1.0, -2.0})
+    writer.helix(c - Vec2{2, 0}, c, z + 0.5).helix(c + Vec2{2, 0}, c, z);
+  writer.helix(c - Vec2{2, 0}, c, -2).helix(c + Vec2{2, 0}, c, -2);
+  const Findings round = verify(square_part(), writer.done(), {});
+  EXPECT_EQ(round.all.engagement.max_deg, 0);
+  EXPECT_EQ(round.all.air_cut_mm, 0);
+  writer.rapid(c + Vec2{2, 0}, -2).helix(c - Vec2{8, 0}, c - Vec2{3, 0}, -2);
+  EXPECT_GT(verify(square_part(), writer.done(), {}).all.engagement.max_deg, 60);
+}
+
 TEST(Verify, EngagementOfStraightPasses) {
   const Part part = pocket_part(rectangle(0, 0, 200, 50), 10, -2);
   Writer writer;
