@@ -48,7 +48,7 @@ class Finder {
 
   /// Lines from `first` on that one arc can replace: doubled while that works, then halved in.
   std::size_t longest_run(std::size_t first) const {
-    std::size_t good = 0, bad = lines_from(first) + 1;
+    std::size_t good = 0, bad = loop_.size() - first + 1;
     for (std::size_t count = kFewestChords; count < bad; count *= 2) {
       if (!arc(first, count)) {
         bad = count;
@@ -62,12 +62,6 @@ class Finder {
       (arc(first, middle) ? good : bad) = middle;
     }
     return good;
-  }
-
-  std::size_t lines_from(std::size_t first) const {
-    std::size_t count = 0;
-    while (first + count < loop_.size() && !loop_[first + count].is_arc()) ++count;
-    return count;
   }
 
   /// The arc in place of `count` lines from `first`, if it lies on them.

@@ -214,25 +214,73 @@ class PairResolver {
   }
 
   std::vector<RawLoop> with_resolved(const std::set<int>& involved) {
-    std::map<int, Regions> united;
-    for (const int i : involved) {
-      Regions own = region(i);
-      for (const int wall : walls_of_[i]) own = intersect(own, region(wall), options_.tol);
-      Regions& all = united[root(i)];
-      all = all.empty() ? own : unite(all, own, options_.tol);
-    }
-    std::vector<Loop> tangled;
-    for (const auto& [first, regions] : united) {
-      for (Loop& loop : loops_of(regions)) tangled.push_back(std::move(loop));
-    }
     std::vector<RawLoop> out;
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       if (!involved.count(static_cast<int>(i))) out.push_back(loops_[i]);
     }
-    for (Loop& loop : loops_of(resolve_even_odd(tangled, options_.tol))) {
+    const auto groups = grouped(involved);
+    for (Loop& loop : is_one_level(groups) ? cut_out(groups) : folded(groups)) {
       out.push_back({std::move(loop), source(*involved.begin()), -1});
     }
     return out;
+  }
+
+  /// Outlines that were united, and the groups whose walls they go through.
+  struct Group {
+    std::vector<int> members;
+    std::set<int> walls;
+  };
+  std::map<int, Group> grouped(const std::set<int>& involved) {
+    std::map<int, Group> groups;
+    for (const int i : involved) {
+      Group& group = groups[root(i)];
+      group.members.push_back(i);
+      for (const int wall : walls_of_[i]) group.walls.insert(root(wall));
+    }
+    return groups;
+  }
+  static bool is_one_level(const std::map<int, Group>& groups) {
+    return std::all_of(groups.begin(), groups.end(), [&](const auto& group) {
+      const auto& walls = group.second.walls;
+      return walls.empty() || (walls.size() == 1 && groups.at(*walls.begin()).walls.empty());
+    });
+  }
+
+  Regions united(const Group& group) const {
+    Regions all = region(group.members.front());
+    for (std::size_t i = 1; i < group.members.size(); ++i) {
+      all = unite(all, region(group.members[i]), options_.tol);
+    }
+    return all;
+  }
+
+  /// Outlines less what goes through their walls: no curve is cut twice.
+  std::vector<Loop> cut_out(const std::map<int, Group>& groups) const {
+    std::map<int, Regions> left;
+    for (const auto& [first, group] : groups) {
+      if (group.walls.empty()) left[first] = united(group);
+    }
+    for (const auto& [first, group] : groups) {
+      if (group.walls.empty()) continue;
+      Regions& wall = left[*group.walls.begin()];
+      wall = subtract(wall, united(group), options_.tol);
+    }
+    std::vector<Loop> loops;
+    for (const auto& [first, regions] : left) {
+      for (Loop& loop : loops_of(regions)) loops.push_back(std::move(loop));
+    }
+    return loops;
+  }
+
+  /// The same for any nesting: each group cut back to its walls, then all under the even-odd rule.
+  std::vector<Loop> folded(const std::map<int, Group>& groups) const {
+    std::vector<Loop> tangled;
+    for (const auto& [first, group] : groups) {
+      Regions own = united(group);
+      for (const int wall : group.walls) own = intersect(own, united(groups.at(wall)), options_.tol);
+      for (Loop& loop : loops_of(own)) tangled.push_back(std::move(loop));
+    }
+    return loops_of(resolve_even_odd(tangled, options_.tol));
   }
 
   const std::vector<RawLoop>& loops_;
@@ -242,6 +290,31 @@ class PairResolver {
   std::vector<double> areas_;
   std::map<int, std::vector<int>> walls_of_;
 };
+
+std::vector<Meeting> harmful_of(const std::vector<Meeting>& met) {
+  std::vector<Meeting> harmful;
+  std::copy_if(met.begin(), met.end(), std::back_inserter(harmful), is_harmful);
+  return harmful;
+}
+
+/// What the library returns may meet loops that it has not seen, or itself where arcs were found again: once
+/// more, with all that meet.
+std::vector<Loop> settled(std::vector<Loop> loops, const RepairOptions& options) {
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<Meeting> harmful = harmful_of(meetings_of(loops, options));
+    if (harmful.empty()) break;
+    std::set<int> involved;
+    for (const Meeting& meeting : harmful) involved.insert({meeting.a.loop, meeting.b.loop});
+    std::vector<Loop> tangled, out;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      (involved.count(static_cast<int>(i)) ? tangled : out).push_back(std::move(loops[i]));
+    }
+    for (Loop& loop : loops_of(resolve_even_odd(tangled, options.tol))) out.push_back(std::move(loop));
+    loops = std::move(out);
+  }
+  return loops;
+}
 
 void report_touches(const std::vector<Meeting>& met, const std::vector<RawLoop>& loops,
                     const RepairOptions& options, Diagnostics& diagnostics) {
@@ -268,14 +341,13 @@ std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOpti
     met = meetings_of(bare(loops), options);
   }
   std::erase_if(met, [](const Meeting& m) { return m.within_one_loop(); });
-  std::vector<Meeting> harmful;
-  std::copy_if(met.begin(), met.end(), std::back_inserter(harmful), is_harmful);
-  if (!harmful.empty()) {
-    loops = PairResolver(loops, options, diagnostics).run(harmful);
-  } else {
+  std::vector<Meeting> harmful = harmful_of(met);
+  if (harmful.empty()) {
     report_touches(met, loops, options, diagnostics);
+    return bare(loops);
   }
-  return bare(loops);
+  loops = PairResolver(loops, options, diagnostics).run(harmful);
+  return settled(bare(loops), options);
 }
 
 }  // namespace clearcut

@@ -5,6 +5,7 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <cmath>
 #include <limits>
 
 namespace clearcut {
@@ -25,14 +26,26 @@ struct EdgeIndex::Tree {
   bg::index::rtree<TreeItem, bg::index::linear<16>> items;
 };
 
-EdgeIndex::EdgeIndex(const std::vector<Loop>& loops) : loops_(&loops), tree_(std::make_unique<Tree>()) {
+EdgeIndex::EdgeIndex(const std::vector<Loop>& loops, double longest_box)
+    : loops_(&loops), longest_box_(longest_box), tree_(std::make_unique<Tree>()) {
   std::vector<TreeItem> items;
   for (std::size_t l = 0; l < loops.size(); ++l) {
     for (std::size_t e = 0; e < loops[l].size(); ++e) {
-      items.emplace_back(tree_box(loops[l][e].box()), EdgeId{static_cast<int>(l), static_cast<int>(e)});
+      const EdgeId id{static_cast<int>(l), static_cast<int>(e)};
+      for (const Box& box : boxes(id)) items.emplace_back(tree_box(box), id);
     }
   }
   tree_->items = decltype(tree_->items)(items);  // packed: built from all items at once
+}
+
+std::vector<Box> EdgeIndex::boxes(EdgeId id) const {
+  const Edge& whole = edge(id);
+  const double pieces = std::ceil(whole.length() / longest_box_);
+  if (!(pieces > 1)) return {whole.box()};
+  std::vector<Box> out;
+  for (int i = 0; i < static_cast<int>(pieces); ++i)
+    out.push_back(whole.part(i / pieces, (i + 1) / pieces).box());
+  return out;
 }
 
 EdgeIndex::~EdgeIndex() = default;
@@ -54,6 +67,7 @@ std::vector<int> EdgeIndex::loops_around(Vec2 p) const {
     return true;
   });
   std::sort(level.begin(), level.end());
+  level.erase(std::unique(level.begin(), level.end()), level.end());
   std::vector<int> around;
   for (std::size_t i = 0; i < level.size();) {
     const int loop = level[i].loop;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -19,14 +20,19 @@ struct EdgeId {
 /// Immutable; keeps a reference to `loops`, which must outlive it. Built in O(n log n).
 class EdgeIndex {
  public:
-  explicit EdgeIndex(const std::vector<Loop>& loops);
+  /// Edges longer than `longest_box` mm are filed under several boxes: slim ones where lines run aslant.
+  explicit EdgeIndex(const std::vector<Loop>& loops,
+                     double longest_box = std::numeric_limits<double>::infinity());
   ~EdgeIndex();
   EdgeIndex(EdgeIndex&&) noexcept;
 
   const Edge& edge(EdgeId id) const {
     return (*loops_)[static_cast<std::size_t>(id.loop)][static_cast<std::size_t>(id.edge)];
   }
-  /// The edges whose boxes overlap `box`, in no particular order; `visit` returns false to stop.
+  /// The boxes under which an edge is filed.
+  std::vector<Box> boxes(EdgeId id) const;
+  /// The edges with a box that overlaps `box`, in no particular order, once for every such box; `visit`
+  /// returns false to stop.
   void visit(const Box& box, const std::function<bool(EdgeId)>& visit) const;
   /// The loops that contain p (non-zero winding), ascending.
   std::vector<int> loops_around(Vec2 p) const;
@@ -34,6 +40,7 @@ class EdgeIndex {
  private:
   struct Tree;
   const std::vector<Loop>* loops_;
+  double longest_box_;
   std::unique_ptr<Tree> tree_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/error.h"
@@ -17,8 +18,13 @@ constexpr double kTouch = 1e-9;
 constexpr double kTangentGap = 1e-7;
 /// mm. Shared stretches shorter than this are points.
 constexpr double kShortestOverlap = 1e-6;
-/// Pairs of edges looked at before the search gives up: about ten seconds.
-constexpr long long kMostPairs = 100'000'000;
+/// Overlapping boxes per box before they are made smaller: ordinary drawings have about ten.
+constexpr double kPairsPerBox = 30;
+/// Pairs that cost nothing worth saving.
+constexpr long long kAlwaysPairs = 1'000'000;
+/// Boxes in all, and overlapping pairs of them, before the search gives up: some seconds and half a gigabyte.
+constexpr double kMostBoxes = 2e6;
+constexpr long long kMostPairs = 50'000'000;
 
 /// The two directions in which a loop leaves a point of it.
 struct Passage {
@@ -27,13 +33,16 @@ struct Passage {
 
 class Search {
  public:
-  Search(const std::vector<Loop>& loops, std::size_t most, const std::string& where)
-      : loops_(loops), index_(loops), most_(most), where_(where) {}
+  /// `longest_box` of the index.
+  Search(const std::vector<Loop>& loops, std::size_t most, double longest_box)
+      : loops_(loops), index_(loops, longest_box), most_(most) {}
 
-  std::vector<Meeting> run() {
+  /// Nothing when more than `budget` pairs of boxes overlap.
+  std::optional<std::vector<Meeting>> run(long long budget) {
     for (std::size_t l = 0; l < loops_.size(); ++l) {
       for (std::size_t e = 0; e < loops_[l].size() && found_.size() < most_; ++e) {
         look_about({static_cast<int>(l), static_cast<int>(e)});
+        if (pairs_ > budget) return std::nullopt;
       }
     }
     return std::move(found_);
@@ -42,15 +51,15 @@ class Search {
  private:
   void look_about(EdgeId id) {
     std::vector<EdgeId> later;
-    index_.visit(index_.edge(id).box().grown(kTouch), [&](EdgeId other) {
-      if (id < other) later.push_back(other);
-      ++pairs_;
-      return true;
-    });
-    if (pairs_ > kMostPairs) {
-      throw InputError(where_, "too many long lines lie across each other; simplify the drawing");
+    for (const Box& box : index_.boxes(id)) {
+      index_.visit(box.grown(kTouch), [&](EdgeId other) {
+        if (id < other) later.push_back(other);
+        ++pairs_;
+        return true;
+      });
     }
     std::sort(later.begin(), later.end());
+    later.erase(std::unique(later.begin(), later.end()), later.end());
     for (const EdgeId other : later) {
       if (are_neighbours(id, other)) {
         compare_neighbours(id, other);
@@ -140,15 +149,49 @@ class Search {
   const std::vector<Loop>& loops_;
   const EdgeIndex index_;
   const std::size_t most_;
-  const std::string& where_;
   std::vector<Meeting> found_;
   long long pairs_ = 0;
 };
 
 }  // namespace
 
+bool is_shallow(const std::vector<Loop>& loops, const Meeting& meeting, double depth) {
+  const auto edge = [&](EdgeId id) -> const Edge& {
+    return loops[static_cast<std::size_t>(id.loop)][static_cast<std::size_t>(id.edge)];
+  };
+  const Edge &a = edge(meeting.a), &b = edge(meeting.b);
+  const auto stays_near = [&](const Edge& own, const Edge& other) {
+    for (const Vec2 end : {own.from, own.to}) {
+      const Vec2 middle = nearest(own, (end + meeting.at) / 2.0).point;
+      if (distance(other, end) <= depth && distance(other, middle) <= depth) return true;
+    }
+    return false;
+  };
+  if (stays_near(a, b) || stays_near(b, a)) return true;
+  // A shallow bow: the same two edges part again at their other crossing.
+  for (const Vec2 place : intersections(a, b)) {
+    const bool other = distance(place, meeting.at) > 2 * kTouch;
+    if (other && distance(b, nearest(a, (place + meeting.at) / 2.0).point) <= depth) return true;
+  }
+  return false;
+}
+
 std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, const std::string& where) {
-  return Search(loops, most, where).run();
+  double edges = 0, total = 0;
+  for (const Loop& loop : loops) {
+    edges += static_cast<double>(loop.size());
+    total += length(loop);
+  }
+  // Long slanting lines have large boxes that overlap for nothing: smaller ones, until there are few pairs.
+  double longest_box = std::numeric_limits<double>::infinity();
+  for (double boxes = 1; boxes * edges <= kMostBoxes || boxes == 1; boxes *= 8) {
+    const bool last = 8 * boxes * edges > kMostBoxes;
+    const auto few = static_cast<long long>(kPairsPerBox * boxes * edges);
+    const long long budget = last ? kMostPairs : std::max(few, kAlwaysPairs);
+    if (auto found = Search(loops, most, longest_box).run(budget)) return *found;
+    longest_box = total / (8 * boxes * edges);
+  }
+  throw InputError(where, "too many long lines lie across each other; simplify the drawing");
 }
 
 }  // namespace clearcut

@@ -28,4 +28,8 @@ struct Meeting {
 /// would not end in time. Cost O(n log n + k), k pairs of edges with overlapping boxes.
 std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, const std::string& where);
 
+/// Whether the loops part again within `depth` mm: an end of one of the two edges lies that near to the other
+/// edge, and so does the way from there to the meeting.
+bool is_shallow(const std::vector<Loop>& loops, const Meeting& meeting, double depth);
+
 }  // namespace clearcut

@@ -13,6 +13,7 @@
 #include "read/repair/meetings.h"
 #include "read/repair/mends.h"
 #include "read/repair/nesting.h"
+#include "read/repair/trimming.h"
 
 namespace clearcut {
 namespace {
@@ -21,6 +22,8 @@ namespace {
 constexpr double kThinnest = 1e-3;
 /// Touches looked through by the last check.
 constexpr std::size_t kMostTouches = 1'000'000;
+/// mm. Crossings thinner than this are left: the library gives arcs back to within tol.chord on either side.
+constexpr double kShallow = 5e-4;
 
 /// Twice the area over the length: the mean width of a thin loop, mm.
 double mean_width(double area, const Loop& loop) {
@@ -48,7 +51,7 @@ std::vector<RawLoop> without_thin(std::vector<RawLoop> loops, const RepairOption
   return kept;
 }
 
-/// The promise of Region, tested: no loop crosses or runs along itself or another.
+/// The promise of Region, tested: no loop crosses or runs along itself or another by more than kShallow.
 Regions checked(Regions regions, const RepairOptions& options) {
   std::vector<Loop> loops;
   for (const Region& region : regions) {
@@ -56,7 +59,7 @@ Regions checked(Regions regions, const RepairOptions& options) {
     loops.insert(loops.end(), region.islands().begin(), region.islands().end());
   }
   for (const Meeting& meeting : meetings(loops, kMostTouches, options.where)) {
-    if (meeting.kind == MeetingKind::kTouch) continue;
+    if (meeting.kind == MeetingKind::kTouch || is_shallow(loops, meeting, kShallow)) continue;
     throw InputError(options.where, "the outlines near " + place_text(meeting.at) +
                                         " lie too close to be told apart; separate them in the drawing");
   }
@@ -68,6 +71,7 @@ Regions checked(Regions regions, const RepairOptions& options) {
 Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagnostics& diagnostics) {
   const bool nothing_drawn = curves.empty();
   std::vector<RawLoop> loops = join(clean(std::move(curves), options, diagnostics), options, diagnostics);
+  trim_joints(loops, options, diagnostics);
   loops = without_thin(std::move(loops), options, diagnostics);
   if (loops.empty()) {
     throw InputError(options.where, nothing_drawn

@@ -194,6 +194,21 @@ TEST(Repair, SmallCurlsAreRemovedAndReported) {
   EXPECT_EQ(result.count(Severity::kRepair, "curl"), 1);
 }
 
+TEST(Repair, ALineThatLeansIntoATangentArcEndsWhereTheyCross) {
+  // A half circle bites into the right side; its tangent, the bottom, leans into it by 0.005 rad.
+  const auto bitten = [](double left) {
+    return RawCurve{{Edge::line({0, left}, {10, 0}), Edge::arc({10, 0}, {10, 4}, {10, 2}, Turn::kClockwise),
+                     Edge::line({10, 4}, {0, 4}), Edge::line({0, 4}, {0, left})},
+                    true,
+                    "bite",
+                    -1};
+  };
+  EXPECT_TRUE(repaired({bitten(-0.05)}).said.empty());
+  const Repaired result = repaired({bitten(0.05)});
+  EXPECT_EQ(result.count(Severity::kRepair, "joined at the crossing: a sliver of 2.5e-05 mm"), 1);
+  EXPECT_EQ(result.regions.size(), 1u);
+}
+
 TEST(Repair, GrossSelfCrossingIsRefusedWithThePlace) {
   EXPECT_THAT(refusal({closed({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}), HasSubstr("crosses itself at (5, 5)"));
 }
@@ -221,6 +236,14 @@ TEST(Repair, PocketsThatShareAWallAreUnited) {
   const Repaired result = repaired({square(0, 0, 10), square(10, 2, 5)});
   ASSERT_EQ(result.regions.size(), 1u);
   EXPECT_NEAR(area(result.regions), 125, 1e-6);
+}
+
+TEST(Repair, AnArcThroughAWallIsCutBackInNoTime) {
+  const auto start = std::chrono::steady_clock::now();
+  const Repaired result = repaired({square(0, 0, 50), circle({25, 42.2}, 8)});
+  const double angle = 2 * std::acos(7.8 / 8);
+  EXPECT_NEAR(area(result.regions), 2500 - 64 * kPi + 32 * (angle - std::sin(angle)), 1e-3);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
 TEST(Repair, HalfInHalfOutIsRefused) {
