@@ -244,6 +244,67 @@ TEST(Contour, ClearsRandomStars) {
   }
 }
 
+Region six_pointed_star() {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 12; ++i)
+    points.push_back(direction_of(kPi * i / 6 + kPi / 2) * (i % 2 == 0 ? 50 : 28.867513));
+  return polygon(points);
+}
+
+/// CPO-kappa table I, CPO-rho table 3: what others add costs more way than it saves.
+TEST(Contour, PublishedAdditionsClearTheStarAtAPrice) {
+  const Layer layer = pocket_layer(six_pointed_star(), 8);
+  const auto length_with = [&](ResidualRule rule) {
+    auto options = stepping("0.9");
+    options.residuals = rule;
+    Section section;
+    const auto found = cut(layer, options, &section);
+    EXPECT_LE(found.gouge, kTol.gouge);
+    EXPECT_EQ(found.uncut_cells == 0, rule != ResidualRule::kNone);
+    return feed_length(section);
+  };
+  Section ours;
+  expect_clean(cut(layer, {}, &ours), "ours");
+  const double plain = length_with(ResidualRule::kNone), spurs = length_with(ResidualRule::kOurs);
+  const double loops = length_with(ResidualRule::kLoops), bisectors = length_with(ResidualRule::kBisectors);
+  EXPECT_LT(plain, spurs);
+  EXPECT_LT(spurs, loops);
+  EXPECT_LT(loops, bisectors);
+  EXPECT_LT(feed_length(ours), spurs);
+}
+
+/// The wall ring is the part of the way on the rim of the legal area.
+TEST(Contour, RunsWithTheWallOnTheSideAskedFor) {
+  const Layer layer = pocket_layer(rectangle(50, 40), 6);
+  for (const bool right : {true, false}) {
+    ContourOptions options;
+    options.wall_on_right = right;
+    const auto passes = plan_contour(layer, options, kTol);
+    ASSERT_EQ(passes.passes.size(), 1u);
+    double turning = 0;
+    for (const auto& e : passes.passes[0].path) {
+      if (passes.legal[0].boundary_distance(e.at(0.5)) < 1e-6)
+        turning += cross(e.from - Vec2{25, 20}, e.to - Vec2{25, 20});
+    }
+    EXPECT_EQ(turning > 0, right);
+    EXPECT_NEAR(std::abs(turning), 2 * 44 * 34, 1);
+  }
+}
+
+TEST(Contour, LayersOfOneOutlineArePlannedOnce) {
+  ContourPlanner planner({}, kTol);
+  Layer layer = pocket_layer(rectangle(50, 40), 6);
+  const auto first = planner(layer);
+  layer.z_top = -2;
+  layer.z = -4;
+  const auto second = planner(layer);
+  EXPECT_EQ(second.z, -4);
+  ASSERT_EQ(second.passes.size(), first.passes.size());
+  EXPECT_EQ(second.passes[0].path, first.passes[0].path);
+  layer.allowed = layer.target = {rectangle(60, 40)};
+  EXPECT_NE(planner(layer).passes[0].path, first.passes[0].path);
+}
+
 TEST(Link, LayersFollowEachOtherWithoutTouchingMaterialInRapids) {
   Feature feature;
   feature.target = feature.allowed = {rectangle(60, 40, {square_loop({30, 20}, 6)})};

@@ -178,12 +178,12 @@ class Linker {
     return up + across + down + (start_z - state.layer().z) / options_.plunge_feed.mm_per_s();
   }
 
-  /// Rapids may cross low where the layer above has been cleared all along the way.
+  /// Rapids may cross just over the layer where the cutter stays within the pocket all along the way; in the
+  /// layer above it has cut everything there. From a lower layer it could meet what that left.
   double hop_height(Vec2 to, const LayerState& state, const LayerState* above) const {
     const double low = state.layer().z_top + options_.above_material;
-    const bool cleared = above != nullptr && above->layer().film == 0 && low < options_.safe_z &&
-                         above->legal().holds_line(at_, to);
-    return cleared ? low : options_.safe_z;
+    const bool clear = above == nullptr || above->layer().film == 0;
+    return clear && low < options_.safe_z && state.legal().holds_line(at_, to) ? low : options_.safe_z;
   }
 
   /// Where a rapid down has to end over `p`.

@@ -42,7 +42,10 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
   contour.residuals = method.residuals;
   contour.machine = options.machine;
   contour.feed = *operation.cutting.feed;
-  return [contour, tol = options.tol](const Layer& layer) { return plan_contour(layer, contour, tol); };
+  contour.wall_on_right =
+      (*operation.direction == CutDirection::kClimb) == operation.cutting.spindle_clockwise;
+  return
+      [planner = ContourPlanner(contour, options.tol)](const Layer& layer) mutable { return planner(layer); };
 }
 
 Strategy adaptive_strategy(const PlanOptions& options) {

@@ -135,7 +135,24 @@ Regions legal_area(const Layer& layer, const std::vector<Domain>& domains, doubl
   return legal;
 }
 
+bool same_outline(const Regions& a, const Regions& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& r, const Region& s) {
+    return r.outer() == s.outer() && r.islands() == s.islands();
+  });
+}
+
 }  // namespace
+
+LayerPasses ContourPlanner::operator()(const Layer& layer) {
+  const bool known = last_ && last_->tool_radius == layer.tool_radius &&
+                     last_->wall_stock == layer.wall_stock && same_outline(last_->allowed, layer.allowed) &&
+                     same_outline(last_->target, layer.target);
+  if (!known) last_passes_ = plan_contour(layer, options_, tol_);
+  last_ = layer;
+  last_passes_.z_top = layer.z_top;
+  last_passes_.z = layer.z;
+  return last_passes_;
+}
 
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
   CLEARCUT_ASSERT(layer.tool_radius > 0);
@@ -148,7 +165,7 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   RingJob job;
   job.radius = layer.tool_radius;
   job.first_level = layer.tool_radius + layer.wall_stock;
-  job.clear_residuals = options.residuals == ResidualRule::kOurs;
+  job.residuals = options.residuals;
   job.step = [&](const Region& contour) {
     return std::max(step_after(contour, options.step, layer.tool_radius), kSmallestStep * layer.tool_radius);
   };
@@ -158,7 +175,7 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   for (const auto& pass : result.passes) {
     if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);
   }
-  const bool ours = options.step.kind == StepRule::Kind::kWidest && job.clear_residuals;
+  const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
   if (ours && closed_all_round(layer)) shorten_passes(domains, job, options, tol, result);
   return result;
 }

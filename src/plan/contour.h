@@ -34,13 +34,15 @@ StepRule parse_step_rule(const std::string& text);
 enum class ResidualRule {
   kOurs,      ///< the cheapest local pass along the medial axis, only where something is left
   kNone,      ///< not at all: the plain method, for comparison
-  kLoops,     ///< a loop at every corner of every contour that leaves something (Zhao)
+  kLoops,     ///< a loop at every corner of every contour that leaves something (Zhao); ridges as ours
   kBisectors  ///< along the whole bisector of every such corner (Lin)
 };
 
 struct ContourOptions {
   StepRule step;
   ResidualRule residuals = ResidualRule::kOurs;
+  /// Rings run with the wall on the right (climb milling for a clockwise spindle); false: on the left.
+  bool wall_on_right = true;
   /// What the fastest of several plans is judged by.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
@@ -56,6 +58,19 @@ struct ContourOptions {
 /// the step. Cost    O(n log n + length of the result / radius). Source  CPO-kappa, CPO-rho; residuals:
 /// docs/contour.md.
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol);
+
+/// Plans layer after layer; layers with the same outline as the one before get its passes at their own depth.
+class ContourPlanner {
+ public:
+  ContourPlanner(const ContourOptions& options, const Tolerances& tol) : options_(options), tol_(tol) {}
+  LayerPasses operator()(const Layer& layer);
+
+ private:
+  ContourOptions options_;
+  Tolerances tol_;
+  std::optional<Layer> last_;
+  LayerPasses last_passes_;
+};
 
 // The papers' formulas. Angles are interior angles in radians, lengths mm.
 

@@ -1,6 +1,8 @@
 #include "plan/contour_passes.h"
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "plan/contour_residual.h"
 
@@ -9,6 +11,8 @@ namespace {
 
 /// 1 - cosine of the largest change of direction between lines that are drawn as one (0.001 degree).
 constexpr double kCollinear = 1.5e-10;
+/// mm. Bisectors that are curved are followed this closely.
+constexpr double kBisectorChord = 0.005;
 
 /// Lines through the points, without those that lie on the way between their neighbours.
 Path line_path(const std::vector<Vec2>& points, bool closed) {
@@ -38,32 +42,36 @@ Nearest nearest_on(const Path& path, Vec2 p, std::size_t& edge) {
   return best;
 }
 
-/// Inserts a there-and-back way into a ring at the place nearest to where it begins.
-void insert_ear(Path& ring, const std::vector<Vec2>& points) {
+/// The circle through the root of an ear and its farthest point, which clears what the ear clears there. Zhao
+/// et al. add such loops; their printed length (CPO-rho eq. 2) has the dimension of an area. None where it
+/// would touch a wall.
+std::optional<Path> loop_through(const std::vector<Vec2>& ear, const Region& domain, double first_level) {
+  const Vec2 root = ear.front();
+  const Vec2 tip = *std::max_element(ear.begin(), ear.end(), [&](Vec2 a, Vec2 b) {
+    return norm_squared(a - root) < norm_squared(b - root);
+  });
+  const Vec2 center = lerp(root, tip, 0.5);
+  if (domain.boundary_distance(center) - distance(center, tip) < first_level) return std::nullopt;
+  return Path{Edge::arc(root, tip, center, Turn::kCounterClockwise),
+              Edge::arc(tip, root, center, Turn::kCounterClockwise)};
+}
+
+/// Inserts a way that returns to where it begins into a ring, at the place nearest to that.
+template <typename MakeWay>
+void insert_way(Path& ring, Vec2 begin, MakeWay&& way_from) {
   std::size_t at = 0;
-  const auto root = nearest_on(ring, points.front(), at);
+  const auto root = nearest_on(ring, begin, at);
   const Edge edge = ring[at];
   const double margin = 1e-4 / edge.length();
-  std::vector<Vec2> way = points;
-  Path pieces;
-  if (root.t <= margin) {
-    way.front() = edge.from;
-  } else if (root.t >= 1 - margin) {
-    way.front() = edge.to;
-  } else {
-    way.front() = root.point;
-    pieces = {edge.part(0, root.t), edge.part(root.t, 1)};
+  const bool at_end = root.t >= 1 - margin, inside = root.t > margin && !at_end;
+  const Vec2 from = inside ? root.point : at_end ? edge.to : edge.from;
+  Path pieces = way_from(from);
+  if (inside) {
+    pieces.insert(pieces.begin(), edge.part(0, root.t));
+    pieces.push_back(edge.part(root.t, 1));
+    ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
   }
-  way.back() = way.front();
-  const Path ear = line_path(way, false);
-  if (pieces.empty()) {
-    ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(root.t > 0.5 ? at + 1 : at), ear.begin(),
-                ear.end());
-    return;
-  }
-  pieces.insert(pieces.begin() + 1, ear.begin(), ear.end());
-  ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(at));
-  ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(at), pieces.begin(), pieces.end());
+  ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(at_end ? at + 1 : at), pieces.begin(), pieces.end());
 }
 
 /// Turns the ring trees of one layer into passes.
@@ -74,7 +82,10 @@ class PassBuilder {
   void add_domain(const Domain& domain) {
     const auto nodes = ring_tree(domain.clearance, domain.region, job_.first_level, job_.step, tol_);
     add_rings(nodes);
-    if (job_.clear_residuals) add_residuals(nodes);
+    if (job_.residuals == ResidualRule::kOurs || job_.residuals == ResidualRule::kLoops) {
+      add_residuals(nodes, domain.region);
+    }
+    if (job_.residuals == ResidualRule::kBisectors && !nodes.empty()) add_bisectors(domain, nodes);
   }
 
   void add_fit_lines(const Domain& domain) {
@@ -122,11 +133,22 @@ class PassBuilder {
     return static_cast<int>(best);
   }
 
-  void add_residuals(const std::vector<RingNode>& nodes) {
+  void add_ear(const RingNode& node, const ResidualPath& residual, const Region& domain) {
+    const Vec2 root = residual.points.front();
+    insert_way(passes_[ring_at_root(node, root)].path, root, [&](Vec2 from) {
+      std::vector<Vec2> points = residual.points;
+      points.front() = points.back() = from;
+      const bool as_loop = job_.residuals == ResidualRule::kLoops;
+      const auto loop = as_loop ? loop_through(points, domain, job_.first_level) : std::nullopt;
+      return loop.value_or(line_path(points, false));
+    });
+  }
+
+  void add_residuals(const std::vector<RingNode>& nodes, const Region& domain) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (const auto& residual : residual_paths(nodes[i], job_.radius)) {
         if (residual.rooted) {
-          insert_ear(passes_[ring_at_root(nodes[i], residual.points.front())].path, residual.points);
+          add_ear(nodes[i], residual, domain);
         } else {
           add_ridge(i, residual);
         }
@@ -163,6 +185,72 @@ class PassBuilder {
     }
     pass.component = component_of_[node];
     pass.offset = passes_[static_cast<std::size_t>(pass.parent)].offset;
+    passes_.push_back(std::move(pass));
+  }
+
+  /// Lin et al.: along the bisector of every corner that the step leaves material in, from the ring at the
+  /// wall to where it meets another bisector.
+  void add_bisectors(const Domain& domain, const std::vector<RingNode>& nodes) {
+    const auto& axis = domain.clearance.axis();
+    std::vector<std::vector<int>> edges_at(axis.points.size());
+    for (std::size_t i = 0; i < axis.edges.size(); ++i) {
+      edges_at[static_cast<std::size_t>(axis.edges[i].a)].push_back(static_cast<int>(i));
+      edges_at[static_cast<std::size_t>(axis.edges[i].b)].push_back(static_cast<int>(i));
+    }
+    const double step = nodes.front().next_level - nodes.front().level;
+    for (std::size_t v = 0; v < axis.points.size(); ++v) {
+      if (edges_at[v].size() != 1 || axis.points[v].clearance > 0) continue;
+      const auto curve = bisector_from(static_cast<int>(v), edges_at, domain.clearance);
+      const double rise =
+          (curve[1].clearance - curve[0].clearance) / distance(curve[0].point, curve[1].point);
+      if (step > job_.radius * (1 + rise) + 1e-6) add_bisector(curve);
+    }
+  }
+
+  static std::vector<AxisPoint> bisector_from(int corner, const std::vector<std::vector<int>>& edges_at,
+                                              const Clearance& clearance) {
+    const auto& axis = clearance.axis();
+    std::vector<AxisPoint> curve{axis.points[static_cast<std::size_t>(corner)]};
+    int at = corner, came_by = -1;
+    do {
+      const auto& edges = edges_at[static_cast<std::size_t>(at)];
+      const int edge = edges.front() != came_by ? edges.front() : edges.back();
+      auto piece = clearance.axis_curve(edge, kBisectorChord);
+      const AxisEdge ends = axis.edges[static_cast<std::size_t>(edge)];
+      if (ends.b == at) std::reverse(piece.begin(), piece.end());
+      curve.insert(curve.end(), piece.begin() + 1, piece.end());
+      at = ends.b == at ? ends.a : ends.b;
+      came_by = edge;
+    } while (edges_at[static_cast<std::size_t>(at)].size() == 2);
+    return curve;
+  }
+
+  void add_bisector(const std::vector<AxisPoint>& curve) {
+    std::vector<Vec2> points;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const AxisPoint &a = curve[i - 1], &b = curve[i];
+      if (b.clearance <= job_.first_level) continue;
+      if (points.empty()) {
+        const double t = (job_.first_level - a.clearance) / (b.clearance - a.clearance);
+        points.push_back(lerp(a.point, b.point, std::max(t, 0.0)));
+      }
+      points.push_back(b.point);
+    }
+    if (points.size() < 2) return;
+    Pass pass;
+    pass.path = line_path(points, false);
+    pass.offset = job_.first_level;
+    std::size_t edge = 0;
+    double nearest_distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      if (!passes_[i].closed || passes_[i].parent >= 0) continue;
+      const double d = nearest_on(passes_[i].path, points.front(), edge).distance;
+      if (d >= nearest_distance) continue;
+      nearest_distance = d;
+      pass.parent = static_cast<int>(i);
+    }
+    if (pass.parent < 0) return;
+    pass.component = passes_[static_cast<std::size_t>(pass.parent)].component;
     passes_.push_back(std::move(pass));
   }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "plan/contour.h"
 #include "plan/contour_rings.h"
 #include "toolpath/pass.h"
 
@@ -19,7 +20,7 @@ struct RingJob {
   double radius = 0;       ///< of the cutter, mm
   double first_level = 0;  ///< of the rings at the wall, mm
   StepOf step;
-  bool clear_residuals = true;  ///< ears in corners, passes on ridges
+  ResidualRule residuals = ResidualRule::kOurs;
 };
 
 /// Passes of all domains: rings, parents first, with ears where they would leave material in corners; then

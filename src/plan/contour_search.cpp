@@ -22,17 +22,21 @@ constexpr double kChord = 0.004;
 constexpr int kHeats = 3;
 constexpr int kFinalRounds = 3;
 constexpr int kFinalists = 2;
+/// Share of the way that braking and speeding up take (v * v / a) that a right-angled corner is counted as.
+constexpr double kTurnCost = 0.15;
 /// mm. Height of a lift and its plunge, for comparing with staying down.
 constexpr double kLift = 10;
 
-/// The passes of one component, numbered anew, without lines on which the cutter just fits.
-std::vector<Pass> component_of(const std::vector<Pass>& passes, int component) {
+/// The passes of one component, numbered anew and in the sense asked for, without lines on which the cutter
+/// just fits.
+std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, bool turned_round) {
   std::vector<Pass> own;
   std::vector<int> number(passes.size(), -1);
   for (std::size_t i = 0; i < passes.size(); ++i) {
     if (passes[i].component != component || (passes[i].parent < 0 && !passes[i].closed)) continue;
     number[i] = static_cast<int>(own.size());
     own.push_back(passes[i]);
+    if (turned_round && own.back().closed) own.back().path = reversed(own.back().path);
     if (own.back().parent >= 0) own.back().parent = number[static_cast<std::size_t>(own.back().parent)];
   }
   return own;
@@ -46,6 +50,8 @@ class Search {
     job_.radius = radius;
     job_.legal = &legal;
     job_.where = where;
+    const double v = options.feed.mm_per_s();
+    job_.turn_cost = kTurnCost * v * v / options.machine.acceleration;
     job_.matters = [this](Vec2 p) { return job_.where.contains(p) && legal_.contains(p); };
   }
   Search(const Search&) = delete;
@@ -59,20 +65,15 @@ class Search {
     entries_.push_back({Tightener(skeleton_of(passes, skeleton), job_), 0});
   }
 
-  struct Winner {
-    std::vector<Path> ways;
-    double film = 0;
-  };
-
   /// All run a few rounds, the fastest run to the end. Empty when none is proven to clear everything.
-  Winner winner() {
+  std::vector<Path> winner() {
     for (auto& entry : entries_) {
       entry.tightener.pull(kHeats);
       entry.time = time_of(paths_of(entry.tightener.skeleton()));
     }
     std::sort(entries_.begin(), entries_.end(),
               [](const Entry& a, const Entry& b) { return a.time < b.time; });
-    Winner best;
+    std::vector<Path> best;
     double best_time = std::numeric_limits<double>::infinity();
     int finished = 0;
     for (auto& entry : entries_) {
@@ -84,7 +85,7 @@ class Search {
       const double time = time_of(paths);
       if (time >= best_time) continue;
       best_time = time;
-      best = {std::move(paths), entry.tightener.film()};
+      best = std::move(paths);
     }
     return best;
   }
@@ -159,16 +160,18 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
   for (const auto& pass : result.passes) components = std::max(components, pass.component + 1);
   for (int component = 0; component < components; ++component) {
     Box where;
-    for (const auto& pass : component_of(result.passes, component)) where.add(box(pass.path));
+    for (const auto& pass : component_of(result.passes, component, false)) where.add(box(pass.path));
     if (where.empty()) continue;
     Search search(options, legal, job.radius, where);
     for (const auto& variant : variants) {
-      const auto own = component_of(variant, component);
+      const auto own = component_of(variant, component, !options.wall_on_right);
       if (!own.empty()) search.enter(own);
     }
-    const auto winner = search.winner();
-    film = std::max(film, winner.ways.empty() ? result.film : winner.film);
-    if (!winner.ways.empty()) replace_component(result, component, winner.ways);
+    if (const auto ways = search.winner(); ways.empty()) {
+      film = result.film;
+    } else {
+      replace_component(result, component, ways);
+    }
   }
   result.film = film;
 }

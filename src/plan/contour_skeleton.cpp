@@ -175,7 +175,18 @@ class SkeletonBuilder {
     if (!children_[i].empty()) spiral_out(children_[i].front(), way);
     if (!passes_[i].closed) return walk_open(i, way);
     const auto& ring = passes_[i].path;
-    go_round(i, place_on(ring, way.empty() ? ring.front().from : at(way.back())), way);
+    go_round(i, place_on(ring, way.empty() ? beginning_of(ring) : at(way.back())), way);
+  }
+
+  /// Where the innermost ring begins.
+  Vec2 beginning_of(const Path& ring) const {
+    const double wanted = options_.begin * length(ring);
+    double behind = 0;
+    for (const auto& edge : ring) {
+      if (behind + edge.length() > wanted) return edge.at((wanted - behind) / edge.length());
+      behind += edge.length();
+    }
+    return ring.front().from;
   }
 
   /// Into pass i and all it surrounds, innermost first, and back to where it was entered.

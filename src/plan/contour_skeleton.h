@@ -32,6 +32,7 @@ struct Skeleton {
 
 struct SkeletonOptions {
   double chord = 0.05;  ///< mm; flexible ways start as polygons within this of their rings
+  double begin = 0;     ///< where the innermost ring is begun, as a share of its length
   double hop = 20;      ///< mm; a lift costs as much time as feeding this far
   /// Whether the straight way between two points is legal.
   std::function<bool(Vec2, Vec2)> legal;

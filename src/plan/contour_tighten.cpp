@@ -23,16 +23,11 @@
 namespace clearcut {
 namespace {
 
-/// mm. While ways are pulled, witnesses are kept this much inside the radius.
+/// mm. How much less than the radius the witnesses' limit is while ways are pulled, and at the end.
 constexpr double kPullMargin = 0.0005;
-/// mm. At the end they are kept this much inside it, so that the exact check holds for a radius less by ...
 constexpr double kWitnessMargin = 0.004;
-/// mm. ... this much, which is above the rounding of any program text.
+/// mm. How much less than the radius the exact check runs with: above the rounding of any program text.
 constexpr double kProvenMargin = 0.001;
-/// mm. Where strokes fit exactly side by side, as they do in pockets of round dimensions, no margin is left.
-/// There the check runs with this much more than the radius, and a film may stay that is thinner than
-/// tol.uncut.
-constexpr double kFilm = 0.0035;
 /// Spacing of vertices, as a share of the radius.
 constexpr double kSpacing = 0.6;
 /// Weight of the springs that keep vertices evenly spaced.
@@ -41,7 +36,8 @@ constexpr double kEven = 0.02;
 constexpr double kSoft = 0.01;
 /// Damping of the Newton step, 1 / radius.
 constexpr double kDamping = 0.02;
-/// Rounds after the last pull in which the exact check has to find nothing left; as many again for a film.
+/// Rounds after the last pull in which the exact check has to find nothing left; with tension in the first of
+/// them.
 constexpr int kSettlingRounds = 4;
 constexpr int kMendingRounds = 14;
 
@@ -147,17 +143,11 @@ struct Tightener::Impl {
     // Still witnesses have done their work by now and would quarrel with the moving ones.
     std::erase_if(witnesses_, [](const Witness& w) { return !w.moving; });
     limit_ = job_.radius - kWitnessMargin;
-    if (!mend()) {
-      limit_ = job_.radius - kPullMargin;
-      proven_ = job_.radius + kFilm;
-      if (!mend()) return false;
-    }
+    if (!mend()) return false;
     if (!all_legal()) return false;
     polish();
     return true;
   }
-
-  double film() const { return std::max(0.0, proven_ - job_.radius); }
 
   bool mend() {
     for (int k = 0; k < kMendingRounds; ++k) {
@@ -399,6 +389,7 @@ struct Tightener::Impl {
     move_.assign(skeleton_.points.size(), {});
     for (std::uint32_t i = 0; i < bands_.size(); ++i) add_pull(i);
     for (const auto& active : active_) add_hold(active);
+    if (job_.turn_cost * tension_ > 0) for_ways([&](const std::vector<int>& way) { add_turns(way); });
   }
 
   void add_pull(std::uint32_t i) {
@@ -413,6 +404,27 @@ struct Tightener::Impl {
     diagonal_[band.a] += h;
     diagonal_[band.b] += h;
     coupling_[i] += h * -1;
+  }
+
+  /// turn_cost * (1 - cosine of the turn) at every vertex, with a bound of its curvature in place of the
+  /// Hessian.
+  void add_turns(const std::vector<int>& way) {
+    for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+      const auto before = static_cast<std::uint32_t>(way[i - 1]), here = static_cast<std::uint32_t>(way[i]);
+      const auto after = static_cast<std::uint32_t>(way[i + 1]);
+      const Vec2 d1 = at(here) - at(before), d2 = at(after) - at(here);
+      const double least = 0.1 * kSpacing * job_.radius;
+      const double l1 = std::max(least, std::sqrt(norm_squared(d1))),
+                   l2 = std::max(least, std::sqrt(norm_squared(d2)));
+      const Vec2 u1 = d1 / l1, u2 = d2 / l2;
+      const double c = dot(u1, u2);
+      const Vec2 g1 = (u2 - u1 * c) * (job_.turn_cost / l1), g2 = (u2 * c - u1) * (job_.turn_cost / l2);
+      gradient_[before] = gradient_[before] + g1;
+      gradient_[after] = gradient_[after] + g2;
+      gradient_[here] = gradient_[here] - g1 - g2;
+      const double bound = 2 * job_.turn_cost * (1 / (l1 * l1) + 1 / (l2 * l2));
+      for (const std::uint32_t v : {before, here, after}) diagonal_[v] += Sym2{bound, 0, bound};
+    }
   }
 
   static constexpr std::uint32_t kFixed = std::numeric_limits<std::uint32_t>::max();
@@ -701,10 +713,6 @@ void Tightener::pull(int rounds) {
 
 bool Tightener::finish() {
   return impl_->finish();
-}
-
-double Tightener::film() const {
-  return impl_->film();
 }
 
 const Skeleton& Tightener::skeleton() const {

@@ -14,6 +14,7 @@ struct TightenJob {
   std::function<bool(Vec2)> matters;  ///< whether a place has to be cut
   Box where;                          ///< holds all places that matter
   const LegalArea* legal = nullptr;   ///< where the centre may be
+  double turn_cost = 0;               ///< mm of way that a right-angled corner is worth
 };
 
 /// Shortens the ways of a skeleton while everything that matters stays within the radius of a way or a ring.
@@ -37,8 +38,6 @@ class Tightener {
   /// False when something stays; the skeleton is not to be used then.
   bool finish();
   const Skeleton& skeleton() const;
-  /// mm. How far from what is cut anything may be left: 0 unless strokes fit exactly side by side.
-  double film() const;
 
  private:
   struct Impl;
