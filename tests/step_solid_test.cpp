@@ -179,6 +179,7 @@ void expect_clean_pockets(const std::string& name, double tool, std::size_t clos
     ++judged;
   }
   EXPECT_EQ(judged, closed) << name;
+  EXPECT_TRUE(result.findings.all.clean) << name;
 }
 
 TEST(StepSolid, ThePlansOfTheExamplesAreCertifiedClean) {

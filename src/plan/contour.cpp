@@ -68,6 +68,10 @@ bool has_open_side(const Loop& loop, const Regions& allowed) {
   return std::any_of(loop.begin(), loop.end(), [&](const Edge& e) { return !on_wall(e.at(0.5), allowed); });
 }
 
+/// Radii. Beside a wall's end the air channel is wider than the cutter, or a ring would just fit into it;
+/// thin rests along walls need at least 2.
+constexpr double kReachBesideWalls = 2.05;
+
 /// How far beyond the target's open sides rings may use the air, mm (see docs/contour.md, "Open sides").
 double reach_beyond(const Region& target, const Regions& allowed, double radius) {
   const auto islands_clear = [&](const Loop& island) {
@@ -78,7 +82,7 @@ double reach_beyond(const Region& target, const Regions& allowed, double radius)
   };
   const bool face = !has_wall(target.outer(), allowed) &&
                     std::all_of(target.islands().begin(), target.islands().end(), islands_clear);
-  if (!face) return 2 * radius;
+  if (!face) return kReachBesideWalls * radius;
   // The first ring runs inside the edge, just near enough to it to clear the sharpest corner.
   return radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
 }
