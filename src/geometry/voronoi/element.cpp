@@ -79,9 +79,9 @@ CommonNormal normal_of_rounds(const Element& a, const Element& b) {
     const double c = (d - a.radius - b.radius) / 2;
     normal.lowest = {a.edge.center + u * (a.radius + c), c};
   } else if (b.wall != Wall::kConcave) {
-    const double low = (a.radius - d - b.radius) / 2, high = (a.radius + d - b.radius) / 2;
+    const double low = (a.radius - d - b.radius) / 2, behind = (a.radius - d + b.radius) / 2;
     normal.lowest = {b.edge.center + u * (b.radius + low), low};
-    normal.highest = {b.edge.center - u * (b.radius + high), high};
+    if (behind >= 0) normal.highest = {a.edge.center - u * behind, a.radius - behind};
   } else {
     const double x = (a.radius - b.radius + d) / 2;
     if (x >= 0 && x <= d) normal.highest = {a.edge.center + u * x, a.radius - x};

@@ -15,6 +15,7 @@ std::size_t index(int i) {
 
 /// mm. Curves that part by less are merged.
 constexpr double kSameCurve = 1e-6;
+constexpr double kTiny = 0.01;
 
 /// The axis cut to a band of clearances, as a graph of its own.
 class Band {
@@ -76,9 +77,7 @@ class Band {
   /// bisector.
   int cut(const AxisEdge& e, Walls walls, double level, bool into_region) {
     const Element &a = d_.element(walls.a), &b = d_.element(walls.b);
-    const auto place = [&](double t) {
-      return on_bisector(a, b, lerp(point(e.a).point, point(e.b).point, t));
-    };
+    const auto place = [&](double t) { return on_bisector(a, b, point(e.a).point, point(e.b).point, t); };
     double below = 0, above = 1;
     for (int step = 0; step < 40; ++step) {
       const double middle = (below + above) / 2;
@@ -162,26 +161,33 @@ class Band {
   /// The bisector of two walls between two of its places: a line, or the arc through its middle.
   Edge curve(Vec2 from, Vec2 to, Walls walls) const {
     const Element &a = d_.element(walls.a), &b = d_.element(walls.b);
-    if (!a.is_round() && !b.is_round()) return Edge::line(from, to);
+    // Between nodes this near, what is left of the curve is below their own error.
+    if ((!a.is_round() && !b.is_round()) || norm(to - from) < kTiny) return Edge::line(from, to);
     if (a.is_round() && b.is_round() && norm(a.edge.center - b.edge.center) < kSameCurve) {
       const bool ccw = cross(from - a.edge.center, to - a.edge.center) > 0;
       return Edge::arc(from, to, a.edge.center, ccw ? Turn::kCounterClockwise : Turn::kClockwise);
     }
     const Vec2 chord = to - from, middle = lerp(from, to, 0.5);
-    const double sagitta = dot(on_bisector(a, b, middle) - middle, left_of(chord)) / norm_squared(chord);
+    const double sagitta =
+        dot(on_bisector(a, b, from, to, 0.5) - middle, left_of(chord)) / norm_squared(chord);
     // A bow to the left of the chord runs clockwise.
     return std::abs(sagitta) * norm(chord) < kSameCurve ? Edge::line(from, to)
                                                         : Edge::from_bulge(from, to, -2 * sagitta);
   }
 
-  static Vec2 on_bisector(const Element& a, const Element& b, Vec2 p) {
+  /// The place of the bisector nearest to the middle (t = 0.5) or another place of a chord between two of its
+  /// places.
+  static Vec2 on_bisector(const Element& a, const Element& b, Vec2 from, Vec2 to, double t) {
+    const Vec2 start = lerp(from, to, t);
+    Vec2 p = start;
     for (int step = 0; step < 4; ++step) {
       const Vec2 g = away_from(a, p) - away_from(b, p);
       const double f = distance(a, p) - distance(b, p);
       if (norm_squared(g) < 1e-12) break;
       p = p - g * (f / norm_squared(g));
     }
-    return p;
+    // Walls that go on smoothly from one another hardly say where it runs.
+    return norm_squared(p - start) <= norm_squared(to - from) ? p : start;
   }
 
   static void append(Path& path, const Edge& edge) {
