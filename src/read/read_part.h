@@ -9,11 +9,11 @@
 
 namespace clearcut {
 
-/// .p21 .stp .step .stpnc .238 (STEP-NC or a solid, by its schema), .dxf, .svg, .json (outline), .toml (job); files of other names by
-/// their first bytes. See docs/input.md.
+/// .p21 .stp .step .stpnc .238 (STEP-NC or a solid, by its schema), .dxf, .svg, .json (outline), .toml
+/// (job); files of other names by their first bytes. See docs/input.md.
 ///
-/// Throws InputError, one line, for a file that is missing, empty, unreadable, of another kind, or larger
-/// than 256 MB, and whatever its reader throws.
+/// Throws  InputError, one line, for a file that is missing, empty, unreadable, of another kind, or larger
+///         than 256 MB, and whatever its reader throws.
 Part read_part(const std::filesystem::path& file, const ReadOptions& options);
 
 /// The same for text already read; `file_name` gives the extension and stands in messages. Job files name

@@ -39,17 +39,17 @@ struct DxfDocument {
   std::map<std::string, DxfBlock> blocks;        ///< by name in capitals
   std::vector<DxfEntity> entities;
 
-  /// Throws InputError "file:line: ..." unless the group's value is a finite number.
+  /// Throws  InputError "file:line: ..." unless the group's value is a finite number.
   double number(const DxfGroup& group) const;
   double number(const DxfEntity& entity, int code, double otherwise) const;
-  /// Throws also when the group is missing.
+  /// Throws  also when the group is missing.
   double required(const DxfEntity& entity, int code) const;
   int integer(const DxfEntity& entity, int code, int otherwise) const;
   [[noreturn]] void fail(int line, const std::string& what) const;
 };
 
-/// Throws InputError for binary DXF, for text that is no DXF, and for a file that ends in the middle of a
-/// group or has no ENTITIES. Cost O(length).
+/// Throws  InputError for binary DXF, for text that is no DXF, and for a file that ends in the middle of a
+///         group or has no ENTITIES. Cost O(length).
 DxfDocument parse_dxf(std::string_view text, const std::string& file_name);
 
 }  // namespace clearcut

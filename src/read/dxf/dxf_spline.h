@@ -10,7 +10,7 @@
 namespace clearcut {
 
 /// The spline under `map`, within kCurveTolerance mm. Nothing when it has no control points.
-/// Throws InputError "file:line: ..." when knots and control points do not belong together.
+/// Throws  InputError "file:line: ..." when knots and control points do not belong together.
 /// Source  de Boor's algorithm on homogeneous points, knot span by knot span.
 std::optional<Path> spline_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map);
 

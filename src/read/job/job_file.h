@@ -15,8 +15,8 @@
 
 namespace clearcut {
 
-/// How to cut, for all operations ([plan]) or those of some features ([[operation]]). Absent values are left
-/// to what stands above them: operation, plan, the part's file, the planner's defaults.
+/// How to cut, for all operations ([plan]) or those of some features ([[operation]]). Absent values are
+/// left to what stands above them: operation, plan, the part's file, the planner's defaults.
 struct CutSettings {
   std::optional<std::string> strategy;  ///< name
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "3.5mm", "lom", "rho"
@@ -76,8 +76,8 @@ struct JobFile {
   std::optional<std::uint64_t> seed;
 };
 
-/// Throws InputError "file:line: ..." for bad TOML, unknown keys (with the nearest known one) and impossible
-/// values.
+/// Throws  InputError "file:line: ..." for bad TOML, unknown keys (with the nearest known one) and
+///         impossible values.
 JobFile read_job_text(std::string_view text, const std::string& file_name);
 JobFile read_job(const std::filesystem::path& file);
 

@@ -10,9 +10,9 @@
 
 namespace clearcut {
 
-/// TOML with name, rapid (mm/min), acceleration (mm/s2), junction_deviation (mm), max_spindle (rpm), max_feed
-/// (mm/min) and travel = {x = [low, high], y = ..., z = ...} (mm); all may be left out. Throws InputError
-/// "file:line: ...".
+/// TOML with name, rapid (mm/min), acceleration (mm/s2), junction_deviation (mm), max_spindle (rpm),
+/// max_feed (mm/min) and travel = {x = [low, high], y = ..., z = ...} (mm); all may be left out. Throws
+/// InputError "file:line: ...".
 Machine read_machine(const std::filesystem::path& file);
 Machine read_machine_text(std::string_view text, const std::string& file_name);
 /// The same keys as a table of a job. `base` gives what is left out.

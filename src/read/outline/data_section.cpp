@@ -26,9 +26,8 @@ std::size_t edits_between(const std::string& a, const std::string& b) {
 
 bool is_pair(const DataValue& value) {
   if (!value.is_array() || value.items.size() != 2) return false;
-  return std::all_of(value.items.begin(), value.items.end(), [](const DataValue& item) {
-    return item.is_number() && std::isfinite(item.number);
-  });
+  return std::all_of(value.items.begin(), value.items.end(),
+                     [](const DataValue& item) { return item.is_number() && std::isfinite(item.number); });
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ struct DataMember {
   DataValue value;
 };
 
-/// Throws InputError "file:line: ..." for text that is not JSON, or nested deeper than 64.
-/// Cost O(length).
+/// Throws  InputError "file:line: ..." for text that is not JSON, or nested deeper than 64.
+/// Cost    O(length).
 DataValue parse_json(std::string_view text, const std::string& file_name);
 /// The same for TOML. Dates and times are refused.
 DataValue parse_toml(std::string_view text, const std::string& file_name);
@@ -70,7 +70,7 @@ class DataSection {
   /// One of `names`, by its place; throws listing them.
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& names);
 
-  /// Throws InputError for the first key that nobody asked for, with the nearest that was.
+  /// Throws  InputError for the first key that nobody asked for, with the nearest that was.
   void refuse_unknown() const;
   [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail_at(const std::string& key, const std::string& what) const;

@@ -19,8 +19,8 @@ struct LayerMeaning {
   std::optional<double> top;    ///< in units of the drawing
 };
 /// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
-/// holes, "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at anything
-/// but letters.
+/// holes, "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
+/// anything but letters.
 LayerMeaning meaning_of_layer(std::string_view name);
 /// Whether `name` matches `pattern`: case is ignored, * stands for anything.
 bool matches(std::string_view pattern, std::string_view name);
@@ -38,9 +38,9 @@ struct DrawnGroup {
 /// Lets the first rule that matches `name` overrule what the group took from its name.
 void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group);
 
-/// Repairs every group and makes one closed pocket (or round hole) of every region, shallow ones first, each
-/// with one roughing (drilling) workingstep. Islands' groups are cut out of all others. Throws InputError
-/// when nothing is left, or a depth is missing.
+/// Repairs every group and makes one closed pocket (or round hole) of every region, shallow ones first,
+/// each with one roughing (drilling) workingstep. Islands' groups are cut out of all others. Throws
+/// InputError when nothing is left, or a depth is missing.
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options);
 
 /// The diameter when the region is one full circle.

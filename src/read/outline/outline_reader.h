@@ -15,8 +15,7 @@ namespace clearcut {
 /// "through" and "stock".
 ///
 /// Shape   a Part without stock (solid everywhere outside) unless the file has one, one feature per outline
-/// and one
-///         roughing workingstep per feature. `tools` stays empty: the caller supplies tools and
+///         and one roughing workingstep per feature. `tools` stays empty: the caller supplies tools and
 ///         Operation::tool.
 /// Units   those of "units" (mm when absent), result in mm.
 /// Throws  InputError "file:line: ..." for bad JSON, missing or impossible values, outlines beyond repair.

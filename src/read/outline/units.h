@@ -1,4 +1,4 @@
-// Units of length by name.
+// Names of units of length.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace clearcut {
 
-/// mm per unit for "mm", "cm", "m", "um", "in" (also "inch", "inches"), "ft", "mil"/"thou", "pt", "pc", "px"
-/// (96 per inch); upper or lower case. Exact: an inch is 25.4 mm.
+/// mm per unit for "mm", "cm", "m", "um", "in" (also "inch", "inches"), "ft", "mil"/"thou", "pt", "pc",
+/// "px" (96 per inch); upper or lower case. Exact: an inch is 25.4 mm.
 std::optional<double> mm_per_unit(std::string_view name);
 /// The names mm_per_unit knows, for messages.
 const std::string& known_units();

@@ -15,9 +15,9 @@ inline constexpr double kArcChordTolerance = 0.005;
 /// Runs shorter than this stay lines.
 inline constexpr std::size_t kFewestChords = 5;
 
-/// Replaces runs of lines that turn one way with vertices and middles on one circle, to within the tolerances
-/// above: never across a corner, never a coarse polygon. Reports how many lines became how many arcs. Cost
-/// O(n log n).
+/// Replaces runs of lines that turn one way with vertices and middles on one circle, to within the
+/// tolerances above: never across a corner, never a coarse polygon. Reports how many lines became how many
+/// arcs. Cost O(n log n).
 void find_arcs(std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics);
 
 }  // namespace clearcut

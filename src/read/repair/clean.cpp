@@ -57,8 +57,8 @@ void append_consistent(const Edge& edge, const std::string& source, Cleaning& cl
   out.push_back(flatness(mended) <= kFlat ? Edge::line(edge.from, edge.to) : mended);
 }
 
-/// The path without edges below kTinyEdge. Vertices stay where they are: the next edge starts at the last one
-/// kept, so a long run of tiny edges is followed by chords of about kTinyEdge.
+/// The path without edges below kTinyEdge. Vertices stay where they are: the next edge starts at the last
+/// one kept, so a long run of tiny edges is followed by chords of about kTinyEdge.
 Path without_tiny(const Path& path, Cleaning& cleaning) {
   Path kept;
   kept.reserve(path.size());

@@ -18,12 +18,12 @@ Edge with_ends(const Edge& edge, Vec2 from, Vec2 to);
 /// A full circle as two half circles, counter-clockwise, from its right-most point.
 Path full_circle(Vec2 center, double radius);
 
-/// Throws InputError when a number of the curve is not finite or reaches beyond kLargestCoordinate.
+/// Throws  InputError when a number of the curve is not finite or reaches beyond kLargestCoordinate.
 void check_numbers(const RawCurve& curve, const std::string& where);
 
-/// Every curve with consistent arcs and without edges below kTinyEdge (runs of tiny edges keep their course);
-/// curves without any length are dropped. Throws InputError for arcs whose radii differ by more than
-/// tol.join_gap.
+/// Every curve with consistent arcs and without edges below kTinyEdge (runs of tiny edges keep their
+/// course); curves without any length are dropped. Throws InputError for arcs whose radii differ by more
+/// than tol.join_gap.
 std::vector<RawCurve> clean(std::vector<RawCurve> curves, const RepairOptions& options,
                             Diagnostics& diagnostics);
 

@@ -297,8 +297,8 @@ std::vector<Meeting> harmful_of(const std::vector<Meeting>& met) {
   return harmful;
 }
 
-/// What the library returns may meet loops that it has not seen, or itself where arcs were found again: once
-/// more, with all that meet.
+/// What the library returns may meet loops that it has not seen, or itself where arcs were found again:
+/// once more, with all that meet.
 std::vector<Loop> settled(std::vector<Loop> loops, const RepairOptions& options) {
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {

@@ -14,10 +14,11 @@ std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairO
 
 /// Loops that at most touch each other in points, bounding the same area under the even-odd rule, up to the
 /// mends listed in `diagnostics`:
-/// - a loop that crosses itself keeps its main part when all the rest is a sliver (kLargestCurl of its area);
+/// - a loop that crosses itself keeps its main part when all the rest is a sliver (kLargestCurl of its
+///   area);
 /// - an island through a wall (kMostlyInside of it lies within) is cut back to the wall;
 /// - outlines that overlap by less than kSlightOverlap of the smaller, or share a stretch of wall, are
-/// united. Throws InputError naming the place for all other crossings.
+///   united. Throws InputError naming the place for all other crossings.
 std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOptions& options,
                                     Diagnostics& diagnostics);
 

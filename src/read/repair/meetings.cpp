@@ -22,7 +22,8 @@ constexpr double kShortestOverlap = 1e-6;
 constexpr double kPairsPerBox = 30;
 /// Pairs that cost nothing worth saving.
 constexpr long long kAlwaysPairs = 1'000'000;
-/// Boxes in all, and overlapping pairs of them, before the search gives up: some seconds and half a gigabyte.
+/// Boxes in all, and overlapping pairs of them, before the search gives up: some seconds and half a
+/// gigabyte.
 constexpr double kMostBoxes = 2e6;
 constexpr long long kMostPairs = 50'000'000;
 

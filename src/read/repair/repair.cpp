@@ -22,7 +22,8 @@ namespace {
 constexpr double kThinnest = 1e-3;
 /// Touches looked through by the last check.
 constexpr std::size_t kMostTouches = 1'000'000;
-/// mm. Crossings thinner than this are left: the library gives arcs back to within tol.chord on either side.
+/// mm. Crossings thinner than this are left: the library gives arcs back to within tol.chord on either
+/// side.
 constexpr double kShallow = 5e-4;
 
 /// Twice the area over the length: the mean width of a thin loop, mm.

@@ -31,15 +31,13 @@ struct RepairOptions {
   bool find_arcs = false;
 };
 
-/// Shape   regions with disjoint interiors by the even-odd rule, to any depth of nesting: a loop in a pocket
-/// is an
-///         island, a loop in an island is a pocket again. Valid by construction, and checked.
+/// Shape   regions with disjoint interiors by the even-odd rule, to any depth of nesting: a loop in a
+///         pocket is an island, a loop in an island is a pocket again. Valid by construction, and checked.
 /// Units   mm.
 /// Error   boundaries move by at most tol.join_gap, and less than 1 um where nothing was mended.
 /// Throws  InputError, one line with the place, for what is beyond repair: numbers that are not finite or
-/// above
-///         1e6 mm, gaps above tol.join_gap, outlines that cross themselves or each other for more than a
-///         sliver.
+///         above 1e6 mm, gaps above tol.join_gap, outlines that cross themselves or each other for more
+///         than a sliver.
 /// Cost    O(n log n) for n edges of ordinary drawings.
 /// Every mend is listed in `diagnostics` with its place and size.
 Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagnostics& diagnostics);

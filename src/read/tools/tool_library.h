@@ -41,8 +41,8 @@ struct ToolOptions {
 ///
 /// Units   mm, mm/min and rpm, whatever the file has.
 /// Throws  InputError, one line, for files that cannot be read and for libraries without a single usable
-/// tool. Tools that are no rotating cutters for pockets (taps, thread mills, probes, V-bits, ...) are dropped
-/// and reported.
+///         tool. Tools that are no rotating cutters for pockets (taps, thread mills, probes, V-bits, ...)
+///         are dropped and reported.
 ToolLibrary read_tool_library(const std::filesystem::path& file, const ToolOptions& options);
 /// The same for text already read. A .fctl has its tools looked for beside `file_name`.
 ToolLibrary read_tool_library_text(std::string_view text, const std::string& file_name,
