@@ -58,8 +58,8 @@ class Clearance {
   std::vector<Path> fit_lines(double d) const;
 
   const MedialAxis& axis() const;
-  /// The axis edge numbered `edge` as a polyline from its a to its b, no farther than `chord` mm from the true
-  /// curve; the clearance between its points is linear to within `chord`, too.
+  /// The axis edge numbered `edge` as a polyline from its a to its b, no farther than `chord` mm from the
+  /// true curve; the clearance between its points is linear to within `chord`, too.
   std::vector<AxisPoint> axis_curve(int edge, double chord) const;
   /// Local maxima of the clearance (pocket centres), one per plateau, largest first.
   const std::vector<AxisPoint>& centers() const;

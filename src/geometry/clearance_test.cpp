@@ -122,6 +122,56 @@ TEST(Inset, NecksSplit) {
   EXPECT_NEAR(c.max(), 15, 1e-3);
 }
 
+TEST(Inset, FarFromTheOriginAndVerySmall) {
+  const Vec2 far{20000, -30000};
+  const Regions r = inset(region(rectangle(far, far + Vec2{100, 60})), 5, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  EXPECT_NEAR(r[0].area(), 90 * 50, 1e-6);
+  const Regions small = inset(region(circle({1, 1}, 0.05)), 0.03, kTol);
+  ASSERT_EQ(small.size(), 1U);
+  EXPECT_NEAR(small[0].area(), kPi * 0.02 * 0.02, 1e-7);
+}
+
+TEST(Inset, SmallerThanTheGridIsNothing) {
+  EXPECT_TRUE(inset(region(rectangle({1, 1}, {1.00002, 1.00002})), 0.001, kTol).empty());
+  EXPECT_TRUE(inset(region(circle({1, 1}, 2e-5)), 0.001, kTol).empty());
+}
+
+TEST(Inset, IslandLeaningOnAWallIsPartOfIt) {
+  const Regions r = inset(region(rectangle({0, 0}, {100, 60}), {rectangle({40, 0}, {60, 20})}), 5, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  EXPECT_TRUE(r[0].islands().empty());
+  EXPECT_NEAR(r[0].area(), 90 * 50 - 30 * 20 + (50 - 12.5 * kPi), 1e-6);
+}
+
+TEST(Inset, WallOfNoThicknessIsAWall) {
+  const Vec2 there_and_back[] = {{40, 30}, {60, 30}};
+  const Regions r = inset(region(rectangle({0, 0}, {100, 60}), {loop_from_points(there_and_back)}), 5, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  EXPECT_NEAR(r[0].area(), 90 * 50 - 20 * 10 - 25 * kPi, 1e-6);
+  const Vec2 slit[] = {{0, 0}, {100, 0}, {100, 60}, {50, 60}, {50, 30}, {50, 60}, {0, 60}};
+  const Regions around = inset(region(loop_from_points(slit)), 5, kTol);
+  EXPECT_NEAR(area(around), 90 * 50 - 25 * 10 - 12.5 * kPi, 1e-6);
+}
+
+TEST(Inset, IslandSmallerThanTheGridStillKeepsItsDistance) {
+  const Regions r = inset(region(rectangle({0, 0}, {100, 60}), {circle({50, 30}, 1e-5)}), 5, kTol);
+  ASSERT_EQ(r.size(), 1U);
+  EXPECT_NEAR(r[0].area(), 90 * 50 - 25 * kPi, 1e-2);
+}
+
+TEST(Inset, LevelsAtOnceAreTheLevelsOneByOne) {
+  const Clearance c(region(filleted(100, 60, 10), {circle({40, 30}, 6)}), kTol);
+  const std::vector<double> levels{0, 2, 5, 5, 11, 40};
+  const auto all = c.insets(levels);
+  ASSERT_EQ(all.size(), levels.size());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const Regions one = c.inset(levels[i]);
+    ASSERT_EQ(all[i].size(), one.size()) << levels[i];
+    for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(all[i][k].outer(), one[k].outer());
+  }
+}
+
 TEST(Dilate, SquareGetsRoundCorners) {
   const Regions r = dilate({region(rectangle({0, 0}, {20, 10}))}, 3, kTol);
   ASSERT_EQ(r.size(), 1U);

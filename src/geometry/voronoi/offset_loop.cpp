@@ -134,13 +134,17 @@ class Assembler {
     return a.edge.to + n * (d_ / fast_norm(n));
   }
 
+  /// Whether a joint opens by less than an arc worth writing, or closes, by a small angle: rounding hides no
+  /// wide one. (A turn by half a round is the tip of a wall of no thickness.)
+  bool is_closed(double wide) const { return wide <= kSmooth && wide > -d_ * kPi / 2; }
+
   /// Sites are rounded and may turn a vertex the wrong way: decided here by the exact tangents.
   void drop_false_vertices() {
     if (count() < 3) return;
     remove_if([this](std::size_t i) {
       const Element &a = before(i), &v = after(i), &b = after(i + 1);
-      return v.is_point() && are_neighbours(a, b) && a.edge.to == v.edge.from &&
-             opening(a.edge, b.edge) <= kSmooth;
+      if (!v.is_point() || !are_neighbours(a, b) || a.edge.to != v.edge.from) return false;
+      return is_closed(opening(a.edge, b.edge));
     });
   }
 
@@ -164,7 +168,6 @@ class Assembler {
     const Element &a = before(i), &b = after(i);
     if (!are_neighbours(a, b)) return false;
     const double wide = opening(a.edge, b.edge);
-    // Rounding hides small turns only: a wide one has its own cell in the diagram.
     return wide > kSmooth && wide < d_ * kPi / 2 && starts_beside_vertex(i);
   }
 
