@@ -34,7 +34,7 @@ struct Feature {
   FeatureKind kind = FeatureKind::kClosedPocket;
   Regions target;
   Regions allowed;
-  double top_z = 0;    ///< where its material begins, after the features before it in the workplan
+  double top_z = 0;  ///< where its material begins, after the features before it in the workplan
   double floor_z = 0;
   /// Walls lean inwards going down by this angle from vertical: at depth h below top_z the outline is inset
   /// by h * tan(wall_slope) (islands grow).
@@ -47,7 +47,15 @@ struct Feature {
 /// How far beyond the stock an open side's `allowed` region reaches, mm.
 inline constexpr double kOpenReach = 1000.0;
 
-enum class OperationKind { kRoughing, kFinishing, kBottomFinishing, kSideFinishing, kDrilling, kReaming, kOther };
+enum class OperationKind {
+  kRoughing,
+  kFinishing,
+  kBottomFinishing,
+  kSideFinishing,
+  kDrilling,
+  kReaming,
+  kOther
+};
 enum class EntryKind { kHelix, kRamp, kZigzagRamp, kPlunge };
 enum class CutDirection { kClimb, kConventional };
 
@@ -58,16 +66,16 @@ struct Operation {
   OperationKind kind = OperationKind::kRoughing;
   int tool = 0;  ///< index into Part::tools
   CuttingData cutting;
-  std::optional<double> stepdown;          ///< mm per layer
-  std::optional<double> stepover;          ///< fraction of the diameter
-  double allowance_side = 0;               ///< stock to leave on walls, mm
-  double allowance_floor = 0;              ///< stock to leave on the floor, mm
-  std::optional<double> scallop;           ///< mm; greatest step between layers on sloped walls
+  std::optional<double> stepdown;  ///< mm per layer
+  std::optional<double> stepover;  ///< fraction of the diameter
+  double allowance_side = 0;       ///< stock to leave on walls, mm
+  double allowance_floor = 0;      ///< stock to leave on the floor, mm
+  std::optional<double> scallop;   ///< mm; greatest step between layers on sloped walls
   std::optional<EntryKind> entry;
   std::optional<Radians> entry_angle;
   std::optional<CutDirection> direction;
-  std::optional<double> retract_z;         ///< absolute, mm
-  std::string strategy_hint;               ///< strategy named by the file, "" if none
+  std::optional<double> retract_z;  ///< absolute, mm
+  std::string strategy_hint;        ///< strategy named by the file, "" if none
 };
 
 /// One step of the work: this feature by that operation.
@@ -82,15 +90,15 @@ struct Workingstep {
 struct Part {
   std::string name;
   std::string source_file;
-  std::optional<Stock> stock;        ///< absent: solid everywhere outside the features (outline files)
-  std::optional<double> clearance_z; ///< security plane, absolute; absent: stock top + 10
+  std::optional<Stock> stock;         ///< absent: solid everywhere outside the features (outline files)
+  std::optional<double> clearance_z;  ///< security plane, absolute; absent: stock top + 10
   std::vector<Tool> tools;
   std::vector<Feature> features;
-  std::vector<Workingstep> workplan; ///< in order of cutting
+  std::vector<Workingstep> workplan;  ///< in order of cutting
   Diagnostics diagnostics;
 
-  double top_z() const;              ///< stock top, or the highest feature top
-  double safe_z() const;             ///< clearance_z or top + 10
+  double top_z() const;   ///< stock top, or the highest feature top
+  double safe_z() const;  ///< clearance_z or top + 10
 };
 
 /// The outline of `regions` at depth `below_top` mm under a feature with leaning walls (SPEC B4).

@@ -15,8 +15,8 @@ std::optional<ToolKind> tool_kind_named(const std::string& name);
 
 /// A rotating tool. Lengths in mm.
 struct Tool {
-  int number = 1;     ///< T word
-  std::string name;   ///< as in the source ("T3"), for messages and headers
+  int number = 1;    ///< T word
+  std::string name;  ///< as in the source ("T3"), for messages and headers
   ToolKind kind = ToolKind::kEndMill;
   double diameter = 0;
   double corner_radius = 0;  ///< 0 flat

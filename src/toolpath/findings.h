@@ -34,18 +34,18 @@ struct Fault {
   FaultKind kind = FaultKind::kUncut;
   std::string feature;  ///< name, "" if none
   Place at;
-  double size = 0;      ///< mm (thickness, depth, length) as the kind says
-  std::string text;     ///< one sentence for the user
+  double size = 0;   ///< mm (thickness, depth, length) as the kind says
+  std::string text;  ///< one sentence for the user
 };
 
 /// Angle of the cutter's circle in material, over all feed moves at depth after the entry.
 struct Engagement {
   double max_deg = 0;
   std::optional<Place> max_at;
-  double mean_deg = 0;        ///< over cutting length
-  double over_limit_mm = 0;   ///< length above the limit asked for (0 without a limit)
+  double mean_deg = 0;                    ///< over cutting length
+  double over_limit_mm = 0;               ///< length above the limit asked for (0 without a limit)
   std::array<double, 18> histogram_mm{};  ///< cutting length by 10 degree classes
-  double climb_mm = 0;        ///< cutting length with the material on the right (clockwise spindle)
+  double climb_mm = 0;  ///< cutting length with the material on the right (clockwise spindle)
   double conventional_mm = 0;
 };
 
@@ -53,22 +53,22 @@ struct Figures {
   double feed_mm = 0;
   double rapid_mm = 0;
   double plunge_mm = 0;
-  int turns = 0;               ///< changes of direction above 0.1 degree between successive feed moves in plan
+  int turns = 0;  ///< changes of direction above 0.1 degree between successive feed moves in plan
   double turn_angle_deg = 0;
-  int retracts = 0;            ///< rises to or above the stock's top between feed moves
-  double time_s = 0;           ///< kinematic: acceleration, cornering
-  double time_naive_s = 0;     ///< length / feed
-  double uncut_mm2 = 0;        ///< area of reachable material left (upper bound)
+  int retracts = 0;               ///< rises to or above the stock's top between feed moves
+  double time_s = 0;              ///< kinematic: acceleration, cornering
+  double time_naive_s = 0;        ///< length / feed
+  double uncut_mm2 = 0;           ///< area of reachable material left (upper bound)
   double uncut_thickness_mm = 0;  ///< proven upper bound of the thickness of anything left
   std::optional<Place> uncut_at;
-  double gouge_mm = 0;         ///< depth of the deepest cut into the part
+  double gouge_mm = 0;  ///< depth of the deepest cut into the part
   std::optional<Place> gouge_at;
   double unreachable_mm2 = 0;  ///< corners no legal position of the cutter reaches
   int rapid_in_material = 0;   ///< number of rapids through stock
   double max_axial_mm = 0;     ///< greatest depth of material above the tip at a feed move
   Engagement engagement;
-  double air_cut_mm = 0;       ///< feed length at depth that touches no material
-  double lower_bound_mm = 0;   ///< no program can cut this with less feed length
+  double air_cut_mm = 0;      ///< feed length at depth that touches no material
+  double lower_bound_mm = 0;  ///< no program can cut this with less feed length
   bool clean = false;
 };
 

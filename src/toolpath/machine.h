@@ -13,8 +13,8 @@ namespace clearcut {
 struct Machine {
   std::string name = "default";
   MmPerMin rapid = MmPerMin::of(5000);
-  double acceleration = 500;        ///< mm/s2, along the path
-  double junction_deviation = 0.01; ///< mm
+  double acceleration = 500;         ///< mm/s2, along the path
+  double junction_deviation = 0.01;  ///< mm
   std::optional<double> max_spindle_rpm;
   std::optional<MmPerMin> max_feed;
   /// Travel limits in workpiece coordinates, mm: x, y, z as {min, max}; absent = unlimited.

@@ -11,7 +11,9 @@ namespace clearcut {
 
 enum class MoveKind : unsigned char { kRapid, kPlunge, kRamp, kLeadIn, kCut, kLeadOut, kLink, kRetract };
 const char* name_of(MoveKind kind);
-inline bool is_rapid(MoveKind kind) { return kind == MoveKind::kRapid; }
+inline bool is_rapid(MoveKind kind) {
+  return kind == MoveKind::kRapid;
+}
 
 /// In plan the edge `path`, while z goes linearly from z_from to z_to. A vertical move has path.from == path.to
 /// (the one case where that is allowed) and turn kStraight. z is the height of the tool's tip. mm.
@@ -30,13 +32,13 @@ struct Move {
 
 /// Where two passes in one layer meet nothing else is promised. A Section is all work of one tool on one feature.
 struct Section {
-  std::string label;       ///< feature or operation name; "" when unknown
-  int workingstep = -1;    ///< index into Part::workplan; -1 when unknown
-  int tool_number = 0;     ///< T word
+  std::string label;     ///< feature or operation name; "" when unknown
+  int workingstep = -1;  ///< index into Part::workplan; -1 when unknown
+  int tool_number = 0;   ///< T word
   double spindle_rpm = 0;
   bool spindle_clockwise = true;
   bool coolant = false;
-  std::vector<Move> moves; ///< joined end to start, except that the first may begin anywhere
+  std::vector<Move> moves;  ///< joined end to start, except that the first may begin anywhere
 };
 
 /// What the machine will do. A value; the waist between planning and everything that reads it.

@@ -13,11 +13,11 @@ namespace clearcut {
 /// A curve of the tool's centre at one depth.
 struct Pass {
   Path path;
-  bool closed = false;       ///< path is a loop: it may start anywhere on it
-  int parent = -1;           ///< index of the pass that surrounds it (nearer to the wall); -1 at the wall
-  int component = 0;         ///< passes of one connected legal area share a component
-  double offset = 0;         ///< mm from the wall (clearance), for closed offset contours
-  bool reversible = true;    ///< may be cut in either direction (e.g. medial-axis spurs)
+  bool closed = false;     ///< path is a loop: it may start anywhere on it
+  int parent = -1;         ///< index of the pass that surrounds it (nearer to the wall); -1 at the wall
+  int component = 0;       ///< passes of one connected legal area share a component
+  double offset = 0;       ///< mm from the wall (clearance), for closed offset contours
+  bool reversible = true;  ///< may be cut in either direction (e.g. medial-axis spurs)
   /// What each edge of `path` does, kCut or kLink (through cleared material, at the link feed). Empty: all cut.
   std::vector<MoveKind> kinds;
   /// The path begins by circling this point once: a helix about it may lead down to the path's start.
@@ -26,14 +26,14 @@ struct Pass {
 
 /// All passes of one layer of one feature with what linking needs to know.
 struct LayerPasses {
-  double z_top = 0;          ///< where material begins
-  double z = 0;              ///< depth of the passes
-  Regions legal;             ///< where the tool's centre may be at this depth
+  double z_top = 0;             ///< where material begins
+  double z = 0;                 ///< depth of the passes
+  Regions legal;                ///< where the tool's centre may be at this depth
   std::vector<Path> fit_lines;  ///< where it just fits (zero-width parts of the legal area)
-  Regions target;            ///< material to remove in this layer, plan view
-  double film = 0;           ///< mm; uncut films up to this far from what was cut may stay between passes
+  Regions target;               ///< material to remove in this layer, plan view
+  double film = 0;              ///< mm; uncut films up to this far from what was cut may stay between passes
   std::vector<Pass> passes;
-  std::string strategy;      ///< which strategy ran
+  std::string strategy;  ///< which strategy ran
 };
 
 }  // namespace clearcut
