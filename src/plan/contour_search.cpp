@@ -14,6 +14,8 @@ namespace {
 constexpr double kSteps[] = {1.0, 0.95, 0.9, 0.85, 0.8};
 /// Work allowed, in vertices of flexible ways over all trials: some tenths of a second.
 constexpr double kMostVertices = 8000;
+/// Edges of the outlines; beyond, the plain rings stay, which take linear time.
+constexpr std::size_t kMostEdges = 2000;
 /// Flexible ways have about this many vertices per radius of length.
 constexpr double kVerticesPerRadius = 1.7;
 /// Share of the radius by which flexible ways may stray from the rings they start as.
@@ -149,7 +151,9 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
   const double vertices = vertices_of(result.passes, job.radius);
   const auto trials = std::min<std::size_t>(
       std::size(kSteps), static_cast<std::size_t>(kMostVertices / std::max(vertices, 1.0)));
-  if (trials == 0) return;
+  std::size_t edges = 0;
+  for (const auto& domain : domains) edges += domain.region.edges().size();
+  if (trials == 0 || edges > kMostEdges) return;
   std::vector<std::vector<Pass>> variants{result.passes};
   for (std::size_t k = 1; k < trials; ++k) {
     job.step = [&, k](const Region&) { return 2 * job.radius * kSteps[k]; };
