@@ -41,6 +41,9 @@ enum class ResidualRule {
 struct ContourOptions {
   StepRule step;
   ResidualRule residuals = ResidualRule::kOurs;
+  /// How long to look for shorter ways at the widest step: 0 not at all (under a millisecond), 1 some tenths
+  /// of a second for an ordinary pocket.
+  double effort = 1;
   /// Rings run with the wall on the right (climb milling for a clockwise spindle); false: on the left.
   bool wall_on_right = true;
   /// What the fastest of several plans is judged by.

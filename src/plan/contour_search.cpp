@@ -10,22 +10,30 @@
 namespace clearcut {
 namespace {
 
-/// Steps tried, as shares of the diameter: wide steps need more mending in corners, narrow ones more rings.
-constexpr double kSteps[] = {1.0, 0.95, 0.9, 0.85, 0.8};
-/// Work allowed, in vertices of flexible ways over all trials: some tenths of a second.
+/// One plan that is tried.
+struct Trial {
+  double step;  ///< share of the diameter: wide steps need more mending in corners, narrow ones more rings
+  double turn_cost;  ///< what a right-angled corner counts, as a share of the way that braking and speeding
+                     ///< up take
+};
+/// The first few serve large pockets, all of them small ones.
+constexpr Trial kTrials[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 0.15}, {0.8, 0.15},
+                             {0.95, 0.0},  {0.9, 0.0},  {1.0, 0.0},  {0.85, 0.0},  {0.75, 0.15}};
+/// Work allowed, in vertices of flexible ways over all trials (some tenths of a second), and in one trial:
+/// beyond it the rings stay as they are.
+constexpr double kMostVerticesInAll = 2500;
 constexpr double kMostVertices = 8000;
-/// Edges of the outlines; beyond, the plain rings stay, which take linear time.
-constexpr std::size_t kMostEdges = 2000;
 /// Flexible ways have about this many vertices per radius of length.
 constexpr double kVerticesPerRadius = 1.7;
 /// Share of the radius by which flexible ways may stray from the rings they start as.
 constexpr double kChord = 0.004;
-/// Rounds after which plans are compared, further rounds of the best, and how many of those.
+/// Rounds after which plans are compared, and further rounds of the best.
 constexpr int kHeats = 3;
 constexpr int kFinalRounds = 3;
-constexpr int kFinalists = 2;
-/// Share of the way that braking and speeding up take (v * v / a) that a right-angled corner is counted as.
-constexpr double kTurnCost = 0.15;
+/// At least two plans run to the end; more where they are small.
+constexpr double kMostFinalVertices = 500;
+/// A plan that leaves a film has to be this much faster than one that does not.
+constexpr double kFilmHandicap = 1.005;
 /// mm. Height of a lift and its plunge, for comparing with staying down.
 constexpr double kLift = 10;
 
@@ -52,14 +60,14 @@ class Search {
     job_.radius = radius;
     job_.legal = &legal;
     job_.where = where;
-    const double v = options.feed.mm_per_s();
-    job_.turn_cost = kTurnCost * v * v / options.machine.acceleration;
     job_.matters = [this](Vec2 p) { return job_.where.contains(p) && legal_.contains(p); };
   }
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  void enter(const std::vector<Pass>& passes) {
+  void enter(const std::vector<Pass>& passes, double turn_cost) {
+    const double v = options_.feed.mm_per_s();
+    job_.turn_cost = turn_cost * v * v / options_.machine.acceleration;
     SkeletonOptions skeleton;
     skeleton.chord = kChord * job_.radius;
     skeleton.hop = lift_time() * options_.feed.mm_per_s();
@@ -67,27 +75,30 @@ class Search {
     entries_.push_back({Tightener(skeleton_of(passes, skeleton), job_), 0});
   }
 
-  /// All run a few rounds, the fastest run to the end. Empty when none is proven to clear everything.
-  std::vector<Path> winner() {
+  struct Winner {
+    std::vector<Path> ways;
+    double film = 0;  ///< mm
+    double time = std::numeric_limits<double>::infinity();
+  };
+
+  /// All run a few rounds, the fastest run to the end. No ways when none is proven to clear everything.
+  Winner winner(std::size_t finalists) {
     for (auto& entry : entries_) {
       entry.tightener.pull(kHeats);
       entry.time = time_of(paths_of(entry.tightener.skeleton()));
     }
     std::sort(entries_.begin(), entries_.end(),
               [](const Entry& a, const Entry& b) { return a.time < b.time; });
-    std::vector<Path> best;
-    double best_time = std::numeric_limits<double>::infinity();
-    int finished = 0;
+    Winner best;
+    std::size_t finished = 0;
     for (auto& entry : entries_) {
-      if (finished == kFinalists) break;
+      if (finished == finalists) break;
       entry.tightener.pull(kFinalRounds);
       if (!entry.tightener.finish()) continue;
       ++finished;
-      auto paths = paths_of(entry.tightener.skeleton());
-      const double time = time_of(paths);
-      if (time >= best_time) continue;
-      best_time = time;
-      best = std::move(paths);
+      auto ways = paths_of(entry.tightener.skeleton());
+      const double film = entry.tightener.film(), time = time_of(ways) * (film > 0 ? kFilmHandicap : 1);
+      if (time < best.time) best = {std::move(ways), film, time};
     }
     return best;
   }
@@ -149,16 +160,17 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
                     const Tolerances& tol, LayerPasses& result) {
   const LegalArea legal(result.legal);
   const double vertices = vertices_of(result.passes, job.radius);
-  const auto trials = std::min<std::size_t>(
-      std::size(kSteps), static_cast<std::size_t>(kMostVertices / std::max(vertices, 1.0)));
-  std::size_t edges = 0;
-  for (const auto& domain : domains) edges += domain.region.edges().size();
-  if (trials == 0 || edges > kMostEdges) return;
-  std::vector<std::vector<Pass>> variants{result.passes};
-  for (std::size_t k = 1; k < trials; ++k) {
-    job.step = [&, k](const Region&) { return 2 * job.radius * kSteps[k]; };
+  if (vertices > kMostVertices * options.effort) return;
+  const auto trials = std::clamp<std::size_t>(
+      static_cast<std::size_t>(kMostVerticesInAll * options.effort / std::max(vertices, 1.0)), 1,
+      std::size(kTrials));
+  std::vector<std::vector<Pass>> variants;
+  for (std::size_t k = 0; k < trials; ++k) {
+    job.step = [&, k](const Region&) { return 2 * job.radius * kTrials[k].step; };
     variants.push_back(ring_passes(domains, job, tol));
   }
+  const auto finalists =
+      static_cast<std::size_t>(std::max(2.0, kMostFinalVertices / std::max(vertices, 1.0)));
   double film = 0;
   int components = 0;
   for (const auto& pass : result.passes) components = std::max(components, pass.component + 1);
@@ -167,15 +179,13 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
     for (const auto& pass : component_of(result.passes, component, false)) where.add(box(pass.path));
     if (where.empty()) continue;
     Search search(options, legal, job.radius, where);
-    for (const auto& variant : variants) {
-      const auto own = component_of(variant, component, !options.wall_on_right);
-      if (!own.empty()) search.enter(own);
+    for (std::size_t k = 0; k < trials; ++k) {
+      const auto own = component_of(variants[k], component, !options.wall_on_right);
+      if (!own.empty()) search.enter(own, kTrials[k].turn_cost);
     }
-    if (const auto ways = search.winner(); ways.empty()) {
-      film = result.film;
-    } else {
-      replace_component(result, component, ways);
-    }
+    const auto winner = search.winner(finalists);
+    film = std::max(film, winner.ways.empty() ? result.film : winner.film);
+    if (!winner.ways.empty()) replace_component(result, component, winner.ways);
   }
   result.film = film;
 }

@@ -19,6 +19,7 @@
 
 #include "base/units.h"
 #include "plan/contour_cover.h"
+#include "plan/contour_index.h"
 
 namespace clearcut {
 namespace {
@@ -28,8 +29,14 @@ constexpr double kPullMargin = 0.0005;
 constexpr double kWitnessMargin = 0.004;
 /// mm. How much less than the radius the exact check runs with: above the rounding of any program text.
 constexpr double kProvenMargin = 0.001;
+/// mm. Where strokes fit exactly side by side nothing is left for margins: there the limit and the radius of
+/// the check are this much more than the radius.
+constexpr double kFilmLimit = 0.0012;
+constexpr double kFilm = 0.0035;
 /// Spacing of vertices, as a share of the radius.
 constexpr double kSpacing = 0.6;
+/// Holes are taken to be at most this large, as a share of the radius; larger ones count as several.
+constexpr double kHoleSize = 2.0;
 /// Weight of the springs that keep vertices evenly spaced.
 constexpr double kEven = 0.02;
 /// Share of the radius below which lengths are smoothed, so that vertices may meet.
@@ -40,6 +47,9 @@ constexpr double kDamping = 0.02;
 /// them.
 constexpr int kSettlingRounds = 4;
 constexpr int kMendingRounds = 14;
+/// Rounds that close fewer than a fifth of many holes show that there is no room to close them.
+constexpr int kMostStalled = 2;
+constexpr std::size_t kStalledAbove = 20;
 
 /// How one round of Newton steps goes.
 struct Pull {
@@ -116,11 +126,11 @@ struct Active {
 }  // namespace
 
 struct Tightener::Impl {
-  Impl(Skeleton skeleton, const TightenJob& job)
+  Impl(Skeleton skeleton, TightenJob job)
       : skeleton_(std::move(skeleton)),
-        job_(job),
-        limit_(job.radius - kPullMargin),
-        proven_(job.radius - kProvenMargin) {
+        job_(std::move(job)),
+        limit_(job_.radius - kPullMargin),
+        proven_(job_.radius - kProvenMargin) {
     for (const auto& ring : skeleton_.rings) fixed_.insert(fixed_.end(), ring.begin(), ring.end());
     respace();
     list_bands();
@@ -143,18 +153,28 @@ struct Tightener::Impl {
     // Still witnesses have done their work by now and would quarrel with the moving ones.
     std::erase_if(witnesses_, [](const Witness& w) { return !w.moving; });
     limit_ = job_.radius - kWitnessMargin;
-    if (!mend()) return false;
+    if (!mend(kMostStalled)) {
+      limit_ = job_.radius + kFilmLimit;
+      proven_ = job_.radius + kFilm;
+      if (!mend(kMendingRounds)) return false;
+    }
     if (!all_legal()) return false;
     polish();
     return true;
   }
 
-  bool mend() {
-    for (int k = 0; k < kMendingRounds; ++k) {
+  double film() const { return std::max(0.0, proven_ - job_.radius); }
+
+  bool mend(int most_stalled) {
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    int stalled = 0;
+    for (int k = 0; k < kMendingRounds && stalled < most_stalled; ++k) {
       if (!bands_.empty()) relax(k < kSettlingRounds ? kSettling : kMending);
       const auto left = cover().holes(job_.matters);
       if (left.empty()) return true;
       if (bands_.empty()) return false;
+      if (left.size() > kStalledAbove && 5 * left.size() > 4 * before) ++stalled;
+      before = left.size();
       add_witnesses(left);
       respace();
       list_bands();
@@ -197,30 +217,42 @@ struct Tightener::Impl {
   /// One witness in the depth of every hole: its rim is as near as can be to the limit.
   void add_witnesses(const std::vector<Vec2>& rim) {
     const Cover now = cover();
+    BoxIndex by_place(kHoleSize * job_.radius), by_witness(kHoleSize * job_.radius);
+    for (std::uint32_t i = 0; i < rim.size(); ++i) by_place.add({rim[i], rim[i]}, i);
     std::vector<Vec2> added;
-    const auto open = [&](Vec2 a, Vec2 b) {
-      return !now.holds(lerp(a, b, 0.5)) && !now.holds(lerp(a, b, 0.25)) && !now.holds(lerp(a, b, 0.75));
-    };
-    for (std::size_t i = 0; i < rim.size(); ++i) {
+    for (const Vec2 start : rim) {
       double size = 0;
-      Vec2 p = rim[i];
-      for (std::size_t j = 0; j < rim.size(); ++j) {
-        const double d = std::sqrt(norm_squared(rim[i] - rim[j]));
-        if (d > size && d < 2 * job_.radius && open(rim[i], rim[j])) {
-          size = d;
-          p = lerp(rim[i], rim[j], 0.5);
-        }
-      }
+      Vec2 p = across_hole(start, rim, by_place, now, size);
       if (size == 0) {
-        p = deepest_near(rim[i], now);
-        size = distance(p, rim[i]);
+        p = deepest_near(start, now);
+        size = distance(p, start);
       }
-      const auto near = [&](Vec2 q) { return distance(p, q) < std::max(1e-4, 0.2 * size); };
-      if (std::any_of(added.begin(), added.end(), near)) continue;
+      const Box around = Box{p, p}.grown(std::max(1e-4, 0.2 * size));
+      const auto near = by_witness.near(around);
+      if (std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return around.contains(added[i]); }))
+        continue;
+      by_witness.add({p, p}, static_cast<std::uint32_t>(added.size()));
       added.push_back(p);
       witnesses_.push_back({p, true});
       if (size < 1e-3) witnesses_.push_back({p, false});
     }
+  }
+
+  /// The middle between a rim vertex and the farthest other one that sees it across the hole; size 0 if there
+  /// is none.
+  Vec2 across_hole(Vec2 start, const std::vector<Vec2>& rim, const BoxIndex& by_place, const Cover& now,
+                   double& size) const {
+    const auto open = [&](Vec2 a, Vec2 b) {
+      return !now.holds(lerp(a, b, 0.5)) && !now.holds(lerp(a, b, 0.25)) && !now.holds(lerp(a, b, 0.75));
+    };
+    Vec2 middle = start;
+    for (const std::uint32_t i : by_place.near(Box{start, start}.grown(kHoleSize * job_.radius))) {
+      const double d = std::sqrt(norm_squared(rim[i] - start));
+      if (d <= size || !open(rim[i], start)) continue;
+      size = d;
+      middle = lerp(rim[i], start, 0.5);
+    }
+    return middle;
   }
 
   /// Climbs from p to where the bands are farthest, by shorter and shorter steps.
@@ -306,45 +338,72 @@ struct Tightener::Impl {
 
   // --- polish
 
+  /// All edges while vertices are dropped: those in use, and where they lie.
+  struct EdgesInUse {
+    explicit EdgesInUse(double cell) : index(cell) {}
+    std::vector<Edge> edges;
+    std::vector<char> used;
+    BoxIndex index;
+
+    std::uint32_t add(const Edge& edge) {
+      const auto number = static_cast<std::uint32_t>(edges.size());
+      edges.push_back(edge);
+      used.push_back(edge.from == edge.to ? 0 : 1);
+      index.add(edge.from == edge.to ? Box{edge.from, edge.to} : edge.box(), number);
+      return number;
+    }
+  };
+
   /// Drops every vertex that coverage can do without: fewer corners, shorter way.
   void polish() {
-    for_ways([&](std::vector<int>& way) {
-      for (std::size_t i = 1; i + 1 < way.size();) {
-        list_bands();
-        if (may_drop(way[i - 1], way[i], way[i + 1])) {
-          way.erase(way.begin() + static_cast<std::ptrdiff_t>(i));
-        } else {
-          ++i;
-        }
-      }
+    EdgesInUse state(2 * job_.radius);
+    for (const auto& edge : fixed_) state.add(edge);
+    std::vector<std::uint32_t> first_edges;
+    for_ways([&](const std::vector<int>& way) {
+      first_edges.push_back(static_cast<std::uint32_t>(state.edges.size()));
+      for (std::size_t i = 1; i < way.size(); ++i) state.add(Edge::line(point(way[i - 1]), point(way[i])));
     });
+    std::size_t next_way = 0;
+    for_ways([&](std::vector<int>& way) { polish(way, first_edges[next_way++], state); });
     list_bands();
   }
 
-  bool may_drop(int before, int dropped, int after) const {
-    const Vec2 a = point(before), p = point(dropped), b = point(after);
-    if (distance(a, p) < 1e-6 || distance(p, b) < 1e-6) return true;
-    if (distance(a, b) < 1e-6 || !job_.legal->holds_line(a, b)) return false;
-    const double reach = proven_;
-    const Edge first = Edge::line(a, p), second = Edge::line(p, b);
-    Box near;
-    near.add(first.box());
-    near.add(second.box());
-    near = near.grown(2 * reach);
-    std::vector<Edge> edges{Edge::line(a, b)};
-    for (const auto& edge : fixed_) {
-      if (near.overlaps(edge.box())) edges.push_back(edge);
+  /// `edge` is the number of the way's first edge; the others follow it.
+  void polish(std::vector<int>& way, std::uint32_t edge, EdgesInUse& state) const {
+    std::vector<int> kept;
+    std::uint32_t arriving = edge;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const std::uint32_t leaving = edge + static_cast<std::uint32_t>(i);
+      if (i > 0 && i + 1 < way.size() && may_drop(arriving, leaving, state)) {
+        state.used[arriving] = state.used[leaving] = 0;
+        arriving = state.add(Edge::line(point(kept.back()), point(way[i + 1])));
+      } else {
+        kept.push_back(way[i]);
+        arriving = leaving;
+      }
     }
-    for (const auto& band : bands_) {
-      const bool gone = static_cast<int>(band.a) == dropped || static_cast<int>(band.b) == dropped;
-      if (gone || at(band.a) == at(band.b)) continue;
-      const Edge edge = Edge::line(at(band.a), at(band.b));
-      if (near.overlaps(edge.box())) edges.push_back(edge);
+    way = std::move(kept);
+  }
+
+  /// Whether one straight edge in place of two neighbouring ones still clears all that they clear.
+  bool may_drop(std::uint32_t arriving, std::uint32_t leaving, const EdgesInUse& state) const {
+    const Edge first = state.edges[arriving], second = state.edges[leaving];
+    if (first.from == first.to || second.from == second.to) return true;
+    if (distance(first.from, second.to) < 1e-6 || !job_.legal->holds_line(first.from, second.to))
+      return false;
+    Box near = first.box();
+    near.add(second.box());
+    near = near.grown(2 * proven_);
+    std::vector<Edge> edges{Edge::line(first.from, second.to)};
+    for (const std::uint32_t i : state.index.near(near)) {
+      if (state.used[i] && i != arriving && i != leaving && near.overlaps(state.edges[i].box())) {
+        edges.push_back(state.edges[i]);
+      }
     }
     const auto was_cut = [&](Vec2 q) {
-      return (distance(first, q) <= reach || distance(second, q) <= reach) && job_.matters(q);
+      return (distance(first, q) <= proven_ || distance(second, q) <= proven_) && job_.matters(q);
     };
-    return Cover(edges, reach).holes(was_cut).empty();
+    return Cover(edges, proven_).holes(was_cut).empty();
   }
 
   // --- minimisation
@@ -678,7 +737,7 @@ struct Tightener::Impl {
   static constexpr double kMostForce = 20;
 
   Skeleton skeleton_;
-  const TightenJob& job_;
+  TightenJob job_;
   double limit_;   ///< distance at which witnesses begin to hold
   double proven_;  ///< radius of the exact check
   double skin_ = 0;
@@ -701,8 +760,8 @@ struct Tightener::Impl {
   std::vector<char> safe_;  ///< of each band: it cannot leave the legal area before the next listing
 };
 
-Tightener::Tightener(Skeleton skeleton, const TightenJob& job)
-    : impl_(std::make_unique<Impl>(std::move(skeleton), job)) {}
+Tightener::Tightener(Skeleton skeleton, TightenJob job)
+    : impl_(std::make_unique<Impl>(std::move(skeleton), std::move(job))) {}
 Tightener::~Tightener() = default;
 Tightener::Tightener(Tightener&&) noexcept = default;
 Tightener& Tightener::operator=(Tightener&&) noexcept = default;
@@ -713,6 +772,10 @@ void Tightener::pull(int rounds) {
 
 bool Tightener::finish() {
   return impl_->finish();
+}
+
+double Tightener::film() const {
+  return impl_->film();
 }
 
 const Skeleton& Tightener::skeleton() const {

@@ -26,8 +26,7 @@ struct TightenJob {
 /// Cost    O(rounds * iterations * (vertices + witnesses near the limit)).
 class Tightener {
  public:
-  /// `job` has to outlive this.
-  Tightener(Skeleton skeleton, const TightenJob& job);
+  Tightener(Skeleton skeleton, TightenJob job);
   ~Tightener();
   Tightener(Tightener&&) noexcept;
   Tightener& operator=(Tightener&&) noexcept;
@@ -38,6 +37,9 @@ class Tightener {
   /// False when something stays; the skeleton is not to be used then.
   bool finish();
   const Skeleton& skeleton() const;
+  /// mm. How far from what is cut anything may be left: 0, or a film well under tol.uncut where strokes fit
+  /// exactly side by side, as they do in pockets of round dimensions.
+  double film() const;
 
  private:
   struct Impl;
