@@ -23,6 +23,8 @@ constexpr Trial kTrials[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 0.15
 /// beyond it the rings stay as they are.
 constexpr double kMostVerticesInAll = 2500;
 constexpr double kMostVertices = 8000;
+/// Edges of the outlines; beyond, the plain rings stay, which take linear time.
+constexpr std::size_t kMostEdges = 2000;
 /// Flexible ways have about this many vertices per radius of length.
 constexpr double kVerticesPerRadius = 1.7;
 /// Share of the radius by which flexible ways may stray from the rings they start as.
@@ -160,7 +162,9 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
                     const Tolerances& tol, LayerPasses& result) {
   const LegalArea legal(result.legal);
   const double vertices = vertices_of(result.passes, job.radius);
-  if (vertices > kMostVertices * options.effort) return;
+  std::size_t edges = 0;
+  for (const auto& domain : domains) edges += domain.region.edges().size();
+  if (vertices > kMostVertices * options.effort || edges > kMostEdges) return;
   const auto trials = std::clamp<std::size_t>(
       static_cast<std::size_t>(kMostVerticesInAll * options.effort / std::max(vertices, 1.0)), 1,
       std::size(kTrials));
