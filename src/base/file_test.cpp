@@ -1,6 +1,7 @@
 #include "base/file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -23,7 +24,8 @@ class Files : public testing::Test {
   }
   fs::path folder_ =
       fs::temp_directory_path() /
-      (std::string("clearcut_file_test_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+      (std::string("clearcut_file_test_") + testing::UnitTest::GetInstance()->current_test_info()->name() +
+       std::to_string(getpid()));
 };
 
 TEST_F(Files, WhatIsWrittenIsRead) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -20,7 +21,8 @@ using ::testing::StartsWith;
 /// A folder with two pockets, "a" and "b", beside the job.
 class Job : public ::testing::Test {
  protected:
-  Job() : folder_(fs::path(::testing::TempDir()) / "clearcut_job") {
+  /// Tests run side by side, each in a process and a folder of its own.
+  Job() : folder_(fs::path(::testing::TempDir()) / ("clearcut_job_" + std::to_string(getpid()))) {
     fs::create_directories(folder_);
     write("plate.json",
           R"({"units": "mm", "pockets": [{"name": "a", "outer": [[0,0],[30,0],[30,20],[0,20]], "depth": 4},

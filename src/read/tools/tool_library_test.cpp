@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -128,7 +129,7 @@ TEST(Tools, FreecadBitWithUnitsAndCommas) {
 }
 
 TEST(Tools, FreecadLibraryFindsItsBits) {
-  const fs::path folder = fs::path(::testing::TempDir()) / "clearcut_freecad_tools";
+  const fs::path folder = fs::path(::testing::TempDir()) / ("clearcut_tools_" + std::to_string(getpid()));
   fs::remove_all(folder);
   fs::create_directories(folder / "Bit");
   fs::create_directories(folder / "Library");
