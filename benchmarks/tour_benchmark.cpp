@@ -27,8 +27,9 @@ struct Instance {
 };
 
 /// The time limits are those that the figures are promised for.
-constexpr Instance kInstances[] = {{"berlin52", 7542, 1, 20}, {"qa194", 9352, 1, 20},    {"a280", 2579, 1, 10},
-                                   {"pcb442", 50778, 2, 10},  {"xit1083", 3558, 5, 10},  {"pr2392", 378032, 10, 3},
+constexpr Instance kInstances[] = {{"berlin52", 7542, 1, 20}, {"qa194", 9352, 1, 20},
+                                   {"a280", 2579, 1, 10},     {"pcb442", 50778, 2, 10},
+                                   {"xit1083", 3558, 5, 10},  {"pr2392", 378032, 10, 3},
                                    {"rl5915", 565530, 30, 1}, {"fi10639", 520527, 60, 1}};
 
 /// Seconds of all threads of this process so far.
@@ -62,16 +63,17 @@ void run(const Instance& instance, const order::Problem& problem, int threads) {
     const auto solution = order::solve(problem, *order::length_objective(), options);
     fmt::print("{:9} {:6} {:4} {:9.0f} {:9.0f} {:8.4f} {:9.3f} {:9.2f} {:9.2f} {:9.2f} {:9.2f} {:6}  {}\n",
                instance.name, problem.size(), seed, solution.length, instance.best_known,
-               100 * (solution.length / instance.best_known - 1), 100 * solution.gap, wall_to_best, cpu_to_best,
-               solution.seconds, cpu_seconds() - cpu_before, peak_megabytes(), solution.method);
+               100 * (solution.length / instance.best_known - 1), 100 * solution.gap, wall_to_best,
+               cpu_to_best, solution.seconds, cpu_seconds() - cpu_before, peak_megabytes(), solution.method);
     std::fflush(stdout);
   }
 }
 
 void run_files(const std::filesystem::path& folder, const std::string& only, int seeds, double seconds,
                int threads) {
-  fmt::print("{:9} {:>6} {:>4} {:>9} {:>9} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>6}  {}\n", "instance", "points",
-             "seed", "length", "known", "over %", "bound %", "best s", "cpu s", "end s", "cpu s", "MB", "method");
+  fmt::print("{:9} {:>6} {:>4} {:>9} {:>9} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>6}  {}\n", "instance",
+             "points", "seed", "length", "known", "over %", "bound %", "best s", "cpu s", "end s", "cpu s",
+             "MB", "method");
   for (Instance instance : kInstances) {
     if (!only.empty() && only != instance.name) continue;
     if (seeds > 0) instance.seeds = seeds;
@@ -92,13 +94,13 @@ void run_random(int points, double seconds, int threads) {
   // Random uniform: the optimum is near 0.7124 sqrt(n A).
   const double expected = 0.7124 * std::sqrt(static_cast<double>(points)) * 1000;
   options.progress = [&](const order::Progress& progress) {
-    fmt::print("{:9.2f} s {:14.3f} {:+8.3f} % of the expected optimum\n", progress.seconds, progress.objective,
-               100 * (progress.objective / expected - 1));
+    fmt::print("{:9.2f} s {:14.3f} {:+8.3f} % of the expected optimum\n", progress.seconds,
+               progress.objective, 100 * (progress.objective / expected - 1));
     std::fflush(stdout);
   };
   const auto solution = order::solve(problem, *order::length_objective(), options);
-  fmt::print("{} points: {:.3f}, bound {:.3f}, {:.2f} s, {} MB, {}\n", points, solution.length, solution.bound,
-             solution.seconds, peak_megabytes(), solution.method);
+  fmt::print("{} points: {:.3f}, bound {:.3f}, {:.2f} s, {} MB, {}\n", points, solution.length,
+             solution.bound, solution.seconds, peak_megabytes(), solution.method);
 }
 
 }  // namespace
@@ -109,7 +111,6 @@ int main(int count, char** arguments) {
   if (text(1, "") == "random") {
     run_random(static_cast<int>(number(2)), number(3), static_cast<int>(number(4)));
   } else {
-    run_files(text(1, "."), text(2, ""), static_cast<int>(number(3)),
-              number(4), static_cast<int>(number(5)));
+    run_files(text(1, "."), text(2, ""), static_cast<int>(number(3)), number(4), static_cast<int>(number(5)));
   }
 }
