@@ -66,9 +66,11 @@ void PlanArguments::add_tool_options(CLI::App& command) {
 void PlanArguments::add_cutting_options(CLI::App& command) {
   command.add_option(
       "--strategy", strategy_,
-      "auto, contour, adaptive, or a published method: lom, rho, second, fixed, loops, bisectors");
+      "auto, contour, zigzag, adaptive, or a published method: lom, rho, second, fixed, loops, bisectors");
   command.add_option("--stepover", stepover_,
                      "Distance of passes: fraction of the diameter, lom, rho, or 3.5mm");
+  command.add_option("--angle", angle_,
+                     "Direction of zigzag lines against x, degrees (default: the fastest)");
   command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge");
   command.add_option("--direction", direction_, "climb or conventional");
   command.add_option("--feed", feed_, "Cutting feed, mm/min");
@@ -126,6 +128,7 @@ PlanOptions PlanArguments::options() const {
   options.machine = machine(from_job);
   options.strategy = strategy_.value_or(given.plan.strategy.value_or("auto"));
   options.stepover = stepover_ ? stepover_ : given.plan.stepover;
+  options.angle_deg = angle_;
   options.stepdown = stepdown_;
   options.allowance = allowance_;
   options.allowance_floor = allowance_floor_;

@@ -41,6 +41,7 @@ class PlanArguments {
   std::optional<std::string> machine_file_;
   std::optional<std::string> strategy_;
   std::optional<std::string> stepover_;
+  std::optional<double> angle_;
   std::optional<double> stepdown_;
   std::optional<double> allowance_;
   std::optional<double> allowance_floor_;

@@ -18,6 +18,7 @@ struct PlanOptions {
   std::vector<Tool> tools;              ///< replace the part's own; empty keeps those
   std::string strategy = "auto";        ///< a name of strategy_names()
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
+  std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found
   std::optional<double> stepdown;       ///< mm
   std::optional<double> allowance;      ///< mm, on walls
   std::optional<double> allowance_floor;

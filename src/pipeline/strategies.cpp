@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "plan/adaptive.h"
 #include "plan/contour.h"
+#include "plan/zigzag.h"
 
 namespace clearcut {
 namespace {
@@ -35,6 +36,10 @@ const ContourMethod* contour_method(const std::string& name) {
   return found == std::end(kContourMethods) ? nullptr : found;
 }
 
+bool wall_on_right(const Operation& operation) {
+  return (*operation.direction == CutDirection::kClimb) == operation.cutting.spindle_clockwise;
+}
+
 Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, const Operation& operation,
                           const PlanOptions& options) {
   ContourOptions contour;
@@ -42,8 +47,7 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
   contour.residuals = method.residuals;
   contour.machine = options.machine;
   contour.feed = *operation.cutting.feed;
-  contour.wall_on_right =
-      (*operation.direction == CutDirection::kClimb) == operation.cutting.spindle_clockwise;
+  contour.wall_on_right = wall_on_right(operation);
   return
       [planner = ContourPlanner(contour, options.tol)](const Layer& layer) mutable { return planner(layer); };
 }
@@ -54,11 +58,36 @@ Strategy adaptive_strategy(const PlanOptions& options) {
   return [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); };
 }
 
+/// mm between lines, where one is asked for; rules about the angles of contours mean nothing to lines.
+std::optional<double> line_distance(const std::optional<std::string>& stepover, double diameter) {
+  if (!stepover) return std::nullopt;
+  const StepRule rule = parse_step_rule(*stepover);
+  if (rule.kind == StepRule::Kind::kWidest) return std::nullopt;
+  if (rule.kind == StepRule::Kind::kFraction) return rule.value * diameter;
+  if (rule.kind == StepRule::Kind::kMm) return rule.value;
+  throw InputError("--stepover", fmt::format("'{}' is a rule for contours; give a fraction of the diameter "
+                                             "or mm, for example 0.8 or 4.5mm",
+                                             *stepover));
+}
+
+Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
+  ZigzagOptions zigzag;
+  if (options.angle_deg) zigzag.angle = Radians::of_degrees(*options.angle_deg);
+  zigzag.material_on_right = wall_on_right(operation);
+  zigzag.machine = options.machine;
+  zigzag.feed = *operation.cutting.feed;
+  line_distance(attempt.stepover, 1);  // refused before anything is planned
+  return [zigzag, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
+    zigzag.stepover = line_distance(stepover, 2 * layer.tool_radius);
+    return plan_zigzag(layer, zigzag, tol);
+  };
+}
+
 }  // namespace
 
 const std::vector<std::string>& strategy_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all{"auto", "adaptive"};
+    std::vector<std::string> all{"auto", "zigzag", "adaptive"};
     for (const auto& method : kContourMethods) all.emplace_back(method.name);
     return all;
   }();
@@ -67,7 +96,9 @@ const std::vector<std::string>& strategy_names() {
 
 std::string description_of(const std::string& strategy) {
   if (const auto* method = contour_method(strategy)) return method->description;
-  return strategy == "adaptive" ? "engagement limited, spiral and arcs" : "the fastest that certifies clean";
+  if (strategy == "adaptive") return "engagement limited, spiral and arcs";
+  if (strategy == "zigzag") return "parallel lines to and fro, then along the walls";
+  return "the fastest that certifies clean";
 }
 
 Strategy strategy_for(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
@@ -75,6 +106,7 @@ Strategy strategy_for(const Attempt& attempt, const Operation& operation, const 
     return contour_strategy(*method, attempt, operation, options);
   }
   if (attempt.strategy == "adaptive") return adaptive_strategy(options);
+  if (attempt.strategy == "zigzag") return zigzag_strategy(attempt, operation, options);
   throw InputError("--strategy", fmt::format("'{}' is unknown; use one of {}", attempt.strategy,
                                              fmt::join(strategy_names(), ", ")));
 }

@@ -1,0 +1,36 @@
+// In which order cells are cut, and from which of their corners. Used by the planner alone.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "plan/zigzag_cells.h"
+
+namespace clearcut {
+
+/// A cell with the way it is cut. variant: bit 0 downwards, bit 1 its first line from right to left.
+struct CellVisit {
+  std::size_t cell = 0;
+  int variant = 0;
+};
+inline constexpr int kCellVariants = 4;
+
+/// The lines of a cell in the order and sense in which they are cut.
+std::vector<ZigzagLine> cut_lines(const ZigzagCell& cell, int variant);
+
+struct OrderQuestion {
+  /// Cost of going from the end of one cell to the beginning of the next. Any unit.
+  std::function<double(Vec2 from, Vec2 to)> travel;
+  /// Cost that depends on the way a cell is cut alone.
+  std::function<double(const CellVisit&)> own;
+};
+
+/// All cells once, cheap in sum.
+///
+/// Method  Up to nine cells: proven best, by dynamic programming over sets. More: nearest first, then stretches of up
+///         to three cells are moved to better places while that pays; the ways of cutting are chosen best for each
+///         order by dynamic programming along it.
+/// Cost    O(2^n n^2) up to nine cells, O(n^2) a round beyond.
+std::vector<CellVisit> order_cells(const std::vector<ZigzagCell>& cells, const OrderQuestion& question);
+
+}  // namespace clearcut

@@ -1,0 +1,123 @@
+// What holds for every strategy that fills an area: real shapes with every cutter and random parts, planned, posted,
+// read back and certified.
+#include "pipeline/strategies.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/error.h"
+#include "pipeline/run.h"
+#include "read/read_part.h"
+#include "support/data.h"
+#include "support/random_parts.h"
+
+namespace clearcut {
+namespace {
+
+PlanOptions options_for(const std::string& strategy) {
+  PlanOptions options;
+  options.strategy = strategy;
+  return options;
+}
+
+/// "" when the plan is certified clean, else its worst fault. A cutter that fits nowhere has no plan.
+std::string fault_of(const Part& part, const PlanOptions& options) {
+  try {
+    const auto result = plan(part, options);
+    if (result.findings.all.clean) return "";
+    return result.findings.faults.empty() ? "not clean" : result.findings.faults.front().text;
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+class EveryStrategy : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Filling, EveryStrategy, testing::Values("zigzag"),
+                         [](const auto& strategy) { return strategy.param; });
+
+TEST_P(EveryStrategy, ClearsEveryDataShapeWithEveryCutter) {
+  CLEARCUT_SKIP_WITHOUT_DATA();
+  int shapes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(*test_support::data_folder() / "shapes")) {
+    if (entry.path().extension() != ".json") continue;
+    ++shapes;
+    const Part part = read_part(entry.path().string(), {});
+    for (const double diameter : {4.0, 6.0, 8.0, 10.0}) {
+      auto options = options_for(GetParam());
+      options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
+      options.stepdown = 100;
+      EXPECT_EQ(fault_of(part, options), "") << entry.path().filename() << " " << diameter;
+    }
+  }
+  EXPECT_GT(shapes, 10);
+}
+
+TEST_P(EveryStrategy, ClearsRandomParts) {
+  const int count = test_support::random_count(40);
+  for (int i = 0; i < count; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 1);
+    const double diameter = random.between(2, 10);
+    const Part part = test_support::random_part(random, diameter);
+    if (part.features.front().target.empty()) continue;
+    EXPECT_EQ(fault_of(part, options_for(GetParam())), "") << "seed " << i + 1;
+  }
+}
+
+TEST_P(EveryStrategy, WritesTheSameProgramAgain) {
+  Random random(5);
+  const Part part = test_support::random_part(random, 4);
+  const auto first = plan(part, options_for(GetParam())).program;
+  EXPECT_EQ(plan(part, options_for(GetParam())).program, first);
+  auto threaded = options_for(GetParam());
+  threaded.threads = 3;
+  EXPECT_EQ(plan(part, threaded).program, first);
+}
+
+TEST(Zigzag, KeepsTheDirectionAskedFor) {
+  const Regions square{
+      Region::from_valid_loops(loop_from_points(std::vector<Vec2>{{0, 0}, {50, 0}, {50, 40}, {0, 40}}), {})};
+  for (const double angle : {0.0, 30.0, 90.0, -45.0}) {
+    auto options = options_for("zigzag");
+    options.angle_deg = angle;
+    const auto result = plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
+    EXPECT_TRUE(result.findings.all.clean);
+    double along = 0, inside = 0;
+    for (const auto& move : result.toolpath.sections.front().moves) {
+      const Vec2 middle = move.path.at(0.5);
+      if (move.kind != MoveKind::kCut || std::abs(middle.x - 25) > 21.9 || std::abs(middle.y - 20) > 16.9)
+        continue;
+      inside += move.length();
+      const double off = std::remainder(angle_of(move.path.to - move.path.from) - angle * kPi / 180, kPi);
+      if (std::abs(off) < 1e-4) along += move.length();
+    }
+    EXPECT_GT(along, 0.7 * inside) << angle;
+  }
+}
+
+TEST(Zigzag, LinesAreNoFartherApartThanAskedFor) {
+  const Regions square{
+      Region::from_valid_loops(loop_from_points(std::vector<Vec2>{{0, 0}, {50, 0}, {50, 40}, {0, 40}}), {})};
+  auto options = options_for("zigzag");
+  options.angle_deg = 0;
+  options.stepover = "0.3";
+  const auto result = plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
+  std::vector<double> heights;
+  for (const auto& move : result.toolpath.sections.front().moves) {
+    const Vec2 d = move.path.to - move.path.from;
+    if (move.kind == MoveKind::kCut && std::abs(d.y) < 1e-6 && std::abs(d.x) > 10)
+      heights.push_back(move.path.to.y);
+  }
+  std::sort(heights.begin(), heights.end());
+  ASSERT_GT(heights.size(), 15u);
+  // The outermost are those along the walls.
+  for (std::size_t i = 2; i + 1 < heights.size(); ++i) EXPECT_LT(heights[i] - heights[i - 1], 0.3 * 6 + 1e-3);
+  options.stepover = "lom";
+  EXPECT_THROW(plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options),
+               InputError);
+}
+
+}  // namespace
+}  // namespace clearcut
