@@ -55,6 +55,31 @@ std::string regular_polygon(int sides, double across_flats) {
   return "[" + text + "]";
 }
 
+TEST(MainJob, ExactFitsArePlungedOrCutInOnePass) {
+  const std::string circle = outline("[[0,5,1],[10,5,1]]"),
+                    square = outline("[[0,0,0],[10,0,0],[10,10,0],[0,10,0]]");
+  const std::string slot = outline("[[0,0,0],[40,0,0],[40,10,0],[0,10,0]]");
+  const std::string turned = outline("[[3,-4,0],[11,2,0],[5,10,0],[-3,4,0]]");
+  const std::string keyhole =
+      outline("[[4.58257569495584,2,4.7912878474779195],[4.58257569495584,-2,0],[20,-2,0],[20,2,0]]");
+  for (const auto& json : {circle, square, turned, keyhole}) {
+    for (const std::string strategy : {"auto", "adaptive", "lom"}) {
+      PlanOptions options = with_tool(10);
+      options.strategy = strategy;
+      const test_support::ScratchFolder folder;
+      const auto result = plan(read_part(folder.file("a.json", json), {}), options);
+      expect_clean(result, strategy + " " + json);
+      EXPECT_NEAR(result.findings.all.feed_mm, 3, 1e-9) << json;  // from 1 mm over the top, down 2
+      EXPECT_EQ(result.findings.all.retracts, 0) << json;
+    }
+  }
+  const auto pass = plan_outline(slot, 10);
+  expect_clean(pass, slot);
+  EXPECT_NEAR(pass.findings.all.feed_mm, 33, 0.01);
+  // Wider than the hole by more than the rounding of a drawing: refused, never skipped.
+  EXPECT_THROW(plan_outline(circle, 10.01), InputError);
+}
+
 TEST(MainJob, FishheadIsCleanInEveryWorkingstep) {
   PlanOptions options;
   options.stepdown = 2;

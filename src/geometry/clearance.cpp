@@ -26,6 +26,8 @@ constexpr double kNoOffset = 0.0005;
 /// mm. Clearance above a level that a place must have to belong to it: above the noise of the grid, so that
 /// walls just 2d apart give a fit line and not slivers.
 constexpr double kMargin = 0.0003;
+/// Share of the fit tolerance that a cutter on a fit line may lack: the rest is for rounding in a program.
+constexpr double kFitShare = 0.9;
 /// Dead ends of fit lines shorter than this many times the fit tolerance are corners, not slots.
 constexpr double kStubFactor = 100;
 
@@ -162,9 +164,9 @@ std::vector<Regions> Clearance::insets(const std::vector<double>& ascending) con
   return impl_->insets(ascending);
 }
 
-std::vector<Path> Clearance::fit_lines(double d) const {
-  return voronoi::fit_lines(impl_->axis, impl_->diagram, d - impl_->tol.fit, d + kMargin,
-                            kStubFactor * impl_->tol.fit);
+std::vector<Path> Clearance::fit_lines(double d, double reserve) const {
+  const double least = d - reserve - kFitShare * impl_->tol.fit;
+  return voronoi::fit_lines(impl_->axis, impl_->diagram, least, d + kMargin, kStubFactor * impl_->tol.fit);
 }
 
 const MedialAxis& Clearance::axis() const {

@@ -54,8 +54,10 @@ class Clearance {
   std::vector<Regions> insets(const std::vector<double>& ascending) const;
 
   /// Open or closed curves on which a cutter of radius d just fits: parts of the medial axis whose clearance
-  /// is d within tol.fit and which no region of inset(d) contains.
-  std::vector<Path> fit_lines(double d) const;
+  /// is d within tol.fit and which no region of inset(d) contains. A place where it just fits with no way to go
+  /// (a hole of its own diameter) is a path of one edge with from == to.
+  /// `reserve` (mm): of d, what such places need not keep.
+  std::vector<Path> fit_lines(double d, double reserve = 0) const;
 
   const MedialAxis& axis() const;
   /// The axis edge numbered `edge` as a polyline from its a to its b, no farther than `chord` mm from the

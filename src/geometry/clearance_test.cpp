@@ -228,6 +228,45 @@ TEST(FitLines, RingSlotGivesAClosedCurve) {
   EXPECT_EQ(c.inset(1.9).size(), 1U);
 }
 
+/// The one place of a hole of exactly the cutter's diameter, within rounding.
+void expect_one_point(const Region& hole, double radius, Vec2 place) {
+  const Clearance c(hole, kTol);
+  EXPECT_TRUE(c.inset(radius).empty());
+  const auto lines = c.fit_lines(radius);
+  ASSERT_EQ(lines.size(), 1U);
+  ASSERT_EQ(lines[0].size(), 1U);
+  EXPECT_EQ(lines[0][0].from, lines[0][0].to);
+  EXPECT_NEAR(norm(lines[0][0].from - place), 0, 1e-4);
+  EXPECT_TRUE(c.fit_lines(radius * 0.99).empty());
+  EXPECT_TRUE(c.fit_lines(radius * 1.01).empty());
+}
+
+TEST(FitLines, HolesOfTheCuttersSizeGiveAPoint) {
+  expect_one_point(region(circle({1.2345678, 3.7654321}, 5)), 5, {1.2345678, 3.7654321});
+  expect_one_point(region(circle({5, 5}, 4.9998)), 5, {5, 5});
+  expect_one_point(region(rectangle({0, 0}, {10, 10})), 5, {5, 5});
+  for (const int corners : {3, 6, 24}) {
+    std::vector<Vec2> points;
+    const double reach = 5 / std::cos(kPi / corners);
+    for (int i = 0; i < corners; ++i)
+      points.push_back(Vec2{7, -3} + direction_of(0.3 + 2 * kPi * i / corners) * reach);
+    expect_one_point(region(loop_from_points(points)), 5, {7, -3});
+  }
+}
+
+TEST(FitLines, AHoleAtTheEndOfANarrowSlotGivesAPoint) {
+  const double h = 2, x = std::sqrt(25 - h * h), sweep = 2 * kPi - 2 * std::asin(h / 5);
+  const BulgeVertex outline[] = {{{x, h}, std::tan(sweep / 4)}, {{x, -h}, 0}, {{20, -h}, 0}, {{20, h}, 0}};
+  expect_one_point(region(loop_from_bulges(outline)), 5, {0, 0});
+}
+
+TEST(FitLines, AHoleALittleLongerThanWideGivesALine) {
+  const Clearance c(region(rectangle({0, 0}, {10.05, 10})), kTol);
+  const auto lines = c.fit_lines(5);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NEAR(length(lines[0]), 0.05, 0.005);
+}
+
 TEST(FitLines, PolygonHoleWiderThanTheCutterIsARegion) {
   std::vector<Vec2> points;
   for (int i = 0; i < 24; ++i) points.push_back(direction_of(2 * kPi * i / 24) * (1.65 / std::cos(kPi / 24)));

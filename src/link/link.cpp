@@ -287,8 +287,9 @@ class Linker {
   void enter_material(const Choice& next, const LayerState& state) {
     const Pass& pass = state.pass(next.pass);
     vertical(std::min(z_, state.layer().z_top + kEntryHeight), MoveKind::kPlunge, options_.plunge_feed);
-    const EntryPlace place{at_, oriented(state, next).front().tangent_at(0), z_, state.layer().z,
-                           pass.entry_center};
+    const Edge first = oriented(state, next).front();
+    const Vec2 heading = first.from == first.to ? Vec2{1, 0} : first.tangent_at(0);
+    const EntryPlace place{at_, heading, z_, state.layer().z, pass.entry_center};
     const auto moves = entry_moves(place, state.layer().legal, options_);
     moves_.insert(moves_.end(), moves.begin(), moves.end());
     z_ = state.layer().z;
@@ -329,7 +330,8 @@ class Linker {
   void cut(const Path& path, const std::vector<MoveKind>& kinds, double z) {
     for (std::size_t i = 0; i < path.size(); ++i) {
       Edge joined = path[i];
-      if (i == 0) joined.from = at_;  // the same point to rounding
+      if (i == 0) joined.from = at_;           // the same point to rounding
+      if (joined.from == joined.to) continue;  // a place where the cutter just fits: plunged into
       const MoveKind kind = kinds.empty() ? MoveKind::kCut : kinds[i];
       moves_.push_back(
           {joined, z, z, kind, kind == MoveKind::kLink ? options_.machine.rapid : options_.feed, 0});

@@ -44,10 +44,12 @@ double printing_reserve(const PlanOptions& options) {
 std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, const PlanOptions& options) {
   const auto& feature = feature_of(part, step);
   Operation operation = step.operation;
-  operation.allowance_side += printing_reserve(options);
-  operation.allowance_floor += printing_reserve(options);
+  const double reserve = printing_reserve(options);
+  operation.allowance_side += reserve;
+  operation.allowance_floor += reserve;
   auto layers = layers_of(feature, operation, tool_of(part, step).radius(), options.tol);
   for (auto& layer : layers) {
+    layer.reserve = reserve;
     const Regions standing = standing_target(part, step.feature, layer.z, options.tol);
     if (standing.empty() || has_open_side(feature)) layer.target = standing;
   }

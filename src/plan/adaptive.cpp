@@ -68,8 +68,10 @@ class AdaptivePlanner {
         branches_.pop_back();
         if (!walked_[static_cast<std::size_t>(branch.edge)]) walk(branch);
       }
-      passes.push_back(path_.finish(static_cast<int>(passes.size())));
-      passes.back().offset = point(start).clearance;
+      Pass pass = path_.finish(static_cast<int>(passes.size()));
+      if (pass.path.empty()) continue;  // no room but for a plunge: see Clearance::fit_lines
+      pass.offset = point(start).clearance;
+      passes.push_back(std::move(pass));
     }
     return passes;
   }
@@ -265,6 +267,17 @@ void add_wall_passes(LayerPasses& result, const Regions& legal, int first_compon
   }
 }
 
+void add_fit_lines(LayerPasses& result, const std::vector<Path>& lines) {
+  for (const auto& line : lines) {
+    Pass pass;
+    pass.path = line;
+    pass.closed = line.size() > 1 && line.front().from == line.back().to;
+    pass.component = static_cast<int>(result.passes.size());
+    result.passes.push_back(std::move(pass));
+    result.fit_lines.push_back(line);
+  }
+}
+
 }  // namespace
 
 LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol) {
@@ -285,7 +298,7 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
       pass.component = wall;
       result.passes.push_back(std::move(pass));
     }
-    for (auto& line : planner.clearance().fit_lines(first)) result.fit_lines.push_back(std::move(line));
+    add_fit_lines(result, planner.clearance().fit_lines(first, layer.reserve));
     result.legal.insert(result.legal.end(), std::make_move_iterator(legal.begin()),
                         std::make_move_iterator(legal.end()));
   }

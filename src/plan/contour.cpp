@@ -149,8 +149,8 @@ bool same_outline(const Regions& a, const Regions& b) {
 
 LayerPasses ContourPlanner::operator()(const Layer& layer) {
   const bool known = last_ && last_->tool_radius == layer.tool_radius &&
-                     last_->wall_stock == layer.wall_stock && same_outline(last_->allowed, layer.allowed) &&
-                     same_outline(last_->target, layer.target);
+                     last_->wall_stock == layer.wall_stock && last_->reserve == layer.reserve &&
+                     same_outline(last_->allowed, layer.allowed) && same_outline(last_->target, layer.target);
   if (!known) last_passes_ = plan_contour(layer, options_, tol_);
   last_ = layer;
   last_passes_.z_top = layer.z_top;
@@ -169,6 +169,7 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   RingJob job;
   job.radius = layer.tool_radius;
   job.first_level = layer.tool_radius + layer.wall_stock;
+  job.reserve = layer.reserve;
   job.residuals = options.residuals;
   job.step = [&](const Region& contour) {
     return std::max(step_after(contour, options.step, layer.tool_radius), kSmallestStep * layer.tool_radius);

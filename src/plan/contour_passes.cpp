@@ -89,7 +89,7 @@ class PassBuilder {
   }
 
   void add_fit_lines(const Domain& domain) {
-    for (const auto& line : domain.clearance.fit_lines(job_.first_level)) add_fit_line(line);
+    for (const auto& line : domain.clearance.fit_lines(job_.first_level, job_.reserve)) add_fit_line(line);
   }
 
   std::vector<Pass> take_passes() { return std::move(passes_); }

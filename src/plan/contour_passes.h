@@ -19,6 +19,7 @@ struct Domain {
 struct RingJob {
   double radius = 0;       ///< of the cutter, mm
   double first_level = 0;  ///< of the rings at the wall, mm
+  double reserve = 0;      ///< mm; as Layer::reserve
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
 };

@@ -17,6 +17,8 @@ struct Layer {
   Regions allowed;   ///< where the cutter may be at z; true walls are its boundary
   double tool_radius = 0;
   double wall_stock = 0;  ///< stock to leave on walls, mm
+  double reserve =
+      0;  ///< mm; of wall_stock, what only rounding of the program asks for: exact fits need not keep it
 };
 
 }  // namespace clearcut

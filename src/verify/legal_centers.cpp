@@ -12,9 +12,9 @@ namespace {
 constexpr double kCorner = 1e-6;
 /// mm. Rounding of parallel curves: nearer than reach by this is not nearer.
 constexpr double kRounding = 1e-7;
-/// mm. A stretch where a cutter fits only with the allowance for fit must be this long to count as a slot;
-/// less is the tip of a sharp corner.
-constexpr double kSlot = 0.05;
+/// mm. A stretch where a cutter fits only with the allowance for fit must be this long to count as a slot, or
+/// this far from all legal places; less is the tip of a sharp corner.
+constexpr double kSlot = 0.1;
 
 /// Walls before and after a curve's own that are tried first.
 constexpr int kNeighbours = 3;
@@ -41,13 +41,14 @@ LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, con
   });
   add_wall_curves(walls);
   add_corner_curves(walls);
+  add_tight_places();
   boundary_ = EdgeTree(std::move(found_));
 }
 
 void LegalCenters::add_wall_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     const Wall& wall = part_.walls()[i];
-    for (const Edge& curve : parallel(wall.edge, reach_ + wall.lean(z_), fit_)) {
+    for (const Edge& curve : parallel(wall.edge, reach_ + wall.lean(z_), fit_ / 2)) {
       if (curve.from == curve.to) {
         add_fit_point(curve.from);
       } else {
@@ -86,7 +87,7 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
 }
 
 void LegalCenters::add_fit_point(Vec2 p) {
-  if (clearance_over_reach(p) >= -fit_) found_.push_back(Edge::line(p, p));
+  if (clearance_over_reach(p) >= -fit_ / 2) found_.push_back(Edge::line(p, p));
 }
 
 void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
@@ -101,7 +102,22 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
   if (legal.whole()) return;
   const TrimmedCurve fitting = legal_parts(curve, wall, fit_);
   for (const Interval& part : fitting.parts()) {
-    if ((part.second - part.first) * legal.length() > kSlot && !is_inside(legal.parts(), part)) add(part);
+    if (is_inside(legal.parts(), part)) continue;
+    if ((part.second - part.first) * legal.length() > kSlot) {
+      add(part);
+    } else {
+      tight_.push_back(curve.part(part.first, part.second));
+    }
+  }
+}
+
+/// A hole just as wide as the cutter leaves a few micrometres of each wall's curve, and nothing else near them.
+void LegalCenters::add_tight_places() {
+  const EdgeTree known(found_);
+  for (const Edge& piece : tight_) {
+    const Vec2 middle = piece.from == piece.to ? piece.from : piece.at(0.5);
+    if (known.nearest(middle, kSlot + norm(piece.to - piece.from)).edge >= 0) continue;
+    if (part_.is_free(middle, z_)) found_.push_back(piece);
   }
 }
 

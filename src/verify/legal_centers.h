@@ -32,14 +32,17 @@ class LegalCenters {
   /// `wall`: that which the curve runs along; its neighbours are the likeliest to be nearer.
   void add_legal_parts(const Edge& curve, int wall);
   void add_fit_point(Vec2 p);
+  void add_tight_places();
   /// What of `curve` no wall comes nearer to than its reach less `allowed`.
   TrimmedCurve legal_parts(const Edge& curve, int wall, double allowed) const;
   void cut_by_wall(TrimmedCurve& left, const Wall& wall, double upright) const;
   double clearance_over_reach(Vec2 p) const;
 
   const FinishedPart& part_;
-  double z_, reach_, fit_;
+  double z_, reach_;
+  double fit_;  ///< mm; how much wider than a gap the cutter may be
   std::vector<Edge> found_;
+  std::vector<Edge> tight_;  ///< short stretches where the cutter just fits
   EdgeTree boundary_;
 };
 

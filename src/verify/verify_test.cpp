@@ -190,6 +190,48 @@ TEST(Verify, ASlotAsWideAsTheCutterIsCutByOnePass) {
   }
 }
 
+TEST(Verify, AHoleOfTheCuttersSizeIsCutByAPlunge) {
+  const std::vector<Vec2> turned{{3, -4}, {11, 2}, {5, 10}, {-3, 4}};
+  const Regions holes[] = {rectangle(0, 0, 10, 10),
+                           {Region::from_valid_loops(circle_loop({5, 5}, 5), {})},
+                           {Region::from_valid_loops(circle_loop({5, 5}, 4.9998), {})},
+                           {Region::from_valid_loops(loop_from_points(turned), {})}};
+  for (const Regions& hole : holes) {
+    const Part part = pocket_part(hole, 10, -4);
+    const Vec2 center = box(hole).center();
+    Writer writer;
+    writer.enter(center, 0, -4);
+    const Findings findings = verify(part, writer.done(), {});
+    EXPECT_TRUE(findings.all.clean) << report_of(findings);
+    Writer shallow;
+    shallow.enter(center, 0, -3.97);
+    EXPECT_FALSE(verify(part, shallow.done(), {}).all.clean);
+    Writer beside;
+    beside.enter(center + Vec2{0.0021, 0}, 0, -4);
+    EXPECT_TRUE(has(verify(part, beside.done(), {}), FaultKind::kGouge));
+  }
+}
+
+TEST(Verify, AHoleOfTheCuttersSizeAtTheEndOfASlotIsAskedFor) {
+  const double h = 2, x = std::sqrt(25 - h * h), sweep = 2 * kPi - 2 * std::asin(h / 5);
+  const double x2 = 30 - std::sqrt(64 - h * h), sweep2 = 2 * kPi - 2 * std::asin(h / 8);
+  const BulgeVertex outline[] = {
+      {{x, h}, std::tan(sweep / 4)}, {{x, -h}, 0}, {{x2, -h}, std::tan(sweep2 / 4)}, {{x2, h}, 0}};
+  const Part part = pocket_part({Region::from_valid_loops(loop_from_bulges(outline), {})}, 10, -4);
+  const auto program = [&](bool both) {
+    Writer writer;
+    // The mouth of the slot lets the cutter in a little.
+    writer.enter({33, 0}, 0, -4).arc({27, 0}, {30, 0}, Turn::kCounterClockwise);
+    writer.feed({x2 + std::sqrt(25 - h * h), 0}).feed({27, 0});
+    writer.arc({33, 0}, {30, 0}, Turn::kCounterClockwise);
+    if (both) writer.leave().enter({0, 0}, 0, -4);
+    return writer.done();
+  };
+  const Findings whole = verify(part, program(true), {});
+  EXPECT_TRUE(whole.all.clean) << report_of(whole);
+  EXPECT_TRUE(has(verify(part, program(false), {}), FaultKind::kUncut));
+}
+
 TEST(Verify, ADrilledHoleIsCutByAPlunge) {
   Part part = pocket_part({Region::from_valid_loops(circle_loop({10, 10}, 4), {})}, 8, -5);
   Writer writer;

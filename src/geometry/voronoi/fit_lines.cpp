@@ -16,6 +16,9 @@ std::size_t index(int i) {
 /// mm. Curves that part by less are merged.
 constexpr double kSameCurve = 1e-6;
 constexpr double kTiny = 0.01;
+/// mm. Where the cutter fits no farther than this from one place, it fits in a point: what it could clear by
+/// moving there is half as thick as what may be left.
+constexpr double kPoint = 0.005;
 
 /// The axis cut to a band of clearances, as a graph of its own.
 class Band {
@@ -26,8 +29,8 @@ class Band {
   }
 
   std::vector<Path> run(double stub) {
+    std::vector<Path> paths = take_points();
     prune_stubs(stub);
-    std::vector<Path> paths;
     // Ends and forks first, then what is left are rings.
     for (const bool rings : {false, true}) {
       for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -42,6 +45,7 @@ class Band {
  private:
   struct Place {
     Vec2 point;
+    double clearance = 0;
     bool into_region = false;  ///< cut at the upper limit: a wider place follows
     std::vector<std::size_t> parts;
   };
@@ -69,7 +73,7 @@ class Band {
 
   int place_at(int p) {
     const auto [found, added] = place_of_.try_emplace(p, static_cast<int>(places_.size()));
-    if (added) places_.push_back({point(p).point, false, {}});
+    if (added) places_.push_back({point(p).point, point(p).clearance, false, {}});
     return found->second;
   }
 
@@ -83,12 +87,57 @@ class Band {
       const double middle = (below + above) / 2;
       (distance(a, place(middle)) < level ? below : above) = middle;
     }
-    places_.push_back({place(below), into_region, {}});
+    places_.push_back({place(below), level, into_region, {}});
     return static_cast<int>(places_.size()) - 1;
   }
 
   int start(std::size_t part, bool forward) const { return forward ? parts_[part].a : parts_[part].b; }
   int end(std::size_t part, bool forward) const { return start(part, !forward); }
+
+  /// All places connected with one, itself included.
+  std::vector<int> group_of(int first, std::vector<char>& seen) const {
+    std::vector<int> group{first};
+    seen[index(first)] = 1;
+    for (std::size_t next = 0; next < group.size(); ++next) {
+      for (const std::size_t part : places_[index(group[next])].parts) {
+        for (const int place : {parts_[part].a, parts_[part].b}) {
+          if (seen[index(place)] != 0) continue;
+          seen[index(place)] = 1;
+          group.push_back(place);
+        }
+      }
+    }
+    return group;
+  }
+
+  /// Groups no larger than a point become one where there is most room, and their parts go; so do the centres of
+  /// round pockets.
+  std::vector<Path> take_points() {
+    std::vector<Path> points;
+    const auto add = [&points](Vec2 p) { points.push_back({Edge::line(p, p)}); };
+    for (std::size_t i = 0; i < axis_.graph.points.size(); ++i) {
+      const AxisPoint& p = axis_.graph.points[i];
+      if (axis_.incident[i].empty() && p.clearance >= low_ && p.clearance < high_) add(p.point);
+    }
+    std::vector<char> seen(places_.size(), 0);
+    for (std::size_t first = 0; first < places_.size(); ++first) {
+      if (seen[first] != 0) continue;
+      const std::vector<int> group = group_of(static_cast<int>(first), seen);
+      const Place& best = places_[index(*std::max_element(group.begin(), group.end(), [this](int a, int b) {
+        return places_[index(a)].clearance < places_[index(b)].clearance;
+      }))];
+      const bool point = std::all_of(group.begin(), group.end(), [&](int i) {
+        const Place& place = places_[index(i)];
+        return !place.into_region && norm(place.point - best.point) <= kPoint;
+      });
+      if (!point) continue;
+      add(best.point);
+      for (const int place : group) {
+        for (const std::size_t part : places_[index(place)].parts) parts_[part].used = true;
+      }
+    }
+    return points;
+  }
 
   std::size_t degree(int place) const {
     const auto& parts = places_[index(place)].parts;
