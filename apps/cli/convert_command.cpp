@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "commands.h"
 #include "output.h"
+#include "pipeline/prepare.h"
 #include "plan_arguments.h"
 #include "post/outline_writer.h"
 #include "post/stepnc_writer.h"
@@ -12,10 +13,13 @@
 namespace clearcut::cli {
 namespace {
 
-std::string converted(const Part& part, const std::string& output) {
+std::string converted(Part& part, const PlanArguments& arguments, const std::string& output) {
   const auto extension = std::filesystem::path(output).extension();
   if (extension == ".json") return write_outline_json(part);
-  if (extension == ".p21" || extension == ".stpnc") return write_stepnc(part);
+  if (extension == ".p21" || extension == ".stpnc") {
+    part = with_tools(std::move(part), arguments.options());
+    return write_stepnc(part);
+  }
   throw InputError(output, "the kind of file is unknown; name it .json (outline) or .p21 (STEP-NC)");
 }
 
@@ -26,10 +30,11 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   auto state = std::make_shared<PlanArguments>();
   auto output = std::make_shared<std::string>();
   state->add_part_options(*command, "INPUT");
+  state->add_tool_list_options(*command);
   command->add_option("-o,--output", *output, "File to write: .json or .p21")->required();
   command->callback([state, output, &exit_code] {
-    const Part part = state->read();
-    write_files({{*output, converted(part, *output)}});
+    Part part = state->read();
+    write_files({{*output, converted(part, *state, *output)}});
     print(part.diagnostics, true);
     exit_code = kClean;
   });

@@ -36,7 +36,8 @@ std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
 
 void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
   if (input_name == "INPUT") {
-    command.add_option("INPUT", input_, "Part: .p21 .stp .step .stpnc .dxf .svg .json .toml")->required();
+    command.add_option("INPUT", input_, "Part: .p21 .stp .step .stpnc .dxf .svg .json .edges .toml")
+        ->required();
   } else {
     command.add_option(input_name, input_, "Part the program is for")->required();
   }
@@ -46,12 +47,16 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   command.add_option("--depth", depth_, "Depth of every feature, mm");
 }
 
-void PlanArguments::add_tool_options(CLI::App& command) {
+void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.add_option(
       "--tool", tools_,
       "KIND:DIAMETER[:T3][:flutes=2][:corner=0.5][:name=N][:noplunge]; kinds: endmill, facemill, bullnose, "
       "ball, drill, reamer (repeatable)");
   command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml");
+}
+
+void PlanArguments::add_tool_options(CLI::App& command) {
+  add_tool_list_options(command);
   command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2");
   command.add_option("--junction-deviation", junction_deviation_, "Junction deviation of the machine, mm");

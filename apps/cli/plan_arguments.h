@@ -18,6 +18,8 @@ namespace clearcut::cli {
 class PlanArguments {
  public:
   void add_part_options(CLI::App& command, const std::string& input_name);
+  /// Which tools there are; add_tool_options adds these, too.
+  void add_tool_list_options(CLI::App& command);
   void add_tool_options(CLI::App& command);
   void add_cutting_options(CLI::App& command);
 

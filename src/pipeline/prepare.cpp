@@ -129,6 +129,20 @@ double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
   return 2 * radius;
 }
 
+Part with_tools(Part part, const PlanOptions& options) {
+  if (options.tools.empty() && part.tools.empty()) {
+    Tool tool;
+    tool.number = 1;
+    // Rounded down to tenths; never nothing.
+    tool.diameter = std::max(std::floor(largest_fitting_diameter_of(part, options.tol) * 5) / 10, 0.1);
+    part.tools = {tool};
+    part.diagnostics.note(part.source_file,
+                          "names no tool: an end mill of " + trimmed(tool.diameter, 1) + " mm is written");
+  }
+  choose_tools(part, options);
+  return part;
+}
+
 Part prepare(Part part, const PlanOptions& options) {
   if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
   if (options.depth) {

@@ -13,6 +13,10 @@ namespace clearcut {
 /// What was defaulted is noted in the diagnostics, once per value.
 Part prepare(Part part, const PlanOptions& options);
 
+/// The part with the options' tools, else its own, else one end mill of half the largest diameter that fits (noted):
+/// STEP-NC has no operation without a tool.
+Part with_tools(Part part, const PlanOptions& options);
+
 /// Diameter of the largest cutter that has a legal position in the feature, mm; 0 when none.
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "post/p21_text.h"
 #include "post/stepnc_features.h"
 
@@ -326,6 +327,10 @@ class Writer {
 }  // namespace
 
 std::string write_stepnc(const Part& part) {
+  for (const auto& step : part.workplan) {
+    if (step.operation.tool >= 0 && step.operation.tool < static_cast<int>(part.tools.size())) continue;
+    throw InputError(part.source_file, "names no tool for " + step.name + "; STEP-NC needs one: give --tool");
+  }
   return Writer(part).write();
 }
 

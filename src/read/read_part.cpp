@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "read/dxf/dxf_reader.h"
+#include "read/edges/edges_reader.h"
 #include "read/job/job_file.h"
 #include "read/outline/outline_reader.h"
 #include "read/outline/text.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 
-enum class Kind { kStep, kDxf, kSvg, kJson, kJob, kUnknown };
+enum class Kind { kStep, kDxf, kSvg, kJson, kEdges, kJob, kUnknown };
 
 Kind kind_of_extension(const std::string& extension) {
   for (const char* step : {".P21", ".STP", ".STEP", ".STPNC", ".238"}) {
@@ -27,6 +28,7 @@ Kind kind_of_extension(const std::string& extension) {
   if (extension == ".DXF") return Kind::kDxf;
   if (extension == ".SVG") return Kind::kSvg;
   if (extension == ".JSON") return Kind::kJson;
+  if (extension == ".EDGES") return Kind::kEdges;
   if (extension == ".TOML") return Kind::kJob;
   return Kind::kUnknown;
 }
@@ -84,14 +86,17 @@ Part read_part_text(std::string_view text, const std::string& file_name, const R
       return read_svg(text, file_name, options);
     case Kind::kJson:
       return read_outline_json(text, file_name, options);
+    case Kind::kEdges:
+      return read_edges(text, file_name, options);
     case Kind::kJob:
       return part_of_job(read_job_text(text, file_name), options);
     case Kind::kUnknown:
       break;
   }
-  throw InputError(
-      file_name,
-      "unknown kind of file; give STEP-NC (.stpnc, .p21), DXF, SVG, outline JSON or a job (.toml)");
+  throw InputError(file_name,
+                   "unknown kind of file; give STEP-NC (.stpnc, .p21), DXF, SVG, outline JSON, lengths and "
+                   "angles (.edges) or a job "
+                   "(.toml)");
 }
 
 Part read_part(const std::filesystem::path& file, const ReadOptions& options) {

@@ -9,8 +9,8 @@
 
 namespace clearcut {
 
-/// .p21 .stp .step .stpnc .238 (STEP-NC or a solid, by its schema), .dxf, .svg, .json (outline), .toml
-/// (job); files of other names by their first bytes. See docs/input.md.
+/// .p21 .stp .step .stpnc .238 (STEP-NC or a solid, by its schema), .dxf, .svg, .json (outline), .edges
+/// (lengths and angles), .toml (job); files of other names by their first bytes. See docs/input.md.
 ///
 /// Throws  InputError, one line, for a file that is missing, empty, unreadable, of another kind, or larger
 ///         than 256 MB, and whatever its reader throws.
