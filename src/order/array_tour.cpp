@@ -50,9 +50,13 @@ int ArrayTour::walk(const Exchange& exchange, std::array<Piece, kMostExchanged>&
   return end == 0 ? count : 0;
 }
 
-bool ArrayTour::is_tour(const Exchange& exchange) const {
+bool ArrayTour::is_tour(const Exchange& exchange, int most) const {
   std::array<Piece, kMostExchanged> pieces;
-  return walk(exchange, pieces) == exchange.count;
+  if (walk(exchange, pieces) != exchange.count) return false;
+  if (most >= size()) return true;
+  int longest = 0;
+  for (int i = 0; i < exchange.count; ++i) longest = std::max(longest, pieces[i].length);
+  return size() - longest <= most;
 }
 
 void ArrayTour::apply(const Exchange& exchange) {

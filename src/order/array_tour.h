@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -33,8 +34,8 @@ class ArrayTour {
   }
   const std::vector<int>& nodes() const { return order_; }
 
-  /// Whether the exchange gives one closed tour. O(k log k).
-  bool is_tour(const Exchange& exchange) const;
+  /// Whether the exchange gives one closed tour and rewrites at most `most` places. O(k log k).
+  bool is_tour(const Exchange& exchange, int most = std::numeric_limits<int>::max()) const;
   /// Makes the exchange (is_tour must hold) by rewriting all but the longest of the k pieces.
   void apply(const Exchange& exchange);
 

@@ -8,6 +8,8 @@ namespace clearcut::order {
 namespace {
 constexpr int kLongestSegment = 50;
 constexpr int kKicksBetweenLooks = 64;
+constexpr int kLargestFree = 150000;    // points; above, one exchange on the whole array is too slow
+constexpr int kLongestRewrite = 50000;  // then
 }  // namespace
 
 ChainedSearch::ChainedSearch(const LengthModel& model, std::vector<int> start, KOptBreadth breadth,
@@ -15,7 +17,9 @@ ChainedSearch::ChainedSearch(const LengthModel& model, std::vector<int> start, K
     : model_(model),
       search_(model, std::move(start), breadth),
       random_(seed),
-      cost_(model.tour_cost(nodes())) {}
+      cost_(model.tour_cost(nodes())) {
+  if (model.size() > kLargestFree) search_.rewrite_at_most(kLongestRewrite);
+}
 
 void ChainedSearch::descend(const StopWatch& watch) {
   for (const int v : std::vector<int>(nodes())) search_.touch(v);

@@ -81,7 +81,7 @@ bool KOpt::extend(int depth, Cost gain) {
 bool KOpt::close(Cost gain) {
   const int first = exchange_.t[0], last = exchange_.t[2 * exchange_.count - 1];
   const Cost closing = model_.cost_below(last, first, gain);
-  if (closing >= gain || !tour_.is_tour(exchange_)) return false;
+  if (closing >= gain || !tour_.is_tour(exchange_, most_rewritten_)) return false;
   tour_.apply(exchange_);
   gained_ += gain - closing;
   for (int i = 0; i < 2 * exchange_.count; ++i) touch(exchange_.t[i]);

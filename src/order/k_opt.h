@@ -38,6 +38,9 @@ class KOpt {
       queue_.push_back(node);
     }
   }
+  /// Exchanges that rewrite more places of the array are left out: on very large tours they cost more than
+  /// they gain [johnson1997].
+  void rewrite_at_most(int places) { most_rewritten_ = places; }
   ArrayTour& tour() { return tour_; }
   const ArrayTour& tour() const { return tour_; }
 
@@ -52,6 +55,7 @@ class KOpt {
   KOptBreadth breadth_;
   Exchange exchange_;
   Cost gained_ = 0;
+  int most_rewritten_ = std::numeric_limits<int>::max();
   std::vector<int> queue_;
   std::size_t head_ = 0;
   std::vector<char> queued_;

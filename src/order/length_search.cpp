@@ -118,7 +118,7 @@ long long search_by_populations(const LengthModel& model, const Plan& plan,
 
 /// The points at positions [first, first + count) of the tour as a path with fixed ends; improved by kicks.
 std::vector<int> improve_window(const Problem& problem, std::span<const int> tour, int first, int count,
-                                std::uint64_t seed, const StopWatch& watch) {
+                                long long kicks, std::uint64_t seed, const StopWatch& watch) {
   const int n = static_cast<int>(tour.size());
   std::vector<int> members;
   Problem part;
@@ -138,32 +138,46 @@ std::vector<int> improve_window(const Problem& problem, std::span<const int> tou
   std::iota(in_place.begin(), in_place.end(), 0);
   ChainedSearch search(model, model.from_problem(in_place), default_breadth(), seed);
   search.descend(watch);
-  search.run(count, watch);
+  search.run(kicks, watch);
   std::vector<int> result;
   for (const int i : model.to_problem(search.nodes())) result.push_back(members[i]);
   return result;
 }
 
-/// One pass: windows side by side from a random offset, in parallel; no window shares a point with another.
-void improve_all_windows(const Problem& problem, Tour& tour, Random& random, const StopWatch& watch) {
-  const int n = static_cast<int>(tour.size());
+/// Windows side by side from a random offset; no window shares a point with another.
+std::vector<int> window_borders(const Problem& problem, Random& random) {
+  const int n = problem.size();
   const int windows = std::max(1, (n + kWindow / 2) / kWindow);
-  const int offset = problem.closed() ? static_cast<int>(random.below(static_cast<std::uint64_t>(n))) : 0;
   const int shift = problem.closed() ? 0 : static_cast<int>(random.below(kWindow));
   std::vector<int> begins{0};
   for (int i = 1; i < windows; ++i)
     begins.push_back(static_cast<int>(static_cast<long long>(n) * i / windows) - shift / 2);
   begins.push_back(n);
+  return begins;
+}
+
+/// One pass over all windows, some at a time in parallel; `told` after each time.
+template <typename Told>
+void improve_all_windows(const Problem& problem, Tour& tour, bool kicked, Random& random,
+                         const StopWatch& watch, Told told) {
+  constexpr int kAtATime = 16;
+  const int n = static_cast<int>(tour.size());
+  const std::vector<int> begins = window_borders(problem, random);
+  const int offset = problem.closed() ? static_cast<int>(random.below(static_cast<std::uint64_t>(n))) : 0;
+  const int windows = static_cast<int>(begins.size()) - 1;
   std::vector<std::uint64_t> seeds;
   for (int i = 0; i < windows; ++i) seeds.push_back(random.next());
-  const Tour before = tour;
-  tbb::parallel_for(0, windows, [&](int i) {
-    const int count = begins[i + 1] - begins[i];
-    if (watch.over() || count < 8) return;
-    const int first = (offset + begins[i]) % n;
-    const std::vector<int> part = improve_window(problem, before, first, count, seeds[i], watch);
-    for (int j = 0; j < count; ++j) tour[(first + j) % n] = part[j];
-  });
+  for (int some = 0; some < windows && !watch.over(); some += kAtATime) {
+    tbb::parallel_for(some, std::min(some + kAtATime, windows), [&](int i) {
+      const int count = begins[i + 1] - begins[i];
+      if (watch.over() || count < 8) return;
+      const int first = (offset + begins[i]) % n;
+      const std::vector<int> part =
+          improve_window(problem, tour, first, count, kicked ? count : 0, seeds[i], watch);
+      for (int j = 0; j < count; ++j) tour[(first + j) % n] = part[j];
+    });
+    told(tour);
+  }
 }
 
 long long search_by_windows(const Problem& problem, const LengthModel& model,
@@ -172,11 +186,14 @@ long long search_by_windows(const Problem& problem, const LengthModel& model,
   long long round = 0;
   for (; round < options.stop.rounds && !watch.over() && !best.enough(); ++round) {
     Tour tour = model.to_problem(best.nodes());
-    improve_all_windows(problem, tour, random, watch);
+    improve_all_windows(problem, tour, round > 0, random, watch, [&](const Tour& now) {
+      const std::vector<int> nodes = model.from_problem(now);
+      best.offer(nodes, model.tour_cost(nodes));
+    });
+    if (round % 4 != 0) continue;
     // What lies across the windows' borders is put right on the whole.
-    ChainedSearch whole(model, model.from_problem(tour), default_breadth(), random.next());
-    best.offer(whole.nodes(), whole.cost());
-    if (round % 4 == 1) whole.descend(watch);
+    ChainedSearch whole(model, best.nodes(), default_breadth(), random.next());
+    whole.descend(watch);
     best.offer(whole.nodes(), whole.cost());
   }
   return round;
