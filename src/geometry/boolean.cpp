@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <polyclipping/clipper.hpp>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "base/error.h"
 
@@ -16,6 +17,8 @@ namespace {
 using ClipperLib::IntPoint;
 
 constexpr double kGridPerMm = 1e6;  // 1 nm
+/// Points of the input up to which contours are split at their touches in some milliseconds.
+constexpr std::size_t kQuicklySplit = 4000;
 
 IntPoint to_grid(Vec2 p) {
   return {static_cast<ClipperLib::cInt>(std::llround(p.x * kGridPerMm)),
@@ -60,6 +63,8 @@ class Sources {
     const auto found = points_.find({p.X, p.Y});
     return found == points_.end() ? from_grid(p) : found->second.point;
   }
+
+  std::size_t point_count() const { return points_.size(); }
 
   bool is_source_point(IntPoint p) const { return points_.count({p.X, p.Y}) > 0; }
 
@@ -207,12 +212,34 @@ void add_regions(const Regions& regions, ClipperLib::PolyType type, Sources& sou
   }
 }
 
+/// Does a contour come back to one of its points?
+bool touches_itself(const ClipperLib::PolyTree& tree) {
+  for (const auto* node = tree.GetFirst(); node; node = node->GetNext()) {
+    std::unordered_set<std::pair<std::int64_t, std::int64_t>, GridHash> seen;
+    for (const auto& p : node->Contour) {
+      if (!seen.insert({p.X, p.Y}).second) return true;
+    }
+  }
+  return false;
+}
+
+/// Contours that touch themselves are split there. That takes polyclipping time quadratic in their vertices, so large
+/// inputs are clipped without it at first. False where there was no input: loops without area are none to it.
+bool execute(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
+             std::size_t points, ClipperLib::PolyTree& tree) {
+  if (points > kQuicklySplit) {
+    clipper.StrictlySimple(false);
+    if (!clipper.Execute(operation, tree, fill, fill)) return false;
+    if (!touches_itself(tree)) return true;
+  }
+  clipper.StrictlySimple(true);
+  return clipper.Execute(operation, tree, fill, fill);
+}
+
 Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
                  const Sources& sources, const Tolerances& tol) {
   ClipperLib::PolyTree tree;
-  clipper.StrictlySimple(true);
-  // Refused when nothing was added: loops without area are no input to it.
-  if (!clipper.Execute(operation, tree, fill, fill)) return {};
+  if (!execute(clipper, operation, fill, sources.point_count(), tree)) return {};
   Regions regions;
   append_regions(tree, sources, tol, regions);
   return regions;

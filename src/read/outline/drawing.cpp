@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "base/error.h"
 #include "base/format.h"
@@ -102,19 +103,25 @@ void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, D
   if (rule->top) group.top = rule->top;
 }
 
-void add_feature(Part& part, Feature feature) {
-  std::set<std::string> taken;
+void add_features(Part& part, std::vector<Feature> features) {
+  std::unordered_set<std::string> taken;
+  std::unordered_map<std::string, int> next;  // number to try for a name that is taken
   for (const auto& other : part.features) taken.insert(other.name);
-  const std::string wanted = feature.name;
-  for (int n = 2; taken.count(feature.name); ++n) feature.name = wanted + "_" + std::to_string(n);
-  Workingstep step;
-  step.name = feature.name;
-  step.source = feature.source;
-  step.feature = static_cast<int>(part.features.size());
-  step.operation.name = feature.name;
-  if (feature.kind == FeatureKind::kRoundHole) step.operation.kind = OperationKind::kDrilling;
-  part.workplan.push_back(std::move(step));
-  part.features.push_back(std::move(feature));
+  for (Feature& feature : features) {
+    const std::string wanted = feature.name;
+    for (int& n = next.try_emplace(wanted, 2).first->second; taken.count(feature.name); ++n) {
+      feature.name = wanted + "_" + std::to_string(n);
+    }
+    taken.insert(feature.name);
+    Workingstep step;
+    step.name = feature.name;
+    step.source = feature.source;
+    step.feature = static_cast<int>(part.features.size());
+    step.operation.name = feature.name;
+    if (feature.kind == FeatureKind::kRoundHole) step.operation.kind = OperationKind::kDrilling;
+    part.workplan.push_back(std::move(step));
+    part.features.push_back(std::move(feature));
+  }
 }
 
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options) {
@@ -134,7 +141,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   std::stable_sort(features.begin(), features.end(),
                    [](const Feature& a, const Feature& b) { return a.floor_z > b.floor_z; });
   const bool several_floors = features.front().floor_z > features.back().floor_z;
-  for (Feature& feature : features) add_feature(part, std::move(feature));
+  add_features(part, std::move(features));
   // A deep pocket within a shallow one begins on its floor.
   if (several_floors) stack_tops(part, options.tol);
 }

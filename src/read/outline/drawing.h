@@ -49,7 +49,7 @@ std::optional<double> circle_diameter(const Region& region, const Tolerances& to
 /// `depth`, mm; throws InputError at `place` unless it lies above 0 and below a kilometre.
 double checked_depth(double depth, const std::string& place);
 
-/// Appends a feature and its workingstep; its name becomes unique.
-void add_feature(Part& part, Feature feature);
+/// Appends the features, each with its workingstep; names that are taken get a number. Cost O(features).
+void add_features(Part& part, std::vector<Feature> features);
 
 }  // namespace clearcut

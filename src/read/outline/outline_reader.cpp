@@ -247,12 +247,14 @@ void add_pockets(const Context& context, const DataValue& pockets, double unit, 
   if (!pockets.is_array() || pockets.items.empty()) {
     context.fail(pockets, "\"pockets\" must be a list with at least one outline");
   }
+  std::vector<Feature> features;
   for (const auto& pocket : pockets.items) {
     if (!pocket.is_object()) context.fail(pocket, "a pocket must be an object with \"outer\" and \"depth\"");
     note_unknown_keys(context, pocket, kOutlineKeys);
-    const std::string name = "pocket" + std::to_string(part.features.size() + 1);
-    add_feature(part, feature_of(context, pocket, unit, name));
+    const std::string name = "pocket" + std::to_string(features.size() + 1);
+    features.push_back(feature_of(context, pocket, unit, name));
   }
+  add_features(part, std::move(features));
   if (part.features.size() > 1) stack_tops(part, context.options.tol);
 }
 
@@ -276,7 +278,7 @@ Part read_outline_json(std::string_view text, const std::string& file_name, cons
     std::set<std::string> known = kOutlineKeys;
     known.insert({"units", "stock"});
     note_unknown_keys(context, root, known);
-    add_feature(part, feature_of(context, root, unit, part.name.empty() ? "pocket" : part.name));
+    add_features(part, {feature_of(context, root, unit, part.name.empty() ? "pocket" : part.name)});
   }
   return part;
 }

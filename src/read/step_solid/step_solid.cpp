@@ -68,6 +68,7 @@ class Finder {
   Tolerances tol_;
   HeightMap map_;
   Part part_;
+  std::vector<Feature> found_;
   std::set<int> reached_;  ///< indices of cells
 };
 
@@ -85,6 +86,7 @@ Part Finder::part() {
   const std::vector<double> heights = levels();
   refuse_too_much(heights.size());
   for (const double z : heights) add_level(z);
+  add_features(part_, std::move(found_));
   report_hidden_floors();
   report_left_out();
   report_set_ups();
@@ -174,7 +176,7 @@ void Finder::add_area(const Region& target, const Region& allowed, bool open, do
     feature.source += (feature.source.empty() ? "face " : ", ") + std::to_string(face.number);
     if (!face.level) report_cone(cell);
   }
-  add_feature(part_, std::move(feature));
+  found_.push_back(std::move(feature));
 }
 
 /// What the features before it leave standing decides where each begins.
