@@ -116,6 +116,24 @@ TEST(OutlineJson, DeepNestingIsRefusedNotFollowed) {
   EXPECT_THAT(message_of(std::string(100000, '[')), HasSubstr("nested deeper"));
 }
 
+TEST(DataValue, TomlKeysOfVeryManyPartsAreRefusedNotFollowed) {
+  std::string key = "a", quoted = "\"a\"";
+  for (int i = 0; i < 1000000; ++i) key += ".a", quoted += " . 'a'";
+  for (const std::string& text : {key + " = 1", "[" + key + "]", "# note\n" + quoted + " = 1"}) {
+    try {
+      parse_toml(text, "x.toml");
+      FAIL() << text.substr(0, 20);
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("a key of more than 64 parts"));
+    }
+  }
+  std::string numbers = "a = [1.5";
+  for (int i = 0; i < 1000; ++i) numbers += ", 2.5";
+  EXPECT_EQ(
+      parse_toml(numbers + "]\nb = \"" + std::string(100, '.') + "\"", "x.toml").find("a")->items.size(),
+      1001u);
+}
+
 TEST(DataValue, KnowsTheLineOfEveryValue) {
   const DataValue root = parse_json("{\n\"a\": 1\n,\n\"b\": [2,\n3]}", "x");
   EXPECT_EQ(root.find("a")->line, 2);

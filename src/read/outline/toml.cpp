@@ -10,6 +10,8 @@ int line_of(const toml::source_region& source) {
   return static_cast<int>(source.begin.line);
 }
 
+constexpr int kDeepest = 64;
+
 DataValue converted(const toml::node& node, const std::string& file, int depth);
 
 DataValue scalar(const toml::node& node, const std::string& file) {
@@ -47,7 +49,6 @@ DataValue converted_table(const toml::table& table, const std::string& file, int
 }
 
 DataValue converted(const toml::node& node, const std::string& file, int depth) {
-  constexpr int kDeepest = 64;
   if (depth > kDeepest) {
     throw InputError(file + ":" + std::to_string(line_of(node.source())),
                      "nested deeper than 64 levels; simplify it");
@@ -72,9 +73,30 @@ std::string one_line(std::string_view reason) {
   return out;
 }
 
+/// Dotted keys of very many parts, which the library follows by recursion until the stack ends.
+void refuse_long_keys(std::string_view text, const std::string& file) {
+  int dots = 0, line = 1;
+  char quote = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '\n') ++line;
+    if (quote != 0) {
+      if (c == '\\' && quote == '"') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '.' && ++dots > kDeepest) {
+      throw InputError(file + ":" + std::to_string(line), "a key of more than 64 parts; simplify it");
+    } else if (std::string_view("\n,=[]{}").find(c) != std::string_view::npos) {
+      dots = 0;
+    }
+  }
+}
+
 }  // namespace
 
 DataValue parse_toml(std::string_view text, const std::string& file_name) {
+  refuse_long_keys(text, file_name);
   try {
     const toml::table table = toml::parse(text, file_name);
     DataValue root = converted_table(table, file_name, 0);
