@@ -289,7 +289,7 @@ Part read_edges(std::string_view text, const std::string& file_name, const ReadO
   feature.floor_z = feature.top_z - depth_of(draft, unit, file_name, options, part.diagnostics);
   feature.target = regions_of(std::move(loop), file_name, options, part.diagnostics);
   feature.allowed = feature.target;
-  add_feature(part, std::move(feature));
+  add_features(part, {std::move(feature)});
   return part;
 }
 

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <limits>
 
 #include "base/error.h"
@@ -238,12 +237,10 @@ TEST(Repair, PocketsThatShareAWallAreUnited) {
   EXPECT_NEAR(area(result.regions), 125, 1e-6);
 }
 
-TEST(Repair, AnArcThroughAWallIsCutBackInNoTime) {
-  const auto start = std::chrono::steady_clock::now();
+TEST(Repair, AnArcThroughAWallIsCutBack) {
   const Repaired result = repaired({square(0, 0, 50), circle({25, 42.2}, 8)});
   const double angle = 2 * std::acos(7.8 / 8);
   EXPECT_NEAR(area(result.regions), 2500 - 64 * kPi + 32 * (angle - std::sin(angle)), 1e-3);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
 TEST(Repair, HalfInHalfOutIsRefused) {
