@@ -22,33 +22,6 @@ const Feature& feature_of(const Part& part, const Workingstep& step) {
   return part.features.at(static_cast<std::size_t>(step.feature));
 }
 
-LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind entry,
-                         const PlanOptions& options) {
-  const auto& operation = step.operation;
-  LinkOptions link;
-  link.tool_radius = tool_of(part, step).radius();
-  link.safe_z = part.safe_z();
-  link.direction = *operation.direction;
-  link.spindle_clockwise = operation.cutting.spindle_clockwise;
-  link.feed = *operation.cutting.feed;
-  link.plunge_feed = *operation.cutting.plunge_feed;
-  link.ramp_feed = *operation.cutting.ramp_feed;
-  link.entry = operation.entry.value_or(entry);
-  if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
-  if (part.stock) link.stock = part.stock->plan;
-  link.machine = options.machine;
-  return link;
-}
-
-void describe(Section& section, int index, const Part& part, const Workingstep& step) {
-  section.label = feature_of(part, step).name;
-  section.workingstep = index;
-  section.tool_number = tool_of(part, step).number;
-  section.spindle_rpm = *step.operation.cutting.spindle_rpm;
-  section.spindle_clockwise = step.operation.cutting.spindle_clockwise;
-  section.coolant = step.operation.cutting.coolant;
-}
-
 std::string stock_line(const Part& part) {
   if (!part.stock) return "STOCK: NOT GIVEN";
   const auto& stock = *part.stock;
@@ -101,11 +74,39 @@ std::string post_with(const std::optional<Figures>& verdict, const Toolpath& too
 
 }  // namespace
 
+LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind entry,
+                         const PlanOptions& options) {
+  const auto& operation = step.operation;
+  LinkOptions link;
+  link.tool_radius = tool_of(part, step).radius();
+  link.safe_z = part.safe_z();
+  link.direction = *operation.direction;
+  link.spindle_clockwise = operation.cutting.spindle_clockwise;
+  link.feed = *operation.cutting.feed;
+  link.plunge_feed = *operation.cutting.plunge_feed;
+  link.ramp_feed = *operation.cutting.ramp_feed;
+  link.entry = operation.entry.value_or(entry);
+  if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
+  if (part.stock) link.stock = part.stock->plan;
+  link.machine = options.machine;
+  return link;
+}
+
+void describe(Section& section, int workingstep, const Part& part) {
+  const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
+  section.label = feature_of(part, step).name;
+  section.workingstep = workingstep;
+  section.tool_number = tool_of(part, step).number;
+  section.spindle_rpm = *step.operation.cutting.spindle_rpm;
+  section.spindle_clockwise = step.operation.cutting.spindle_clockwise;
+  section.coolant = step.operation.cutting.coolant;
+}
+
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
                   const PlanOptions& options) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
   Section section = link_layers(passes, link_options(part, step, entry, options), options.tol);
-  describe(section, workingstep, part, step);
+  describe(section, workingstep, part);
   return section;
 }
 

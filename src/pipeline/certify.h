@@ -3,11 +3,19 @@
 
 #include <vector>
 
+#include "link/link.h"
 #include "pipeline/run.h"
 #include "toolpath/pass.h"
 #include "verify/verify.h"
 
 namespace clearcut {
+
+/// How `step` of a prepared part is linked. `entry` is how to go down where the operation does not say.
+LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind entry,
+                         const PlanOptions& options);
+
+/// Writes into `section` whose work it is and how its tool is driven.
+void describe(Section& section, int workingstep, const Part& part);
 
 /// The section of one workingstep, by its place in the workplan, through its passes layer by layer. The part
 /// is prepared. `entry` is how to go down where the operation does not say.

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "geometry/clearance.h"
+#include "part/round_hole.h"
 
 namespace clearcut {
 namespace {
@@ -18,6 +19,7 @@ constexpr double kPlungeShare = 0.3;          // of the cutting feed
 constexpr double kRampShare = 0.5;            // of the cutting feed
 constexpr double kDefaultCuttingSpeed = 100;  // m/min at the circumference
 constexpr double kFaceMillStepdown = 2;       // mm
+constexpr double kUnpeckedDiameters = 3;      // depth of a hole / diameter of the drill
 
 void set_depth(Feature& feature, double depth) {
   feature.floor_z = feature.top_z - depth;
@@ -49,12 +51,18 @@ double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
   return largest;
 }
 
-/// The largest tool with a legal position in the feature, else the smallest (which then reports that it does
-/// not fit).
+/// A drill of the hole's size; else the largest mill with a legal position in the feature, else the smallest (which
+/// then reports that it does not fit).
 int tool_for(const Feature& feature, const std::vector<Tool>& tools, const Tolerances& tol) {
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
+  const auto hole = round_hole_of(feature, tol);
   int best = 0;
+  const auto drills = [&](const Tool& tool) {
+    return hole && tool.kind == ToolKind::kDrill && makes_hole(tool, *hole, tol);
+  };
   const auto better = [&](const Tool& a, const Tool& b) {
+    if (drills(a) != drills(b)) return drills(a);
+    if (only_plunges(a) != only_plunges(b)) return only_plunges(b);
     const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
     if (a_fits != b_fits) return a_fits;
     return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;
@@ -88,20 +96,35 @@ double default_spindle(const Tool& tool, const Machine& machine) {
   return machine.max_spindle_rpm ? std::min(rpm, *machine.max_spindle_rpm) : rpm;
 }
 
-void apply_options(Operation& operation, const PlanOptions& options) {
-  if (options.stepdown) operation.stepdown = options.stepdown;
+void apply_options(Operation& operation, const Tool& tool, const PlanOptions& options) {
+  if (options.stepdown && !only_plunges(tool)) operation.stepdown = options.stepdown;
   if (options.allowance) operation.allowance_side = *options.allowance;
   if (options.allowance_floor) operation.allowance_floor = *options.allowance_floor;
   if (options.entry) operation.entry = options.entry;
   if (options.direction) operation.direction = options.direction;
   auto& cutting = operation.cutting;
+  // The feed a file states for a drill is how fast it goes down; one stated for all cutters is not.
+  if (only_plunges(tool) && !cutting.plunge_feed) cutting.plunge_feed = cutting.feed;
   if (options.cutting.feed) cutting.feed = options.cutting.feed;
   if (options.cutting.plunge_feed) cutting.plunge_feed = options.cutting.plunge_feed;
   if (options.cutting.spindle_rpm) cutting.spindle_rpm = options.cutting.spindle_rpm;
+  if (only_plunges(tool)) operation.allowance_side = 0;
+}
+
+/// mm. Half the diameter; face mills less; drills go down at once as far as their flutes clear the chips by
+/// themselves, deeper holes are pecked.
+double default_stepdown(const Tool& tool, const Feature& feature) {
+  const double depth = feature.top_z - feature.floor_z;
+  if (tool.kind == ToolKind::kFaceMill) return kFaceMillStepdown;
+  if (tool.kind == ToolKind::kReamer) return depth;
+  if (tool.kind == ToolKind::kDrill)
+    return depth <= kUnpeckedDiameters * tool.diameter ? depth : tool.diameter;
+  return tool.diameter / 2;
 }
 
 /// Fills what is still absent; returns the names of the values that were defaulted.
-std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Machine& machine) {
+std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
+                                        const Machine& machine) {
   std::vector<std::string> defaulted;
   auto& cutting = operation.cutting;
   const auto fill = [&](auto& value, auto fallback, const std::string& text) {
@@ -109,8 +132,8 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
     value = fallback;
     if (!text.empty()) defaulted.push_back(text);
   };
-  const double stepdown = tool.kind == ToolKind::kFaceMill ? kFaceMillStepdown : tool.diameter / 2;
-  fill(operation.stepdown, stepdown, "stepdown " + trimmed(stepdown, 3) + " mm");
+  const double stepdown = default_stepdown(tool, feature);
+  fill(operation.stepdown, stepdown, only_plunges(tool) ? "" : "stepdown " + trimmed(stepdown, 3) + " mm");
   fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed " + trimmed(kDefaultFeed, 0) + " mm/min");
   if (machine.max_feed) cutting.feed = std::min(*cutting.feed, *machine.max_feed);
   fill(cutting.plunge_feed, *cutting.feed * kPlungeShare, "");
@@ -151,9 +174,10 @@ Part prepare(Part part, const PlanOptions& options) {
   choose_tools(part, options);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {
-    apply_options(step.operation, options);
     const auto& tool = part.tools.at(static_cast<std::size_t>(step.operation.tool));
-    for (auto& text : apply_defaults(step.operation, tool, options.machine)) {
+    const auto& feature = part.features.at(static_cast<std::size_t>(step.feature));
+    apply_options(step.operation, tool, options);
+    for (auto& text : apply_defaults(step.operation, tool, feature, options.machine)) {
       text += " (T" + std::to_string(tool.number) + ")";
       if (std::find(noted.begin(), noted.end(), text) == noted.end()) noted.push_back(text);
     }

@@ -6,7 +6,9 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "part/round_hole.h"
 #include "pipeline/certify.h"
+#include "pipeline/holes.h"
 #include "pipeline/prepare.h"
 #include "pipeline/strategies.h"
 #include "plan/layers.h"
@@ -61,12 +63,19 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
 Section plan_step(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const auto strategy = strategy_for(attempt, step.operation, options);
+  const auto layers = standing_layers(part, step, options);
+  if (auto hole = hole_step(layers, index, part, options)) return *std::move(hole);
   std::vector<LayerPasses> passes;
-  for (const auto& layer : standing_layers(part, step, options)) passes.push_back(strategy(layer));
+  for (const auto& layer : layers) passes.push_back(strategy(layer));
   return link_step(passes, index, default_entry(tool_of(part, step), attempt), part, options);
 }
 
 std::string does_not_fit(const Part& part, const Workingstep& step, const PlanOptions& options) {
+  if (only_plunges(tool_of(part, step)) && !round_hole_of(feature_of(part, step), options.tol)) {
+    return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
+                       tool_of(part, step).number, name_of(tool_of(part, step).kind),
+                       trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
+  }
   return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
                      tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
                      feature_of(part, step).name,
@@ -151,8 +160,9 @@ void number_sections(Toolpath& toolpath, const Part& part) {
 /// A program of another CAM is held to the stepdown that somebody stated, not to our default.
 void keep_stated_stepdowns(Part& prepared, const Part& part, const PlanOptions& options) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const bool mills = !only_plunges(tool_of(prepared, prepared.workplan[i]));
     prepared.workplan[i].operation.stepdown =
-        options.stepdown ? options.stepdown : part.workplan[i].operation.stepdown;
+        options.stepdown && mills ? options.stepdown : part.workplan[i].operation.stepdown;
   }
 }
 

@@ -48,6 +48,7 @@ struct IsoDialect {
   double spindle_wait = 0;        ///< s
   bool rapid_feed = false;        ///< F rules G0 too
   bool repeats_motion = false;    ///< every block needs its G word
+  bool drill_cycles = false;      ///< G81 and G83
   bool dogleg_rapids = false;     ///< G0 need not be straight: z and plan move one after the other
   std::string_view end = "M30";   ///< last word; empty: a comment says it
   double largest_radius = 10000;  ///< mm

@@ -9,6 +9,7 @@
 #include "base/format.h"
 #include "post/block_printer.h"
 #include "post/comment.h"
+#include "post/drill_cycle.h"
 #include "post/heights.h"
 #include "post/steps.h"
 
@@ -67,6 +68,7 @@ class IsoWriter {
   void rapid_to_height(long long z);
   void end_rapid();
 
+  void write_hole(const DrillBlock& hole);
   void write_move(const Move& move);
   void write_rapid(const Ticks& to);
   void write_feed(const Step& step, MmPerMin feed);
@@ -139,7 +141,34 @@ void IsoWriter::write_section(const Section& section) {
   set_spindle(section);
   set_coolant(section.coolant);
   approach(section.moves.front());
-  for (const Move& move : section.moves) write_move(move);
+  const std::span<const Move> moves(section.moves);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const auto hole = dialect_.drill_cycles ? drill_block(moves.subspan(i), rules_.grid) : std::nullopt;
+    if (hole && held_.height && held_.at.z == hole->above) {
+      write_hole(*hole);
+      i += hole->moves - 1;
+    } else {
+      write_move(moves[i]);
+    }
+  }
+}
+
+/// G98: back to the height before it, as the moves do.
+void IsoWriter::write_hole(const DrillBlock& hole) {
+  out_.word("G98");
+  out_.word(hole.peck > 0 ? "G83" : "G81");
+  axis_word('X', hole.bottom.x);
+  axis_word('Y', hole.bottom.y);
+  axis_word('Z', hole.bottom.z);
+  axis_word('R', hole.clear);
+  if (hole.peck > 0) axis_word('Q', hole.peck);
+  held_.feed = -1;
+  feed_word(hole.feed);
+  out_.end_block();
+  out_.line("G80");
+  held_.at = {hole.bottom.x, hole.bottom.y, hole.above};
+  held_.motion = -1;
+  held_.feed = -1;
 }
 
 void IsoWriter::end_program() {

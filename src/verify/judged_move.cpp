@@ -104,6 +104,19 @@ void attribute(const Part& part, const Toolpath& toolpath, std::vector<JudgedMov
   }
 }
 
+/// What is cut by nothing but plunges is one layer, at its lowest.
+void add_drilled_depths(const Part& part, JudgedProgram& program) {
+  std::vector<double> lowest(program.layers.size(), part.top_z());
+  for (const JudgedMove& judged : program.moves) {
+    if (judged.workingstep < 0 || !judged.feeds()) continue;
+    double& low = lowest[judged.workingstep];
+    low = std::min(low, judged.low_z());
+  }
+  for (std::size_t i = 0; i < lowest.size(); ++i) {
+    if (program.layers[i].empty() && lowest[i] < part.top_z()) program.layers[i].push_back(lowest[i]);
+  }
+}
+
 void find_layers(const Part& part, JudgedProgram& program) {
   program.layers.resize(part.workplan.size());
   for (const JudgedMove& judged : program.moves) {
@@ -114,6 +127,7 @@ void find_layers(const Part& part, JudgedProgram& program) {
                                    [&](double z) { return std::abs(z - judged.low_z()) < kSameLayer; });
     if (!known) layers.push_back(judged.low_z());
   }
+  add_drilled_depths(part, program);
   for (LayerHeights& layers : program.layers) std::sort(layers.rbegin(), layers.rend());
 }
 

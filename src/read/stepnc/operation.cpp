@@ -149,7 +149,8 @@ constexpr OperationEntity kOperations[] = {{"PLANE_MILLING", OperationKind::kRou
                                            {"BOTTOM_AND_SIDE_ROUGH_MILLING", OperationKind::kRoughing},
                                            {"BOTTOM_AND_SIDE_FINISH_MILLING", OperationKind::kFinishing},
                                            {"DRILLING", OperationKind::kDrilling},
-                                           {"MULTISTEP_DRILLING", OperationKind::kDrilling}};
+                                           {"MULTISTEP_DRILLING", OperationKind::kDrilling},
+                                           {"REAMING", OperationKind::kReaming}};
 
 OperationKind operation_kind(const Node& node) {
   for (const OperationEntity& entry : kOperations)
@@ -296,9 +297,14 @@ void read_depths(const Node& node, const Tool& tool, Operation& operation, Conte
   if (!side) operation.allowance_floor = allowance(node, 15);
 }
 
+/// Drilling and reaming have no approach, strategy and depths of cut.
+bool goes_straight_down(const Operation& operation) {
+  return operation.kind == OperationKind::kDrilling || operation.kind == OperationKind::kReaming;
+}
+
 void check_cutter(const Node& node, const Operation& operation, const Tool& tool) {
   const bool drill = tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
-  if (operation.kind == OperationKind::kDrilling) {
+  if (goes_straight_down(operation)) {
     if (tool.kind == ToolKind::kOther) node.fail("drilling with this kind of tool cannot be machined yet");
   } else if (drill || tool.kind == ToolKind::kOther) {
     node.fail("milling with this kind of tool cannot be machined yet");
@@ -316,7 +322,7 @@ Operation read_operation(const Node& node, double feature_z, const Tools& tools,
   operation.tool = tools.find(tool_node, context);
   const Tool& tool = tools.list()[static_cast<std::size_t>(operation.tool)];
   check_cutter(node, operation, tool);
-  if (operation.kind != OperationKind::kDrilling) {
+  if (!goes_straight_down(operation)) {
     read_depths(node, tool, operation, context);
     read_approach(node, operation, context);
     read_strategy(node, operation, context);

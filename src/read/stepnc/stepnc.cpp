@@ -240,7 +240,9 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
   const ToolKind kind = part_.tools[static_cast<std::size_t>(result.operation.tool)].kind;
   if (draft.raised_floor > 0 && kind == ToolKind::kBallEndMill)
     step.fail("a rounded bottom cannot be machined yet");
-  if (result.operation.kind == OperationKind::kDrilling && !feature_of(result).hole_diameter)
+  const bool drills =
+      result.operation.kind == OperationKind::kDrilling || result.operation.kind == OperationKind::kReaming;
+  if (drills && !feature_of(result).hole_diameter)
     step.fail("drilling is for round holes; correct the operation");
   part_.workplan.push_back(std::move(result));
 }

@@ -1,0 +1,69 @@
+#include "link/hole.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "link/moves.h"
+
+namespace clearcut {
+namespace {
+
+/// Of the tool's radius. A wider helix leaves a post in the middle.
+constexpr double kWidestBore = 0.95;
+/// Of the tool's radius. A narrower helix has too many turns; a plunge and a circle a layer are quicker.
+constexpr double kNarrowestBore = 0.1;
+/// mm over the material where the helix begins.
+constexpr double kBoreHeight = 0.2;
+
+Section section_of(MoveList& list, const LinkOptions& options) {
+  Section section;
+  section.spindle_clockwise = options.spindle_clockwise;
+  section.moves = list.take();
+  return section;
+}
+
+}  // namespace
+
+Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options) {
+  const double clear = hole.z_top + options.above_material;
+  MoveList list(hole.center, options.safe_z);
+  list.vertical(clear, MoveKind::kRapid, {});
+  const int pecks = std::max(1, static_cast<int>(std::ceil((hole.z_top - hole.z) / peck - 1e-9)));
+  const double step = pecks == 1 ? clear - hole.z : (hole.z_top - hole.z) / pecks;
+  // Pecks are counted from the clear height, as drilling cycles do.
+  for (double depth = clear - step; depth > hole.z + step / 1000; depth -= step) {
+    list.vertical(depth, MoveKind::kPlunge, options.plunge_feed);
+    list.vertical(clear, MoveKind::kRapid, {});
+    list.vertical(std::min(clear, depth + kPeckGap), MoveKind::kRapid, {});
+  }
+  list.vertical(hole.z, MoveKind::kPlunge, options.plunge_feed);
+  list.vertical(options.safe_z, MoveKind::kRapid, {});
+  return section_of(list, options);
+}
+
+bool can_bore(const HoleWork& hole, double tool_radius) {
+  const double radius = hole.radius - tool_radius;
+  return radius >= kNarrowestBore * tool_radius && radius <= kWidestBore * tool_radius;
+}
+
+Section bore_hole(const HoleWork& hole, double stepdown, const LinkOptions& options) {
+  const double radius = hole.radius - options.tool_radius;
+  const double top = hole.z_top + kBoreHeight;
+  const double drop = std::min(stepdown, 2 * kPi * radius * std::tan(options.entry_angle.radians()));
+  const bool climbs = (options.direction == CutDirection::kClimb) == options.spindle_clockwise;
+  const Turn turn = climbs ? Turn::kCounterClockwise : Turn::kClockwise;
+  const int turns = std::max(1, static_cast<int>(std::ceil((top - hole.z) / drop - 1e-9)));
+  MoveList list(hole.center + Vec2{radius, 0}, options.safe_z);
+  list.vertical(hole.z_top + options.above_material, MoveKind::kRapid, {});
+  list.vertical(top, MoveKind::kPlunge, options.plunge_feed);
+  for (int i = 1; i <= turns; ++i) {
+    const double z = i == turns ? hole.z : top - (top - hole.z) * i / turns;
+    list.circle(hole.center, turn, z, MoveKind::kRamp, options.feed);
+  }
+  list.circle(hole.center, turn, hole.z, MoveKind::kCut, options.feed);
+  list.line(hole.center, MoveKind::kLeadOut, options.feed);
+  list.vertical(options.safe_z, MoveKind::kRapid, {});
+  return section_of(list, options);
+}
+
+}  // namespace clearcut

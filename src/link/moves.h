@@ -1,0 +1,47 @@
+// A run of moves, each beginning where the last one ended.
+#pragma once
+
+#include <vector>
+
+#include "toolpath/move.h"
+
+namespace clearcut {
+
+class MoveList {
+ public:
+  MoveList(Vec2 at, double z) : at_(at), z_(z) {}
+
+  Vec2 at() const { return at_; }
+  double z() const { return z_; }
+
+  /// Nothing where it is there already.
+  void vertical(double z, MoveKind kind, MmPerMin feed) {
+    if (z == z_) return;
+    moves_.push_back({Edge::line(at_, at_), z_, z, kind, feed, 0});
+    z_ = z;
+  }
+
+  void line(Vec2 to, MoveKind kind, MmPerMin feed) {
+    if (to == at_) return;
+    moves_.push_back({Edge::line(at_, to), z_, z_, kind, feed, 0});
+    at_ = to;
+  }
+
+  /// Once round `center` in two halves, down or up to `z` on the way.
+  void circle(Vec2 center, Turn turn, double z, MoveKind kind, MmPerMin feed) {
+    const Vec2 start = at_, opposite = center * 2.0 - at_;
+    const double from = z_, middle = (z_ + z) / 2;
+    moves_.push_back({Edge::arc(start, opposite, center, turn), from, middle, kind, feed, 0});
+    moves_.push_back({Edge::arc(opposite, start, center, turn), middle, z, kind, feed, 0});
+    z_ = z;
+  }
+
+  std::vector<Move> take() { return std::move(moves_); }
+
+ private:
+  std::vector<Move> moves_;
+  Vec2 at_;
+  double z_;
+};
+
+}  // namespace clearcut

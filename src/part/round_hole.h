@@ -1,0 +1,28 @@
+// Features that are one upright circle: drilled, reamed or bored rather than cleared.
+#pragma once
+
+#include <optional>
+
+#include "base/tolerances.h"
+#include "part/part.h"
+
+namespace clearcut {
+
+/// A circle in plan. mm.
+struct RoundHole {
+  Vec2 center;
+  double radius = 0;
+};
+
+/// The circle that bounds `feature`, where that is all there is: one outline, no islands, upright walls, no open
+/// side. The arcs of the outline may differ by tol.join_gap, as those of drawings do; the smallest radius counts.
+std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol);
+
+/// Drills and reamers: they only go straight down.
+bool only_plunges(const Tool& tool);
+
+/// Whether a plunge of `tool` at its centre makes the whole hole: as wide to within tol.fit, and no narrower than
+/// a film of tol.uncut all round.
+bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);
+
+}  // namespace clearcut

@@ -1,0 +1,201 @@
+// Round holes from part to certificate: drilled, reamed, pecked, bored; one word a hole where the control has it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "pipeline/run.h"
+#include "post/post.h"
+#include "read/read_part.h"
+#include "support/data.h"
+#include "support/rs274.h"
+
+namespace clearcut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Region disc(Vec2 center, double radius) {
+  const Vec2 a = center + Vec2{radius, 0}, b = center - Vec2{radius, 0};
+  return Region::from_valid_loops(
+      {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)},
+      {});
+}
+
+/// A whole number of steps in every control's decimals, mm and inch: rounding is another test's business.
+constexpr Vec2 kCenter{2.54, -5.08};
+
+Part part_with_hole(double diameter, double depth, FeatureKind kind = FeatureKind::kRoundHole) {
+  Part part;
+  part.name = "hole";
+  part.source_file = "hole.json";
+  part.stock = Stock{{{-40, -40}, {40, 40}}, -60, 0};
+  Feature feature;
+  feature.name = "HOLE";
+  feature.kind = kind;
+  feature.target = feature.allowed = {disc(kCenter, diameter / 2)};
+  feature.floor_z = -depth;
+  feature.hole_diameter = diameter;
+  part.features.push_back(feature);
+  part.workplan.push_back({"STEP", "", 0, {}});
+  return part;
+}
+
+PlanOptions with_tools(const std::vector<std::string>& tools) {
+  PlanOptions options;
+  for (const auto& tool : tools) options.tools.push_back(parse_tool(tool));
+  return options;
+}
+
+void expect_clean(const PlanResult& result, const std::string& what) {
+  EXPECT_TRUE(result.findings.all.clean) << what;
+  for (const auto& fault : result.findings.faults) ADD_FAILURE() << what << ": " << fault.text;
+}
+
+bool descends_on_a_helix(const Toolpath& toolpath) {
+  for (const Section& section : toolpath.sections) {
+    for (const Move& move : section.moves)
+      if (move.path.is_arc() && move.z_to < move.z_from) return true;
+  }
+  return false;
+}
+
+TEST(Holes, ADrillOfItsSizeGoesStraightDownOnce) {
+  const auto result = plan(part_with_hole(6, 10), with_tools({"drill:6"}));
+  expect_clean(result, "6 in 6");
+  EXPECT_NEAR(result.findings.all.plunge_mm, 11, 1e-6);
+  EXPECT_THAT(result.program, HasSubstr("G98 G81 X2.54 Y-5.08 Z-10 R1 F"));
+  ASSERT_EQ(result.findings.features.size(), 1u);
+  EXPECT_EQ(result.findings.features[0].layers.size(), 1u) << "a drilled hole counts as one layer";
+}
+
+TEST(Holes, DeepOnesArePeckedAndTheControlSaysSoInOneBlock) {
+  const auto result = plan(part_with_hole(6, 30), with_tools({"drill:6"}));
+  expect_clean(result, "6 mm, 30 deep");
+  EXPECT_THAT(result.program, HasSubstr("G98 G83 X2.54 Y-5.08 Z-30 R1 Q6 F"));
+}
+
+TEST(Holes, EveryControlMakesTheSameHole) {
+  for (const auto& dialect : post_dialects()) {
+    for (const bool inch : {false, true}) {
+      PlanOptions options = with_tools({"drill:6"});
+      options.post.dialect = dialect;
+      options.post.inch = inch;
+      const auto result = plan(part_with_hole(6, 30), options);
+      expect_clean(result, dialect);
+      EXPECT_NEAR(result.findings.all.plunge_mm, 31 + 5 * 0.254, 0.5) << dialect;
+      const bool cycles = dialect != "grbl" && dialect != "marlin" && dialect != "heidenhain";
+      EXPECT_EQ(result.program.find("G83") != std::string::npos, cycles) << dialect;
+    }
+  }
+}
+
+TEST(Holes, TheControlsOwnInterpreterDrillsAsWeRead) {
+  CLEARCUT_SKIP_WITHOUT_RS274();
+  const auto result = plan(part_with_hole(6, 30), with_tools({"drill:6"}));
+  const auto canon = test_support::run_rs274(result.program);
+  ASSERT_TRUE(canon.accepted) << canon.message;
+  double lowest = 0;
+  for (const auto& move : canon.moves) lowest = std::min(lowest, move.z);
+  EXPECT_NEAR(lowest, -30, 1e-6);
+}
+
+TEST(Holes, TheDrillIsPreferredToAMillAndUsedForHolesOnly) {
+  Part part = part_with_hole(6, 10);
+  Feature pocket;
+  pocket.name = "POCKET";
+  pocket.target = pocket.allowed = {Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{10, 10}, {30, 10}, {30, 30}, {10, 30}}), {})};
+  pocket.floor_z = -3;
+  part.features.push_back(pocket);
+  part.workplan.push_back({"POCKETING", "", 1, {}});
+  const auto result = plan(part, with_tools({"endmill:5:T1", "drill:6:T2", "drill:8:T3"}));
+  expect_clean(result, "drill and mill");
+  EXPECT_EQ(result.findings.features[0].tool_number, 2);
+  EXPECT_EQ(result.findings.features[1].tool_number, 1);
+}
+
+TEST(Holes, ADrillNeverMills) {
+  Part part = part_with_hole(12, 4);
+  const auto result = plan(part, with_tools({"drill:6"}));
+  EXPECT_FALSE(result.findings.all.clean) << "a ring is left, and the certificate says so";
+  EXPECT_GT(result.findings.all.uncut_thickness_mm, 2.9);
+  for (const Section& section : result.toolpath.sections) {
+    for (const Move& move : section.moves) EXPECT_TRUE(is_rapid(move.kind) || move.is_vertical());
+  }
+  part.features[0].target = part.features[0].allowed = {
+      Region::from_valid_loops(loop_from_points(std::vector<Vec2>{{0, 0}, {20, 0}, {20, 20}, {0, 20}}), {})};
+  part.features[0].kind = FeatureKind::kClosedPocket;
+  try {
+    plan(part, with_tools({"drill:6"}));
+    FAIL() << "a square drilled";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("only makes round holes; HOLE needs a mill"));
+  }
+}
+
+TEST(Holes, SmallerMillsBoreAlongAHelixAndCloseTheFloor) {
+  Random random(7);
+  for (int i = 0; i < 40; ++i) {
+    const double tool = random.between(2, 12), hole = tool * random.between(1.12, 1.9);
+    const auto result =
+        plan(part_with_hole(hole, random.between(1, 20)), with_tools({"endmill:" + std::to_string(tool)}));
+    expect_clean(result, std::to_string(tool) + " in " + std::to_string(hole));
+    EXPECT_TRUE(descends_on_a_helix(result.toolpath)) << tool << " in " << hole;
+    EXPECT_LE(result.findings.all.max_axial_mm, tool / 2 + 0.01);
+  }
+}
+
+TEST(Holes, BoringClimbsWithTheSpindleEitherWayRound) {
+  for (const bool clockwise : {true, false}) {
+    PlanOptions options = with_tools({"endmill:6"});
+    Part part = part_with_hole(10, 6);
+    part.workplan[0].operation.cutting.spindle_clockwise = clockwise;
+    const auto result = plan(part, options);
+    expect_clean(result, "10 by 6");
+    for (const Move& move : result.toolpath.sections[0].moves) {
+      if (!move.path.is_arc()) continue;
+      EXPECT_EQ(move.path.turn, clockwise ? Turn::kCounterClockwise : Turn::kClockwise);
+    }
+  }
+}
+
+TEST(Holes, StockIsLeftInABore) {
+  PlanOptions options = with_tools({"endmill:6"});
+  options.allowance = 0.25;
+  const auto result = plan(part_with_hole(10, 6), options);
+  expect_clean(result, "with stock to leave");
+  double farthest = 0;
+  for (const Move& move : result.toolpath.sections[0].moves)
+    farthest = std::max(farthest, distance(move.path.to, kCenter));
+  EXPECT_NEAR(farthest, 1.75, 0.001);
+}
+
+TEST(Holes, WideOnesAreClearedLikePockets) {
+  const auto result = plan(part_with_hole(30, 6), with_tools({"endmill:6"}));
+  expect_clean(result, "30 by 6");
+}
+
+TEST(Holes, PublishedSampleIsDrilledAndClean) {
+  CLEARCUT_SKIP_WITHOUT_DATA();
+  const auto file = *test_support::data_folder() / "stepnc/ufsc_hole_slot_step_pocket.p21";
+  const auto result = plan(read_part(file, {}), {});
+  expect_clean(result, "ufsc");
+  EXPECT_THAT(result.program, HasSubstr("G81 X20 Y10 Z30"));
+  EXPECT_THAT(result.program, Not(HasSubstr("SKIPPED")));
+}
+
+TEST(Holes, DrilledThenReamedAsTheStandardsExampleAsks) {
+  CLEARCUT_SKIP_WITHOUT_DATA();
+  const auto file = *test_support::data_folder() / "stepnc/iso14649_11_ex1_nist.stp";
+  const auto result = plan(read_part(file, {}), {});
+  expect_clean(result, "example 1");
+  EXPECT_EQ(result.findings.features[1].tool_diameter, 20);
+  EXPECT_EQ(result.findings.features[2].tool_diameter, 22);
+}
+
+}  // namespace
+}  // namespace clearcut
