@@ -69,11 +69,12 @@ void PlanArguments::add_tool_options(CLI::App& command) {
 }
 
 void PlanArguments::add_cutting_options(CLI::App& command) {
-  command.add_option(
-      "--strategy", strategy_,
-      "auto, contour, zigzag, adaptive, or a published method: lom, rho, second, fixed, loops, bisectors");
+  command.add_option("--strategy", strategy_,
+                     "auto, contour, zigzag, adaptive, or a published method: lom, rho, second, "
+                     "lom-corrected, rho-corrected, fixed, loops, bisectors");
   command.add_option("--stepover", stepover_,
-                     "Distance of passes: fraction of the diameter, lom, rho, or 3.5mm");
+                     "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "
+                     "commas, one a contour");
   command.add_option("--angle", angle_,
                      "Direction of zigzag lines against x, degrees (default: the fastest)");
   command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge");

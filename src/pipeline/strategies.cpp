@@ -26,6 +26,9 @@ constexpr ContourMethod kContourMethods[] = {
     {"lom", "published: step 2 R kappa from the smallest angle", "lom", ResidualRule::kNone},
     {"rho", "published: step 2 R rho, overlap of 1 mm in the corner", "rho", ResidualRule::kNone},
     {"second", "published: rho of the second smallest angle", "second", ResidualRule::kNone},
+    {"lom-corrected", "ours: the widest step between contours that leaves nothing", "lom-corrected",
+     ResidualRule::kNone},
+    {"rho-corrected", "ours: the same with the overlap of rho", "rho-corrected", ResidualRule::kNone},
     {"fixed", "contours at a fixed step, nothing else", "0.9", ResidualRule::kNone},
     {"loops", "published: fixed step and a loop in every corner", "0.9", ResidualRule::kLoops},
     {"bisectors", "published: fixed step and every corner's bisector", "0.9", ResidualRule::kBisectors}};

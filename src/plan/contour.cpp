@@ -20,6 +20,7 @@
 #include "geometry/boolean.h"
 #include "plan/contour_passes.h"
 #include "plan/contour_search.h"
+#include "plan/step_rule.h"
 
 namespace clearcut {
 namespace {
@@ -30,30 +31,6 @@ constexpr double kSmallestStep = 0.005;
 constexpr double kRingFilm = 0.001;
 /// mm. An edge of the target whose middle lies farther than this from every wall is open.
 constexpr double kOpenDistance = 1e-3;
-
-/// The published rule (CPO-rho eq. 8) has w = 1 mm, which makes no sense for cutters under 2 mm: w is at most
-/// R / 2.
-double rho_of(double alpha, double radius, double w) {
-  return rho(alpha, radius, std::min(w, radius / 2));
-}
-
-double step_after(const Region& contour, const StepRule& rule, double radius) {
-  switch (rule.kind) {
-    case StepRule::Kind::kWidest:
-      return 2 * radius;
-    case StepRule::Kind::kKappa:
-      return 2 * radius * kappa(smallest_angle(contour));
-    case StepRule::Kind::kRho:
-      return 2 * radius * rho_of(smallest_angle(contour), radius, rule.value);
-    case StepRule::Kind::kSecondAngle:
-      return 2 * radius * rho_of(second_smallest_angle(contour), radius, rule.value);
-    case StepRule::Kind::kFraction:
-      return 2 * radius * rule.value;
-    case StepRule::Kind::kMm:
-      break;
-  }
-  return std::min(rule.value, 2 * radius);
-}
 
 bool on_wall(Vec2 p, const Regions& allowed) {
   return std::any_of(allowed.begin(), allowed.end(),
@@ -171,8 +148,9 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   job.first_level = layer.tool_radius + layer.wall_stock;
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
-  job.step = [&](const Region& contour) {
-    return std::max(step_after(contour, options.step, layer.tool_radius), kSmallestStep * layer.tool_radius);
+  job.step = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
+    const double step = step_after(ring, inside, options.step, layer.tool_radius);
+    return std::max(step, kSmallestStep * layer.tool_radius);
   };
   result.legal = legal_area(layer, domains, job.first_level, tol);
   result.passes = ring_passes(domains, job, tol);

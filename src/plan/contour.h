@@ -20,14 +20,20 @@ struct StepRule {
     kKappa,        ///< "lom": the widest that leaves nothing in the smallest angle (CPO-kappa eq. 6)
     kRho,          ///< "rho": the same with an overlap of `value` * sin(alpha/2) mm (CPO-rho eq. 8)
     kSecondAngle,  ///< "second": rho of the second smallest angle when the smallest is single (CPO-rho 3.2)
-    kFraction,     ///< `value` * diameter
-    kMm            ///< `value` mm
+    kKappaCorrected,  ///< "lom-corrected": the widest that leaves nothing anywhere (plan/ring_band.h)
+    kRhoCorrected,    ///< "rho-corrected": the same with rho's overlap
+    kFraction,        ///< `value` * diameter
+    kMm,              ///< `value` mm
+    kPerContour       ///< `contours`, from the wall inwards; the last serves all after it
   };
   Kind kind = Kind::kWidest;
   double value = 1.0;
+  std::vector<StepRule> contours = {};
 };
 
-/// "widest", "lom" or "kappa", "rho", "second", "0.4" (fraction of the diameter), "3.5mm". Throws InputError.
+/// "widest", "lom" or "kappa", "rho", "second", "lom-corrected", "rho-corrected", the last three and rho with
+/// their w in mm ("rho:0.5", default 1), "0.4" (fraction of the diameter), "3.5mm", or several of them with commas,
+/// one a contour. Throws InputError.
 StepRule parse_step_rule(const std::string& text);
 
 /// How material that wide steps leave in corners and centres is removed.

@@ -1,8 +1,7 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
-#include "base/error.h"
+#include "base/units.h"
 #include "plan/contour.h"
 
 namespace clearcut {
@@ -61,25 +60,6 @@ double second_smallest_angle(const Region& contour) {
   if (angles.empty()) return kPi;
   if (angles.size() == 1) return kPi;
   return angles[1] - angles[0] > kSameAngle ? angles[1] : angles[0];
-}
-
-StepRule parse_step_rule(const std::string& text) {
-  using Kind = StepRule::Kind;
-  if (text == "widest") return {};
-  if (text == "lom" || text == "kappa") return {Kind::kKappa, 0};
-  if (text == "rho") return {Kind::kRho, 1.0};
-  if (text == "second") return {Kind::kSecondAngle, 1.0};
-  const bool mm = text.ends_with("mm");
-  const std::string number = mm ? text.substr(0, text.size() - 2) : text;
-  double value = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
-  if (error != std::errc() || end != number.data() + number.size() || !(value > 0) || (!mm && value > 1)) {
-    throw InputError("stepover",
-                     "'" + text +
-                         "' is none; use a fraction of the diameter above 0 and at most 1, lom, rho, "
-                         "second, widest, or a length such as 3.5mm");
-  }
-  return {mm ? Kind::kMm : Kind::kFraction, value};
 }
 
 }  // namespace clearcut

@@ -42,7 +42,7 @@ class TreeBuilder {
   std::vector<RingNode> build(double first_level) {
     add_children(-1, first_level, all_pieces());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const double next = nodes_[i].level + step_of_(nodes_[i].contour);
+      const double next = nodes_[i].level + step_of_(nodes_[i], inside_[i]);
       nodes_[i].next_level = next;
       Pieces pieces = std::move(inside_[i]);
       nodes_[i].gap = split_off_below(pieces, next + kLevelMargin);
@@ -164,7 +164,8 @@ class TreeBuilder {
   void add_node(int parent, double level, const Region& contour) {
     if (parent >= 0)
       nodes_[static_cast<std::size_t>(parent)].children.push_back(static_cast<int>(nodes_.size()));
-    nodes_.push_back({contour, level, level, parent, {}, {}});
+    const int depth = parent < 0 ? 0 : nodes_[static_cast<std::size_t>(parent)].depth + 1;
+    nodes_.push_back({contour, level, level, parent, depth, {}, {}});
     inside_.emplace_back();
   }
 

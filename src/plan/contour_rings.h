@@ -24,12 +24,13 @@ struct RingNode {
   double level = 0;       ///< clearance of the contour, mm
   double next_level = 0;  ///< level of its children
   int parent = -1;
+  int depth = 0;  ///< contours around it
   std::vector<int> children;
   std::vector<AxisPiece> gap;  ///< axis pieces inside the contour and outside the children's contours
 };
 
-/// Distance from a contour to the next ones inside it.
-using StepOf = std::function<double(const Region& contour)>;
+/// Distance from a contour to the next ones inside it; `inside` is all of the axis inside it.
+using StepOf = std::function<double(const RingNode& ring, const std::vector<AxisPiece>& inside)>;
 
 /// clearance.inset(d) without specks that lie nearer than d to the boundary of `domain`, the region it was
 /// built of: where walls meet a fillet of nearly the cutter's radius, flattening can leave some.

@@ -170,7 +170,9 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
       std::size(kTrials));
   std::vector<std::vector<Pass>> variants;
   for (std::size_t k = 0; k < trials; ++k) {
-    job.step = [&, k](const Region&) { return 2 * job.radius * kTrials[k].step; };
+    job.step = [&, k](const RingNode&, const std::vector<AxisPiece>&) {
+      return 2 * job.radius * kTrials[k].step;
+    };
     variants.push_back(ring_passes(domains, job, tol));
   }
   const auto finalists =

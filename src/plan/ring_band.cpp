@@ -1,0 +1,169 @@
+#include "plan/ring_band.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <queue>
+
+namespace clearcut {
+namespace {
+
+/// mm. Rests thinner than this are rounding.
+constexpr double kNothing = 0.002;
+/// Climb per mm of axis up to which a branch is a ridge.
+constexpr double kFlat = 0.01;
+/// Share of what a ring could come near to a centre that it stays away, so that it keeps some size.
+constexpr double kFromCentre = 0.1;
+/// mm. Precision of the widest step.
+constexpr double kStepPrecision = 1e-4;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+const char* name_of(RestCause cause) {
+  switch (cause) {
+    case RestCause::kNone:
+      return "nothing";
+    case RestCause::kCorner:
+      return "sharper corner";
+    case RestCause::kNeck:
+      return "neck";
+    case RestCause::kCentre:
+      return "centre";
+    case RestCause::kRidge:
+      break;
+  }
+  return "ridge";
+}
+
+RingBand::RingBand(const std::vector<AxisPiece>& inside, double level, double radius)
+    : floor_(level + radius + kNothing), level_(level), radius_(radius) {
+  std::map<int, std::size_t> known;
+  const double ceiling = level + 2 * radius;
+  const auto vertex = [&](int id, const AxisPoint& at) {
+    const auto [it, added] = known.emplace(id, vertices_.size());
+    if (added) vertices_.push_back({at.point, at.clearance, {}});
+    return it->second;
+  };
+  for (const auto& piece : inside) {
+    if (piece.high.clearance <= floor_ || piece.low.clearance >= ceiling) continue;
+    AxisPoint low = piece.low;
+    std::size_t a = 0;
+    if (low.clearance < floor_) {
+      const double t = (floor_ - low.clearance) / (piece.high.clearance - low.clearance);
+      low = {lerp(low.point, piece.high.point, t), floor_};
+      a = vertices_.size();
+      vertices_.push_back({low.point, floor_, {}});
+    } else {
+      a = vertex(piece.low_id, low);
+    }
+    const std::size_t b = vertex(piece.high_id, piece.high);
+    if (a == b) continue;
+    vertices_[a].links.push_back(links_.size());
+    vertices_[b].links.push_back(links_.size());
+    links_.push_back({a, b, distance(low.point, piece.high.point)});
+  }
+}
+
+/// Shortest way along the axis from every vertex to clearance `level`.
+std::vector<double> RingBand::ways_to(double level) const {
+  std::vector<double> ways(vertices_.size(), kFar);
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const auto reach = [&](std::size_t v, double way) {
+    if (way >= ways[v]) return;
+    ways[v] = way;
+    open.emplace(way, v);
+  };
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    if (vertices_[v].clearance >= level) reach(v, 0);
+  }
+  for (const auto& link : links_) {
+    const double low = vertices_[link.low].clearance, high = vertices_[link.high].clearance;
+    if (low < level && high >= level) reach(link.low, link.length * (level - low) / (high - low));
+  }
+  while (!open.empty()) {
+    const auto [way, v] = open.top();
+    open.pop();
+    if (way > ways[v] || vertices_[v].clearance >= level) continue;
+    for (const std::size_t i : vertices_[v].links) {
+      const std::size_t u = links_[i].low == v ? links_[i].high : links_[i].low;
+      reach(u, way + links_[i].length);
+    }
+  }
+  return ways;
+}
+
+RestCause RingBand::cause_at(std::size_t v, const std::vector<double>& ways) const {
+  if (ways[v] < kFar) {
+    const auto& links = vertices_[v].links;
+    const auto rises =
+        std::count_if(links.begin(), links.end(), [&](std::size_t i) { return links_[i].low == v; });
+    return rises >= 2 && vertices_[v].clearance > floor_ ? RestCause::kNeck : RestCause::kCorner;
+  }
+  // Uphill to the highest place that can be reached: flat there, it is a ridge.
+  std::size_t top = v, by = links_.size();
+  for (bool climbed = true; climbed;) {
+    climbed = false;
+    for (const std::size_t i : vertices_[top].links) {
+      if (links_[i].low != top) continue;
+      top = links_[i].high;
+      by = i;
+      climbed = true;
+      break;
+    }
+  }
+  double flat = 0;
+  for (const std::size_t i : vertices_[top].links) {
+    const double rise = vertices_[links_[i].high].clearance - vertices_[links_[i].low].clearance;
+    if (rise < kFlat * links_[i].length) flat += links_[i].length;
+  }
+  return by < links_.size() && flat > kFlat * radius_ ? RestCause::kRidge : RestCause::kCentre;
+}
+
+Rest RingBand::worst(double step, double reach) const {
+  const double level = level_ + step;
+  const auto ways = ways_to(level);
+  Rest worst;
+  std::size_t at = vertices_.size();
+  const auto consider = [&](std::size_t v, double way) {
+    if (way <= reach || way <= worst.way) return;
+    worst.way = way;
+    at = v;
+  };
+  // A point beside the axis is as far from it as it lies lower.
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    if (vertices_[v].clearance < level) consider(v, ways[v] + vertices_[v].clearance - floor_);
+  }
+  for (const auto& link : links_) {
+    if (vertices_[link.high].clearance >= level || ways[link.low] == kFar) continue;
+    const double meeting = (ways[link.high] + link.length - ways[link.low]) / 2;
+    const double climb = (vertices_[link.high].clearance - vertices_[link.low].clearance) / link.length;
+    consider(link.low, ways[link.low] + meeting + vertices_[link.low].clearance + meeting * climb - floor_);
+  }
+  if (at < vertices_.size()) {
+    worst.where = vertices_[at].point;
+    worst.cause = cause_at(at, ways);
+  }
+  return worst;
+}
+
+double RingBand::widest_step(double reach) const {
+  double low = radius_, high = radius_ + reach;
+  Rest last = worst(high, reach);
+  if (last.cause == RestCause::kNone) return high;
+  while (high - low > kStepPrecision) {
+    const double middle = (low + high) / 2;
+    const Rest rest = worst(middle, reach);
+    if (rest.cause == RestCause::kNone) {
+      low = middle;
+    } else {
+      high = middle;
+      last = rest;
+    }
+  }
+  const bool at_centre = last.cause == RestCause::kCentre || last.cause == RestCause::kRidge;
+  return at_centre ? low - kFromCentre * (low - radius_) : low;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,18 @@
+// The step from one contour to the next by each rule.
+#pragma once
+
+#include <vector>
+
+#include "plan/contour.h"
+#include "plan/contour_rings.h"
+
+namespace clearcut {
+
+/// mm from `ring` to the next contours inside it, at most the diameter. Angles are those of `ring` itself, computed
+/// anew for every contour (edges that have vanished make others). The published rules end with the reduced loop in the
+/// centre (CPO-kappa alg. 3): where the next contour would vanish and leave a centre farther than R, its step is
+/// 3/2 R kappa instead.
+double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, const StepRule& rule,
+                  double radius);
+
+}  // namespace clearcut
