@@ -41,6 +41,16 @@ double printing_reserve(const PlanOptions& options) {
   return std::max(0.0, rounding_of(options.post) - options.tol.gouge / 2);
 }
 
+/// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning
+/// walls to layers that begin elsewhere.
+bool is_bare(const Part& part, const Feature& feature) {
+  if (feature.wall_slope.radians() != 0) return true;
+  const Box here = box(feature.target);
+  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
+    return other.floor_z < feature.floor_z && box(other.target).overlaps(here);
+  });
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that; in closed
 /// ones the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, const PlanOptions& options) {
@@ -54,6 +64,7 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
     layer.reserve = reserve;
     const Regions standing = standing_target(part, step.feature, layer.z, options.tol);
     if (standing.empty() || has_open_side(feature)) layer.target = standing;
+    layer.bare = is_bare(part, feature);
   }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
   return layers;

@@ -29,6 +29,9 @@ namespace {
 constexpr double kSmallestStep = 0.005;
 /// mm. Rings a whole diameter apart meet exactly: the rounding of a program's numbers may part them by this.
 constexpr double kRingFilm = 0.001;
+/// mm. Overlap of rings, and of what clears their rests, where not even that may stay.
+constexpr double kBareOverlap = 0.004;
+constexpr double kBareMargin = 0.002;
 /// mm. An edge of the target whose middle lies farther than this from every wall is open.
 constexpr double kOpenDistance = 1e-3;
 
@@ -148,18 +151,22 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   job.first_level = layer.tool_radius + layer.wall_stock;
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
+  // A film saves a pass where rings fit exactly, as they do in pockets of round dimensions; faces gain nothing.
+  const bool bare = layer.bare || !closed_all_round(layer);
+  job.margin = bare ? kBareMargin : 0;
+  const double overlap = bare && options.step.kind == StepRule::Kind::kWidest ? kBareOverlap : 0;
   job.step = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
-    const double step = step_after(ring, inside, options.step, layer.tool_radius);
+    const double step = step_after(ring, inside, options.step, layer.tool_radius) - overlap;
     return std::max(step, kSmallestStep * layer.tool_radius);
   };
   result.legal = legal_area(layer, domains, job.first_level, tol);
   result.passes = ring_passes(domains, job, tol);
-  result.film = kRingFilm;
+  result.film = bare ? 0 : kRingFilm;
   for (const auto& pass : result.passes) {
     if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);
   }
   const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
-  if (ours && closed_all_round(layer)) shorten_passes(domains, job, options, tol, result);
+  if (ours && closed_all_round(layer)) shorten_passes(domains, job, options, tol, bare, result);
   return result;
 }
 

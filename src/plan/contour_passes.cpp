@@ -146,7 +146,7 @@ class PassBuilder {
 
   void add_residuals(const std::vector<RingNode>& nodes, const Region& domain) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      for (const auto& residual : residual_paths(nodes[i], job_.radius)) {
+      for (const auto& residual : residual_paths(nodes[i], job_.radius - job_.margin)) {
         if (residual.rooted) {
           add_ear(nodes[i], residual, domain);
         } else {

@@ -20,6 +20,7 @@ struct RingJob {
   double radius = 0;       ///< of the cutter, mm
   double first_level = 0;  ///< of the rings at the wall, mm
   double reserve = 0;      ///< mm; as Layer::reserve
+  double margin = 0;       ///< mm by which what rings leave is cleared more than just so
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
 };

@@ -57,8 +57,9 @@ std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, b
 /// One component's contest.
 class Search {
  public:
-  Search(const ContourOptions& options, const LegalArea& legal, double radius, const Box& where)
+  Search(const ContourOptions& options, const LegalArea& legal, double radius, const Box& where, bool bare)
       : options_(options), legal_(legal) {
+    job_.bare = bare;
     job_.radius = radius;
     job_.legal = &legal;
     job_.where = where;
@@ -159,7 +160,7 @@ void replace_component(LayerPasses& layer, int component, const std::vector<Path
 }  // namespace
 
 void shorten_passes(const std::vector<Domain>& domains, RingJob job, const ContourOptions& options,
-                    const Tolerances& tol, LayerPasses& result) {
+                    const Tolerances& tol, bool bare, LayerPasses& result) {
   const LegalArea legal(result.legal);
   const double vertices = vertices_of(result.passes, job.radius);
   std::size_t edges = 0;
@@ -184,7 +185,7 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
     Box where;
     for (const auto& pass : component_of(result.passes, component, false)) where.add(box(pass.path));
     if (where.empty()) continue;
-    Search search(options, legal, job.radius, where);
+    Search search(options, legal, job.radius, where, bare);
     for (std::size_t k = 0; k < trials; ++k) {
       const auto own = component_of(variants[k], component, !options.wall_on_right);
       if (!own.empty()) search.enter(own, kTrials[k].turn_cost);

@@ -154,6 +154,7 @@ struct Tightener::Impl {
     std::erase_if(witnesses_, [](const Witness& w) { return !w.moving; });
     limit_ = job_.radius - kWitnessMargin;
     if (!mend(kMostStalled)) {
+      if (job_.bare) return false;
       limit_ = job_.radius + kFilmLimit;
       proven_ = job_.radius + kFilm;
       if (!mend(kMendingRounds)) return false;

@@ -15,6 +15,7 @@ struct TightenJob {
   Box where;                          ///< holds all places that matter
   const LegalArea* legal = nullptr;   ///< where the centre may be
   double turn_cost = 0;               ///< mm of way that a right-angled corner is worth
+  bool bare = false;                  ///< not even a film may stay
 };
 
 /// Shortens the ways of a skeleton while everything that matters stays within the radius of a way or a ring.

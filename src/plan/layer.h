@@ -19,6 +19,8 @@ struct Layer {
   double wall_stock = 0;  ///< stock to leave on walls, mm
   double reserve =
       0;  ///< mm; of wall_stock, what only rounding of the program asks for: exact fits need not keep it
+  /// Rapids of what is cut later come down through here: not even a film far thinner than tol.uncut may stay.
+  bool bare = false;
 };
 
 }  // namespace clearcut
