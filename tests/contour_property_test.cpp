@@ -41,11 +41,11 @@ Part pocket_of(const Region& region) {
   return part;
 }
 
-/// Cutters from a twelfth of the largest that fits up to that, often one that just fits somewhere.
+/// Cutters from a twelfth of the largest that fits up to that, often one of the size of an arc or a neck.
 double cutter_for(const RandomRegion& random_region, Random& random) {
   const double largest = Clearance(random_region.region, kTol).max();
   if (!random_region.levels.empty() && random.below(3) == 0) {
-    const double d = 2 * random_region.levels[random.below(random_region.levels.size())];
+    const double d = 2 * random_region.levels.front();
     if (d < 1.98 * largest && d > largest / 8) return d;
   }
   return 2 * largest * std::min(0.99, 1 / random.between(1, 12));

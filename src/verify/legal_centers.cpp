@@ -24,10 +24,16 @@ constexpr int kProbes = 12;
 
 using Interval = TrimmedCurve::Interval;
 
-/// Whether [from, to] is inside one of the intervals.
-bool is_inside(const std::vector<Interval>& intervals, const Interval& part) {
-  return std::any_of(intervals.begin(), intervals.end(),
-                     [&](const Interval& i) { return i.first <= part.first && part.second <= i.second; });
+/// What of `part` lies in none of the intervals, which ascend.
+std::vector<Interval> outside(const std::vector<Interval>& intervals, Interval part) {
+  std::vector<Interval> rest;
+  for (const Interval& i : intervals) {
+    if (i.second <= part.first || i.first >= part.second) continue;
+    if (i.first > part.first) rest.push_back({part.first, i.first});
+    part.first = i.second;
+  }
+  if (part.first < part.second) rest.push_back(part);
+  return rest;
 }
 
 }  // namespace
@@ -102,11 +108,12 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
   if (legal.whole()) return;
   const TrimmedCurve fitting = legal_parts(curve, wall, fit_);
   for (const Interval& part : fitting.parts()) {
-    if (is_inside(legal.parts(), part)) continue;
-    if ((part.second - part.first) * legal.length() > kSlot) {
-      add(part);
-    } else {
-      tight_.push_back(curve.part(part.first, part.second));
+    for (const Interval& beyond : outside(legal.parts(), part)) {
+      if ((beyond.second - beyond.first) * legal.length() > kSlot) {
+        add(beyond);
+      } else {
+        tight_.push_back(curve.part(beyond.first, beyond.second));
+      }
     }
   }
 }
