@@ -31,6 +31,10 @@ constexpr ContourMethod kContourMethods[] = {
     {"rho-corrected", "ours: the same with the overlap of rho", "rho-corrected", ResidualRule::kNone},
     {"fixed", "contours at a fixed step, nothing else", "0.9", ResidualRule::kNone},
     {"loops", "published: fixed step and a loop in every corner", "0.9", ResidualRule::kLoops},
+    {"pwid", "published: fixed step and a kite in every corner", "0.9", ResidualRule::kPwid},
+    {"single", "published: fixed step and a tangent loop in every corner", "0.9", ResidualRule::kSingleLoops},
+    {"double", "published: fixed step and two tangent loops in every corner", "0.9",
+     ResidualRule::kDoubleLoops},
     {"bisectors", "published: fixed step and every corner's bisector", "0.9", ResidualRule::kBisectors}};
 
 const ContourMethod* contour_method(const std::string& name) {

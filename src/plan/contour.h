@@ -38,10 +38,13 @@ StepRule parse_step_rule(const std::string& text);
 
 /// How material that wide steps leave in corners and centres is removed.
 enum class ResidualRule {
-  kOurs,      ///< the cheapest local pass along the medial axis, only where something is left
-  kNone,      ///< not at all: the plain method, for comparison
-  kLoops,     ///< a loop at every corner of every contour that leaves something (Zhao); ridges as ours
-  kBisectors  ///< along the whole bisector of every such corner (Lin)
+  kOurs,   ///< the cheapest local pass along the medial axis, only where something is left
+  kNone,   ///< not at all: the plain method, for comparison
+  kLoops,  ///< a loop at every corner of every contour that leaves something (Zhao); ridges as ours
+  kPwid,   ///< the same with the kite of pair-wise interference detection (Park et al.); plan/corner_loop.h
+  kSingleLoops,  ///< the same with one tangent loop (Choy and Chan)
+  kDoubleLoops,  ///< the same with two
+  kBisectors     ///< along the whole bisector of every such corner (Lin)
 };
 
 struct ContourOptions {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "plan/contour_residual.h"
+#include "plan/corner_loop.h"
 
 namespace clearcut {
 namespace {
@@ -42,19 +43,34 @@ Nearest nearest_on(const Path& path, Vec2 p, std::size_t& edge) {
   return best;
 }
 
-/// The circle through the root of an ear and its farthest point, which clears what the ear clears there. Zhao
-/// et al. add such loops; their printed length (CPO-rho eq. 2) has the dimension of an area. None where it
-/// would touch a wall.
-std::optional<Path> loop_through(const std::vector<Vec2>& ear, const Region& domain, double first_level) {
-  const Vec2 root = ear.front();
-  const Vec2 tip = *std::max_element(ear.begin(), ear.end(), [&](Vec2 a, Vec2 b) {
-    return norm_squared(a - root) < norm_squared(b - root);
-  });
-  const Vec2 center = lerp(root, tip, 0.5);
-  if (domain.boundary_distance(center) - distance(center, tip) < first_level) return std::nullopt;
-  return Path{Edge::arc(root, tip, center, Turn::kCounterClockwise),
-              Edge::arc(tip, root, center, Turn::kCounterClockwise)};
+/// Share of the radius by which an ear may stray from the straight line that a loop stands for.
+constexpr double kStraightEar = 0.1;
+
+std::optional<CornerLoop> loop_of(ResidualRule rule) {
+  switch (rule) {
+    case ResidualRule::kLoops:
+      return CornerLoop::kCircle;
+    case ResidualRule::kPwid:
+      return CornerLoop::kPwid;
+    case ResidualRule::kSingleLoops:
+      return CornerLoop::kSingle;
+    case ResidualRule::kDoubleLoops:
+      return CornerLoop::kDouble;
+    default:
+      return std::nullopt;
+  }
 }
+
+bool stays_clear(const Path& loop, const Region& domain, double level) {
+  return std::all_of(loop.begin(), loop.end(), [&](const Edge& edge) {
+    const auto near = [&](const Edge& wall) { return distance(edge, wall) < level - 1e-6; };
+    const auto clear = [&](const Loop& walls) { return std::none_of(walls.begin(), walls.end(), near); };
+    return clear(domain.outer()) && std::all_of(domain.islands().begin(), domain.islands().end(), clear);
+  });
+}
+
+/// mm. Ways begin on the axis a little above their ring's level, so near beside its corners.
+constexpr double kAtCorner = 0.01;
 
 /// Inserts a way that returns to where it begins into a ring, at the place nearest to that.
 template <typename MakeWay>
@@ -62,10 +78,14 @@ void insert_way(Path& ring, Vec2 begin, MakeWay&& way_from) {
   std::size_t at = 0;
   const auto root = nearest_on(ring, begin, at);
   const Edge edge = ring[at];
-  const double margin = 1e-4 / edge.length();
+  const double margin = kAtCorner / edge.length();
   const bool at_end = root.t >= 1 - margin, inside = root.t > margin && !at_end;
   const Vec2 from = inside ? root.point : at_end ? edge.to : edge.from;
-  Path pieces = way_from(from);
+  const Edge& before = at == 0 ? ring.back() : ring[at - 1];
+  const Edge& after = at + 1 == ring.size() ? ring.front() : ring[at + 1];
+  const Vec2 in = inside ? edge.tangent_at(root.t) : at_end ? edge.tangent_at(1) : before.tangent_at(1);
+  const Vec2 out = inside ? in : at_end ? after.tangent_at(0) : edge.tangent_at(0);
+  Path pieces = way_from(from, in, out);
   if (inside) {
     pieces.insert(pieces.begin(), edge.part(0, root.t));
     pieces.push_back(edge.part(root.t, 1));
@@ -82,7 +102,7 @@ class PassBuilder {
   void add_domain(const Domain& domain) {
     const auto nodes = ring_tree(domain.clearance, domain.region, job_.first_level, job_.step, tol_);
     add_rings(nodes);
-    if (job_.residuals == ResidualRule::kOurs || job_.residuals == ResidualRule::kLoops) {
+    if (job_.residuals == ResidualRule::kOurs || loop_of(job_.residuals)) {
       add_residuals(nodes, domain.region);
     }
     if (job_.residuals == ResidualRule::kBisectors && !nodes.empty()) add_bisectors(domain, nodes);
@@ -135,13 +155,27 @@ class PassBuilder {
 
   void add_ear(const RingNode& node, const ResidualPath& residual, const Region& domain) {
     const Vec2 root = residual.points.front();
-    insert_way(passes_[ring_at_root(node, root)].path, root, [&](Vec2 from) {
+    insert_way(passes_[ring_at_root(node, root)].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
       std::vector<Vec2> points = residual.points;
       points.front() = points.back() = from;
-      const bool as_loop = job_.residuals == ResidualRule::kLoops;
-      const auto loop = as_loop ? loop_through(points, domain, job_.first_level) : std::nullopt;
-      return loop.value_or(line_path(points, false));
+      return loop_for(points, in, out, domain).value_or(line_path(points, false));
     });
+  }
+
+  /// The published loop instead of the way to the tip and back; none where it does not fit or stand for it.
+  std::optional<Path> loop_for(const std::vector<Vec2>& ear, Vec2 in, Vec2 out, const Region& domain) const {
+    const auto kind = loop_of(job_.residuals);
+    if (!kind) return std::nullopt;
+    const Vec2 root = ear.front();
+    const Vec2 tip = *std::max_element(ear.begin(), ear.end(), [&](Vec2 a, Vec2 b) {
+      return norm_squared(a - root) < norm_squared(b - root);
+    });
+    if (tip == root) return std::nullopt;
+    const Edge way = Edge::line(root, tip);
+    const bool straight = std::all_of(ear.begin(), ear.end(),
+                                      [&](Vec2 p) { return distance(way, p) <= kStraightEar * job_.radius; });
+    auto loop = straight ? corner_loop(*kind, root, tip, in, out) : std::nullopt;
+    return loop && stays_clear(*loop, domain, job_.first_level) ? loop : std::nullopt;
   }
 
   void add_residuals(const std::vector<RingNode>& nodes, const Region& domain) {
