@@ -1,23 +1,24 @@
 // Programs as they must be written, byte for byte: tests/golden, a folder a case.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "base/file.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "support/grbl.h"
+#include "support/programs.h"
 #include "support/rs274.h"
 
 namespace clearcut {
 namespace {
 
 namespace fs = std::filesystem;
+using test_support::feed_moves;
+using test_support::first_difference;
+using test_support::largest_distance;
 
 struct Case {
   std::string folder;
@@ -66,38 +67,6 @@ PostOptions options_of(const Case& c, const std::string& dialect, bool inch) {
   return options;
 }
 
-std::vector<Move> feed_moves(const Section& section) {
-  std::vector<Move> moves;
-  for (const Move& move : section.moves) {
-    if (!is_rapid(move.kind)) moves.push_back(move);
-  }
-  return moves;
-}
-
-double distance_to(const Move& move, Vec2 p, double z) {
-  if (move.is_vertical()) {
-    const double nearest_z =
-        std::clamp(z, std::min(move.z_from, move.z_to), std::max(move.z_from, move.z_to));
-    return std::hypot(distance(move.path.to, p), z - nearest_z);
-  }
-  const Nearest near = nearest(move.path, p);
-  return std::hypot(near.distance, z - std::lerp(move.z_from, move.z_to, near.t));
-}
-
-double largest_distance(const std::vector<Move>& from, const std::vector<Move>& to) {
-  double largest = 0;
-  for (const Move& move : from) {
-    for (const double t : {0.0, 0.3, 0.5, 0.8, 1.0}) {
-      const Vec2 p = move.is_vertical() ? move.path.to : move.path.at(t);
-      double least = HUGE_VAL;
-      for (const Move& other : to)
-        least = std::min(least, distance_to(other, p, std::lerp(move.z_from, move.z_to, t)));
-      largest = std::max(largest, least);
-    }
-  }
-  return largest;
-}
-
 /// The written program is the toolpath again: sections, tools, speeds and, either way round, every point.
 void expect_same(const Toolpath& wanted, const Toolpath& got, double tolerance) {
   ASSERT_EQ(wanted.sections.size(), got.sections.size());
@@ -110,19 +79,6 @@ void expect_same(const Toolpath& wanted, const Toolpath& got, double tolerance) 
     EXPECT_LE(largest_distance(a, b), tolerance);
     EXPECT_LE(largest_distance(b, a), tolerance);
     EXPECT_NEAR(feed_length(wanted.sections[s]), feed_length(got.sections[s]), 40 * tolerance);
-  }
-}
-
-/// Where two texts begin to differ; "" if nowhere.
-std::string first_difference(const std::string& a, const std::string& b) {
-  std::istringstream left(a), right(b);
-  std::string x, y;
-  for (int line = 1;; ++line) {
-    const bool more = static_cast<bool>(std::getline(left, x)),
-               others = static_cast<bool>(std::getline(right, y));
-    if (!more && !others) return a == b ? "" : "line ends differ";
-    if (more != others || x != y)
-      return "line " + std::to_string(line) + ": '" + x + "' instead of '" + y + "'";
   }
 }
 

@@ -36,9 +36,13 @@ bool has_open_side(const Feature& feature) {
 }
 
 /// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
-/// gouge that counts.
+/// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path.
 double printing_reserve(const PlanOptions& options) {
-  return std::max(0.0, rounding_of(options.post) - options.tol.gouge / 2);
+  PostOptions metric = options.post, inch = options.post;
+  metric.inch = false;
+  inch.inch = true;
+  return std::max(
+      {0.0, rounding_of(metric) - options.tol.gouge / 2, rounding_of(inch) - options.tol.gouge / 2});
 }
 
 /// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning
