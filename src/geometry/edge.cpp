@@ -10,6 +10,8 @@ namespace {
 
 /// mm. Edges nearer than this meet: far above the rounding of coordinates in metres, far below any tolerance.
 constexpr double kTouch = 1e-9;
+/// Rounding of places on an arc, per mm of its radius: counts on arcs of a kilometre and more.
+constexpr double kTouchPerRadius = 1e-15;
 /// Below this bulge the sagitta is under the rounding of the centre: a line is the more exact curve.
 constexpr double kStraightBulge = 1e-8;
 
@@ -72,8 +74,17 @@ Nearest nearer_end(const Edge& edge, Vec2 p) {
   return d0 <= d1 ? Nearest{edge.from, std::sqrt(d0), 0.0} : Nearest{edge.to, std::sqrt(d1), 1.0};
 }
 
-void add_if_on_both(Vec2 p, const Edge& a, const Edge& b, std::vector<Vec2>& out) {
-  if (distance(a, p) <= kTouch && distance(b, p) <= kTouch) out.push_back(p);
+/// mm. How near two edges must come to meet.
+double touch_of(const Edge& a, const Edge& b) {
+  double touch = kTouch;
+  for (const Edge* edge : {&a, &b}) {
+    if (edge->is_arc()) touch = std::max(touch, kTouchPerRadius * fast_norm(edge->from - edge->center));
+  }
+  return touch;
+}
+
+void add_if_on_both(Vec2 p, const Edge& a, const Edge& b, double touch, std::vector<Vec2>& out) {
+  if (distance(a, p) <= touch && distance(b, p) <= touch) out.push_back(p);
 }
 
 void line_line_candidates(const Edge& a, const Edge& b, std::vector<Vec2>& out) {
@@ -125,9 +136,9 @@ std::vector<Vec2> crossing_candidates(const Edge& a, const Edge& b) {
 }
 
 /// Two meeting places are one when the edges stay together between them.
-bool same_contact(Vec2 p, Vec2 q, const Edge& a, const Edge& b) {
-  if (norm_squared(p - q) <= 4 * kTouch * kTouch) return true;
-  return distance(b, nearest_point(a, (p + q) / 2.0)) <= 2 * kTouch;
+bool same_contact(Vec2 p, Vec2 q, const Edge& a, const Edge& b, double touch) {
+  if (norm_squared(p - q) <= 4 * touch * touch) return true;
+  return distance(b, nearest_point(a, (p + q) / 2.0)) <= 2 * touch;
 }
 
 }  // namespace
@@ -250,22 +261,23 @@ double distance(const Edge& a, const Edge& b) {
 }
 
 std::vector<Vec2> intersections(const Edge& a, const Edge& b) {
+  const double touch = touch_of(a, b);
   std::vector<Vec2> found;
   const auto add = [&](Vec2 p, bool merge_contacts) {
     for (const Vec2 q : found) {
-      if (distance(p, q) <= 2 * kTouch || (merge_contacts && same_contact(p, q, a, b))) return;
+      if (distance(p, q) <= 2 * touch || (merge_contacts && same_contact(p, q, a, b, touch))) return;
     }
     found.push_back(p);
   };
   // Ends first, so that a shared vertex comes back bitwise and a shared stretch gives its ends.
   for (const Vec2 end : {a.from, a.to}) {
-    if (distance(b, end) <= kTouch) add(end, false);
+    if (distance(b, end) <= touch) add(end, false);
   }
   for (const Vec2 end : {b.from, b.to}) {
-    if (distance(a, end) <= kTouch) add(end, false);
+    if (distance(a, end) <= touch) add(end, false);
   }
   std::vector<Vec2> crossings;
-  for (const Vec2 p : crossing_candidates(a, b)) add_if_on_both(p, a, b, crossings);
+  for (const Vec2 p : crossing_candidates(a, b)) add_if_on_both(p, a, b, touch, crossings);
   for (const Vec2 p : crossings) add(p, true);
   return found;
 }

@@ -129,7 +129,10 @@ void report_what_does_not_fit(Part& part, const Draft& draft, const PlanOptions&
   }
   for (std::size_t i = 0; i < draft.sections.size(); ++i) {
     const auto& step = part.workplan[i];
-    if (!draft.sections[i].moves.empty() || standing_layers(part, step, options).empty()) continue;
+    if (!draft.sections[i].moves.empty()) continue;
+    const bool fits =
+        tool_of(part, step).diameter <= largest_fitting_diameter(feature_of(part, step), options.tol);
+    if (fits && standing_layers(part, step, options).empty()) continue;
     part.diagnostics.skip(feature_of(part, step).name, does_not_fit(part, step, options));
   }
 }

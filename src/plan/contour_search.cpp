@@ -144,8 +144,12 @@ double vertices_of(const std::vector<Pass>& passes, double radius) {
 
 void replace_component(LayerPasses& layer, int component, const std::vector<Path>& ways) {
   std::vector<Pass> kept;
-  for (auto& pass : layer.passes) {
-    if (pass.component != component) kept.push_back(std::move(pass));
+  std::vector<int> number(layer.passes.size(), -1);
+  for (std::size_t i = 0; i < layer.passes.size(); ++i) {
+    if (layer.passes[i].component == component) continue;
+    number[i] = static_cast<int>(kept.size());
+    kept.push_back(std::move(layer.passes[i]));
+    if (kept.back().parent >= 0) kept.back().parent = number[static_cast<std::size_t>(kept.back().parent)];
   }
   for (const auto& way : ways) {
     Pass pass;

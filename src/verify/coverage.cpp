@@ -78,6 +78,11 @@ class CoverageProof {
   Coverage run() {
     result_.target_mm2 = area(*question_.target);
     if (target_.empty()) return result_;
+    result_.reachable = any_within_reach();
+    if (!result_.reachable) {
+      result_.unreachable_mm2 = result_.target_mm2;
+      return result_;
+    }
     for (std::size_t i = 0; i < question_.swaths.size(); ++i) swaths_.push_back({0, static_cast<int>(i)});
     for (std::size_t i = 0; i < target_.edges().size(); ++i) outline_.push_back(static_cast<int>(i));
     for (std::size_t i = 0; i < deviation_.size(); ++i) legals_.push_back(static_cast<int>(i));
@@ -132,6 +137,25 @@ class CoverageProof {
     legals_.resize(marks[2]);
   }
 
+  /// Whether a legal centre reaches any of the target. Where the legal area has no boundary near, all of the target
+  /// is legal or nothing.
+  bool any_within_reach() const {
+    const std::vector<Edge>& legal = legal_.boundary().edges();
+    if (legal.empty()) return legal_.contains(target_.edges().front().at(0.5));
+    return std::any_of(legal.begin(), legal.end(), [this](const Edge& curve) { return reaches(curve); });
+  }
+
+  bool reaches(const Edge& curve) const {
+    if (target_.winding(curve.from) != 0 || target_.nearest(curve.from, question_.flat).edge >= 0)
+      return true;
+    if (curve.from == curve.to) return false;
+    bool found = false;
+    target_.overlapping(curve.box().grown(question_.flat), [&](int i) {
+      found = found || distance(target_.edges()[i], curve) <= question_.flat;
+    });
+    return found;
+  }
+
   /// Decides a cell if it can; otherwise fills `near` for its quarters.
   bool settle(Cell& cell, const Near& parents, Near& near) {
     if (covered_by_one(cell, parents.swaths, near.swaths)) return true;
@@ -141,7 +165,7 @@ class CoverageProof {
     if (cell.half <= question_.flat && take_covered(part, near.swaths)) return true;
     const bool within_reach = list_legals(cell, part, parents.legals, near.legals);
     if (cell.legality == Legality::kNone) {
-      if (near.legals.empty()) return count_unreachable(cell, part);
+      if (near.legals.empty()) return count_unreachable(cell, near);
       if (program_follows(near.legals)) return count_corner(cell, near);
     }
     return cell.half <= question_.flat / 4 && settle_uncut(cell, part, near, within_reach);
@@ -299,9 +323,9 @@ class CoverageProof {
     return count_covered(thickness);
   }
 
-  bool count_unreachable(const Cell& cell, const ConvexPolygon& part) {
-    if (!in_film(cell.center))
-      result_.unreachable_mm2 += cell.on_outline ? part.area() : 4 * cell.half * cell.half;
+  bool count_unreachable(const Cell& cell, const Near& near) {
+    if (cell.on_outline || may_have_film()) return count_corner(cell, near);
+    result_.unreachable_mm2 += 4 * cell.half * cell.half;
     return true;
   }
 

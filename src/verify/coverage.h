@@ -27,6 +27,7 @@ struct CoverageQuestion {
 };
 
 struct Coverage {
+  bool reachable = false;     ///< whether a legal centre reaches any of the target
   double uncut_mm2 = 0;       ///< upper bound of the reachable area left; films under tol.uncut do not count
   double thickness_mm = 0;    ///< upper bound: no reachable point lies farther than this from what was cut
   std::optional<Vec2> worst;  ///< where thickness_mm was met, if uncut_mm2 > 0

@@ -214,7 +214,7 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
   const LevelCoverage& floor = work.floor;
   const Coverage& bottom = floor.coverage;
   const Vec2 middle = feature.target.empty() ? Vec2{} : box(feature.target).center();
-  const bool unreachable = bottom.unreachable_mm2 >= bottom.target_mm2 * 0.9999;
+  const bool unreachable = !bottom.reachable || bottom.unreachable_mm2 >= bottom.target_mm2 * 0.9999;
   if (!floor.any_cut || unreachable) {
     const std::string why = unreachable ? "no cutter of its work fits into it with its flat end"
                                         : "the program has no feed move down there";

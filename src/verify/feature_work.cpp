@@ -57,13 +57,15 @@ void append_swaths(const JudgedMove& judged, double z, std::vector<Swath>& out) 
   }
 }
 
-std::vector<Swath> swaths_down_to(double z, const Box& target, const std::vector<JudgedMove>& moves) {
+/// Those that come within `near` mm of the target: what a swath almost reaches is thin.
+std::vector<Swath> swaths_down_to(double z, const Box& target, const std::vector<JudgedMove>& moves,
+                                  double near) {
   std::vector<Swath> swaths;
   for (const JudgedMove& judged : moves) {
     if (!judged.feeds() || judged.flat_radius() <= 0 || judged.low_z() > z) continue;
     const Move& move = *judged.move;
     const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-    if (path.grown(judged.radius()).overlaps(target)) append_swaths(judged, z, swaths);
+    if (path.grown(judged.radius() + near).overlaps(target)) append_swaths(judged, z, swaths);
   }
   return swaths;
 }
@@ -85,7 +87,7 @@ class WorkJudge {
     question.radius = work.smallest_radius;
     question.flat = work.smallest_flat;
     question.allowance = work.allowance_side;
-    question.swaths = swaths_down_to(level.z + tol.uncut, box(feature.target), program_.moves);
+    question.swaths = swaths_down_to(level.z + tol.uncut, box(feature.target), program_.moves, 2 * tol.uncut);
     level.any_cut = !question.swaths.empty();
     level.coverage = coverage_of(question, tol);
   }

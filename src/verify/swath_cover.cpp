@@ -84,15 +84,30 @@ double distance_to_chord(const Edge& edge, Vec2 p) {
   return distance(Edge::line(edge.from, edge.to), p);
 }
 
+/// How far the points of an arc of less than half a turn lie from the circle of another: most at its ends, or
+/// where it is nearest to or farthest from that circle's centre.
+double deviation_from_circle(const Edge& arc, const Edge& circle) {
+  const Vec2 between = arc.center - circle.center;
+  const double apart = std::sqrt(norm_squared(between)), radius = arc.radius(), r = circle.radius();
+  double most = std::max(std::abs(distance(arc.from, circle.center) - r),
+                         std::abs(distance(arc.to, circle.center) - r));
+  for (const double side : {radius, -radius}) {
+    if (apart <= 0) continue;
+    const Vec2 p = arc.center + between * (side / apart);
+    if (!in_sector({&p, 1}, arc)) continue;
+    most = std::max(most, std::abs(std::abs(apart + side) - r));
+  }
+  return most;
+}
+
 double deviation_from_arc(const Edge& curve, const Edge& path) {
   const std::array<Vec2, 3> points{curve.from, curve.at(0.5), curve.to};
   if (!in_sector(points, path)) return kInfinite;
-  const double r = path.radius();
-  if (curve.is_arc()) {
-    const double concentric = distance(curve.center, path.center) + std::abs(curve.radius() - r);
-    if (concentric < 1e-3 * r && std::abs(curve.sweep()) < kPi) return concentric;
+  if (curve.is_arc() && std::abs(curve.sweep()) < kPi &&
+      distance(curve.center, path.center) < 0.5 * curve.radius()) {
+    return deviation_from_circle(curve, path);
   }
-  const double bow = sagitta(curve);
+  const double r = path.radius(), bow = sagitta(curve);
   const double far = std::max(distance(curve.from, path.center), distance(curve.to, path.center)) + bow;
   const double near = distance_to_chord(curve, path.center) - bow;
   // The bow may leave the sector by no more than itself.

@@ -106,13 +106,16 @@ void TrimmedCurve::add_line_cuts(const Edge& wall, double d) {
   cuts_.push_back(high);
 }
 
-/// Where the arc meets the circles about the wall's ends and the lines beside it.
+/// Where the arc meets the circles about the wall's ends and the lines beside it. Half angles come from their
+/// tangents: on an arc of kilometres a cosine says nothing about micrometres.
 void TrimmedCurve::add_arc_cuts(const Edge& wall, double d) {
   const Vec2 start = curve_.from - curve_.center;
-  // The two directions from the arc's centre that make an angle of this cosine with v.
-  const auto add = [&](Vec2 v, double cosine) {
-    if (std::abs(cosine) > 1) return;
-    const double middle = std::atan2(cross(start, v), dot(start, v)), half = std::acos(cosine);
+  // The two directions from the arc's centre that make an angle with v, by the squares of sine and cosine of
+  // its half (to a common factor).
+  const auto add = [&](Vec2 v, double sine_squared, double cosine_squared) {
+    if (sine_squared < 0 || cosine_squared < 0) return;
+    const double middle = std::atan2(cross(start, v), dot(start, v));
+    const double half = 2 * std::atan2(std::sqrt(sine_squared), std::sqrt(cosine_squared));
     for (const double angle : {middle - half, middle + half}) {
       const double turned = std::fmod(sweep_ > 0 ? angle : -angle, 2 * kPi);
       cuts_.push_back((turned < 0 ? turned + 2 * kPi : turned) / std::abs(sweep_));
@@ -121,12 +124,13 @@ void TrimmedCurve::add_arc_cuts(const Edge& wall, double d) {
   for (const Vec2 end : {wall.from, wall.to}) {
     const Vec2 v = end - curve_.center;
     const double apart = length_of(v);
-    if (apart > 0) add(v, (apart * apart + radius_ * radius_ - d * d) / (2 * apart * radius_));
+    const double over = apart - radius_, sum = apart + radius_;
+    if (apart > 0) add(v, (d - over) * (d + over), (sum - d) * (sum + d));
   }
   const Vec2 normal = left_of(wall.to - wall.from) / length_of(wall.to - wall.from);
   const double aside = dot(wall.from - curve_.center, normal);
-  add(normal, (aside + d) / radius_);
-  add(normal, (aside - d) / radius_);
+  add(normal, radius_ - (aside + d), radius_ + (aside + d));
+  add(normal, radius_ - (aside - d), radius_ + (aside - d));
 }
 
 }  // namespace clearcut

@@ -190,6 +190,64 @@ TEST(Verify, ASlotAsWideAsTheCutterIsCutByOnePass) {
   }
 }
 
+/// A ring with `teeth` slots that are too narrow for a 6 mm cutter: most of the outline is out of reach.
+Region gear(int teeth) {
+  Loop outer;
+  const double step = 2 * kPi / teeth, slot = step / 2;
+  for (int i = 0; i < teeth; ++i) {
+    const double a = i * step;
+    const Vec2 root = direction_of(a) * 20, tip = direction_of(a) * 32;
+    const Vec2 end_tip = direction_of(a + slot) * 32, end_root = direction_of(a + slot) * 20;
+    outer.push_back(Edge::line(root, tip));
+    outer.push_back(Edge::arc(tip, end_tip, {}, Turn::kCounterClockwise));
+    outer.push_back(Edge::line(end_tip, end_root));
+    outer.push_back(
+        Edge::arc(end_root, direction_of((i + 1) % teeth * step) * 20, {}, Turn::kCounterClockwise));
+  }
+  return Region::from_valid_loops(outer, {circle_loop({0, 0}, 8)});
+}
+
+TEST(Verify, WhatIsOutOfReachIsMeasuredByItsOutline) {
+  const int teeth = 40;  // 1.6 mm wide
+  const Part part = pocket_part({gear(teeth)}, 6, -2);
+  Writer writer;
+  writer.enter({11, 0}, 0, -2);
+  for (const double r : {11.0, 15.0, 17.0}) {
+    writer.feed({r, 0}).arc({-r, 0}, {}, Turn::kCounterClockwise).arc({r, 0}, {}, Turn::kCounterClockwise);
+  }
+  const Findings findings = verify(part, writer.done(), {});
+  EXPECT_FALSE(has(findings, FaultKind::kNothingCut)) << report_of(findings);
+  const double slots = kPi * (32 * 32 - 20 * 20) / 2;
+  EXPECT_NEAR(findings.all.unreachable_mm2, slots, 0.02 * slots);
+}
+
+/// Walls that are arcs of 1 to 10 000 m, as arcs fitted to a drawing's straight lines are.
+TEST(Verify, NearlyStraightArcsAreJudgedAsLines) {
+  for (const double radius : {1e3, 9.8e4, 1e6, 1e7}) {
+    for (const double side : {1.0, -1.0}) {
+      const double bulge = side * 50 / 4 / radius;
+      const BulgeVertex outline[] = {{{0, 0}, bulge}, {{48, 14}, 0}, {{34, 62}, bulge}, {{-14, 48}, bulge}};
+      const Part part = pocket_part({Region::from_valid_loops(loop_from_bulges(outline), {})}, 6, -2);
+      const auto at = [](double u, double v) { return Vec2{48, 14} * (u / 50) + Vec2{-14, 48} * (v / 50); };
+      Writer writer;
+      writer.enter(at(25, 25), 0, -2);
+      const double bow = std::max(0.0, -side) * 50 * 50 / 8 / radius;
+      const auto ring = [&](double left) {
+        writer.feed(at(left, left)).feed(at(50 - left, left)).feed(at(50 - left, 50 - left));
+        writer.feed(at(left, 50 - left)).feed(at(left, left));
+      };
+      for (const double left : {22.0, 17.5, 13.0, 8.5, 5.0, 4.0, 3.0 + bow}) ring(left);
+      const Findings findings = verify(part, writer.done(), {});
+      EXPECT_LE(findings.all.uncut_thickness_mm, std::abs(bulge) * 50 + 0.01) << report_of(findings);
+      // Bows turn the corners by 50 / radius.
+      EXPECT_NEAR(findings.all.unreachable_mm2, 4 * (1 - kPi / 4) * 9, 0.6 + 2000 / radius) << radius;
+      if (radius > 1e5) {
+        EXPECT_TRUE(findings.all.clean) << radius << report_of(findings);
+      }
+    }
+  }
+}
+
 TEST(Verify, AHoleOfTheCuttersSizeIsCutByAPlunge) {
   const std::vector<Vec2> turned{{3, -4}, {11, 2}, {5, 10}, {-3, 4}};
   const Regions holes[] = {rectangle(0, 0, 10, 10),

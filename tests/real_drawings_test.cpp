@@ -1,0 +1,49 @@
+// Drawings as people publish them, planned and certified.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "pipeline/run.h"
+#include "read/read_part.h"
+#include "support/data.h"
+
+namespace clearcut {
+namespace {
+
+/// Whether the plan said that the cutter does not fit the feature.
+bool is_refused(const Part& part, const std::string& feature) {
+  const auto& items = part.diagnostics.items();
+  return std::any_of(items.begin(), items.end(), [&](const Diagnostic& item) {
+    return item.what.find("does not fit " + feature + ";") != std::string::npos;
+  });
+}
+
+/// Every pocket is clean, or refused by name.
+void expect_clean_or_refused(const std::string& file, double diameter) {
+  SCOPED_TRACE(file + " with " + std::to_string(diameter));
+  ReadOptions read;
+  read.depth = 2;
+  PlanOptions options;
+  options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
+  const auto result =
+      plan(read_part(test_support::data_folder()->string() + "/drawings/" + file, read), options);
+  EXPECT_GT(result.findings.all.feed_mm, 0);
+  for (const auto& fault : result.findings.faults) {
+    if (fault.kind == FaultKind::kNothingCut && is_refused(result.part, fault.feature)) continue;
+    ADD_FAILURE() << fault.text;
+  }
+}
+
+TEST(RealDrawings, EveryPocketIsCleanOrRefusedByName) {
+  CLEARCUT_SKIP_WITHOUT_DATA();
+  expect_clean_or_refused("gear-endpoint-gaps.dxf", 1);
+  expect_clean_or_refused("gear-endpoint-gaps.dxf", 3);  // no tooth is wide enough
+  expect_clean_or_refused("vslot-narrow-necks.dxf", 2);
+  expect_clean_or_refused("bulge-polylines.dxf", 6);
+  expect_clean_or_refused("touching-contours-88.svg", 3);
+  expect_clean_or_refused("rabbit-trace.svg", 3);
+}
+
+}  // namespace
+}  // namespace clearcut
