@@ -1,26 +1,74 @@
 // compare and reproduce: commands that print tables.
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <memory>
 
+#include "base/error.h"
+#include "base/file.h"
 #include "commands.h"
 #include "output.h"
 #include "pipeline/compare.h"
+#include "pipeline/method_study.h"
 #include "pipeline/reproduce.h"
 #include "plan_arguments.h"
+#include "post/outline_writer.h"
 
 namespace clearcut::cli {
 
+namespace {
+
+/// What compare is asked for besides a part.
+struct CompareCommand {
+  PlanArguments arguments;
+  bool as_markdown = false;
+  int random = 0;
+  std::string slower;
+};
+
+void print(const TextTable& table, bool as_markdown) {
+  print_line(as_markdown ? markdown(table) : plain(table));
+}
+
+/// A pocket on which a rival is faster than ours, as an outline whose name says by how much.
+void write_slower(const StudyCase& one, const std::string& folder) {
+  Part part = one.part;
+  part.name +=
+      fmt::format(", endmill:{}, contour {:.2f} s, {} {:.2f} s", part.tools.front().diameter,
+                  one.outcomes.at("contour").time_s, *one.faster, one.outcomes.at(*one.faster).time_s);
+  std::filesystem::create_directories(folder);
+  write_files({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}});
+}
+
+void compare_at_random(const CompareCommand& command) {
+  const auto options = command.arguments.options();
+  const auto study = study_methods(command.random, options.seed, options, [&](const StudyCase& one) {
+    if (one.faster && !command.slower.empty()) write_slower(one, command.slower);
+  });
+  print(study_table(study), command.as_markdown);
+}
+
+}  // namespace
+
 void add_compare_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("compare", "Plan a part by every strategy and rival, in one table");
-  auto state = std::make_shared<PlanArguments>();
-  auto as_markdown = std::make_shared<bool>(false);
-  state->add_part_options(*command, "INPUT");
-  state->add_tool_options(*command);
-  state->add_cutting_options(*command);
-  command->add_flag("--markdown", *as_markdown, "Print a Markdown table");
-  command->callback([state, as_markdown, &exit_code] {
-    const auto table = compare(state->read(), state->options());
-    print_line(*as_markdown ? markdown(table) : plain(table));
+  auto state = std::make_shared<CompareCommand>();
+  state->arguments.add_part_options(*command, "INPUT");
+  state->arguments.add_tool_options(*command);
+  state->arguments.add_cutting_options(*command);
+  command->get_option("INPUT")->required(false);
+  command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
+  command
+      ->add_option("--random", state->random, "Compare the contour methods on so many random pockets instead")
+      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--slower", state->slower,
+                      "Folder for outlines on which a published method is faster than ours");
+  command->callback([state, &exit_code] {
     exit_code = kClean;
+    if (state->random > 0) return compare_at_random(*state);
+    if (state->arguments.input().empty())
+      throw InputError("compare", "give a part, or --random and how many");
+    print(compare(state->arguments.read(), state->arguments.options()), state->as_markdown);
   });
 }
 

@@ -101,6 +101,21 @@ const std::vector<std::string>& strategy_names() {
   return names;
 }
 
+const std::vector<std::string>& contour_method_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const auto& method : kContourMethods) all.emplace_back(method.name);
+    return all;
+  }();
+  return names;
+}
+
+std::optional<StepRule> published_rule(const std::string& strategy) {
+  const auto* method = contour_method(strategy);
+  if (!method || method->residuals != ResidualRule::kNone) return std::nullopt;
+  return parse_step_rule(method->stepover);
+}
+
 std::string description_of(const std::string& strategy) {
   if (const auto* method = contour_method(strategy)) return method->description;
   if (strategy == "adaptive") return "engagement limited, spiral and arcs";

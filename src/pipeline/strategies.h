@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/plan_options.h"
+#include "plan/contour.h"
 #include "plan/layer.h"
 #include "toolpath/pass.h"
 
@@ -16,6 +17,12 @@ using Strategy = std::function<LayerPasses(const Layer&)>;
 
 /// Names that --strategy takes, "auto" first.
 const std::vector<std::string>& strategy_names();
+
+/// Those that run contours: ours, then the corrected and the published methods.
+const std::vector<std::string>& contour_method_names();
+
+/// The step rule of a contour method that adds nothing to its contours; none for the others.
+std::optional<StepRule> published_rule(const std::string& strategy);
 
 /// What a name says, in one line for people.
 std::string description_of(const std::string& strategy);

@@ -174,7 +174,7 @@ class PassBuilder {
     const Edge way = Edge::line(root, tip);
     const bool straight = std::all_of(ear.begin(), ear.end(),
                                       [&](Vec2 p) { return distance(way, p) <= kStraightEar * job_.radius; });
-    auto loop = straight ? corner_loop(*kind, root, tip, in, out) : std::nullopt;
+    auto loop = straight ? corner_loop(*kind, root, tip, in, out, job_.radius) : std::nullopt;
     return loop && stays_clear(*loop, domain, job_.first_level) ? loop : std::nullopt;
   }
 

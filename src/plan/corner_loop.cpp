@@ -48,12 +48,16 @@ Path tangent_loop(Vec2 root, Vec2 tip, double half_sine, Vec2 in) {
 
 }  // namespace
 
-std::optional<Path> corner_loop(CornerLoop kind, Vec2 root, Vec2 tip, Vec2 in, Vec2 out) {
-  if (distance(root, tip) < kShortest) return std::nullopt;
+std::optional<Path> corner_loop(CornerLoop kind, Vec2 root, Vec2 tip, Vec2 in, Vec2 out, double radius) {
+  const double far = distance(root, tip);
+  if (far < kShortest || (kind == CornerLoop::kCircle && far > 2 * radius)) return std::nullopt;
   if (kind == CornerLoop::kCircle) return circle(root, tip);
   // The contour turns by pi - alpha.
   const double half_sine = std::sqrt(std::max(0.0, (1 + dot(in, out)) / 2));
   if (cross(in, out) <= 0 || half_sine > kFlattest || half_sine < 1 - kFlattest) return std::nullopt;
+  const double half_width = kind == CornerLoop::kPwid ? far * half_sine * std::sqrt(1 - half_sine * half_sine)
+                                                      : far * half_sine / (1 + half_sine);
+  if (half_width > radius) return std::nullopt;
   if (kind == CornerLoop::kPwid) return kite(root, tip, half_sine);
   Path loop = tangent_loop(root, tip, half_sine, in);
   if (kind == CornerLoop::kSingle) return loop;

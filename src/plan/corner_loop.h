@@ -19,8 +19,9 @@ enum class CornerLoop {
 };
 
 /// The loop from `root` back to it. `in` and `out` are the directions of the contour before and after its corner,
-/// material on the left. None where root and tip coincide, or the corner is no sharper than a straight line.
+/// material on the left. None where root and tip coincide, where the corner is no sharper than a straight line, and where the loop would be wider
+/// than a cutter of `radius`, so that its middle would be left.
 /// Units mm. Cost O(1).
-std::optional<Path> corner_loop(CornerLoop kind, Vec2 root, Vec2 tip, Vec2 in, Vec2 out);
+std::optional<Path> corner_loop(CornerLoop kind, Vec2 root, Vec2 tip, Vec2 in, Vec2 out, double radius);
 
 }  // namespace clearcut

@@ -35,7 +35,7 @@ double distance_to(const Path& path, Vec2 p) {
 TEST(CornerLoop, JoinsUpFromTheRootToTheRootThroughTheTip) {
   for (const CornerLoop kind : kAll) {
     const Corner c = built(1.0, 0.7, 2.5);
-    const auto loop = corner_loop(kind, c.root, c.tip, c.in, c.out);
+    const auto loop = corner_loop(kind, c.root, c.tip, c.in, c.out, 5);
     ASSERT_TRUE(loop);
     EXPECT_LT(distance(loop->front().from, c.root), 1e-12);
     EXPECT_LT(distance(loop->back().to, c.root), 1e-12);
@@ -49,7 +49,7 @@ TEST(CornerLoop, JoinsUpFromTheRootToTheRootThroughTheTip) {
 TEST(CornerLoop, TangentLoopsHaveNoCorner) {
   for (const double alpha : {0.2, 0.8, 1.5, 2.4}) {
     const Corner c = built(alpha, 2.1, 3);
-    const auto loop = corner_loop(CornerLoop::kSingle, c.root, c.tip, c.in, c.out);
+    const auto loop = corner_loop(CornerLoop::kSingle, c.root, c.tip, c.in, c.out, 5);
     ASSERT_TRUE(loop);
     EXPECT_NEAR(dot(loop->front().tangent_at(0), c.in), 1, 1e-9);
     EXPECT_NEAR(dot(loop->back().tangent_at(1), c.out), 1, 1e-9);
@@ -70,7 +70,7 @@ TEST(CornerLoop, ClearsWhatTheWayToTheTipClears) {
     const Corner c = built(random.between(0.1, 2.6), random.between(0, 6), far);
     const Edge way = Edge::line(c.root, c.tip);
     for (const CornerLoop kind : kAll) {
-      const auto loop = corner_loop(kind, c.root, c.tip, c.in, c.out);
+      const auto loop = corner_loop(kind, c.root, c.tip, c.in, c.out, 5);
       ASSERT_TRUE(loop);
       for (int i = 0; i < 50; ++i) {
         const Vec2 p =
@@ -84,11 +84,17 @@ TEST(CornerLoop, ClearsWhatTheWayToTheTipClears) {
   EXPECT_GT(checked, 5000);
 }
 
+TEST(CornerLoop, IsNoWiderThanTheCutter) {
+  const Corner c = built(0.2, 0, 12);
+  EXPECT_FALSE(corner_loop(CornerLoop::kCircle, c.root, c.tip, c.in, c.out, 5)) << "its middle would be left";
+  EXPECT_TRUE(corner_loop(CornerLoop::kSingle, c.root, c.tip, c.in, c.out, 5));
+}
+
 TEST(CornerLoop, NeedsACorner) {
   const Corner c = built(1.0, 0, 2);
-  EXPECT_FALSE(corner_loop(CornerLoop::kSingle, c.root, c.tip, c.in, c.in)) << "a straight contour";
-  EXPECT_FALSE(corner_loop(CornerLoop::kPwid, c.root, c.tip, c.out, c.in)) << "a reflex corner";
-  EXPECT_FALSE(corner_loop(CornerLoop::kCircle, c.root, c.root, c.in, c.out)) << "nothing to clear";
+  EXPECT_FALSE(corner_loop(CornerLoop::kSingle, c.root, c.tip, c.in, c.in, 5)) << "a straight contour";
+  EXPECT_FALSE(corner_loop(CornerLoop::kPwid, c.root, c.tip, c.out, c.in, 5)) << "a reflex corner";
+  EXPECT_FALSE(corner_loop(CornerLoop::kCircle, c.root, c.root, c.in, c.out, 5)) << "nothing to clear";
 }
 
 }  // namespace

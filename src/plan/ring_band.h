@@ -42,13 +42,14 @@ class RingBand {
   Rest worst(double step, double reach) const;
 
   /// The widest step between radius and 2 radius - (radius - reach) that leaves nothing, to 1e-4 mm. Where a centre
-  /// limits it, the next ring stays clear of that centre by a tenth of what it could reach.
+  /// limits it, the next ring stays a fiftieth of the radius below that centre.
   double widest_step(double reach) const;
 
  private:
   struct Vertex {
     Vec2 point;
     double clearance = 0;
+    double summit = 0;  ///< greatest clearance that the axis climbs to from here
     std::vector<std::size_t> links;
   };
   struct Link {
@@ -56,6 +57,7 @@ class RingBand {
     std::size_t high = 0;
     double length = 0;
   };
+  void find_summits();
   std::vector<double> ways_to(double level) const;
   RestCause cause_at(std::size_t vertex, const std::vector<double>& ways) const;
 

@@ -14,6 +14,9 @@ namespace {
 
 using Kind = StepRule::Kind;
 
+/// mm. Ways longer than the radius by less than this leave nothing that counts.
+constexpr double kNoRest = 0.001;
+
 /// The published rule (CPO-rho eq. 8) has w = 1 mm, which makes no sense for cutters under 2 mm: w is at most R / 2.
 double overlap_of(const StepRule& rule, double radius) {
   return std::min(rule.value, radius / 2);
@@ -120,6 +123,20 @@ double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, co
   CLEARCUT_ASSERT(!rule.contours.empty());
   const auto index = std::min(static_cast<std::size_t>(ring.depth), rule.contours.size() - 1);
   return step_after(ring, inside, rule.contours[index], radius);
+}
+
+Rest worst_rest(const Regions& allowed, const StepRule& rule, double radius, const Tolerances& tol) {
+  Rest worst;
+  for (const auto& region : allowed) {
+    const auto step_of = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
+      const double step = std::max(step_after(ring, inside, rule, radius), radius);
+      const Rest rest = RingBand(inside, ring.level, radius).worst(step, radius + kNoRest);
+      if (rest.way > worst.way) worst = rest;
+      return step;
+    };
+    ring_tree(Clearance(region, tol), region, radius, step_of, tol);
+  }
+  return worst;
 }
 
 }  // namespace clearcut

@@ -5,6 +5,7 @@
 
 #include "plan/contour.h"
 #include "plan/contour_rings.h"
+#include "plan/ring_band.h"
 
 namespace clearcut {
 
@@ -14,5 +15,9 @@ namespace clearcut {
 /// 3/2 R kappa instead.
 double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, const StepRule& rule,
                   double radius);
+
+/// What contours of a rule leave in the worst place of all, before anything is added to clear it: cause kNone where that is
+/// nothing. `allowed` is what the cutter may not leave; first contour at the radius.
+Rest worst_rest(const Regions& allowed, const StepRule& rule, double radius, const Tolerances& tol);
 
 }  // namespace clearcut

@@ -18,20 +18,8 @@ Region polygon(const std::vector<Vec2>& points) {
   return Region::from_valid_loops(loop_from_points(points), {});
 }
 
-/// What a step rule leaves in a region, by the criterion of ring_band.h: the worst of all rings.
 Rest rest_of(const Region& region, const StepRule& rule, double radius) {
-  const Clearance clearance(region, kTol);
-  Rest worst;
-  ring_tree(
-      clearance, region, radius,
-      [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
-        const double step = step_after(ring, inside, rule, radius);
-        const Rest rest = RingBand(inside, ring.level, radius).worst(step, radius + 0.001);
-        if (rest.way > worst.way) worst = rest;
-        return step;
-      },
-      kTol);
-  return worst;
+  return worst_rest({region}, rule, radius, kTol);
 }
 
 /// Levels of the contours around the deepest place.
