@@ -17,6 +17,31 @@ struct TourCommand {
   std::string svg;
 };
 
+/// Operators of the published genetic algorithm; defaults are the text's.
+void add_genetic_options(CLI::App& command, TourOptions& options) {
+  auto& genetic = options.genetic;
+  const std::string group = "Published solver";
+  command.add_option("--population", genetic.population, "Individuals (25)")->group(group);
+  command.add_option("--selection", genetic.selection, "random, rank, roulette, tournament or truncation")
+      ->group(group);
+  command.add_option("--crossover", genetic.crossover, "pmx, ox, erx, cx or eax")->group(group);
+  command.add_option("--mutation", genetic.mutation, "exchange, inversion or nearest")->group(group);
+  command.add_option("--replacement", genetic.replacement, "distinct, worst, parent or generation")
+      ->group(group);
+  command.add_option("--crossover-rate", genetic.crossover_rate, "Chance of two parents")->group(group);
+  command.add_option("--mutation-rate", genetic.mutation_rate, "Chance of a mutation")->group(group);
+  command.add_option("--children", genetic.children, "New individuals in a generation (25)")->group(group);
+  command.add_option("--most-shared", genetic.most_shared, "Share of edges that makes two too similar (0.2)")
+      ->group(group);
+  command
+      .add_option("--neighbours", options.genetic_neighbours,
+                  "Nearest points a mutation draws from; 0: all (lattices 24, files all)")
+      ->group(group);
+  command.add_option("--patience", genetic.patience, "Generations without gain that end the run (1000)")
+      ->group(group);
+  command.add_option("--generations", genetic.stop.rounds, "Most generations")->group(group);
+}
+
 void run(TourCommand command) {
   if (command.open || command.closed) command.options.closed = command.closed;
   const auto result = solve_tour(command.input, command.options);
@@ -43,6 +68,9 @@ void add_tour_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--feed", state->options.feed, "Feed for the objective time, mm/min")
       ->check(CLI::PositiveNumber);
+  command->add_option("--solver", state->options.solver,
+                      "modern, or published: the genetic algorithm of the text");
+  add_genetic_options(*command, state->options);
   command->add_option("--json", state->json, "Result to write (- for standard output)");
   command->add_option("--svg", state->svg, "Picture to write");
   command->callback([state, &exit_code] {

@@ -61,11 +61,31 @@ order::ObjectivePtr objective_named(const std::string& text, double feed) {
   return order::weighted_sum(std::move(parts));
 }
 
+namespace {
+
+order::Solution solve_published(const order::Problem& problem, const order::Objective& objective,
+                                const TourOptions& options, bool is_lattice) {
+  order::GeneticOptions genetic = options.genetic;
+  genetic.seed = options.seed;
+  genetic.stop.seconds = options.time_s;
+  genetic.neighbours = options.genetic_neighbours.value_or(is_lattice ? problem.neighbour_count : 0);
+  return order::solve_genetic(problem, objective, genetic);
+}
+
+}  // namespace
+
 TourResult solve_tour(const std::string& input, const TourOptions& options) {
   const auto objective = objective_named(options.objective, options.feed);
   TourResult result;
   result.problem = problem_of(input, options);
   result.objective = options.objective;
+  if (options.solver == "published") {
+    const bool is_lattice = order::parse_lattice(input).has_value();
+    result.solution = solve_published(result.problem, *objective, options, is_lattice);
+    return result;
+  }
+  if (options.solver != "modern")
+    throw InputError("--solver", fmt::format("'{}' is unknown; use modern or published", options.solver));
   order::SolveOptions solve_options;
   solve_options.stop.seconds = options.time_s;
   solve_options.seed = options.seed;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "order/genetic/genetic.h"
 #include "order/solve.h"
 
 namespace clearcut {
@@ -13,8 +14,11 @@ struct TourOptions {
   std::optional<bool> closed;        ///< default: TSPLIB files closed, lattices open
   double time_s = 10;
   std::uint64_t seed = 1;
-  int threads = 0;     ///< 0: all cores
-  double feed = 1000;  ///< mm/min, for the objective time
+  int threads = 0;                        ///< 0: all cores
+  double feed = 1000;                     ///< mm/min, for the objective time
+  std::string solver = "modern";          ///< or "published": the text's genetic algorithm
+  order::GeneticOptions genetic;          ///< of the published solver; seed and time come from here above
+  std::optional<int> genetic_neighbours;  ///< default as the text: lattices 24, files all points (5.3.2)
 };
 
 struct TourResult {

@@ -1,0 +1,38 @@
+#include <algorithm>
+
+#include "order/genetic/crossover.h"
+
+namespace clearcut::order {
+
+namespace {
+
+class Ox final : public Crossover {
+ public:
+  explicit Ox(const Ground& ground) : ground_(ground) {}
+
+  void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
+    const auto [low, high] = std::minmax({ground_.any_position(random), ground_.any_position(random)});
+    genes_ = first.genes();
+    int to = 0;
+    for (int from = 0; from < first.size(); ++from) {
+      const int place = second.place(first.at(from));
+      if (place >= low && place <= high) continue;  // will come from the second parent
+      if (to == low) to = high + 1;
+      genes_[static_cast<std::size_t>(to++)] = first.at(from);
+    }
+    for (int p = low; p <= high; ++p) genes_[static_cast<std::size_t>(p)] = second.at(p);
+    child.assign(genes_);
+  }
+
+ private:
+  const Ground& ground_;
+  Tour genes_;
+};
+
+}  // namespace
+
+std::unique_ptr<Crossover> ox(const Ground& ground) {
+  return std::make_unique<Ox>(ground);
+}
+
+}  // namespace clearcut::order

@@ -1,0 +1,202 @@
+#include "order/genetic/genetic.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "order/genetic/crossover.h"
+#include "order/genetic/initial.h"
+#include "order/genetic/mutation.h"
+#include "order/genetic/replacement.h"
+#include "order/genetic/selection.h"
+
+namespace clearcut::order {
+
+namespace {
+
+constexpr double kSameValue = 1e-9;  // relative; rounding of sums
+
+void check_options(const GeneticOptions& o) {
+  if (o.population < 2) throw InputError("population", "needs at least 2 individuals");
+  if (o.children < 1) throw InputError("children", "a generation needs at least 1 new individual");
+  if (!(o.crossover_rate >= 0 && o.crossover_rate <= 1 && o.mutation_rate >= 0 && o.mutation_rate <= 1))
+    throw InputError("rate", "rates of crossover and mutation lie between 0 and 1");
+  if (o.patience < 1) throw InputError("patience", "needs at least 1 generation");
+}
+
+/// n 10^i with n = 1..9 (eq. 5.1), and the beginning.
+bool is_sampled(long long generation) {
+  while (generation >= 10 && generation % 10 == 0) generation /= 10;
+  return generation < 10;
+}
+
+class Evolution {
+ public:
+  Evolution(const Moves& moves, const Objective& objective, const GeneticOptions& options)
+      : options_(options),
+        moves_(moves),
+        ground_(moves, options.neighbours),
+        fitness_(moves, objective),
+        random_(options.seed),
+        selection_(selection_named(options.selection)),
+        crossover_(crossover_named(options.crossover, ground_)),
+        mutation_(mutation_named(options.mutation, ground_)),
+        replacement_(replacement_named(options.replacement)),
+        pool_(first_individuals(), moves.problem().closed()),
+        watch_(options.stop) {}
+
+  GeneticResult run() {
+    sample();
+    report();
+    for (long long idle = 0; idle < options_.patience && !is_over();) {
+      const bool gained = one_generation();
+      idle = gained ? 0 : idle + 1;
+      ++result_.generations;
+      if (is_sampled(result_.generations)) sample();
+      if (gained) report();
+    }
+    if (result_.samples.back().generation != result_.generations) sample();
+    result_.tour = pool_.best().genome.genes();
+    result_.value = pool_.best().value;
+    result_.seconds = watch_.seconds();
+    return std::move(result_);
+  }
+
+ private:
+  struct Parents {
+    int first = 0;
+    int second = 0;
+  };
+
+  std::vector<Individual> first_individuals() {
+    std::vector<Individual> individuals;
+    for (Genome& genome : first_population(ground_, options_.population, options_.most_shared, random_)) {
+      individuals.push_back({.genome = std::move(genome)});
+      fitness_.evaluate(individuals.back());
+    }
+    return individuals;
+  }
+
+  bool is_over() const {
+    return result_.generations >= options_.stop.rounds || ground_.free_count() < 2 || watch_.over();
+  }
+
+  /// Whether the best individual became better.
+  bool one_generation() {
+    const double before = pool_.best().value;
+    for (int i = 0; i < options_.children; ++i) one_child();
+    replacement_->end_generation(pool_);
+    return pool_.best().value < before - kSameValue * std::abs(before);
+  }
+
+  void one_child() {
+    const Parents parents = select();
+    const bool crosses = random_.unit() < options_.crossover_rate;
+    const Individual& first = pool_.at(parents.first);
+    if (crosses) {
+      crossover_->cross(first.genome, pool_.at(parents.second).genome, random_, child_.genome);
+      child_.local = fitness_.local_after(first, child_.genome);
+    } else {
+      child_ = first;
+    }
+    if (random_.unit() < options_.mutation_rate) {
+      const Rearrangement change = mutation_->choose(child_.genome, random_);
+      child_.local += fitness_.change(child_.genome, change);
+      child_.genome.apply(change);
+    }
+    ++result_.children;
+    const Problem& problem = moves_.problem();
+    if (!problem.precedence.empty() && !is_valid(problem, child_.genome.genes())) return;
+    fitness_.complete(child_);
+    count(parents);
+    replacement_->offer(pool_, child_, parents.first);
+  }
+
+  /// The second parent comes from the rest of the pool; one too similar to the first is discarded and another
+  /// drawn, which is to draw among those that are not. Where all are, any of the rest serves: 4.3.3 i leaves
+  /// that open.
+  Parents select() {
+    const int first = pool_.at_rank(selection_->pick(pool_.values(), random_));
+    fill_mates(first, options_.most_shared);
+    if (mates_.empty()) fill_mates(first, 1);
+    return {first, mates_[static_cast<std::size_t>(selection_->pick(mate_values_, random_))]};
+  }
+
+  void fill_mates(int first, double most_shared) {
+    mates_.clear();
+    mate_values_.clear();
+    for (int rank = 0; rank < pool_.size(); ++rank) {
+      const int mate = pool_.at_rank(rank);
+      if (mate == first || pool_.too_similar(first, mate, most_shared)) continue;
+      mates_.push_back(mate);
+      mate_values_.push_back(pool_.at(mate).value);
+    }
+  }
+
+  void count(const Parents& parents) {
+    const double better = std::min(pool_.at(parents.first).value, pool_.at(parents.second).value);
+    const double enough = kSameValue * std::abs(better);
+    result_.improved += child_.value < better - enough ? 1 : 0;
+    result_.records += child_.value < pool_.best().value - enough ? 1 : 0;
+  }
+
+  void sample() {
+    result_.samples.push_back(
+        {result_.generations, pool_.best().value, pool_.mean_value(), pool_.worst().value});
+  }
+  void report() const {
+    if (options_.progress)
+      options_.progress({pool_.best().genome.genes(), pool_.best().value, watch_.seconds()});
+  }
+
+  const GeneticOptions& options_;
+  const Moves& moves_;
+  Ground ground_;
+  Fitness fitness_;
+  Random random_;
+  std::unique_ptr<Selection> selection_;
+  std::unique_ptr<Crossover> crossover_;
+  std::unique_ptr<Mutation> mutation_;
+  std::unique_ptr<Replacement> replacement_;
+  Pool pool_;
+  StopWatch watch_;
+  Individual child_;
+  std::vector<int> mates_;  // by rank
+  std::vector<double> mate_values_;
+  GeneticResult result_;
+};
+
+}  // namespace
+
+GeneticResult run_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options) {
+  check(problem);
+  check_options(options);
+  const Moves moves(problem);
+  return Evolution(moves, objective, options).run();
+}
+
+Solution solve_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options) {
+  const StopWatch watch(options.stop);
+  const GeneticResult result = run_genetic(problem, objective, options);
+  const Moves moves(problem);
+  const Bound bound = lower_bound(problem, objective, result.tour, watch);
+  const TourFigures f = figures(moves, result.tour);
+  Solution solution;
+  solution.tour = result.tour;
+  solution.objective = evaluate(objective, moves, result.tour);
+  solution.length = f.length;
+  solution.turns = f.turns;
+  solution.angle_deg = f.angle_deg;
+  solution.bound = std::min(bound.value, solution.objective);
+  solution.bound_basis = bound.basis;
+  const double difference = solution.objective - solution.bound;
+  if (difference > kSameValue * std::abs(solution.objective))
+    solution.gap = solution.bound > 0 ? difference / solution.bound : std::numeric_limits<double>::infinity();
+  solution.seconds = watch.seconds();
+  solution.seed = options.seed;
+  solution.rounds = result.generations;
+  solution.method = "genetic, " + options.selection + ", " + options.crossover + ", " + options.mutation;
+  return solution;
+}
+
+}  // namespace clearcut::order

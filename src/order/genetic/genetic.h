@@ -1,0 +1,65 @@
+// The genetic algorithm of the Tour text (4.3), every operator exchangeable by name. docs/tour.md restates it.
+//
+// symbol       here                     where
+// N            population               4.3.2, fig. 4-14: 25
+// f_i          1 / Individual::value    eq. 4.12, 4.15
+// X, X'        altered edges            eq. 4.15, fig. 4-19: Fitness::local_after, Fitness::change
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "order/solve.h"
+
+namespace clearcut::order {
+
+/// Defaults are those of the text where it states one. It states no rates and no replacement: those were
+/// chosen by measurement, see docs/tour.md.
+struct GeneticOptions {
+  int population = 25;                 ///< 4.3.2
+  double most_shared = 0.2;            ///< share of edges above which two individuals are too similar, 4.3.2
+  std::string selection = "roulette";  ///< 4.3.3 i
+  std::string crossover = "pmx";       ///< 4.3.3 ii
+  std::string mutation = "nearest";    ///< 4.3.3 iii
+  std::string replacement = "distinct";
+  double crossover_rate = 0.2;  ///< chance of a new individual to have two parents instead of one
+  double mutation_rate = 1;     ///< chance of a new individual to be mutated
+  int children = 25;            ///< new individuals in a generation
+  int neighbours = 24;          ///< 4.3.2; 0: all points, as for the text's reference instances, 5.3.2
+  long long patience = 1000;    ///< generations without gain that end the run, 4.3.3
+  /// Also ends the run: `rounds` are generations. Without seconds the same seed gives the same result.
+  StopRule stop{.seconds = std::numeric_limits<double>::infinity()};
+  std::uint64_t seed = 1;
+  std::function<void(const Progress&)> progress;
+};
+
+/// The population after a generation.
+struct GenerationSample {
+  long long generation = 0;
+  double best = 0;
+  double mean = 0;
+  double worst = 0;
+};
+
+struct GeneticResult {
+  Tour tour;
+  double value = 0;
+  long long generations = 0;
+  long long children = 0;
+  long long improved = 0;  ///< children better than both parents
+  long long records = 0;   ///< children better than all before them
+  double seconds = 0;
+  std::vector<GenerationSample> samples;  ///< generation 0, those of eq. 5.1 (n 10^i, n = 1..9), the last
+};
+
+/// Runs the algorithm over any problem and objective. One thread; runs of a study go side by side. Children
+/// that break precedence are dropped. Throws InputError for unknown operators and sizes that make no sense.
+/// Cost per child O(n) for copying, O(altered edges) for its value; objectives that depend on the whole path
+/// are evaluated whole. Memory O(population n); no matrix of distances.
+GeneticResult run_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
+
+/// The same as a Solution with its proven gap, which the algorithm itself cannot know.
+Solution solve_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
+
+}  // namespace clearcut::order

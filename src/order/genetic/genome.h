@@ -1,0 +1,63 @@
+// An individual's genes: the points in visiting order (Tour 3.8).
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "order/problem.h"
+
+namespace clearcut::order {
+
+/// Positions first..last change places in pairs (reverse), or only first and last do (swap).
+struct Rearrangement {
+  enum class Kind { kNone, kSwap, kReverse };
+  Kind kind = Kind::kNone;
+  int first = 0;  ///< positions, first < last
+  int last = 0;
+};
+
+/// A permutation that also knows where each gene is.
+class Genome {
+ public:
+  Genome() = default;
+  explicit Genome(Tour genes) { assign(std::move(genes)); }
+
+  int size() const { return static_cast<int>(genes_.size()); }
+  int at(int position) const { return genes_[static_cast<std::size_t>(position)]; }
+  int place(int gene) const { return places_[static_cast<std::size_t>(gene)]; }
+  const Tour& genes() const { return genes_; }
+
+  /// `genes` must be a permutation of 0..n-1.
+  void assign(Tour genes) {
+    genes_ = std::move(genes);
+    places_.resize(genes_.size());
+    for (int p = 0; p < size(); ++p) places_[static_cast<std::size_t>(at(p))] = p;
+  }
+  void swap(int p, int q) {
+    std::swap(genes_[static_cast<std::size_t>(p)], genes_[static_cast<std::size_t>(q)]);
+    places_[static_cast<std::size_t>(at(p))] = p;
+    places_[static_cast<std::size_t>(at(q))] = q;
+  }
+  void apply(const Rearrangement& change) {
+    if (change.kind == Rearrangement::Kind::kSwap) swap(change.first, change.last);
+    if (change.kind == Rearrangement::Kind::kReverse) {
+      for (int p = change.first, q = change.last; p < q; ++p, --q) swap(p, q);
+    }
+  }
+
+ private:
+  Tour genes_;
+  std::vector<int> places_;
+};
+
+/// Whether a and b follow each other, in either direction.
+inline bool has_edge(const Genome& genome, int a, int b, bool closed) {
+  const int distance = std::abs(genome.place(a) - genome.place(b));
+  return distance == 1 || (closed && distance == genome.size() - 1);
+}
+
+/// Share of the edges of `a` that `b` has too, 0..1; stops counting above `enough`. O(n).
+double shared_edges(const Genome& a, const Genome& b, bool closed, double enough = 1);
+
+}  // namespace clearcut::order

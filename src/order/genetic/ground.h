@@ -1,0 +1,44 @@
+// What all operators of a run share: the points' legal neighbours and the positions they may change.
+#pragma once
+
+#include <vector>
+
+#include "base/random.h"
+#include "order/genetic/genome.h"
+#include "order/moves.h"
+
+namespace clearcut::order {
+
+/// "The nearest N points to the gene, excluding any points that would result in an illegal edge"
+/// (Tour 4.3.2). A point none of whose near moves is legal keeps its nearest ones, at the cost of the detour.
+class LegalNeighbours {
+ public:
+  /// `count` per point; 0 or more than there are: all other points, which costs no memory.
+  LegalNeighbours(const Moves& moves, int count);
+
+  /// Any of them, with equal chances; -1 when there is only one point.
+  int pick(int gene, Random& random) const;
+  /// Nearest first. When the neighbours are all points: only the nearest 24.
+  const std::vector<int>& nearest(int gene) const { return lists_[static_cast<std::size_t>(gene)]; }
+
+ private:
+  const Moves& moves_;
+  bool all_;
+  std::vector<std::vector<int>> lists_;
+};
+
+struct Ground {
+  const Moves& moves;
+  LegalNeighbours neighbours;
+  int first = 0;  ///< positions that operators may change: first..last; fixed ends lie outside
+  int last = 0;
+
+  Ground(const Moves& on, int neighbour_count);
+  bool closed() const { return moves.problem().closed(); }
+  int free_count() const { return last - first + 1; }
+  int any_position(Random& random) const {
+    return first + static_cast<int>(random.below(static_cast<std::uint64_t>(free_count())));
+  }
+};
+
+}  // namespace clearcut::order

@@ -1,0 +1,124 @@
+#include "order/genetic/initial.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace clearcut::order {
+
+namespace {
+
+/// Builds one path.
+class Walk {
+ public:
+  Walk(const Ground& ground, int breadth)
+      : problem_(ground.moves.problem()),
+        ground_(ground),
+        breadth_(static_cast<std::size_t>(breadth)),
+        waiting_(problem_.points.size(), 0),
+        used_(problem_.points.size(), 0) {
+    for (const Precedence& p : problem_.precedence) ++waiting_[static_cast<std::size_t>(p.after)];
+    for (int v = 0; v < problem_.size(); ++v) unused_.push_back(v);
+  }
+
+  Tour run(Random& random) {
+    int at = problem_.start >= 0 ? problem_.start : any_allowed(random);
+    visit(at);
+    while (static_cast<int>(tour_.size()) < problem_.size()) {
+      at = next(at, random);
+      visit(at);
+    }
+    return std::move(tour_);
+  }
+
+ private:
+  bool is_allowed(int v) const {
+    const auto i = static_cast<std::size_t>(v);
+    const bool too_early = v == problem_.end && static_cast<int>(tour_.size()) + 1 < problem_.size();
+    return !used_[i] && waiting_[i] == 0 && !too_early;
+  }
+  int any_allowed(Random& random) const {
+    std::vector<int> allowed;
+    for (int v = 0; v < problem_.size(); ++v) {
+      if (is_allowed(v)) allowed.push_back(v);
+    }
+    return allowed[random.below(allowed.size())];
+  }
+  int next(int at, Random& random) {
+    near_.clear();
+    for (const int v : ground_.neighbours.nearest(at)) {
+      if (is_allowed(v)) near_.push_back(v);
+      if (near_.size() == breadth_) break;
+    }
+    return near_.empty() ? nearest_unused(at) : near_[random.below(near_.size())];
+  }
+  int nearest_unused(int at) {
+    std::erase_if(unused_, [&](int v) { return used_[static_cast<std::size_t>(v)] != 0; });
+    int best = -1;
+    double best_squared = std::numeric_limits<double>::infinity();
+    for (const int v : unused_) {
+      const Vec2 d =
+          problem_.points[static_cast<std::size_t>(v)] - problem_.points[static_cast<std::size_t>(at)];
+      if (!is_allowed(v) || dot(d, d) >= best_squared) continue;
+      best = v;
+      best_squared = dot(d, d);
+    }
+    return best;
+  }
+  void visit(int v) {
+    tour_.push_back(v);
+    used_[static_cast<std::size_t>(v)] = 1;
+    for (const Precedence& p : problem_.precedence)
+      waiting_[static_cast<std::size_t>(p.after)] -= p.before == v ? 1 : 0;
+  }
+
+  const Problem& problem_;
+  const Ground& ground_;
+  std::size_t breadth_;
+  std::vector<int> waiting_;
+  std::vector<char> used_;
+  std::vector<int> unused_, near_;
+  Tour tour_;
+};
+
+double most_similar(const std::vector<Genome>& others, const Genome& genome, bool closed, double enough) {
+  double most = 0;
+  for (const Genome& other : others) {
+    most = std::max(most, shared_edges(genome, other, closed, enough));
+    if (most > enough) break;
+  }
+  return most;
+}
+
+}  // namespace
+
+Tour nearest_path(const Ground& ground, int breadth, Random& random) {
+  return Walk(ground, breadth).run(random);
+}
+
+std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, Random& random) {
+  constexpr int kWidest = 24;
+  constexpr int kMoreTries = 10;
+  std::vector<Genome> population;
+  int breadth = 2;
+  for (int i = 0; i < count; ++i) {
+    Genome best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int tries_left = kMoreTries; least > most_shared && tries_left > 0;) {
+      Genome genome(nearest_path(ground, breadth, random));
+      // At the widest breadth the true share counts, so that the least similar can be told.
+      const double enough = breadth < kWidest ? most_shared : 1;
+      const double shared = most_similar(population, genome, ground.closed(), enough);
+      if (shared < least || breadth < kWidest) {
+        least = shared;
+        best = std::move(genome);
+      }
+      if (least <= most_shared) break;
+      breadth < kWidest ? ++breadth : --tries_left;
+    }
+    population.push_back(std::move(best));
+  }
+  return population;
+}
+
+}  // namespace clearcut::order

@@ -1,0 +1,77 @@
+#include "order/genetic/mutation.h"
+
+#include <algorithm>
+
+#include "order/genetic/names.h"
+
+namespace clearcut::order {
+
+namespace {
+
+using Kind = Rearrangement::Kind;
+
+class TwoPositions final : public Mutation {
+ public:
+  TwoPositions(const Ground& ground, Kind kind) : ground_(ground), kind_(kind) {}
+  Rearrangement choose(const Genome& /*genome*/, Random& random) const override {
+    const auto [low, high] = std::minmax({ground_.any_position(random), ground_.any_position(random)});
+    return low == high ? Rearrangement{} : Rearrangement{kind_, low, high};
+  }
+
+ private:
+  const Ground& ground_;
+  Kind kind_;
+};
+
+class Nearest final : public Mutation {
+ public:
+  explicit Nearest(const Ground& ground) : ground_(ground) {}
+  Rearrangement choose(const Genome& genome, Random& random) const override {
+    const int p = ground_.any_position(random);
+    const bool at_begin = p == 0 && !ground_.closed();
+    const int before = at_begin ? genome.at(0) : genome.at(p == 0 ? genome.size() - 1 : p - 1);
+    const int neighbour = ground_.neighbours.pick(before, random);
+    if (neighbour < 0) return {};
+    const int q = genome.place(neighbour);
+    if (at_begin) return reversal(0, q - 1);
+    return q > p || p == 0 ? reversal(p, q) : reversal(q + 1, p - 1);
+  }
+
+ private:
+  /// Nothing where it would move a fixed end or the genes are next to each other already.
+  Rearrangement reversal(int low, int high) const {
+    if (low >= high || low < ground_.first || high > ground_.last) return {};
+    return {Kind::kReverse, low, high};
+  }
+  const Ground& ground_;
+};
+
+const NamedMakers<std::unique_ptr<Mutation> (*)(const Ground&)>& makers() {
+  static const NamedMakers<std::unique_ptr<Mutation> (*)(const Ground&)> all{
+      "mutation",
+      {{"exchange", exchange_mutation}, {"inversion", inversion_mutation}, {"nearest", nearest_mutation}}};
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<Mutation> exchange_mutation(const Ground& ground) {
+  return std::make_unique<TwoPositions>(ground, Kind::kSwap);
+}
+std::unique_ptr<Mutation> inversion_mutation(const Ground& ground) {
+  return std::make_unique<TwoPositions>(ground, Kind::kReverse);
+}
+std::unique_ptr<Mutation> nearest_mutation(const Ground& ground) {
+  return std::make_unique<Nearest>(ground);
+}
+
+const std::vector<std::string>& mutation_names() {
+  static const std::vector<std::string> names = makers().names();
+  return names;
+}
+
+std::unique_ptr<Mutation> mutation_named(const std::string& name, const Ground& ground) {
+  return makers().at(name)(ground);
+}
+
+}  // namespace clearcut::order

@@ -1,0 +1,36 @@
+// New genetic material (Tour 4.3.3 iii).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/random.h"
+#include "order/genetic/ground.h"
+
+namespace clearcut::order {
+
+class Mutation {
+ public:
+  virtual ~Mutation() = default;
+  /// A random rearrangement of free positions; it is priced before it is applied.
+  virtual Rearrangement choose(const Genome& genome, Random& random) const = 0;
+};
+
+/// Two random genes switch places.
+std::unique_ptr<Mutation> exchange_mutation(const Ground& ground);
+/// All genes from one random position to another are reversed.
+std::unique_ptr<Mutation> inversion_mutation(const Ground& ground);
+/// A random gene gives way to one of the nearest neighbours of the gene before it: the two switch places and
+/// all genes between them are reversed. The published choice.
+///
+/// Where the neighbour comes earlier on the path than the gene before, the same new edge is made on the other
+/// side: the genes between the two are reversed. The first gene of an open path has none before; there the
+/// genes up to one of its own neighbours are reversed, which brings the two together.
+std::unique_ptr<Mutation> nearest_mutation(const Ground& ground);
+
+const std::vector<std::string>& mutation_names();
+/// Throws InputError for an unknown name.
+std::unique_ptr<Mutation> mutation_named(const std::string& name, const Ground& ground);
+
+}  // namespace clearcut::order
