@@ -219,7 +219,7 @@ LengthSearchResult search_length(const Problem& problem, const LengthModel& mode
   Best best(model, options);
   best.offer(first, model.tour_cost(first));
   LengthSearchResult result;
-  const Plan plan = plan_for(problem.size(), options.stop.seconds);
+  const Plan plan = plan_for(problem.size(), options.stop.planned_seconds());
   if (plan.population > 0) {
     result.rounds = search_by_populations(model, plan, options, watch, best);
     result.method = "edge assembly, population " + std::to_string(plan.population);

@@ -18,10 +18,14 @@ struct Progress {
 };
 
 struct StopRule {
-  double seconds = 10;                                       ///< wall clock; infinity: no limit
+  double seconds = 10;  ///< wall clock; infinity: no limit
+  /// Seconds of one core that the method makes its plan for (sizes of populations); below 0: `seconds`. With
+  /// `rounds` and no clock a run repeats exactly, however busy the machine.
+  double effort = -1;
   long long rounds = std::numeric_limits<long long>::max();  ///< of the method; makes runs repeat exactly
   double gap = 0;                             ///< stop when (objective - bound) / bound is at most this
   const std::atomic<bool>* cancel = nullptr;  ///< looked at every few milliseconds
+  double planned_seconds() const { return effort < 0 ? seconds : effort; }
 };
 
 /// Asks for the time rarely enough to cost nothing.

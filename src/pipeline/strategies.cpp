@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "pipeline/tour_solver.h"
 #include "plan/adaptive.h"
 #include "plan/contour.h"
+#include "plan/tour.h"
 #include "plan/zigzag.h"
 
 namespace clearcut {
@@ -90,6 +92,14 @@ Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, con
   };
 }
 
+Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
+  const MmPerMin feed = *operation.cutting.feed;
+  return [stepover = attempt.stepover, feed, options](const Layer& layer) {
+    const auto tour = stepover ? parse_tour_pitch(*stepover, layer.tool_radius) : TourGridOptions{};
+    return plan_tour(layer, tour, tour_solver(options, feed), options.tol);
+  };
+}
+
 }  // namespace
 
 const std::vector<std::string>& strategy_names() {
@@ -129,6 +139,7 @@ Strategy strategy_for(const Attempt& attempt, const Operation& operation, const 
   }
   if (attempt.strategy == "adaptive") return adaptive_strategy(options);
   if (attempt.strategy == "zigzag") return zigzag_strategy(attempt, operation, options);
+  if (attempt.strategy == "tour") return tour_strategy(attempt, operation, options);
   throw InputError("--strategy", fmt::format("'{}' is unknown; use one of {}", attempt.strategy,
                                              fmt::join(strategy_names(), ", ")));
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -11,6 +10,7 @@
 #include "geometry/box.h"
 #include "order/lattice.h"
 #include "order/tsplib.h"
+#include "pipeline/tour_solver.h"
 
 namespace clearcut {
 namespace {
@@ -26,15 +26,6 @@ order::ObjectivePtr single_objective(const std::string& name, double feed) {
                                name));
 }
 
-double weight_of(const std::string& text) {
-  double weight = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), weight);
-  if (error != std::errc() || end != text.data() + text.size() || !(weight >= 0)) {
-    throw InputError("--objective", fmt::format("'{}' is no weight of 0 or more", text));
-  }
-  return weight;
-}
-
 order::Problem problem_of(const std::string& input, const TourOptions& options) {
   const auto lattice = order::parse_lattice(input);
   order::Problem problem = lattice ? order::lattice_problem(lattice->columns, lattice->rows)
@@ -47,18 +38,7 @@ order::Problem problem_of(const std::string& input, const TourOptions& options) 
 }  // namespace
 
 order::ObjectivePtr objective_named(const std::string& text, double feed) {
-  if (text.find(':') == std::string::npos) return single_objective(text, feed);
-  std::vector<std::pair<double, order::ObjectivePtr>> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const auto end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
-    const auto colon = part.find(':');
-    if (colon == std::string::npos)
-      throw InputError("--objective", fmt::format("'{}' lacks its weight", part));
-    parts.emplace_back(weight_of(part.substr(0, colon)), single_objective(part.substr(colon + 1), feed));
-    begin = end + 1;
-  }
-  return order::weighted_sum(std::move(parts));
+  return objective_from(text, [&](const std::string& name) { return single_objective(name, feed); });
 }
 
 namespace {

@@ -1,0 +1,110 @@
+#include "pipeline/tour_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "order/solve.h"
+
+namespace clearcut {
+namespace {
+
+/// Seconds of one core for a population, and rounds, where nobody says how long to search.
+constexpr double kEffort = 0.5;
+constexpr long long kRounds = 6;
+
+class MachineTime final : public order::Objective {
+ public:
+  MachineTime(const Machine& machine, MmPerMin feed)
+      : speed_(feed.mm_per_min() / 60),
+        acceleration_(machine.acceleration),
+        deviation_(machine.junction_deviation) {}
+  std::string name() const override { return "time"; }
+  std::string unit() const override { return "s"; }
+  double edge(const order::Moves& moves, int a, int b) const override {
+    if (!moves.has_detours()) return moves.length(a, b) / speed_;
+    const auto shape = moves.shape(a, b);
+    const double bend = shape.inner_turns == 0 ? 0 : shape.inner_angle / shape.inner_turns;
+    return shape.length / speed_ + shape.inner_turns * lost_at(bend);
+  }
+  double corner(const order::Moves& moves, int a, int b, int c) const override {
+    return lost_at(moves.angle_at(a, b, c));
+  }
+  Linear linear() const override { return {.length = 1 / speed_, .exact = false}; }
+
+ private:
+  /// Seconds lost in a corner that turns by `degrees`: (v - v_j)^2 / (a v).
+  double lost_at(double degrees) const {
+    if (degrees < order::kTurnThresholdDegrees) return 0;
+    const double s = std::cos(Radians::of_degrees(degrees / 2).radians());
+    const double junction =
+        s >= 1 ? speed_ : std::min(speed_, std::sqrt(acceleration_ * deviation_ * s / (1 - s)));
+    return (speed_ - junction) * (speed_ - junction) / (acceleration_ * speed_);
+  }
+  double speed_, acceleration_, deviation_;
+};
+
+double weight_of(const std::string& text) {
+  double weight = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), weight);
+  if (error != std::errc() || end != text.data() + text.size() || !(weight >= 0)) {
+    throw InputError("--objective", fmt::format("'{}' is no weight of 0 or more", text));
+  }
+  return weight;
+}
+
+order::ObjectivePtr layer_objective(const std::string& name, const PlanOptions& options, MmPerMin feed) {
+  if (name == "length") return order::length_objective();
+  if (name == "turns") return order::turns_objective();
+  if (name == "angle") return order::angle_objective();
+  if (name == "time") return machine_time_objective(options.machine, feed);
+  throw InputError("--objective", fmt::format("'{}' is unknown; use length, turns, angle, time, or "
+                                              "weights such as 1:length,20:turns",
+                                              name));
+}
+
+}  // namespace
+
+order::ObjectivePtr objective_from(const std::string& text, const ObjectiveMaker& make) {
+  if (text.find(':') == std::string::npos) return make(text);
+  std::vector<std::pair<double, order::ObjectivePtr>> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const auto colon = part.find(':');
+    if (colon == std::string::npos)
+      throw InputError("--objective", fmt::format("'{}' lacks its weight", part));
+    parts.emplace_back(weight_of(part.substr(0, colon)), make(part.substr(colon + 1)));
+    begin = end + 1;
+  }
+  return order::weighted_sum(std::move(parts));
+}
+
+order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed) {
+  return std::make_shared<MachineTime>(machine, feed);
+}
+
+TourSolver tour_solver(const PlanOptions& options, MmPerMin feed) {
+  return [options, feed](const TourTask& task) {
+    order::Problem problem;
+    problem.name = "grid";
+    problem.points = task.points;
+    problem.shape = order::Shape::kOpenPath;
+    problem.detour = task.way;
+    const auto objective = objective_from(
+        options.objective, [&](const std::string& name) { return layer_objective(name, options, feed); });
+    order::SolveOptions solve;
+    solve.seed = options.seed;
+    solve.threads = options.threads;
+    solve.stop.effort = options.time_s.value_or(kEffort);
+    solve.stop.seconds = options.time_s.value_or(std::numeric_limits<double>::infinity());
+    if (!options.time_s) solve.stop.rounds = kRounds;
+    return order::solve(problem, *objective, solve).tour;
+  };
+}
+
+}  // namespace clearcut

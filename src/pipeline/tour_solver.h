@@ -1,0 +1,28 @@
+// The optimiser behind the strategy "tour": objectives by name, for grids of a layer.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "order/objective.h"
+#include "pipeline/plan_options.h"
+#include "plan/tour.h"
+
+namespace clearcut {
+
+/// Makes the objective of a name such as "length"; throws InputError for names it does not know.
+using ObjectiveMaker = std::function<order::ObjectivePtr(const std::string& name)>;
+
+/// "turns", or weights: "1:length,20:turns". Throws InputError.
+order::ObjectivePtr objective_from(const std::string& text, const ObjectiveMaker& make);
+
+/// Seconds on a machine that accelerates: length / feed, and at every corner what slowing down to the speed of
+/// the junction (Grbl's rule, see kinematic_time) and speeding up again loses. As exact as kinematic_time
+/// where moves are long enough to reach the feed, and priced from the few moves that an exchange touches.
+order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed);
+
+/// Orders grids by options.objective. Without options.time_s the same points give the same order, however
+/// busy the machine.
+TourSolver tour_solver(const PlanOptions& options, MmPerMin feed);
+
+}  // namespace clearcut
