@@ -20,6 +20,11 @@ bool is_turn(Vec2 in, Vec2 out) {
   return d > 0 ? c > kSlope * d : c > 0 || d < 0;
 }
 
+Moves::Moves(const Problem& problem) : problem_(&problem) {
+  const std::size_t n = problem.points.size();
+  if (has_detours() && problem.size() <= kMostMarked) marks_ = std::make_unique<std::atomic<Known>[]>(n * n);
+}
+
 MoveShape Moves::straight_shape(int a, int b) const {
   MoveShape shape;
   shape.length = straight_distance(*problem_, a, b);
@@ -43,47 +48,53 @@ MoveShape Moves::detour_shape(int a, int b) const {
   return shape;
 }
 
-MoveShape Moves::shape(int a, int b) const {
-  if (!has_detours()) return straight_shape(a, b);
-  const auto [low, high] = std::minmax(a, b);
+MoveShape Moves::stored_shape(int low, int high) const {
   const auto key = (static_cast<unsigned long long>(low) << 32) | static_cast<unsigned>(high);
   Shard& shard = (*shards_)[static_cast<std::size_t>(low * 31 + high) % kShards];
-  MoveShape shape;
-  bool known = false;
   {
     const std::lock_guard lock(shard.mutex);
     const auto it = shard.known.find(key);
-    if (it != shard.known.end()) {
-      shape = it->second;
-      known = true;
-    }
+    if (it != shard.known.end()) return it->second;
   }
-  if (!known) {
-    shape = detour_shape(low, high);
-    const std::lock_guard lock(shard.mutex);
-    shard.known.emplace(key, shape);
-  }
-  if (a != low) {
-    shape = MoveShape{shape.length,      -shape.arrives,    -shape.leaves,
-                      shape.inner_turns, shape.inner_angle, shape.straight};
-  }
+  const MoveShape shape = detour_shape(low, high);
+  if (marks_) marks_[mark_of(low, high)].store(shape.straight ? Known::kStraight : Known::kDetour);
+  if (shape.straight && marks_) return shape;
+  const std::lock_guard lock(shard.mutex);
+  shard.known.emplace(key, shape);
   return shape;
 }
 
+MoveShape Moves::shape(int a, int b) const {
+  const auto [low, high] = std::minmax(a, b);
+  if (!has_detours() || known_straight(low, high)) return straight_shape(a, b);
+  const MoveShape shape = stored_shape(low, high);
+  if (a == low) return shape;
+  return {shape.length, -shape.arrives, -shape.leaves, shape.inner_turns, shape.inner_angle, shape.straight};
+}
+
+double Moves::length(int a, int b) const {
+  const auto [low, high] = std::minmax(a, b);
+  if (!has_detours() || known_straight(low, high)) return straight_distance(*problem_, a, b);
+  return stored_shape(low, high).length;
+}
+
+std::pair<Vec2, Vec2> Moves::directions(int a, int b, int c) const {
+  const auto& points = problem_->points;
+  const auto straight = [&](int from, int to) {
+    return !has_detours() || known_straight(std::min(from, to), std::max(from, to));
+  };
+  return {straight(a, b) ? points[b] - points[a] : shape(a, b).arrives,
+          straight(b, c) ? points[c] - points[b] : shape(b, c).leaves};
+}
+
 bool Moves::turns_at(int a, int b, int c) const {
-  Vec2 in = problem_->points[b] - problem_->points[a], out = problem_->points[c] - problem_->points[b];
-  if (has_detours()) {
-    in = shape(a, b).arrives;
-    out = shape(b, c).leaves;
-  }
+  const auto [in, out] = directions(a, b, c);
   return is_turn(in, out);
 }
 
 double Moves::angle_at(int a, int b, int c) const {
-  if (!has_detours()) {
-    return turn_angle(problem_->points[b] - problem_->points[a], problem_->points[c] - problem_->points[b]);
-  }
-  return turn_angle(shape(a, b).arrives, shape(b, c).leaves);
+  const auto [in, out] = directions(a, b, c);
+  return turn_angle(in, out);
 }
 
 }  // namespace clearcut::order

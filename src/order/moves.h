@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <utility>
 
 #include "order/problem.h"
 
@@ -33,15 +35,15 @@ struct MoveShape {
 /// Answers from coordinates where moves are straight, and remembers legal detours. Safe for several threads.
 class Moves {
  public:
-  explicit Moves(const Problem& problem) : problem_(&problem) {}
+  explicit Moves(const Problem& problem);
 
   const Problem& problem() const { return *problem_; }
   bool has_detours() const { return static_cast<bool>(problem_->detour); }
-  double length(int a, int b) const {
-    return has_detours() ? shape(a, b).length : straight_distance(*problem_, a, b);
-  }
+  double length(int a, int b) const;
   bool is_straight(int a, int b) const { return !has_detours() || shape(a, b).straight; }
   MoveShape shape(int a, int b) const;
+  /// Directions of travel before and after b on the way a -> b -> c, not normalised.
+  std::pair<Vec2, Vec2> directions(int a, int b, int c) const;
   /// Turn at b on the way a -> b -> c, degrees.
   double angle_at(int a, int b, int c) const;
   bool turns_at(int a, int b, int c) const;
@@ -52,10 +54,22 @@ class Moves {
     std::mutex mutex;
     std::unordered_map<unsigned long long, MoveShape> known;
   };
+  /// Pairs known to be joined straight need no look into the store of detours.
+  enum class Known : signed char { kNot, kStraight, kDetour };
+  static constexpr int kMostMarked = 5000;  // points; above, pairs are not marked
+
+  bool known_straight(int low, int high) const {
+    return marks_ && marks_[mark_of(low, high)].load(std::memory_order_relaxed) == Known::kStraight;
+  }
+  std::size_t mark_of(int low, int high) const {
+    return static_cast<std::size_t>(low) * problem_->points.size() + static_cast<std::size_t>(high);
+  }
+  MoveShape stored_shape(int low, int high) const;
   MoveShape straight_shape(int a, int b) const;
   MoveShape detour_shape(int a, int b) const;
 
   const Problem* problem_;
+  std::unique_ptr<std::atomic<Known>[]> marks_;
   std::unique_ptr<std::array<Shard, kShards>> shards_ = std::make_unique<std::array<Shard, kShards>>();
 };
 

@@ -93,11 +93,9 @@ Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, con
 }
 
 Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
-  const MmPerMin feed = *operation.cutting.feed;
-  return [stepover = attempt.stepover, feed, options](const Layer& layer) {
-    const auto tour = stepover ? parse_tour_pitch(*stepover, layer.tool_radius) : TourGridOptions{};
-    return plan_tour(layer, tour, tour_solver(options, feed), options.tol);
-  };
+  const auto grid = attempt.stepover ? parse_tour_grid(*attempt.stepover) : TourGridOptions{};
+  return [planner = TourPlanner(grid, tour_solver(options, *operation.cutting.feed), options.tol)](
+             const Layer& layer) mutable { return planner(layer); };
 }
 
 }  // namespace

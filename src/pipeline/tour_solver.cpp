@@ -15,7 +15,7 @@ namespace {
 
 /// Seconds of one core for a population, and rounds, where nobody says how long to search.
 constexpr double kEffort = 0.5;
-constexpr long long kRounds = 6;
+constexpr long long kRounds = 2;
 
 class MachineTime final : public order::Objective {
  public:
@@ -28,19 +28,22 @@ class MachineTime final : public order::Objective {
   double edge(const order::Moves& moves, int a, int b) const override {
     if (!moves.has_detours()) return moves.length(a, b) / speed_;
     const auto shape = moves.shape(a, b);
-    const double bend = shape.inner_turns == 0 ? 0 : shape.inner_angle / shape.inner_turns;
-    return shape.length / speed_ + shape.inner_turns * lost_at(bend);
+    if (shape.inner_turns == 0) return shape.length / speed_;
+    const double bend = Radians::of_degrees(shape.inner_angle / shape.inner_turns).radians();
+    return shape.length / speed_ + shape.inner_turns * lost_at(std::cos(bend));
   }
   double corner(const order::Moves& moves, int a, int b, int c) const override {
-    return lost_at(moves.angle_at(a, b, c));
+    const auto [in, out] = moves.directions(a, b, c);
+    const double lengths = norm_squared(in) * norm_squared(out);
+    if (!order::is_turn(in, out) || lengths == 0) return 0;
+    return lost_at(dot(in, out) / std::sqrt(lengths));
   }
   Linear linear() const override { return {.length = 1 / speed_, .exact = false}; }
 
  private:
-  /// Seconds lost in a corner that turns by `degrees`: (v - v_j)^2 / (a v).
-  double lost_at(double degrees) const {
-    if (degrees < order::kTurnThresholdDegrees) return 0;
-    const double s = std::cos(Radians::of_degrees(degrees / 2).radians());
+  /// Seconds lost in a corner, (v - v_j)^2 / (a v), from the cosine of its change of direction.
+  double lost_at(double cosine) const {
+    const double s = std::sqrt(std::max(0.0, (1 + cosine) / 2));
     const double junction =
         s >= 1 ? speed_ : std::min(speed_, std::sqrt(acceleration_ * deviation_ * s / (1 - s)));
     return (speed_ - junction) * (speed_ - junction) / (acceleration_ * speed_);

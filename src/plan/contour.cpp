@@ -20,6 +20,7 @@
 #include "geometry/boolean.h"
 #include "plan/contour_passes.h"
 #include "plan/contour_search.h"
+#include "plan/layers.h"
 #include "plan/step_rule.h"
 
 namespace clearcut {
@@ -119,19 +120,10 @@ Regions legal_area(const Layer& layer, const std::vector<Domain>& domains, doubl
   return legal;
 }
 
-bool same_outline(const Regions& a, const Regions& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& r, const Region& s) {
-    return r.outer() == s.outer() && r.islands() == s.islands();
-  });
-}
-
 }  // namespace
 
 LayerPasses ContourPlanner::operator()(const Layer& layer) {
-  const bool known = last_ && last_->tool_radius == layer.tool_radius &&
-                     last_->wall_stock == layer.wall_stock && last_->reserve == layer.reserve &&
-                     same_outline(last_->allowed, layer.allowed) && same_outline(last_->target, layer.target);
-  if (!known) last_passes_ = plan_contour(layer, options_, tol_);
+  if (!last_ || !same_outline(*last_, layer)) last_passes_ = plan_contour(layer, options_, tol_);
   last_ = layer;
   last_passes_.z_top = layer.z_top;
   last_passes_.z = layer.z;

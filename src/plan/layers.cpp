@@ -77,4 +77,14 @@ std::vector<Layer> layers_of(const Feature& feature, const Operation& operation,
   return layers;
 }
 
+bool same_outline(const Layer& a, const Layer& b) {
+  const auto same = [](const Regions& p, const Regions& q) {
+    return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](const Region& r, const Region& s) {
+      return r.outer() == s.outer() && r.islands() == s.islands();
+    });
+  };
+  return a.tool_radius == b.tool_radius && a.wall_stock == b.wall_stock && a.reserve == b.reserve &&
+         same(a.allowed, b.allowed) && same(a.target, b.target);
+}
+
 }  // namespace clearcut

@@ -26,4 +26,7 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
                              const Tolerances& tol);
 
+/// Whether what is planned for one layer serves the other, at its own depth.
+bool same_outline(const Layer& a, const Layer& b);
+
 }  // namespace clearcut

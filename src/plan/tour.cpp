@@ -10,6 +10,7 @@
 #include "geometry/clearance.h"
 #include "plan/contour.h"
 #include "plan/contour_cover.h"
+#include "plan/layers.h"
 #include "plan/legal_ways.h"
 
 namespace clearcut {
@@ -280,7 +281,7 @@ class AreaPlanner {
   }
 
  private:
-  double pitch() const { return work_.options.pitch * 2 * work_.radius(); }
+  double pitch() const { return work_.options.pitch * (work_.options.pitch_in_mm ? 1 : 2 * work_.radius()); }
 
   Points grid() const {
     if (work_.options.published) return points_in(published_lattice(legal_.box(), pitch()), ways_.area());
@@ -339,11 +340,12 @@ class AreaPlanner {
     }
   }
 
-  /// Visits every hole; one visit serves all that it reaches.
+  /// Visits every hole; one visit serves all that it reaches. Beside the way as far in as its rim, so that no
+  /// long thin hole is nibbled at.
   void mend(Points left, bool beside) {
     if (route_.points().empty()) return follow(thinned(left));
     while (!left.empty()) {
-      const Vec2 place = place_for(left);
+      const Vec2 place = beside ? left.front() : place_for(left);
       route_.visit(place, beside);
       const Vec2 first = left.front();
       const double reach = work_.radius() - kReserve / 2;
@@ -415,13 +417,14 @@ int ring_around(const Region& legal, const LayerPasses& walls) {
 
 }  // namespace
 
-TourGridOptions parse_tour_pitch(const std::string& text, double tool_radius) {
+TourGridOptions parse_tour_grid(const std::string& text) {
   const StepRule rule = parse_step_rule(text);
   TourGridOptions options;
   if (rule.kind == StepRule::Kind::kFraction) {
     options.pitch = rule.value;
   } else if (rule.kind == StepRule::Kind::kMm) {
-    options.pitch = rule.value / (2 * tool_radius);
+    options.pitch = rule.value;
+    options.pitch_in_mm = true;
   } else if (rule.kind != StepRule::Kind::kWidest) {
     throw InputError("--stepover", fmt::format("'{}' has no meaning for a grid; use 0.7 or 3.5mm", text));
   }
@@ -454,6 +457,14 @@ LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const 
   if (options.published) result.passes.clear();
   result.passes.insert(result.passes.end(), tours.begin(), tours.end());
   return result;
+}
+
+LayerPasses TourPlanner::operator()(const Layer& layer) {
+  if (!last_ || !same_outline(*last_, layer)) last_passes_ = plan_tour(layer, options_, solve_, tol_);
+  last_ = layer;
+  last_passes_.z_top = layer.z_top;
+  last_passes_.z = layer.z;
+  return last_passes_;
 }
 
 }  // namespace clearcut

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/tolerances.h"
@@ -26,15 +28,16 @@ struct TourTask {
 using TourSolver = std::function<std::vector<int>(const TourTask&)>;
 
 struct TourGridOptions {
-  /// Of the grid, as a share of the diameter (Tour eq. 4.8: the engagement). At 0.7 every place of the grid is
-  /// cleared whatever the order; wider grids are mended.
+  /// Of the grid: a share of the diameter (Tour eq. 4.8: the engagement) or mm. At 0.7 diameters every place
+  /// of the grid is cleared whatever the order; wider grids are mended.
   double pitch = 0.7;
+  bool pitch_in_mm = false;
   /// As published: the grid begins at the boundary of the legal area and nothing else is cut. Leaves a rim.
   bool published = false;
 };
 
 /// Options with the pitch as "0.5" (share of the diameter) or "3.5mm". Throws InputError.
-TourGridOptions parse_tour_pitch(const std::string& text, double tool_radius);
+TourGridOptions parse_tour_grid(const std::string& text);
 
 /// The passes of one layer.
 ///
@@ -49,5 +52,20 @@ TourGridOptions parse_tour_pitch(const std::string& text, double tool_radius);
 /// Source  Tour 3.3.4, 4.2.4; departures in docs/tour.md.
 LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const TourSolver& solve,
                       const Tolerances& tol);
+
+/// Plans layer after layer; layers with the same outline as the one before get its passes at their own depth.
+class TourPlanner {
+ public:
+  TourPlanner(const TourGridOptions& options, TourSolver solve, const Tolerances& tol)
+      : options_(options), solve_(std::move(solve)), tol_(tol) {}
+  LayerPasses operator()(const Layer& layer);
+
+ private:
+  TourGridOptions options_;
+  TourSolver solve_;
+  Tolerances tol_;
+  std::optional<Layer> last_;
+  LayerPasses last_passes_;
+};
 
 }  // namespace clearcut
