@@ -80,6 +80,41 @@ TEST(MainJob, ExactFitsArePlungedOrCutInOnePass) {
   EXPECT_THROW(plan_outline(circle, 10.01), InputError);
 }
 
+/// A block whose whole top is faced by 2 mm, but for a boss.
+Part faced_block(const Tool& tool, double allowance) {
+  const auto box_loop = [](double x0, double y0, double x1, double y1) {
+    const std::vector<Vec2> corners{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    return loop_from_points(corners);
+  };
+  Part part;
+  part.name = "block";
+  part.source_file = "block";
+  part.stock = Stock{{{0, 0}, {100, 80}}, -20, 0};
+  part.tools = {tool};
+  Feature face;
+  face.name = "FACE";
+  face.kind = FeatureKind::kPlanarFace;
+  face.floor_z = -2;
+  face.target = {Region::from_valid_loops(box_loop(0, 0, 100, 80), {box_loop(40, 30, 65, 50)})};
+  face.allowed = {
+      Region::from_valid_loops(box_loop(-kOpenReach, -kOpenReach, 1100, 1080), {box_loop(40, 30, 65, 50)})};
+  part.features = {face};
+  Workingstep step;
+  step.name = "face";
+  step.operation.allowance_side = allowance;
+  part.workplan = {step};
+  return part;
+}
+
+TEST(MainJob, StockOnWallsAndRoundCornersLeaveNothingAtOpenSides) {
+  for (const char* tool : {"endmill:10", "bullnose:10:corner=1.5"}) {
+    for (const double allowance : {0.0, 1.0}) {
+      const std::string what = std::string(tool) + " leaving " + std::to_string(allowance);
+      expect_clean(plan(faced_block(parse_tool(tool), allowance), {}), what);
+    }
+  }
+}
+
 TEST(MainJob, FishheadIsCleanInEveryWorkingstep) {
   PlanOptions options;
   options.stepdown = 2;

@@ -63,7 +63,8 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
   const double reserve = printing_reserve(options);
   operation.allowance_side += reserve;
   operation.allowance_floor += reserve;
-  auto layers = layers_of(feature, operation, tool_of(part, step).radius(), options.tol);
+  const Tool& tool = tool_of(part, step);
+  auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius);
   for (auto& layer : layers) {
     layer.reserve = reserve;
     const Regions standing = standing_target(part, step.feature, layer.z, options.tol);

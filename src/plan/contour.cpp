@@ -84,7 +84,9 @@ Regions working_domain(const Layer& layer, const Tolerances& tol) {
                        std::any_of(target.islands().begin(), target.islands().end(),
                                    [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
     (opens ? open : closed).push_back(target);
-    if (opens) beyond = std::max(beyond, reach_beyond(target, layer.allowed, layer.tool_radius));
+    // Stock is left on walls; the air needs none.
+    const double reach = reach_beyond(target, layer.allowed, layer.tool_radius) + layer.wall_stock;
+    if (opens) beyond = std::max(beyond, reach);
   }
   if (!open.empty()) {
     const auto near = intersect(layer.allowed, dilate(open, beyond, tol), tol);

@@ -11,12 +11,12 @@
 namespace clearcut {
 
 struct Layer {
-  double z_top = 0;  ///< where material begins
-  double z = 0;      ///< where the tip runs
-  Regions target;    ///< material to remove, plan view at z
-  Regions allowed;   ///< where the cutter may be at z; true walls are its boundary
-  double tool_radius = 0;
-  double wall_stock = 0;  ///< stock to leave on walls, mm
+  double z_top = 0;        ///< where material begins
+  double z = 0;            ///< where the tip runs
+  Regions target;          ///< material to remove, plan view at z
+  Regions allowed;         ///< where the cutter may be at z; true walls are its boundary
+  double tool_radius = 0;  ///< of the flat part of the cutter's end, mm
+  double wall_stock = 0;   ///< stock to leave on walls and the round of the cutter's corners, mm
   double reserve =
       0;  ///< mm; of wall_stock, what only rounding of the program asks for: exact fits need not keep it
   /// Rapids of what is cut later come down through here: not even a film far thinner than tol.uncut may stay.

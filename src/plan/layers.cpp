@@ -62,15 +62,16 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 }
 
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
-                             const Tolerances& tol) {
+                             const Tolerances& tol, double corner_radius) {
+  const double rounded = corner_radius < tool_radius ? corner_radius : 0.0;
   const double floor_z = feature.floor_z + operation.allowance_floor;
   std::vector<Layer> layers;
   double top = feature.top_z;
   for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius))) {
     Layer layer = outline_at(feature, z, tol);
     layer.z_top = top;
-    layer.tool_radius = tool_radius;
-    layer.wall_stock = operation.allowance_side;
+    layer.tool_radius = tool_radius - rounded;
+    layer.wall_stock = operation.allowance_side + rounded;
     top = z;
     if (!layer.target.empty() && !layer.allowed.empty()) layers.push_back(std::move(layer));
   }

@@ -23,8 +23,12 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 /// is lowered so that the steps left on the wall stand no more than `operation.scallop` mm off it, square to
 /// the wall: scallop = stepdown * sin(slope) (SPEC B4). Layers whose outline has vanished (leaning walls that
 /// met) are left out.
+///
+/// A cutter with rounded corners cuts the floor with the flat part of its end only: it is planned as one that
+/// much narrower which keeps that much farther from walls. (Ball ends have no flat part and are planned as if
+/// flat.)
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
-                             const Tolerances& tol);
+                             const Tolerances& tol, double corner_radius = 0);
 
 /// Whether what is planned for one layer serves the other, at its own depth.
 bool same_outline(const Layer& a, const Layer& b);
