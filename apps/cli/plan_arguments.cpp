@@ -44,7 +44,7 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   command.add_option("--unit", unit_, "Unit of a drawing that names none: mm, cm, m, inch, px");
   command.add_option("--layer", layers_, "Layer of a drawing to read (repeatable; default all)");
   command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm");
-  command.add_option("--depth", depth_, "Depth of every feature, mm");
+  command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm");
 }
 
 void PlanArguments::add_tool_list_options(CLI::App& command) {
@@ -138,7 +138,6 @@ PlanOptions PlanArguments::options() const {
   options.stepdown = stepdown_;
   options.allowance = allowance_;
   options.allowance_floor = allowance_floor_;
-  options.depth = depth_;
   options.engagement_deg = engagement_ ? engagement_ : given.engagement_deg;
   options.entry = named(kEntries, entry_, "--entry");
   options.direction = named(kDirections, direction_, "--direction");

@@ -105,7 +105,6 @@ void check(const PlanOptions& options) {
   require(absent_or_positive(options.stepdown), "--stepdown", "must be above 0 mm");
   require(absent_or_not_negative(options.allowance), "--allowance", "must be 0 mm or more");
   require(absent_or_not_negative(options.allowance_floor), "--allowance-floor", "must be 0 mm or more");
-  require(absent_or_positive(options.depth), "--depth", "must be above 0 mm");
   require(!options.angle_deg || std::isfinite(*options.angle_deg), "--angle", "must be a number of degrees");
   require(!options.engagement_deg || (*options.engagement_deg >= 10 && *options.engagement_deg <= 180),
           "--engagement", "must lie between 10 and 180 degrees");

@@ -22,7 +22,6 @@ struct PlanOptions {
   std::optional<double> stepdown;       ///< mm
   std::optional<double> allowance;      ///< mm, on walls
   std::optional<double> allowance_floor;
-  std::optional<double> depth;  ///< mm, of every feature
   std::optional<double> engagement_deg;
   std::optional<EntryKind> entry;
   std::optional<CutDirection> direction;

@@ -21,10 +21,6 @@ constexpr double kDefaultCuttingSpeed = 100;  // m/min at the circumference
 constexpr double kFaceMillStepdown = 2;       // mm
 constexpr double kUnpeckedDiameters = 3;      // depth of a hole / diameter of the drill
 
-void set_depth(Feature& feature, double depth) {
-  feature.floor_z = feature.top_z - depth;
-}
-
 void number_tools(std::vector<Tool>& tools) {
   std::set<int> taken;
   for (const auto& tool : tools) {
@@ -168,9 +164,6 @@ Part with_tools(Part part, const PlanOptions& options) {
 
 Part prepare(Part part, const PlanOptions& options) {
   if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
-  if (options.depth) {
-    for (auto& feature : part.features) set_depth(feature, *options.depth);
-  }
   choose_tools(part, options);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {

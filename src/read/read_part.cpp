@@ -1,6 +1,7 @@
 #include "read/read_part.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/error.h"
@@ -70,9 +71,46 @@ Part read_program(std::string_view text, const std::string& file_name, const Rea
   return part;
 }
 
-}  // namespace
+/// mm; finer differences are arithmetic, not drawing.
+constexpr double kStepsPerMm = 1e9;
 
-Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
+double snapped(double x) {
+  return std::round(x * kStepsPerMm) / kStepsPerMm;
+}
+Vec2 snapped(Vec2 p) {
+  return {snapped(p.x), snapped(p.y)};
+}
+
+Loop snapped(Loop loop) {
+  for (Edge& edge : loop) {
+    edge.from = snapped(edge.from);
+    edge.to = snapped(edge.to);
+    if (edge.is_arc()) edge.center = snapped(edge.center);
+  }
+  return loop;
+}
+
+void snap(Regions& regions) {
+  for (Region& region : regions) {
+    std::vector<Loop> islands;
+    for (const Loop& island : region.islands()) islands.push_back(snapped(island));
+    region = Region::from_valid_loops(snapped(region.outer()), std::move(islands));
+  }
+}
+
+/// The same part in another format has the same numbers: what formats add in the last digits is taken away.
+Part snapped(Part part) {
+  for (Feature& feature : part.features) {
+    snap(feature.target);
+    snap(feature.allowed);
+    feature.top_z = snapped(feature.top_z);
+    feature.floor_z = snapped(feature.floor_z);
+    if (feature.hole_diameter) feature.hole_diameter = snapped(*feature.hole_diameter);
+  }
+  return part;
+}
+
+Part read_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
   refuse_what_is_no_text(text, file_name);
   Kind kind = kind_of_extension(capitals(std::filesystem::path(file_name).extension().string()));
   if (kind == Kind::kUnknown) kind = kind_of_content(text);
@@ -97,6 +135,12 @@ Part read_part_text(std::string_view text, const std::string& file_name, const R
                    "unknown kind of file; give STEP-NC (.stpnc, .p21), DXF, SVG, outline JSON, lengths and "
                    "angles (.edges) or a job "
                    "(.toml)");
+}
+
+}  // namespace
+
+Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
+  return snapped(read_text(text, file_name, options));
 }
 
 Part read_part(const std::filesystem::path& file, const ReadOptions& options) {

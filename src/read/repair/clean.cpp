@@ -12,6 +12,8 @@ namespace {
 constexpr double kFlat = 1e-6;
 /// Disagreement of radii that is only rounding of the file's digits, mm: mended without a word.
 constexpr double kRoundingOfRadii = 1e-6;
+/// Radii that agree: what parts are rounded to after reading is finer. mm.
+constexpr double kSameRadii = 1e-8;
 
 bool is_sane(Vec2 p) {
   return std::abs(p.x) <= kLargestCoordinate && std::abs(p.y) <= kLargestCoordinate;
@@ -53,7 +55,7 @@ void append_consistent(const Edge& edge, const std::string& source, Cleaning& cl
                                                  short_number(r2) + " mm at its ends; correct its center");
   }
   if (off > kRoundingOfRadii) cleaning.radii.add(edge.from, off);
-  const Edge mended = off > 0 ? recentered(edge) : edge;
+  const Edge mended = off > kSameRadii ? recentered(edge) : edge;
   out.push_back(flatness(mended) <= kFlat ? Edge::line(edge.from, edge.to) : mended);
 }
 

@@ -11,7 +11,7 @@ namespace clearcut::stepnc {
 namespace {
 
 constexpr int kDeepest = 16;         // nesting of composite curves
-constexpr double kOnCircle = 1e-9;   // mm; trim points this near to their circle are on it
+constexpr double kOnCircle = 1e-8;   // mm; trim points this near to their circle are on it
 constexpr double kOffCircle = 0.02;  // mm; trim points farther off than this are an error
 
 Vec2 plan(Vec3 p) {

@@ -1,0 +1,52 @@
+// A part keeps its program on the way through another format.
+#include <gtest/gtest.h>
+
+#include "pipeline/prepare.h"
+#include "pipeline/run.h"
+#include "post/stepnc_writer.h"
+#include "read/read_part.h"
+#include "support/data.h"
+#include "support/programs.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Drawing {
+  fs::path file;
+  const char* tool;
+};
+
+std::vector<Drawing> drawings() {
+  std::vector<Drawing> all{{fs::path(CLEARCUT_SOURCE_DIR) / "examples/bracket.dxf", "endmill:6"},
+                           {fs::path(CLEARCUT_SOURCE_DIR) / "examples/bracket.svg", "endmill:6"}};
+  if (const auto data = test_support::data_folder()) {
+    all.push_back({*data / "drawings/bulge-polylines.dxf", "endmill:20"});
+    all.push_back({*data / "drawings/vslot-narrow-necks.dxf", "endmill:2"});
+    all.push_back({*data / "drawings/gear-endpoint-gaps.dxf", "endmill:2"});
+  }
+  return all;
+}
+
+/// The program without its header, whose first lines name the part's file and format.
+std::string program_of(const Part& part, const PlanOptions& options) {
+  const std::string program = plan(part, options).program;
+  return program.substr(program.find("G21"));
+}
+
+TEST(Convert, ADrawingAsStepNcHasTheSameProgram) {
+  for (const Drawing& drawing : drawings()) {
+    ReadOptions reading;
+    reading.depth_if_missing = 2;
+    const Part drawn = read_part(drawing.file, reading);
+    PlanOptions options;
+    options.tools = {parse_tool(drawing.tool)};
+    const std::string wanted = program_of(drawn, options);
+    const Part stepnc = read_part_text(write_stepnc(with_tools(drawn, options)), "again.p21", {});
+    EXPECT_EQ(test_support::first_difference(program_of(stepnc, options), wanted), "") << drawing.file;
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
