@@ -1,270 +1,267 @@
-// Source [elber2005], with these symbols:
-//
-//   paper        here                       unit
-//   MA           axis of the clearance
-//   r(t)         Disc::radius               mm   clearance less the stock to leave on walls
-//   step         solved by farthest()       mm   the widest whose contact stays below the limit
-//
-// The paper chooses the step by a bound; here the contact between two discs is known in closed form, so the
-// step is the widest that keeps the limit.
 #include "plan/adaptive.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/clearance.h"
+#include "plan/adaptive_front.h"
+#include "plan/adaptive_trace.h"
 #include "plan/clearing_path.h"
 
 namespace clearcut {
 namespace {
 
-/// mm. Places that stand out of what is cleared by less are left to the wall pass.
-constexpr double kProtrusion = 0.02;
-/// Steps are at least this share of the radius: where even that exceeds the limit, the channel is a slot.
-constexpr double kLeastStep = 0.04;
-/// Radians. What rounding in the program and the sampling of the contact may add; kept off the limit.
-constexpr double kContactMargin = 0.01;
+/// Radians. What rounding in the program, arcs fitted to traced curves and the sampling of the contact may add.
+constexpr double kContactMargin = 0.006;
 /// Radius of the entry circle as a share of the cutter's: below 1 no post is left in its middle.
 constexpr double kEntryCircle = 0.8;
+/// Tool radii between the marks on walls.
+constexpr double kMarkPitch = 0.1;
+/// Tool radii that clearing keeps off the walls, for what arcs deviate from the curves they are fitted to.
+constexpr double kKeepOff = 0.0035;
+/// Tool radii. A cut begins no farther before the material that it is after.
+constexpr double kLongestApproach = 1.5;
+/// mm. Links through what is cleared may graze as much.
+constexpr double kFree = 1e-3;
+/// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
+constexpr double kMergeGap = 1.5;
+/// Share of a disc that must be uncut for an entry of its own.
+constexpr double kFreshShare = 0.6;
 
-/// A way along the axis still to be walked: over `edge` away from `node`, where `disc` is cleared.
-struct Branch {
-  int node = 0;
-  int edge = 0;
-  int disc = 0;
-};
-
+/// The passes of one connected legal area.
 class AdaptivePlanner {
  public:
-  AdaptivePlanner(const Region& region, const Layer& layer, const AdaptiveOptions& options,
-                  const Tolerances& tol)
-      : region_(region),
-        clearance_(region, tol),
+  /// `inner`: `legal` less what arcs deviate from the curves they are fitted to.
+  AdaptivePlanner(const Region& legal, const Regions& inner, const Clearance& clearance, const Layer& layer,
+                  double limit)
+      : legal_(legal),
+        front_(front_area(legal, layer.tool_radius, limit)),
+        clearance_(clearance),
         radius_(layer.tool_radius),
-        stock_(layer.wall_stock),
-        limit_(options.engagement.radians() - kContactMargin),
-        path_(layer.tool_radius) {
-    const auto& axis = clearance_.axis();
-    edges_at_.resize(axis.points.size());
-    for (std::size_t e = 0; e < axis.edges.size(); ++e) {
-      edges_at_[static_cast<std::size_t>(axis.edges[e].a)].push_back(static_cast<int>(e));
-      edges_at_[static_cast<std::size_t>(axis.edges[e].b)].push_back(static_cast<int>(e));
-    }
-    walked_.assign(axis.edges.size(), false);
-    cleared_at_.assign(axis.points.size(), -1);
-  }
+        reach_(layer.tool_radius + layer.wall_stock),
+        depth_(layer.z_top - layer.z),
+        limit_(limit),
+        ground_({legal}, radius_, std::nullopt),
+        walls_(front_, legal, kMarkPitch * radius_, film()),
+        ways_(clearance.axis(), reach_, 2 * radius_),
+        tracer_(ground_, walls_, inner, limit),
+        path_(ground_, ways_) {}
 
-  /// One pass for every connected part of the legal area.
   std::vector<Pass> plan() {
-    std::vector<Pass> passes;
-    for (int start = widest_left(); start >= 0; start = widest_left()) {
-      path_ = ClearingPath(radius_);
-      const int first = path_.open(disc_at(start), kEntryCircle * radius_, limit_);
-      cleared_at_[static_cast<std::size_t>(start)] = first;
-      push_branches(start, first);
-      while (!branches_.empty()) {
-        const Branch branch = branches_.back();
-        branches_.pop_back();
-        if (!walked_[static_cast<std::size_t>(branch.edge)]) walk(branch);
-      }
-      Pass pass = path_.finish(static_cast<int>(passes.size()));
-      if (pass.path.empty()) continue;  // no room but for a plunge: see Clearance::fit_lines
-      pass.offset = point(start).clearance;
-      passes.push_back(std::move(pass));
+    rooms_ = choose_rooms();
+    for (std::size_t i = 0; i < rooms_.size(); ++i) {
+      if (!path_.empty()) finish_pass();
+      clear_room(rooms_[i]);
+      cut_fronts([&](Vec2 p) { return nearest_room(p) == i; });
     }
-    return passes;
+    for (;;) {
+      cut_fronts([](Vec2) { return true; });
+      if (walls_.starts().empty() || path_.empty()) break;
+      finish_pass();  // what is left cannot be reached but from above
+    }
+    cut_walls();
+    if (!path_.empty()) finish_pass();
+    return std::move(passes_);
   }
-
-  const Clearance& clearance() const { return clearance_; }
 
  private:
-  const AxisPoint& point(int node) const { return clearance_.axis().points[static_cast<std::size_t>(node)]; }
-  Disc disc_at(int node) const { return {point(node).point, point(node).clearance - stock_}; }
-  Disc disc_at(Vec2 p) const { return {p, region_.boundary_distance(p) - stock_}; }
-  bool has_room(const Disc& disc) const { return disc.radius >= radius_; }
-  static double protrusion(const Disc& cleared, const Disc& disc) {
-    return distance(cleared.center, disc.center) + disc.radius - cleared.radius;
+  void clear_room(const Disc& room) {
+    path_.open(room, kEntryCircle * radius_, limit_);
+    if (const auto last = path_.last_arc())
+      path_.append(tracer_.cut_on(last->to, last->tangent_at(1), 1 / last->radius()), {});
+    walls_.update(ground_, legal_.box());
   }
 
-  int other_end(int edge, int node) const {
-    const auto& e = clearance_.axis().edges[static_cast<std::size_t>(edge)];
-    return e.a == node ? e.b : e.a;
+  std::size_t nearest_room(Vec2 p) const {
+    const auto nearer = [&](const Disc& a, const Disc& b) {
+      return distance(a.center, p) - a.radius < distance(b.center, p) - b.radius;
+    };
+    return static_cast<std::size_t>(std::min_element(rooms_.begin(), rooms_.end(), nearer) - rooms_.begin());
   }
 
-  /// The widest place that nothing has reached yet; -1 when there is none with room.
-  int widest_left() const {
-    int best = -1;
-    for (int i = 0; i < static_cast<int>(edges_at_.size()); ++i) {
-      const auto& edges = edges_at_[static_cast<std::size_t>(i)];
-      const bool reached = cleared_at_[static_cast<std::size_t>(i)] >= 0 ||
-                           std::any_of(edges.begin(), edges.end(),
-                                       [&](int e) { return walked_[static_cast<std::size_t>(e)]; });
-      if (reached || !has_room(disc_at(i))) continue;
-      if (best < 0 || point(i).clearance > point(best).clearance) best = i;
+  /// What cuts that end at a wall leave between them.
+  double film() const {
+    return std::max(0.16 * step() * step() / radius_, radius_ * (1 - std::cos(limit_ / 3)));
+  }
+  double step() const { return radius_ * (1 - std::cos(limit_)); }
+
+  /// The widest places, each worth an entry of its own. The radius is that of the material cleared.
+  std::vector<Disc> choose_rooms() const {
+    std::vector<Disc> rooms;
+    for (const AxisPoint& center : clearance_.centers()) {
+      if (center.clearance < reach_ || !front_.contains(center.point)) continue;
+      const Disc disc{center.point, front_.boundary_distance(center.point) + radius_};
+      if (rooms.empty() || (is_worth_entry(disc) && is_fresh(disc, rooms))) rooms.push_back(disc);
     }
-    return best;
+    return rooms;
   }
 
-  /// Pushes the ways on from a node, the longest first, so that it is walked last and needs no way back.
-  void push_branches(int node, int disc) {
-    std::vector<std::pair<double, int>> ways;
-    for (const int edge : edges_at_[static_cast<std::size_t>(node)]) {
-      if (walked_[static_cast<std::size_t>(edge)]) continue;
-      const double extent = extent_beyond(node, edge, path_.disc(disc));
-      if (extent > 0) {
-        ways.push_back({extent, edge});
-      } else {
-        prune(node, edge);
-      }
+  /// A spiral saves the returns of arcs, about a quarter of their time; an entry costs a helix and a hop.
+  bool is_worth_entry(const Disc& disc) const {
+    const double spiral = kPi * disc.radius * disc.radius / step();
+    const double helix = 2 * depth_ / std::tan(3 * kPi / 180) + 40;
+    return 0.25 * spiral > helix;
+  }
+
+  static bool is_fresh(const Disc& disc, const std::vector<Disc>& rooms) {
+    constexpr int kRings = 6, kSpokes = 24;
+    int fresh = 0;
+    for (int i = 0; i < kRings * kSpokes; ++i) {
+      const double rho = disc.radius * std::sqrt((i / kSpokes + 0.5) / kRings);
+      const Vec2 p = disc.center + direction_of(2 * kPi * (i % kSpokes) / kSpokes) * rho;
+      fresh += std::none_of(rooms.begin(), rooms.end(),
+                            [&](const Disc& room) { return distance(room.center, p) < room.radius; });
     }
-    std::stable_sort(ways.begin(), ways.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (const auto& [extent, edge] : ways) branches_.push_back({node, edge, disc});
+    return fresh > kFreshShare * kRings * kSpokes;
   }
 
-  /// How much axis lies beyond `edge`, up to a bound; 0 when all its discs are as good as cleared.
-  double extent_beyond(int node, int edge, const Disc& cleared) {
-    double extent = 0;
-    bool stands_out = false;
-    std::vector<Branch> todo{{node, edge, 0}};
-    std::vector<int> seen;
-    while (!todo.empty() && static_cast<int>(seen.size()) < kLookAhead) {
-      const Branch way = todo.back();
-      todo.pop_back();
-      if (std::find(seen.begin(), seen.end(), way.edge) != seen.end()) continue;
-      seen.push_back(way.edge);
-      const int end = other_end(way.edge, way.node);
-      extent += distance(point(way.node).point, point(end).point);
-      const Disc disc = disc_at(end);
-      stands_out = stands_out || (has_room(disc) ? protrusion(cleared, disc) > kProtrusion
-                                                 : has_room_beyond(way.node, end, cleared));
-      if (!has_room(disc)) continue;
-      for (const int next : edges_at_[static_cast<std::size_t>(end)]) {
-        if (!walked_[static_cast<std::size_t>(next)]) todo.push_back({end, next, 0});
-      }
-    }
-    return stands_out ? extent : 0;
-  }
-
-  /// Whether the last place with room on the way from `node` to `end` stands out of what is cleared.
-  bool has_room_beyond(int node, int end, const Disc& cleared) const {
-    const Disc last = disc_at(lerp(point(node).point, point(end).point, last_room(node, end)));
-    return has_room(last) && protrusion(cleared, last) > kProtrusion;
-  }
-
-  /// Marks everything beyond an edge that adds nothing as done.
-  void prune(int node, int edge) {
-    std::vector<Branch> todo{{node, edge, 0}};
-    while (!todo.empty()) {
-      const Branch way = todo.back();
-      todo.pop_back();
-      if (walked_[static_cast<std::size_t>(way.edge)]) continue;
-      walked_[static_cast<std::size_t>(way.edge)] = true;
-      const int end = other_end(way.edge, way.node);
-      if (!has_room(disc_at(end))) continue;
-      for (const int next : edges_at_[static_cast<std::size_t>(end)]) todo.push_back({end, next, 0});
-    }
-  }
-
-  /// The greatest parameter between two nodes with room; the first has it.
-  double last_room(int node, int end) const {
-    if (has_room(disc_at(end))) return 1;
-    double low = 0, high = 1;
-    for (int i = 0; i < 40; ++i) {
-      const double middle = (low + high) / 2;
-      (has_room(disc_at(lerp(point(node).point, point(end).point, middle))) ? low : high) = middle;
-    }
-    return low;
-  }
-
-  /// Walks from node to node, cutting a disc wherever the contact from the last one would exceed the limit.
-  void walk(Branch way) {
-    for (;;) {
-      walked_[static_cast<std::size_t>(way.edge)] = true;
-      const int end = other_end(way.edge, way.node);
-      const double last = last_room(way.node, end);
-      way.disc = cut_along(way, end, last);
-      if (last < 1)
-        return cut_if_standing(way.disc, disc_at(lerp(point(way.node).point, point(end).point, last)));
-      auto& cleared_here = cleared_at_[static_cast<std::size_t>(end)];
-      if (cleared_here >= 0) return;
-      std::vector<int> on;
-      for (const int edge : edges_at_[static_cast<std::size_t>(end)]) {
-        if (!walked_[static_cast<std::size_t>(edge)]) on.push_back(edge);
-      }
-      if (on.size() == 1) {
-        way = {end, on.front(), way.disc};
+  /// Cuts from wall to wall, the nearest start first, until no wall that is wanted touches material. What
+  /// cannot be reached now is tried again after everything else.
+  template <typename Wanted>
+  void cut_fronts(const Wanted& wanted) {
+    std::vector<WallPlace> unreached;
+    for (bool cut_since = false;;) {
+      auto starts = walls_.starts();
+      std::erase_if(starts, [&](const WallPlace& start) {
+        return !wanted(point(start)) ||
+               std::find(unreached.begin(), unreached.end(), start) != unreached.end();
+      });
+      if (starts.empty()) {
+        if (unreached.empty() || !cut_since) return;
+        unreached.clear();
+        cut_since = false;
         continue;
       }
-      if (protrusion(path_.disc(way.disc), disc_at(end)) > kProtrusion)
-        way.disc = path_.widen(way.disc, disc_at(end));
-      cleared_here = way.disc;
-      return push_branches(end, way.disc);
+      const WallPlace start = nearest(starts);
+      if (cut_from(start)) {
+        cut_since = true;
+      } else {
+        unreached.push_back(start);
+      }
     }
   }
 
-  void cut_if_standing(int from, const Disc& disc) {
-    if (has_room(disc) && protrusion(path_.disc(from), disc) > kProtrusion) path_.widen(from, disc);
+  WallPlace nearest(const std::vector<WallPlace>& starts) const {
+    const Vec2 at = path_.at();
+    return *std::min_element(starts.begin(), starts.end(), [&](const WallPlace& a, const WallPlace& b) {
+      return distance(point(a), at) < distance(point(b), at);
+    });
   }
 
-  /// Cuts the discs needed between way.node and the parameter `last` towards `end`; returns the last disc
-  /// cut.
-  int cut_along(const Branch& way, int end, double last) {
-    const Vec2 a = point(way.node).point, b = point(end).point;
-    const double least = kLeastStep * radius_ / std::max(distance(a, b), 1e-9);
-    int disc = way.disc;
-    for (double t = 0; t < last;) {
-      if (contact(disc, disc_at(lerp(a, b, last))) <= limit_) return disc;
-      const double next = std::min(last, std::max(farthest(disc, a, b, t, last), t + least));
-      const Disc wanted = disc_at(lerp(a, b, next));
-      if (!has_room(wanted)) return disc;
-      if (protrusion(path_.disc(disc), wanted) > kProtrusion) disc = path_.widen(disc, wanted);
-      t = next;
+  Vec2 point(const WallPlace& place) const { return walls_.wall(place.wall).at(place.s); }
+
+  bool cut_from(const WallPlace& start) {
+    const auto approach = approach_to(start);
+    if (!approach) return false;
+    Path cut = tracer_.cut_from(approach->first, start.s);
+    if (cut.empty()) {
+      walls_.give_up(start);
+      return true;
     }
-    return disc;
+    const Vec2 gate = approach->way.back();
+    if (gate != cut.front().from) cut.insert(cut.begin(), Edge::line(gate, cut.front().from));
+    path_.append(cut, approach->way);
+    walls_.update(ground_, box(cut).grown(2 * radius_));
+    if (walls_.is_start(start)) walls_.give_up(start);
+    return true;
   }
 
-  double contact(int disc, const Disc& next) const {
-    return crescent_engagement(path_.disc(disc), next, radius_);
+  /// A free way to a gate, from where a short move leads to the first place of a cut.
+  struct Approach {
+    std::vector<Vec2> way;
+    WallPlace first;
+  };
+
+  /// The way of a link; a pass may begin anywhere.
+  std::optional<std::vector<Vec2>> way_to(Vec2 p) const {
+    return path_.empty() ? std::vector<Vec2>{p} : path_.way_to(p, kFree);
   }
 
-  /// The greatest parameter in [from, last] where the contact keeps the limit.
-  double farthest(int disc, Vec2 a, Vec2 b, double from, double last) const {
-    double low = from, high = last;
-    for (int i = 0; i < 24; ++i) {
-      const double middle = (low + high) / 2;
-      (contact(disc, disc_at(lerp(a, b, middle))) <= limit_ ? low : high) = middle;
+  /// Whether the contact keeps the limit on a short move.
+  bool is_gentle(Vec2 from, Vec2 to) const {
+    for (const double t : {0.3, 0.6, 0.8, 0.999}) {
+      if (ground_.contact(lerp(from, to, t), to - from) > limit_) return false;
     }
-    return low;
+    return true;
   }
 
-  static constexpr int kLookAhead = 400;
+  /// Where the wall bears nothing yet; else beside it.
+  std::optional<Approach> approach_to(const WallPlace& start) const {
+    const Wall& wall = walls_.wall(start.wall);
+    for (double back = 0; back < kLongestApproach * radius_; back += kMarkPitch * radius_ / 2) {
+      const WallPlace first{start.wall, start.s - back};
+      if (ground_.touches(point(first), kFree)) continue;
+      if (const auto way = way_to(point(first))) return Approach{*way, first};
+      break;
+    }
+    const Vec2 p = point(start), along = wall.heading(start.s);
+    for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
+      for (const double slope : {0.0, 2.0, 6.0}) {
+        const double aside = share * radius_;
+        const Vec2 gate = p - along * (slope * aside) + left_of(along) * aside;
+        if (!ground_.legal().contains(gate) || ground_.touches(gate, kFree) || !is_gentle(gate, p)) continue;
+        if (const auto way = way_to(gate)) return Approach{*way, start};
+      }
+    }
+    return std::nullopt;
+  }
 
-  const Region& region_;
-  Clearance clearance_;
-  double radius_;
-  double stock_;
-  double limit_;
+  /// Along the walls wherever they still bear material, the nearest stretch first.
+  void cut_walls() {
+    auto stretches = unfinished_walls(legal_, kMarkPitch * radius_, kMergeGap * radius_, ground_);
+    while (!stretches.empty()) {
+      const Vec2 at = path_.at();
+      const auto next =
+          std::min_element(stretches.begin(), stretches.end(), [&](const Path& a, const Path& b) {
+            return distance(a.front().from, at) < distance(b.front().from, at);
+          });
+      const auto way = path_.way_to(next->front().from, step());
+      if (!way && !path_.empty()) finish_pass();
+      path_.append(*next, way.value_or(std::vector<Vec2>{}));
+      for (const Edge& edge : *next) ground_.cut(edge);
+      stretches.erase(next);
+    }
+  }
+
+  void finish_pass() { passes_.push_back(path_.take()); }
+
+  const Region& legal_;
+  Region front_;  ///< where it clears; the rest is the wall pass's
+  const Clearance& clearance_;
+  double radius_, reach_, depth_, limit_;
+  Ground ground_;
+  Walls walls_;
+  FreeWays ways_;
+  Tracer tracer_;
   ClearingPath path_;
-  std::vector<std::vector<int>> edges_at_;
-  std::vector<bool> walked_;
-  std::vector<int> cleared_at_;  ///< disc that clears a node, -1 none
-  std::vector<Branch> branches_;
+  std::vector<Disc> rooms_;
+  std::vector<Pass> passes_;
 };
 
-void add_wall_passes(LayerPasses& result, const Regions& legal, int first_component) {
-  for (const auto& region : legal) {
-    const auto add = [&](const Loop& loop) {
-      Pass pass;
-      pass.path = loop;
-      pass.closed = true;
-      pass.component = first_component;
-      result.passes.push_back(std::move(pass));
-    };
-    add(region.outer());
-    for (const auto& island : region.islands()) add(island);
+/// The passes of one legal area, to run one after the other.
+void add_passes(LayerPasses& result, std::vector<Pass> passes) {
+  const auto first = static_cast<int>(result.passes.size()), count = static_cast<int>(passes.size());
+  for (int i = 0; i < count; ++i) {
+    Pass& pass = passes[static_cast<std::size_t>(i)];
+    pass.parent = i + 1 < count ? first + i + 1 : -1;
+    pass.component = first;
+    pass.offset = count - i;
+    result.passes.push_back(std::move(pass));
   }
+}
+
+/// The areas where traced cuts may run, of each region of `legal`.
+std::vector<Regions> inner_areas(const Regions& legal, const Clearance& clearance, const Layer& layer,
+                                 double limit) {
+  std::vector<Regions> areas(legal.size());
+  for (const Region& region : clearance.inset(layer.tool_radius * (1 + kKeepOff) + layer.wall_stock)) {
+    const Vec2 p = region.outer().front().from;
+    const auto in = std::find_if(legal.begin(), legal.end(), [&](const Region& r) { return r.contains(p); });
+    if (in == legal.end()) continue;
+    areas[static_cast<std::size_t>(in - legal.begin())].push_back(
+        front_area(region, layer.tool_radius, limit));
+  }
+  return areas;
 }
 
 void add_fit_lines(LayerPasses& result, const std::vector<Path>& lines) {
@@ -287,20 +284,16 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
   result.target = layer.target;
   result.strategy = "adaptive";
   const double first = layer.tool_radius + layer.wall_stock;
+  const double limit = options.engagement.radians() - kContactMargin;
   for (const auto& region : layer.allowed) {
-    AdaptivePlanner planner(region, layer, options, tol);
-    auto passes = planner.plan();
-    auto legal = planner.clearance().inset(first);
-    const auto wall = static_cast<int>(result.passes.size());
-    add_wall_passes(result, legal, wall);
-    for (auto& pass : passes) {
-      pass.parent = static_cast<int>(result.passes.size()) > wall ? wall : -1;
-      pass.component = wall;
-      result.passes.push_back(std::move(pass));
+    const Clearance clearance(region, tol);
+    auto legal = clearance.inset(first);
+    const auto inner = inner_areas(legal, clearance, layer, limit);
+    for (std::size_t i = 0; i < legal.size(); ++i) {
+      add_passes(result, AdaptivePlanner(legal[i], inner[i], clearance, layer, limit).plan());
+      result.legal.push_back(std::move(legal[i]));
     }
-    add_fit_lines(result, planner.clearance().fit_lines(first, layer.reserve));
-    result.legal.insert(result.legal.end(), std::make_move_iterator(legal.begin()),
-                        std::make_move_iterator(legal.end()));
+    add_fit_lines(result, clearance.fit_lines(first, layer.reserve));
   }
   return result;
 }

@@ -2,86 +2,176 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
+#include <utility>
 
 #include "base/units.h"
 
 namespace clearcut {
 namespace {
 
-/// Channels with less room than this share of the radius are slots: no arc fits in them.
-constexpr double kSlotRoom = 0.1;
 /// mm. Shorter moves are left out.
 constexpr double kShortest = 1e-6;
-/// Crescents wider than this go all the way round.
-constexpr double kNearlyRound = kPi * 0.98;
+/// Axis points tried as the first and last of a way.
+constexpr int kMostGates = 6;
+constexpr double kInfinity = 1e300;
 
 }  // namespace
 
-int ClearingPath::add(const Disc& disc, int parent) {
-  discs_.push_back({disc, parent});
-  at_disc_ = static_cast<int>(discs_.size()) - 1;
-  return at_disc_;
+FreeWays::FreeWays(const MedialAxis& axis, double least, double pitch) {
+  for (const AxisPoint& point : axis.points) nodes_.push_back(point.point);
+  neighbours_.resize(nodes_.size());
+  for (const AxisEdge& edge : axis.edges) {
+    const AxisPoint *a = &axis.points[static_cast<std::size_t>(edge.a)],
+                    *b = &axis.points[static_cast<std::size_t>(edge.b)];
+    int first = edge.a, last = edge.b;
+    if (a->clearance < b->clearance) std::swap(a, b), std::swap(first, last);
+    if (a->clearance < least) continue;
+    const bool whole = b->clearance >= least;
+    const double until = whole ? 1 : (a->clearance - least) / (a->clearance - b->clearance);
+    const int parts = static_cast<int>(until * distance(a->point, b->point) / pitch) + 1;
+    for (int i = 1; i <= parts; ++i) {
+      const int next = whole && i == parts ? last : add_node(lerp(a->point, b->point, until * i / parts));
+      join(first, next);
+      first = next;
+    }
+  }
 }
 
-int ClearingPath::open(const Disc& disc, double entry_radius, double engagement) {
-  const double last = disc.radius - tool_radius_;
+int FreeWays::add_node(Vec2 p) {
+  nodes_.push_back(p);
+  neighbours_.emplace_back();
+  return static_cast<int>(nodes_.size()) - 1;
+}
+
+void FreeWays::join(int a, int b) {
+  neighbours_[static_cast<std::size_t>(a)].push_back(b);
+  neighbours_[static_cast<std::size_t>(b)].push_back(a);
+}
+
+std::optional<std::vector<Vec2>> FreeWays::find(Vec2 from, Vec2 to, const Ground& ground, double film) const {
+  if (ground.is_free(from, to, film)) return std::vector<Vec2>{to};
+  if (const auto corner = one_corner(from, to, ground, film)) return std::vector<Vec2>{*corner, to};
+  const auto sources = nearest_free(from, ground, film), targets = nearest_free(to, ground, film);
+  if (sources.empty() || targets.empty()) return std::nullopt;
+  const auto stations = shortest(sources, targets, from, to, ground, film);
+  if (stations.empty()) return std::nullopt;
+  // Straighten: from each station to the farthest that can be seen.
+  std::vector<Vec2> way;
+  Vec2 at = from;
+  for (std::size_t next = 0; next < stations.size();) {
+    std::size_t farthest = next;
+    for (std::size_t jump = stations.size() - 1; jump > next; jump = next + (jump - next) / 2) {
+      if (!ground.is_free(at, stations[jump], film)) continue;
+      farthest = jump;
+      break;
+    }
+    way.push_back(at = stations[farthest]);
+    next = farthest + 1;
+  }
+  return way;
+}
+
+/// A point beside the middle of the straight way over which the way is free.
+std::optional<Vec2> FreeWays::one_corner(Vec2 from, Vec2 to, const Ground& ground, double film) {
+  const Vec2 middle = (from + to) / 2.0, aside = left_of(to - from);
+  for (const double share : {0.1, 0.2, 0.4}) {
+    for (const double side : {share, -share}) {
+      const Vec2 corner = middle + aside * side;
+      if (ground.is_free(corner, to, film) && ground.is_free(from, corner, film)) return corner;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<int> FreeWays::nearest_free(Vec2 p, const Ground& ground, double film) const {
+  std::vector<std::pair<double, int>> by_distance;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!neighbours_[i].empty()) by_distance.push_back({distance(nodes_[i], p), static_cast<int>(i)});
+  }
+  std::sort(by_distance.begin(), by_distance.end());
+  std::vector<int> found;
+  int looked = 0;
+  for (const auto& [far, node] : by_distance) {
+    if (static_cast<int>(found.size()) >= kMostGates || ++looked > 10 * kMostGates) break;
+    if (ground.is_free(p, nodes_[static_cast<std::size_t>(node)], film)) found.push_back(node);
+  }
+  return found;
+}
+
+std::vector<Vec2> FreeWays::shortest(const std::vector<int>& sources, const std::vector<int>& targets,
+                                     Vec2 from, Vec2 to, const Ground& ground, double film) const {
+  const auto at = [&](int node) { return nodes_[static_cast<std::size_t>(node)]; };
+  std::vector<double> cost(nodes_.size(), kInfinity);
+  std::vector<int> before(nodes_.size(), -1);
+  using Item = std::pair<double, int>;
+  std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
+  for (const int node : sources) {
+    cost[static_cast<std::size_t>(node)] = distance(from, at(node));
+    open.push({cost[static_cast<std::size_t>(node)], node});
+  }
+  int end = -1;
+  double best = kInfinity;
+  while (!open.empty() && open.top().first < best) {
+    const auto [spent, node] = open.top();
+    open.pop();
+    if (spent > cost[static_cast<std::size_t>(node)]) continue;
+    if (std::find(targets.begin(), targets.end(), node) != targets.end() &&
+        spent + distance(at(node), to) < best) {
+      best = spent + distance(at(node), to);
+      end = node;
+    }
+    for (const int next : neighbours_[static_cast<std::size_t>(node)]) {
+      const double sum = spent + distance(at(node), at(next));
+      if (sum >= cost[static_cast<std::size_t>(next)] || !ground.is_free(at(node), at(next), film)) continue;
+      cost[static_cast<std::size_t>(next)] = sum;
+      before[static_cast<std::size_t>(next)] = node;
+      open.push({sum, next});
+    }
+  }
+  std::vector<Vec2> stations;
+  for (int node = end; node >= 0; node = before[static_cast<std::size_t>(node)]) stations.push_back(at(node));
+  std::reverse(stations.begin(), stations.end());
+  if (end >= 0) stations.push_back(to);
+  return stations;
+}
+
+void ClearingPath::open(const Disc& disc, double entry_radius, double engagement) {
+  const double tool = ground_.tool_radius(), last = disc.radius - tool;
   double right = std::min(entry_radius, last), left = right;
   at_ = disc.center + Vec2{right, 0};
+  if (last <= kShortest) return;
   pass_.entry_center = disc.center;
-  if (last <= kShortest) {
-    pass_.entry_center.reset();
-    return add(disc, -1);
-  }
-  cut_circle({disc.center, right + tool_radius_}, at_);
-  for (int finished = right >= last ? 2 : 0; finished < 2;) {
-    const double reach = std::min(last, widened_circle(left + tool_radius_, tool_radius_, engagement));
+  cut_arc(disc.center, disc.center - Vec2{right, 0});
+  cut_arc(disc.center, disc.center + Vec2{right, 0});
+  while (right < last) {
+    const double reach = std::min(last, widened_circle(left + tool, tool, engagement));
     const Vec2 to = disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0};
-    cut_arc((at_ + to) / 2.0, at_, to);
-    finished = right >= last && reach >= last ? finished + 1 : 0;
+    cut_arc((at_ + to) / 2.0, to);
     left = right;
     right = reach;
   }
-  return add(disc, -1);
 }
 
-int ClearingPath::widen(int from, const Disc& next) {
-  const Disc cleared = disc(from);
-  const double room = next.radius - tool_radius_;
-  if (room < kSlotRoom * tool_radius_) {
-    link_to(cleared.center, from);
-    cut_line(next.center);
-    return add(next, from);
-  }
-  const Disc inner_cleared{cleared.center, cleared.radius - tool_radius_};
-  const double half = crescent_half_angle(inner_cleared, {next.center, room});
-  const double axis = angle_of(next.center - cleared.center);
-  if (half >= kNearlyRound) {
-    const Vec2 start = next.center + direction_of(axis + kPi) * room;
-    link_to(start, from);
-    cut_circle(next, start);
+void ClearingPath::append(const Path& cut, const std::vector<Vec2>& link) {
+  if (cut.empty()) return;
+  if (pass_.path.empty()) {
+    at_ = cut.front().from;
   } else {
-    link_to(next.center + direction_of(axis - half) * room, from);
-    cut_arc(next.center, at_, next.center + direction_of(axis + half) * room);
+    for (const Vec2 station : link) link_line(station);
   }
-  return add(next, from);
+  for (Edge edge : cut) {
+    edge.from = at_;
+    pass_.path.push_back(edge);
+    pass_.kinds.push_back(MoveKind::kCut);
+    at_ = edge.to;
+  }
 }
 
-void ClearingPath::cut_circle(const Disc& next, Vec2 start) {
-  const Vec2 opposite = next.center * 2.0 - start;
-  cut_arc(next.center, start, opposite);
-  cut_arc(next.center, opposite, start);
-}
-
-void ClearingPath::cut_arc(Vec2 center, Vec2 from, Vec2 to) {
-  if (distance(from, to) < kShortest) return;
-  pass_.path.push_back(Edge::arc(from, to, center, Turn::kCounterClockwise));
-  pass_.kinds.push_back(MoveKind::kCut);
-  at_ = to;
-}
-
-void ClearingPath::cut_line(Vec2 to) {
-  if (distance(at_, to) < kShortest) return;
-  pass_.path.push_back(Edge::line(at_, to));
+void ClearingPath::cut_arc(Vec2 center, Vec2 to) {
+  const Edge arc = Edge::arc(at_, to, center, Turn::kCounterClockwise);
+  ground_.cut(arc);
+  pass_.path.push_back(arc);
   pass_.kinds.push_back(MoveKind::kCut);
   at_ = to;
 }
@@ -93,57 +183,13 @@ void ClearingPath::link_line(Vec2 to) {
   at_ = to;
 }
 
-/// Discs from `from` to `to` over their nearest common ancestor, both included.
-std::vector<int> ClearingPath::route(int from, int to) const {
-  const auto ancestry = [&](int index) {
-    std::vector<int> line;
-    for (; index >= 0; index = discs_[static_cast<std::size_t>(index)].parent) line.push_back(index);
-    return line;
-  };
-  auto up = ancestry(from), down = ancestry(to);
-  while (up.size() > 1 && down.size() > 1 && up[up.size() - 2] == down[down.size() - 2]) {
-    up.pop_back();
-    down.pop_back();
-  }
-  down.pop_back();
-  up.insert(up.end(), down.rbegin(), down.rend());
-  return up;
+std::optional<Edge> ClearingPath::last_arc() const {
+  if (pass_.path.empty() || !pass_.path.back().is_arc()) return std::nullopt;
+  return pass_.path.back();
 }
 
-bool ClearingPath::is_free(Vec2 a, Vec2 b) const {
-  const int steps = static_cast<int>(distance(a, b) / (tool_radius_ * 0.1)) + 1;
-  for (int i = 0; i <= steps; ++i) {
-    const Vec2 p = lerp(a, b, static_cast<double>(i) / steps);
-    const bool inside = std::any_of(discs_.begin(), discs_.end(), [&](const ClearedDisc& cleared) {
-      return distance(p, cleared.disc.center) <= cleared.disc.radius - tool_radius_ + kShortest;
-    });
-    if (!inside) return false;
-  }
-  return true;
-}
-
-void ClearingPath::link_to(Vec2 to, int within) {
-  if (at_disc_ == within) return link_line(to);
-  const auto discs = route(at_disc_, within);
-  std::vector<Vec2> stations;
-  for (const int index : discs) stations.push_back(disc(index).center);
-  stations.push_back(to);
-  for (std::size_t next = 0; next < stations.size();) {
-    std::size_t farthest = next;
-    for (std::size_t jump = stations.size() - 1; jump > next; jump = next + (jump - next) / 2) {
-      if (!is_free(at_, stations[jump])) continue;
-      farthest = jump;
-      break;
-    }
-    link_line(stations[farthest]);
-    next = farthest + 1;
-  }
-  at_disc_ = within;
-}
-
-Pass ClearingPath::finish(int component) const {
-  Pass pass = pass_;
-  pass.component = component;
+Pass ClearingPath::take() {
+  Pass pass = std::exchange(pass_, {});
   pass.reversible = false;
   return pass;
 }

@@ -1,50 +1,66 @@
-// The path of an adaptive pass under construction: cuts, and links that are free because they stay in cleared
-// discs.
+// The path of an adaptive pass under construction: cuts, and links between them that are free.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "geometry/clearance.h"
 #include "plan/adaptive_cut.h"
+#include "plan/adaptive_ground.h"
 #include "toolpath/pass.h"
 
 namespace clearcut {
 
-/// Builds one pass. Every disc knows the disc that it was cut from, so that a way back through cleared discs
-/// exists.
-class ClearingPath {
+/// Ways through what is cleared: straight, else over points of the medial axis.
+class FreeWays {
  public:
-  explicit ClearingPath(double tool_radius) : tool_radius_(tool_radius) {}
+  /// `least`: clearance of the axis points that the centre may use, `pitch`: distance between them, mm.
+  FreeWays(const MedialAxis& axis, double least, double pitch);
 
-  /// Begins with a circle of `entry_radius` about the disc's centre and widens it in half turns until the
-  /// disc is cleared; no turn takes more than `engagement`. Returns the disc's index.
-  int open(const Disc& disc, double entry_radius, double engagement);
-  /// Cuts what `next` has outside disc `from` and returns its index.
-  int widen(int from, const Disc& next);
-
-  const Disc& disc(int index) const { return discs_[static_cast<std::size_t>(index)].disc; }
-  Pass finish(int component) const;
+  /// Points from `from` (left out) to `to`, all straight ways between them free of anything thicker than
+  /// `film` mm; none when there is no way.
+  std::optional<std::vector<Vec2>> find(Vec2 from, Vec2 to, const Ground& ground, double film) const;
 
  private:
-  struct ClearedDisc {
-    Disc disc;
-    int parent = -1;
-  };
+  int add_node(Vec2 p);
+  void join(int a, int b);
+  static std::optional<Vec2> one_corner(Vec2 from, Vec2 to, const Ground& ground, double film);
+  std::vector<int> nearest_free(Vec2 p, const Ground& ground, double film) const;
+  std::vector<Vec2> shortest(const std::vector<int>& sources, const std::vector<int>& targets, Vec2 from,
+                             Vec2 to, const Ground& ground, double film) const;
 
-  double room(int index) const { return disc(index).radius - tool_radius_; }
-  int add(const Disc& disc, int parent);
-  void cut_circle(const Disc& next, Vec2 start);
-  void cut_arc(Vec2 center, Vec2 from, Vec2 to);
-  void cut_line(Vec2 to);
-  void link_to(Vec2 to, int within);
+  std::vector<Vec2> nodes_;
+  std::vector<std::vector<int>> neighbours_;
+};
+
+/// Builds one pass.
+class ClearingPath {
+ public:
+  ClearingPath(Ground& ground, const FreeWays& ways) : ground_(ground), ways_(ways) {}
+
+  /// Begins a pass with a circle of `entry_radius` about the disc's centre and widens it in half turns until
+  /// it touches the disc's rim; no turn takes more than `engagement`.
+  void open(const Disc& disc, double entry_radius, double engagement);
+  /// Goes over the points of `link` to the start of `cut` and appends it; a pass begins with its first cut.
+  void append(const Path& cut, const std::vector<Vec2>& link);
+  std::optional<std::vector<Vec2>> way_to(Vec2 p, double film) const {
+    return ways_.find(at_, p, ground_, film);
+  }
+
+  bool empty() const { return pass_.path.empty(); }
+  std::optional<Edge> last_arc() const;
+  Vec2 at() const { return at_; }
+  /// The pass built so far; the next one begins empty.
+  Pass take();
+
+ private:
+  void cut_arc(Vec2 center, Vec2 to);
   void link_line(Vec2 to);
-  std::vector<int> route(int from, int to) const;
-  bool is_free(Vec2 a, Vec2 b) const;
 
-  double tool_radius_;
-  std::vector<ClearedDisc> discs_;
+  Ground& ground_;
+  const FreeWays& ways_;
   Pass pass_;
   Vec2 at_;
-  int at_disc_ = -1;  ///< a disc that contains at_ within its room
 };
 
 }  // namespace clearcut

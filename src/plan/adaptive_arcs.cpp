@@ -1,0 +1,67 @@
+#include "plan/adaptive_arcs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace clearcut {
+namespace {
+
+/// Arcs flatter than this (sagitta, mm) are lines; wider than this (radius, mm) too.
+constexpr double kFlat = 1e-4;
+constexpr double kWidest = 5000;
+
+std::optional<Vec2> circle_center(Vec2 a, Vec2 b, Vec2 c) {
+  const Vec2 u = b - a, v = c - a;
+  const double d = 2 * cross(u, v);
+  if (std::abs(d) < 1e-12) return std::nullopt;
+  return a +
+         Vec2{v.y * norm_squared(u) - u.y * norm_squared(v), u.x * norm_squared(v) - v.x * norm_squared(u)} /
+             d;
+}
+
+Edge edge_through(Vec2 a, Vec2 b, Vec2 c) {
+  const double sagitta = std::abs(cross(unit(c - a), b - a));
+  const auto center = circle_center(a, b, c);
+  if (sagitta < kFlat || !center || distance(*center, a) > kWidest) return Edge::line(a, c);
+  return Edge::arc(a, c, *center, cross(b - a, c - b) > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
+}
+
+/// The edge from first to last through a point between them, if all others are near it.
+std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
+  const Edge edge = points.size() == 2
+                        ? Edge::line(points.front(), points.back())
+                        : edge_through(points.front(), points[points.size() / 2], points.back());
+  if (std::abs(edge.sweep()) > 3) return std::nullopt;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    if (distance(edge, points[i]) > tolerance) return std::nullopt;
+    // Between the points, too: their chords' middles may not stand off a different circle.
+    const Vec2 middle = (points[i] + points[i + 1]) / 2.0;
+    if (distance(edge, middle) > 2 * tolerance + norm_squared(points[i + 1] - points[i])) return std::nullopt;
+  }
+  return edge;
+}
+
+}  // namespace
+
+Path fit_arcs(std::span<const Vec2> points, double tolerance) {
+  Path out;
+  for (std::size_t at = 0; at + 1 < points.size();) {
+    std::size_t good = 1, bad = points.size() - at;
+    Edge edge = Edge::line(points[at], points[at + 1]);
+    const auto try_count = [&](std::size_t count) {
+      const auto found = fitted(points.subspan(at, count + 1), tolerance);
+      if (found) edge = *found;
+      (found ? good : bad) = count;
+      return found.has_value();
+    };
+    for (std::size_t count = 2; count < bad && try_count(count);)
+      count = std::min(count * 2, std::max(count + 1, bad - 1));
+    while (bad - good > 1) try_count(good + (bad - good) / 2);
+    out.push_back(edge);
+    at += good;
+  }
+  return out;
+}
+
+}  // namespace clearcut

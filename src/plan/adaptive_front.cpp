@@ -1,0 +1,151 @@
+#include "plan/adaptive_front.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plan/adaptive_arcs.h"
+
+namespace clearcut {
+namespace {
+
+/// Share of the widest cut of a wall pass that is left to it: its contact grows where the cut does.
+constexpr double kWallShare = 0.62;
+/// Radians. Walls that turn inwards by more have a corner.
+constexpr double kCornerTurn = 0.1;
+/// Tool radii on both sides of a corner that are cut to the wall.
+constexpr double kCornerZone = 1.2;
+/// Change of the distance from the wall along it.
+constexpr double kTaper = 0.2;
+/// Width of a place over the distance from its walls.
+constexpr double kLeastWidth = 10;
+/// Tool radii between the points of the outline, and how far its arcs are from them.
+constexpr double kPitch = 0.1;
+constexpr double kTolerance = 0.0005;
+/// Points times edges above which narrow places take too long to find: everything is cut to the wall.
+constexpr double kMostWork = 3e7;
+
+class FrontOutline {
+ public:
+  FrontOutline(const Region& legal, double tool_radius, double limit)
+      : legal_(legal), radius_(tool_radius), limit_(limit) {}
+
+  Loop around(const Loop& loop) {
+    place_points(loop);
+    keep_corners(loop);
+    taper();
+    for (int i = 0; i < 4; ++i) narrow();
+    return joined();
+  }
+
+ private:
+  struct Point {
+    Vec2 wall;
+    Vec2 inwards;
+    double s = 0;  ///< length along the loop
+    double aside = 0;
+    bool corner = false;
+  };
+
+  /// What a cutter that runs along the edge may take.
+  double widest_cut(const Edge& edge) const {
+    const double straight = radius_ * (1 - std::cos(limit_));
+    if (edge.turn != Turn::kCounterClockwise) return straight;
+    // Inside an arc: the film between the circle it leaves and the one before it.
+    const double across = radius_ * std::sin(limit_), along = edge.radius() + radius_ * std::cos(limit_);
+    return std::clamp(edge.radius() + radius_ - std::hypot(along, across), 0.0, straight);
+  }
+
+  void place_points(const Loop& loop) {
+    points_.clear();
+    length_ = 0;
+    for (const Edge& edge : loop) {
+      const int parts = static_cast<int>(edge.length() / (kPitch * radius_)) + 1;
+      for (int i = 0; i < parts; ++i) {
+        const double t = static_cast<double>(i) / parts;
+        points_.push_back({edge.at(t), left_of(edge.tangent_at(t)), length_ + t * edge.length(),
+                           kWallShare * widest_cut(edge), false});
+      }
+      length_ += edge.length();
+    }
+  }
+
+  void keep_corners(const Loop& loop) {
+    double at = 0;
+    for (std::size_t e = 0; e < loop.size(); ++e) {
+      const Vec2 before = loop[(e + loop.size() - 1) % loop.size()].tangent_at(1),
+                 after = loop[e].tangent_at(0);
+      const double turn = std::atan2(cross(before, after), dot(before, after));
+      if (std::abs(turn) > kCornerTurn) keep_corner(at, kCornerZone * radius_);
+      at += loop[e].length();
+    }
+  }
+
+  void keep_corner(double at, double zone) {
+    for (Point& point : points_) {
+      const double along = std::abs(point.s - at), away = std::min(along, length_ - along);
+      if (away < zone) point.aside = 0;
+      if (away == 0) point.corner = true;
+    }
+  }
+
+  void taper() {
+    const std::size_t n = points_.size();
+    const auto limit_by = [&](Point& point, const Point& other) {
+      point.aside = std::min(point.aside, other.aside + kTaper * distance(point.wall, other.wall));
+    };
+    for (std::size_t i = 1; i < 2 * n; ++i) limit_by(points_[i % n], points_[(i - 1) % n]);
+    for (std::size_t i = 2 * n; i > 0; --i) limit_by(points_[(i - 1) % n], points_[i % n]);
+  }
+
+  /// Comes nearer where another wall is as near.
+  void narrow() {
+    bool narrower = false;
+    for (Point& point : points_) {
+      if (point.aside == 0) continue;
+      const double half = kLeastWidth / 2 * point.aside;
+      const Vec2 p = point.wall + point.inwards * half;
+      if (legal_.contains(p) && legal_.boundary_distance(p) > 0.95 * half) continue;
+      point.aside = point.aside < 0.02 * radius_ ? 0 : point.aside / 3;
+      narrower = true;
+    }
+    if (narrower) taper();
+  }
+
+  Loop joined() const {
+    const std::size_t n = points_.size();
+    std::size_t first = 0;
+    while (first < n && !points_[first].corner) ++first;
+    if (first == n) first = 0;
+    Loop loop;
+    std::vector<Vec2> run;
+    for (std::size_t i = 0; i <= n; ++i) {
+      const Point& point = points_[(first + i) % n];
+      run.push_back(point.wall + point.inwards * point.aside);
+      if (i == 0 || (i < n && !point.corner)) continue;
+      for (const Edge& edge : fit_arcs(run, kTolerance * radius_)) loop.push_back(edge);
+      run = {run.back()};
+    }
+    return loop;
+  }
+
+  const Region& legal_;
+  double radius_;
+  double limit_;
+  double length_ = 0;
+  std::vector<Point> points_;
+};
+
+}  // namespace
+
+Region front_area(const Region& legal, double tool_radius, double limit) {
+  double length = clearcut::length(legal.outer());
+  for (const Loop& island : legal.islands()) length += clearcut::length(island);
+  const double edges = static_cast<double>(legal.edges().size());
+  if ((length / (kPitch * tool_radius) + edges) * edges > kMostWork) return legal;
+  FrontOutline outline(legal, tool_radius, limit);
+  std::vector<Loop> islands;
+  for (const Loop& island : legal.islands()) islands.push_back(outline.around(island));
+  return Region::from_valid_loops(outline.around(legal.outer()), std::move(islands));
+}
+
+}  // namespace clearcut

@@ -1,0 +1,38 @@
+// What an adaptive pass cuts into: the material of one layer and where the cutter's centre may be.
+#pragma once
+
+#include <vector>
+
+#include "stock/material.h"
+#include "toolpath/legal_area.h"
+
+namespace clearcut {
+
+/// The material of one layer seen by one cutter, in plan view. Exact: see Material.
+class Ground {
+ public:
+  /// `legal`: where the cutter's centre may be. `stock`: what stands, plan view; absent: everything.
+  Ground(const Regions& legal, double tool_radius, std::optional<Regions> stock);
+
+  double tool_radius() const { return tool_radius_; }
+  const LegalArea& legal() const { return legal_; }
+
+  /// Angle of the front half circle in material, for a cutter at p that moves along `heading`. Radians.
+  double contact(Vec2 p, Vec2 heading) const;
+  /// Whether a cutter smaller by `film` mm would touch material at p.
+  bool touches(Vec2 p, double film) const;
+  /// Whether the straight way is legal and touches nothing thicker than `film` mm.
+  bool is_free(Vec2 a, Vec2 b, double film) const;
+  /// Takes away what the cutter sweeps along `edge`.
+  void cut(const Edge& edge);
+
+ private:
+  double in_stock(const AngleSet& angles, Vec2 p, double reference) const;
+
+  LegalArea legal_;
+  double tool_radius_;
+  std::optional<LegalArea> stock_;
+  Material material_;
+};
+
+}  // namespace clearcut

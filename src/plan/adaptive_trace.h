@@ -1,0 +1,65 @@
+// Cuts that keep the engagement at its limit: the curve that the cutter's centre has to run on for that.
+#pragma once
+
+#include "plan/adaptive_ground.h"
+#include "plan/adaptive_walls.h"
+
+namespace clearcut {
+
+/// Traces cuts with the material on the right of the direction of travel.
+class Tracer {
+ public:
+  /// `limit`: largest contact, radians. Cuts off the walls stay inside `area`. The tracer takes away what it
+  /// cuts from `ground`.
+  Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit);
+
+  /// One cut from a place on a wall: along the wall until the contact would exceed the limit, off it on an
+  /// arc, on with the contact at its limit, until the cutter meets a wall ahead or runs into the open.
+  /// Empty when nothing can be cut there within the limit. What it is after begins at `material_s`.
+  Path cut_from(const WallPlace& start, double material_s);
+  /// The same from where the cutter already cuts.
+  Path cut_on(Vec2 from, Vec2 heading, double curvature);
+
+ private:
+  struct State {
+    Vec2 point;
+    Vec2 heading;
+    double curvature = 0;  ///< 1 / mm, > 0 to the left
+  };
+  enum class Next { kDone, kTrace, kWall };
+
+  Path run(Next next);
+  Next follow_wall();
+  Next depart(double s_clear, double s_over);
+  double latest_departure(double s_clear, double s_over, double radius) const;
+  bool can_leave(double s, double radius) const;
+  double off_wall(double radius) const;
+  void leave(double s, double radius);
+  Next trace();
+  Next meet_wall(const State& next);
+  State stepped(const State& from, double curvature, double length) const;
+  double solve_curvature() const;
+  double excess(double curvature) const;
+  void add_point(Vec2 p);
+  void commit();
+  double wall_contact(double s) const;
+  void append(Edge edge);
+  void append_wall(double s_from, double s_to);
+
+  Ground& ground_;
+  const Walls& walls_;
+  LegalArea area_;
+  double radius_;
+  double limit_;
+  double step_;
+  Path path_;
+  std::vector<Vec2> points_;  ///< of the cut since the last commit
+  double run_ = 0;            ///< their length
+  double engaged_ = 0;        ///< mm of the cut in contact
+  State state_;
+  WallPlace place_;
+  double material_s_ = 0;
+  double tightest_ = 1;  ///< mm, radius of the tightest turn allowed
+};
+
+}  // namespace clearcut

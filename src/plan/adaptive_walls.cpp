@@ -1,0 +1,189 @@
+#include "plan/adaptive_walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearcut {
+namespace {
+
+/// Material that may stay on the wall of a front, as a share of what the wall pass takes there anyway.
+constexpr double kWallShare = 0.25;
+
+}  // namespace
+Wall::Wall(Loop loop) : loop_(std::move(loop)) {
+  double sum = 0;
+  for (const Edge& edge : loop_) ends_.push_back(sum += edge.length());
+}
+
+Wall::Spot Wall::spot(double s) const {
+  const double lap = std::floor(s / length()) * length();
+  const double within = s - lap;
+  const auto found = std::upper_bound(ends_.begin(), ends_.end(), within);
+  const auto edge = std::min<std::size_t>(static_cast<std::size_t>(found - ends_.begin()), ends_.size() - 1);
+  const double before = edge == 0 ? 0 : ends_[edge - 1];
+  return {edge, std::clamp((within - before) / (ends_[edge] - before), 0.0, 1.0), lap};
+}
+
+Vec2 Wall::at(double s) const {
+  const Spot place = spot(s);
+  return loop_[place.edge].at(place.t);
+}
+
+Vec2 Wall::heading(double s) const {
+  const Spot place = spot(s);
+  return loop_[place.edge].tangent_at(place.t);
+}
+
+double Wall::edge_end(double s) const {
+  const Spot place = spot(s);
+  return place.lap + ends_[place.edge];
+}
+
+Path Wall::part(double s0, double s1) const {
+  constexpr double kShortest = 1e-6;
+  Path out;
+  for (double s = s0; s1 - s > kShortest;) {
+    const Spot place = spot(s);
+    const double begin = place.lap + (place.edge == 0 ? 0 : ends_[place.edge - 1]);
+    const double end = place.lap + ends_[place.edge];
+    const double until = std::min(end, s1), whole = end - begin;
+    if (until - s > kShortest) {
+      const double t0 = (s - begin) / whole, t1 = (until - begin) / whole;
+      out.push_back(t0 < 1e-9 && t1 > 1 - 1e-9 ? loop_[place.edge] : loop_[place.edge].part(t0, t1));
+    }
+    s = until + (until == end ? kShortest * 1e-3 : 0);
+  }
+  return out;
+}
+
+Wall::Hit Wall::nearest(Vec2 p) const {
+  Hit best{0, 1e300};
+  for (std::size_t i = 0; i < loop_.size(); ++i) {
+    const double far = distance(loop_[i], p);
+    if (far >= best.distance) continue;
+    const double before = i == 0 ? 0 : ends_[i - 1];
+    best = {before + clearcut::nearest(loop_[i], p).t * (ends_[i] - before), far};
+  }
+  return best;
+}
+
+Walls::Walls(const Region& front, const Region& legal, double pitch, double film) {
+  add(front.outer(), legal, pitch, film);
+  for (const Loop& island : front.islands()) add(island, legal, pitch, film);
+}
+
+void Walls::add(const Loop& loop, const Region& legal, double pitch, double film) {
+  walls_.emplace_back(loop);
+  const double length = walls_.back().length();
+  Marks marks;
+  const int count = std::max(8, static_cast<int>(std::ceil(length / pitch)));
+  marks.pitch = length / count;
+  for (int i = 0; i < count; ++i) {
+    marks.points.push_back(walls_.back().at(i * marks.pitch));
+    marks.films.push_back(film + kWallShare * legal.boundary_distance(marks.points.back()));
+  }
+  marks.touching.assign(marks.points.size(), 1);
+  marks_.push_back(std::move(marks));
+}
+
+std::size_t Walls::mark_at(const WallPlace& place) const {
+  const Marks& marks = marks_[place.wall];
+  const auto count = static_cast<long>(marks.points.size());
+  return static_cast<std::size_t>((std::lround(place.s / marks.pitch) % count + count) % count);
+}
+
+double Walls::film(const WallPlace& place) const {
+  return marks_[place.wall].films[mark_at(place)];
+}
+
+bool Walls::touches_after(const WallPlace& place, double reach) const {
+  const Marks& marks = marks_[place.wall];
+  const std::size_t first = mark_at(place);
+  const auto steps = static_cast<std::size_t>(reach / marks.pitch) + 1;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    if (marks.touching[(first + i) % marks.touching.size()] == 1) return true;
+  }
+  return false;
+}
+
+void Walls::update(const Ground& ground, const Box& where) {
+  for (Marks& marks : marks_) {
+    for (std::size_t i = 0; i < marks.points.size(); ++i) {
+      if (marks.touching[i] == 1 && where.contains(marks.points[i]))
+        marks.touching[i] = ground.touches(marks.points[i], marks.films[i]) ? 1 : 0;
+    }
+  }
+}
+
+std::vector<WallPlace> Walls::starts() const {
+  std::vector<WallPlace> places;
+  for (std::size_t w = 0; w < marks_.size(); ++w) {
+    const Marks& marks = marks_[w];
+    for (std::size_t i = 0; i < marks.points.size(); ++i) {
+      const std::size_t next = (i + 1) % marks.points.size();
+      if (marks.touching[i] != 1 && marks.touching[next] == 1)
+        places.push_back({w, static_cast<double>(i) * marks.pitch});
+    }
+  }
+  return places;
+}
+
+bool Walls::is_start(const WallPlace& place) const {
+  const Marks& marks = marks_[place.wall];
+  const std::size_t i = mark_at(place);
+  return marks.touching[(i + 1) % marks.points.size()] == 1;
+}
+
+void Walls::give_up(const WallPlace& place) {
+  Marks& marks = marks_[place.wall];
+  const std::size_t i = mark_at(place);
+  marks.touching[(i + 1) % marks.points.size()] = 2;
+}
+
+namespace {
+
+/// mm. Thinner films are left.
+constexpr double kFinished = 5e-4;
+
+void add_unfinished(const Wall& wall, double pitch, double gap, const Ground& ground,
+                    std::vector<Path>& out) {
+  const int count = std::max(8, static_cast<int>(std::ceil(wall.length() / pitch)));
+  const double step = wall.length() / count;
+  std::vector<int> bearing;
+  for (int i = 0; i < count; ++i) {
+    if (ground.touches(wall.at(i * step), kFinished)) bearing.push_back(i);
+  }
+  if (bearing.empty()) return;
+  // Begin after the widest gap; a wall without one is run all round.
+  std::size_t first = 0;
+  int widest = 0;
+  for (std::size_t k = 0; k < bearing.size(); ++k) {
+    const int before = k == 0 ? bearing.back() - count : bearing[k - 1];
+    if (bearing[k] - before <= widest) continue;
+    widest = bearing[k] - before;
+    first = k;
+  }
+  if (widest * step < gap) return out.push_back(wall.loop());
+  double from = (bearing[first] - 1) * step, to = from;
+  for (std::size_t k = 0; k < bearing.size(); ++k) {
+    const std::size_t index = (first + k) % bearing.size();
+    const double s = (bearing[index] + (index < first ? count : 0)) * step;
+    if (s - to > gap) {
+      out.push_back(wall.part(from, to));
+      from = s - step;
+    }
+    to = s + step;
+  }
+  out.push_back(wall.part(from, to));
+}
+
+}  // namespace
+
+std::vector<Path> unfinished_walls(const Region& legal, double pitch, double gap, const Ground& ground) {
+  std::vector<Path> stretches;
+  add_unfinished(Wall(legal.outer()), pitch, gap, ground, stretches);
+  for (const Loop& island : legal.islands()) add_unfinished(Wall(island), pitch, gap, ground, stretches);
+  return stretches;
+}
+
+}  // namespace clearcut

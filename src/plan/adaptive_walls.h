@@ -1,0 +1,89 @@
+// The walls of a layer as ways for the cutter's centre, and which stretches of them still touch material.
+#pragma once
+
+#include <vector>
+
+#include "geometry/region.h"
+#include "plan/adaptive_ground.h"
+
+namespace clearcut {
+
+/// A closed loop walked by length.
+class Wall {
+ public:
+  explicit Wall(Loop loop);
+
+  double length() const { return ends_.back(); }
+  Vec2 at(double s) const;
+  Vec2 heading(double s) const;
+  /// Where the edge that holds s ends, > s.
+  double edge_end(double s) const;
+  /// The edges between s0 < s1 (s1 - s0 below the loop's length).
+  Path part(double s0, double s1) const;
+  /// Nearest place: its length and distance.
+  struct Hit {
+    double s = 0;
+    double distance = 0;
+  };
+  Hit nearest(Vec2 p) const;
+  const Loop& loop() const { return loop_; }
+
+ private:
+  struct Spot {
+    std::size_t edge = 0;
+    double t = 0;
+    double lap = 0;  ///< length of the whole turns before
+  };
+  Spot spot(double s) const;
+
+  Loop loop_;
+  std::vector<double> ends_;  ///< length at the end of each edge
+};
+
+/// A place on a wall.
+struct WallPlace {
+  std::size_t wall = 0;
+  double s = 0;
+  friend bool operator==(const WallPlace&, const WallPlace&) = default;
+};
+
+/// All walls with marks where a cutter on them would still touch material.
+class Walls {
+ public:
+  /// The walls of `front` with a mark every `pitch` mm or less. Material thinner than `film` mm does not
+  /// count, nor some more where the walls of `legal` are farther off: there a wall pass follows.
+  Walls(const Region& front, const Region& legal, double pitch, double film);
+
+  const Wall& wall(std::size_t i) const { return walls_[i]; }
+  std::size_t count() const { return walls_.size(); }
+  double film(const WallPlace& place) const;
+  /// Whether a mark on the next `reach` mm touches material.
+  bool touches_after(const WallPlace& place, double reach) const;
+  /// Looks again at the marks within `where`.
+  void update(const Ground& ground, const Box& where);
+  /// The last clear mark before each stretch that touches material.
+  std::vector<WallPlace> starts() const;
+  /// Whether the place, one of starts() before, still is one.
+  bool is_start(const WallPlace& place) const;
+  /// Gives the stretch after a start up: nothing more can be cut from there.
+  void give_up(const WallPlace& place);
+
+ private:
+  struct Marks {
+    double pitch = 1;
+    std::vector<Vec2> points;
+    std::vector<double> films;
+    std::vector<char> touching;
+  };
+  void add(const Loop& loop, const Region& legal, double pitch, double film);
+  std::size_t mark_at(const WallPlace& place) const;
+
+  std::vector<Wall> walls_;
+  std::vector<Marks> marks_;
+};
+
+/// The stretches of the walls of `legal` that still bear material, each ready to be run along. Stretches
+/// nearer to each other than `gap` mm are one.
+std::vector<Path> unfinished_walls(const Region& legal, double pitch, double gap, const Ground& ground);
+
+}  // namespace clearcut
