@@ -7,6 +7,7 @@
 #include "plan/adaptive_front.h"
 #include "plan/adaptive_trace.h"
 #include "plan/clearing_path.h"
+#include "plan/contour_cover.h"
 
 namespace clearcut {
 namespace {
@@ -21,6 +22,9 @@ constexpr double kMarkPitch = 0.1;
 constexpr double kKeepOff = 0.0035;
 /// Tool radii. A cut begins no farther before the material that it is after.
 constexpr double kLongestApproach = 1.5;
+/// mm. Rests thinner than this stay; rounds of looking for thicker ones.
+constexpr double kRest = 0.004;
+constexpr int kMostRests = 10;
 /// mm. Links through what is cleared may graze as much.
 constexpr double kFree = 1e-3;
 /// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
@@ -60,6 +64,7 @@ class AdaptivePlanner {
       finish_pass();  // what is left cannot be reached but from above
     }
     cut_walls();
+    cut_rests();
     if (!path_.empty()) finish_pass();
     return std::move(passes_);
   }
@@ -221,6 +226,52 @@ class AdaptivePlanner {
       for (const Edge& edge : *next) ground_.cut(edge);
       stretches.erase(next);
     }
+  }
+
+  /// What still stands between the cuts: over each place that the check of the whole cover finds.
+  void cut_rests() {
+    for (int i = 0; i < kMostRests; ++i) {
+      const auto holes = Cover(all_cuts(), radius_ + kRest).holes([&](Vec2 p) { return is_reachable(p); });
+      if (holes.empty()) return;
+      bool cut = false;
+      for (const Vec2 hole : holes) cut = cut_rest(nearest_legal(hole)) || cut;
+      if (!cut) return;
+    }
+  }
+
+  std::vector<Edge> all_cuts() const {
+    std::vector<Edge> cuts;
+    for (const Pass& pass : passes_) cuts.insert(cuts.end(), pass.path.begin(), pass.path.end());
+    const Path& path = path_.path();
+    cuts.insert(cuts.end(), path.begin(), path.end());
+    return cuts;
+  }
+
+  bool is_reachable(Vec2 p) const { return distance(nearest_legal(p), p) < radius_ - kRest; }
+
+  Vec2 nearest_legal(Vec2 p) const {
+    if (legal_.contains(p)) return p;
+    Nearest best{p, 1e300, 0};
+    for (const Edge& edge : legal_.edges()) {
+      if (distance(edge, p) < best.distance) best = clearcut::nearest(edge, p);
+    }
+    return best.point;
+  }
+
+  /// A short cut that ends at p, from the side that is free.
+  bool cut_rest(Vec2 p) {
+    for (const double reach : {0.3, 0.6, 1.0, 1.5}) {
+      for (int i = 0; i < 8; ++i) {
+        const Vec2 gate = p + direction_of(kPi / 4 * i) * (reach * radius_);
+        if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree)) continue;
+        const auto way = way_to(gate);
+        if (!way) continue;
+        ground_.cut(Edge::line(gate, p));
+        path_.append({Edge::line(gate, p)}, *way);
+        return true;
+      }
+    }
+    return false;
   }
 
   void finish_pass() { passes_.push_back(path_.take()); }

@@ -47,6 +47,7 @@ class ClearingPath {
     return ways_.find(at_, p, ground_, film);
   }
 
+  const Path& path() const { return pass_.path; }
   bool empty() const { return pass_.path.empty(); }
   std::optional<Edge> last_arc() const;
   Vec2 at() const { return at_; }
