@@ -83,16 +83,20 @@ Part random_part(Random& random, double diameter) {
     return part_of(regions, regions, FeatureKind::kClosedPocket, diameter);
   }
   const Box around = box(regions);
-  const Box block = around.grown(random.between(-0.1, 0.4) * around.width());
+  // On whole millimetres, which booleans keep: walls may end on the block's edges.
+  Box block = around.grown(random.between(-0.1, 0.4) * around.width());
+  block = {{std::floor(block.min.x), std::floor(block.min.y)},
+           {std::ceil(block.max.x), std::ceil(block.max.y)}};
   if (block.width() < diameter || block.height() < diameter) {
     return part_of(regions, regions, FeatureKind::kClosedPocket, diameter);
   }
   const Regions stock{turned_box(block.center(), block.width(), block.height(), 0)};
   const Regions air{
       turned_box(block.center(), block.width() + 2 * kOpenReach, block.height() + 2 * kOpenReach, 0)};
-  const Regions target = subtract(stock, regions, kTol);
+  const Regions walls = intersect(stock, regions, kTol);
+  const Regions target = subtract(stock, walls, kTol);
   if (target.empty()) return part_of(regions, regions, FeatureKind::kClosedPocket, diameter);
-  Part part = part_of(target, subtract(air, regions, kTol), FeatureKind::kOpenPocket, diameter);
+  Part part = part_of(target, subtract(air, walls, kTol), FeatureKind::kOpenPocket, diameter);
   part.stock = Stock{block, -10, 0};
   return part;
 }
