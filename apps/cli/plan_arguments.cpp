@@ -70,7 +70,7 @@ void PlanArguments::add_tool_options(CLI::App& command) {
 
 void PlanArguments::add_cutting_options(CLI::App& command) {
   command.add_option("--strategy", strategy_,
-                     "auto, contour, zigzag, adaptive, or a published method: lom, rho, second, "
+                     "auto, contour, zigzag, spiral, adaptive, or a published method: lom, rho, second, "
                      "lom-corrected, rho-corrected, fixed, loops, pwid, single, double, bisectors");
   command.add_option("--stepover", stepover_,
                      "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "

@@ -9,6 +9,7 @@
 #include "pipeline/tour_solver.h"
 #include "plan/adaptive.h"
 #include "plan/contour.h"
+#include "plan/spiral.h"
 #include "plan/tour.h"
 #include "plan/zigzag.h"
 
@@ -98,11 +99,23 @@ Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const
              const Layer& layer) mutable { return planner(layer); };
 }
 
+Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
+  SpiralOptions spiral;
+  spiral.wall_on_right = wall_on_right(operation);
+  spiral.machine = options.machine;
+  spiral.feed = *operation.cutting.feed;
+  line_distance(attempt.stepover, 1);  // refused before anything is planned
+  return [spiral, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
+    spiral.stepover = line_distance(stepover, 2 * layer.tool_radius);
+    return plan_spiral(layer, spiral, tol);
+  };
+}
+
 }  // namespace
 
 const std::vector<std::string>& strategy_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all{"auto", "zigzag", "adaptive"};
+    std::vector<std::string> all{"auto", "zigzag", "spiral", "adaptive"};
     for (const auto& method : kContourMethods) all.emplace_back(method.name);
     return all;
   }();
@@ -127,6 +140,7 @@ std::optional<StepRule> published_rule(const std::string& strategy) {
 std::string description_of(const std::string& strategy) {
   if (const auto* method = contour_method(strategy)) return method->description;
   if (strategy == "adaptive") return "engagement limited, spiral and arcs";
+  if (strategy == "spiral") return "smooth turns from contour to contour, without passages";
   if (strategy == "zigzag") return "parallel lines to and fro, then along the walls";
   return "the fastest that certifies clean";
 }
@@ -136,6 +150,7 @@ Strategy strategy_for(const Attempt& attempt, const Operation& operation, const 
     return contour_strategy(*method, attempt, operation, options);
   }
   if (attempt.strategy == "adaptive") return adaptive_strategy(options);
+  if (attempt.strategy == "spiral") return spiral_strategy(attempt, operation, options);
   if (attempt.strategy == "zigzag") return zigzag_strategy(attempt, operation, options);
   if (attempt.strategy == "tour") return tour_strategy(attempt, operation, options);
   throw InputError("--strategy", fmt::format("'{}' is unknown; use one of {}", attempt.strategy,

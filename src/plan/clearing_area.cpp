@@ -10,6 +10,8 @@
 namespace clearcut {
 namespace {
 
+/// mm. Walls two diameters apart are cut clean but for a film, within the error of offsets.
+constexpr double kFilm = 0.001;
 /// mm. Walls are followed this much farther than the target can be reached from them.
 constexpr double kWallMargin = 0.01;
 
@@ -52,6 +54,7 @@ class AreaBuilder {
     area_.walls.z_top = layer.z_top;
     area_.walls.z = layer.z;
     area_.walls.target = layer.target;
+    area_.walls.film = kFilm;
     if (!closed_) near_ = dilate(layer.target, layer.tool_radius + kWallMargin, tol);
   }
 
