@@ -67,7 +67,7 @@ class AreaBuilder {
       const auto deep = clearance.inset(first + layer_.tool_radius);
       const auto begin = area_.components.size();
       for (const auto& region : legal) area_.components.push_back({region, {}, -1});
-      share_out(closed_ ? deep : intersect(layer_.target, deep, tol_), begin);
+      share_out(closed_ ? deep : target_within(deep), begin);
       for (auto& line : clearance.fit_lines(first)) lines.push_back(std::move(line));
     }
     for (std::size_t i = 0; i < area_.components.size(); ++i) add_walls(static_cast<int>(i));
@@ -77,6 +77,17 @@ class AreaBuilder {
   }
 
  private:
+  /// Slivers that booleans take for nothing are kept.
+  Regions target_within(const Regions& deep) const {
+    Regions found;
+    for (const auto& region : layer_.target) {
+      auto pieces = intersect({region}, deep, tol_);
+      if (pieces.empty() && contains(deep, region.outer().front().from)) pieces.push_back(region);
+      found.insert(found.end(), pieces.begin(), pieces.end());
+    }
+    return found;
+  }
+
   /// Every piece of the rest lies in one of the components from `begin` on.
   void share_out(const Regions& rest, std::size_t begin) {
     for (const auto& region : rest) {

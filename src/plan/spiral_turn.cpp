@@ -15,6 +15,11 @@ namespace {
 constexpr double kBandPiece = kPi / 6;
 /// mm. The turn's ends have to be found this near.
 constexpr double kFound = 1e-3;
+/// mm. A place of the rim this near to the loop is on it.
+constexpr double kOnLoop = 2e-4;
+/// The fall may end from this share of its length on, and up to so many mm after it.
+constexpr double kEarliest = 0.6;
+constexpr double kLatest = 1.0;
 /// mm. Chords for the boolean; its arcs come back as arcs.
 constexpr double kChord = 0.005;
 /// Below this change of direction there is no corner.
@@ -58,6 +63,7 @@ class Band {
   }
 
   const std::vector<Loop>& pieces() const { return pieces_; }
+  double fall() const { return fall_; }
 
  private:
   double width_at(double way) const { return widest_ * std::max(0.0, 1 - way / fall_); }
@@ -103,22 +109,69 @@ class Band {
   std::vector<Loop> pieces_;
 };
 
-/// The edges of `loop` from the vertex at `from` to the vertex at `to`; empty when there is no such vertex.
-Path stretch(const Loop& loop, Vec2 from, Vec2 to) {
-  std::size_t first = 0, last = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    if (distance(loop[i].from, from) < distance(loop[first].from, from)) first = i;
-    if (distance(loop[i].to, to) < distance(loop[last].to, to)) last = i;
+/// The edge with other ends, near its own: arcs so small that this could turn them round become lines.
+Edge between(const Edge& edge, Vec2 from, Vec2 to) {
+  Edge moved = edge;
+  moved.from = from;
+  moved.to = to;
+  if (edge.is_arc() && std::abs(moved.sweep() - edge.sweep()) > 0.1) return Edge::line(from, to);
+  return moved;
+}
+
+/// Arcs shorter than the coarse chords may come out of the boolean turned round: all but a full circle.
+Edge unturned(const Edge& edge) {
+  const bool turned =
+      edge.is_arc() && std::abs(edge.sweep()) > kPi && distance(edge.from, edge.to) < edge.radius() / 10;
+  return turned ? Edge::line(edge.from, edge.to) : edge;
+}
+
+/// Way from the beginning of `path` to the place nearest to p, with the distance from it.
+std::pair<double, double> way_to(const Path& path, Vec2 p) {
+  double way = 0, best_way = 0, best = std::numeric_limits<double>::infinity();
+  for (const auto& edge : path) {
+    const auto near = nearest(edge, p);
+    if (near.distance < best) {
+      best = near.distance;
+      best_way = way + near.t * edge.length();
+    }
+    way += edge.length();
   }
-  if (distance(loop[first].from, from) > kFound || distance(loop[last].to, to) > kFound) return {};
-  Path path;
-  for (std::size_t i = first;; i = (i + 1) % loop.size()) {
-    path.push_back(loop[i]);
-    if (i == last) break;
+  return {best_way, best};
+}
+
+/// The rest of a path after `way` mm, begun exactly at `start`.
+Path after(const Path& path, double way, Vec2 start) {
+  Path rest;
+  for (const auto& edge : path) {
+    const double own = edge.length();
+    if (way < own - kFound) {
+      Edge piece = way > kFound ? edge.part(way / own, 1) : edge;
+      rest.push_back(rest.empty() ? between(piece, start, piece.to) : piece);
+    }
+    way = std::max(0.0, way - own);
   }
-  path.front().from = from;
-  path.back().to = to;
-  return path;
+  return rest;
+}
+
+/// The rim from `start` to where it reaches the loop, then along the loop to its end. Empty when it does so too early or
+/// too late: then something came between.
+Path turn_along(const Loop& rim, Vec2 start, const Path& around, double fall) {
+  const auto first = std::min_element(rim.begin(), rim.end(), [&](const Edge& a, const Edge& b) {
+    return distance(a.from, start) < distance(b.from, start);
+  });
+  if (distance(first->from, start) > kFound) return {};
+  Path turn;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const Edge edge = unturned(rim[(static_cast<std::size_t>(first - rim.begin()) + i) % rim.size()]);
+    turn.push_back(i == 0 ? between(edge, start, edge.to) : edge);
+    const auto [way, off] = way_to(around, edge.to);
+    if (off > kOnLoop) continue;
+    if (way < kEarliest * fall || way > fall + kLatest) return {};
+    const Path rest = after(around, way, edge.to);
+    turn.insert(turn.end(), rest.begin(), rest.end());
+    return turn;
+  }
+  return {};
 }
 
 /// The remaining parts of an edge whose ends corners have taken away.
@@ -204,9 +257,8 @@ Path spiral_turn(const Loop& loop, Vec2 start, const Tolerances& tol) {
   const Regions bounded{Region::from_valid_loops(outer ? loop : reversed(loop), {})};
   const Regions rest = outer ? subtract(bounded, widened, coarse) : unite(bounded, widened, coarse);
   for (const auto& region : rest) {
-    const Loop rim = outer ? region.outer() : reversed(region.outer());
-    Path turn = stretch(rim, start, end);
-    if (!turn.empty() && length(turn) > distance(start, end) * 1.5) return turn;
+    Path turn = turn_along(outer ? region.outer() : reversed(region.outer()), start, around, band.fall());
+    if (!turn.empty()) return turn;
   }
   return {};
 }
@@ -230,10 +282,9 @@ Path with_round_corners(const Path& path, double radius, const std::function<boo
   Path round;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const bool whole = left[i].begin == 0 && left[i].end == 1;
-    Edge edge = whole ? path[i] : path[i].part(left[i].begin, left[i].end);
-    if (!round.empty()) edge.from = round.back().to;
-    if (arcs[i]) edge.to = arcs[i]->from;
-    round.push_back(edge);
+    const Edge edge = whole ? path[i] : path[i].part(left[i].begin, left[i].end);
+    const Vec2 from = round.empty() ? edge.from : round.back().to;
+    round.push_back(between(edge, from, arcs[i] ? arcs[i]->from : edge.to));
     if (arcs[i]) round.push_back(*arcs[i]);
   }
   return round;
