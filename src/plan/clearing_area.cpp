@@ -12,6 +12,8 @@ namespace {
 
 /// mm. Walls two diameters apart are cut clean but for a film, within the error of offsets.
 constexpr double kFilm = 0.001;
+/// mm. Where not even that may stay, the rest overlaps by this with what the wall passes clear.
+constexpr double kBareMargin = 0.002;
 /// mm. Walls are followed this much farther than the target can be reached from them.
 constexpr double kWallMargin = 0.01;
 
@@ -54,7 +56,8 @@ class AreaBuilder {
     area_.walls.z_top = layer.z_top;
     area_.walls.z = layer.z;
     area_.walls.target = layer.target;
-    area_.walls.film = kFilm;
+    bare_ = layer.bare || !closed_;
+    area_.walls.film = bare_ ? 0 : kFilm;
     if (!closed_) near_ = dilate(layer.target, layer.tool_radius + kWallMargin, tol);
   }
 
@@ -64,11 +67,11 @@ class AreaBuilder {
     for (const auto& allowed : layer_.allowed) {
       const Clearance clearance(allowed, tol_);
       const auto legal = safe_inset(clearance, allowed, first, tol_);
-      const auto deep = clearance.inset(first + layer_.tool_radius);
+      const auto deep = clearance.inset(first + layer_.tool_radius - (bare_ ? kBareMargin : 0));
       const auto begin = area_.components.size();
       for (const auto& region : legal) area_.components.push_back({region, {}, -1});
       share_out(closed_ ? deep : target_within(deep), begin);
-      for (auto& line : clearance.fit_lines(first)) lines.push_back(std::move(line));
+      for (auto& line : clearance.fit_lines(first, layer_.reserve)) lines.push_back(std::move(line));
     }
     for (std::size_t i = 0; i < area_.components.size(); ++i) add_walls(static_cast<int>(i));
     for (const auto& line : lines) add_fit_line(line);
@@ -140,7 +143,8 @@ class AreaBuilder {
   const Layer& layer_;
   const Tolerances& tol_;
   bool closed_;
-  Regions near_;  ///< from where the target can be reached, on layers with open sides
+  bool bare_ = false;  ///< not even a film may stay
+  Regions near_;       ///< from where the target can be reached, on layers with open sides
   ClearingArea area_;
 };
 

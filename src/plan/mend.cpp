@@ -142,7 +142,7 @@ void insert_way(Path& path, const Place& place, Vec2 target) {
 }
 
 bool clear_group(std::vector<Path>& paths, const Group& group, const MendJob& job) {
-  const double radius = job.radius - kReserve;
+  const double radius = job.radius + std::min(0.0, job.film) - kReserve;
   for (const auto& place : places_near(paths, group.center, 4 * job.radius)) {
     const double share = share_to_go(place.point, group, radius);
     const Vec2 target = lerp(place.point, group.center, share);

@@ -32,6 +32,8 @@ constexpr double kSharpReach = 2.5;
 constexpr double kInsideEdge = 0.6;
 /// Radii. Ridges shorter than this are not followed.
 constexpr double kLeastRidge = 1;
+/// mm. What is mended overlaps by about this where not even a film may stay.
+constexpr double kBareMargin = 0.002;
 /// Work in all, in edges of turns: few steps are tried in large areas.
 constexpr double kMostEdgesInAll = 6000;
 /// A candidate for one connected area.
@@ -62,6 +64,7 @@ class SpiralPlanner {
       rim_.insert(rim_.end(), edges.begin(), edges.end());
     }
     job_.fixed = rim_;
+    if (layer.bare || !from_wall) job_.film = -kBareMargin / 2;
     job_.matters = [this](Vec2 p) { return around_.contains(p); };
     if (!from_wall) first_level_ = level_at_edge();
     job_.legal = [this](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
@@ -123,7 +126,8 @@ class SpiralPlanner {
 
   Spirals spirals(double step) const {
     auto nodes = ring_tree(
-        clearance_, region_, first_level_, [&](const Region&) { return step; }, tol_);
+        clearance_, region_, first_level_,
+        [&](const RingNode&, const std::vector<AxisPiece>&) { return step; }, tol_);
     if (first_level_ == 0 && !nodes.empty()) nodes.front().contour = region_;
     const auto [chains, chain_of_node] = spiral_chains(nodes);
     Spirals result;
@@ -149,7 +153,7 @@ class SpiralPlanner {
   /// Ways along the middle of what loops leave between them; what a few radii hold is left to the mending.
   std::vector<Path> ridges(const RingNode& node) const {
     std::vector<Path> found;
-    for (const auto& ridge : residual_paths(node, layer_.tool_radius)) {
+    for (const auto& ridge : residual_paths(node, layer_.tool_radius - kBareMargin)) {
       Path path;
       for (std::size_t i = 1; i < ridge.points.size(); ++i) {
         if (ridge.points[i] != ridge.points[i - 1])
@@ -176,14 +180,13 @@ class SpiralPlanner {
       const std::size_t before = path.size();
       const Vec2 at = path.back().to;
       const Path turn = turn_to(chain.loops[i], at);
-      path.insert(path.end(), turn.begin(), turn.end());
+      append(path, turn);
       if (turn.empty()) {
         const Path around = lap(oriented(chain.loops[i]), at);
-        path.push_back(Edge::line(at, around.front().from));
-        path.insert(path.end(), around.begin(), around.end());
+        append(path, around);
       } else if (i == 0) {
         const Path rest = lap(oriented(chain.loops[0]), path.back().to, kSpiralFall);
-        path.insert(path.end(), rest.begin(), rest.end());
+        append(path, rest);
       }
       outermost = path.size() - before;
     }
@@ -317,13 +320,6 @@ class Joiner {
     auto way = routes_.between(a, b);
     if (!way || length(*way) / speed_ > lift) return std::nullopt;
     return way;
-  }
-
-  static void append(Path& path, const Path& more) {
-    for (Edge edge : more) {
-      edge.from = path.back().to;
-      path.push_back(edge);
-    }
   }
 
   Spirals spirals_;

@@ -144,8 +144,8 @@ Path after(const Path& path, double way, Vec2 start) {
   Path rest;
   for (const auto& edge : path) {
     const double own = edge.length();
-    if (way < own - kFound) {
-      Edge piece = way > kFound ? edge.part(way / own, 1) : edge;
+    if (way <= 0 || way < own - kFound) {
+      const Edge piece = way > kFound ? edge.part(way / own, 1) : edge;
       rest.push_back(rest.empty() ? between(piece, start, piece.to) : piece);
     }
     way = std::max(0.0, way - own);
@@ -230,6 +230,18 @@ Path beginning(const Path& path, double way) {
 }
 
 }  // namespace
+
+void append(Path& path, const Path& more) {
+  for (const auto& edge : more) {
+    const Vec2 from = path.empty() ? edge.from : path.back().to;
+    if (distance(from, edge.from) > kFound) path.push_back(Edge::line(from, edge.from));
+    if (path.empty() || path.back().to == edge.from) {
+      path.push_back(edge);
+    } else if (from != edge.to) {
+      path.push_back(between(edge, from, edge.to));
+    }
+  }
+}
 
 Path lap(const Loop& loop, Vec2 start, double share) {
   const OnLoop at = nearest_on(loop, start);

@@ -26,6 +26,9 @@ Path spiral_turn(const Loop& loop, Vec2 start, const Tolerances& tol);
 /// The loop from the place nearest to `start` once round, or as far as `share` of its length.
 Path lap(const Loop& loop, Vec2 start, double share = 1);
 
+/// Goes on with `more`: from where the path ends, exactly, and by a line where that is farther away than rounding.
+void append(Path& path, const Path& more);
+
 /// Corners become arcs of at most `radius` that touch both edges, except where `sharp` says so and where edges are too
 /// short.
 Path with_round_corners(const Path& path, double radius, const std::function<bool(Vec2)>& sharp);
