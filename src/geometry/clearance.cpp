@@ -37,8 +37,10 @@ Regions nested(std::vector<Loop> loops) {
   std::vector<Loop> islands;
   for (Loop& loop : loops) {
     const double area = signed_area(loop);
-    if (area > 0) outers.emplace_back(area, std::move(loop));
-    if (area < 0) islands.push_back(std::move(loop));
+    if (area > 0)
+      outers.emplace_back(area, std::move(loop));
+    else if (area < 0)
+      islands.push_back(std::move(loop));
   }
   // Smallest first: the first that holds an island is the one around it.
   std::vector<std::size_t> by_area(outers.size());

@@ -16,7 +16,8 @@ struct GridPoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
   friend bool operator==(GridPoint, GridPoint) = default;
-  friend auto operator<=>(GridPoint, GridPoint) = default;
+  // The comparison with 0 inside is none with a null pointer.
+  friend auto operator<=>(GridPoint, GridPoint) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// Indices are those of Sites::elements.
