@@ -45,5 +45,19 @@ TEST(RealDrawings, EveryPocketIsCleanOrRefusedByName) {
   expect_clean_or_refused("rabbit-trace.svg", 3);
 }
 
+TEST(RealParts, EverySampleOfStepNcIsCleanWithCuttersThatFit) {
+  CLEARCUT_SKIP_WITHOUT_DATA();
+  const std::string folder = test_support::data_folder()->string() + "/stepnc/";
+  for (const char* name : {"unb_final_test.p21", "ufsc_hole_slot_step_pocket.p21", "ufsc_slot_rounded_u.p21",
+                           "iso14649_11_ex1.stp", "iso14649_11_ex1_nist.stp"}) {
+    PlanOptions options;
+    // It asks for a ball end mill on a flat floor.
+    if (std::string(name) == "unb_final_test.p21")
+      options.tools = {parse_tool("endmill:4"), parse_tool("endmill:6")};
+    const auto result = plan(read_part(folder + name, {}), options);
+    for (const auto& fault : result.findings.faults) ADD_FAILURE() << name << ": " << fault.text;
+  }
+}
+
 }  // namespace
 }  // namespace clearcut

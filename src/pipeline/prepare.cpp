@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "part/round_hole.h"
 
@@ -86,6 +87,22 @@ void choose_tools(Part& part, const PlanOptions& options) {
   }
 }
 
+/// Greatest distance of a place in `target` from the boundary of `allowed`, by its medial axis; where that runs
+/// beside the target (far open sides), by the middle of the target.
+double widest_over(const Regions& target, const Region& allowed, const Tolerances& tol) {
+  const Clearance clearance(allowed, tol);
+  double widest = 0;
+  for (const AxisPoint& p : clearance.axis().points) {
+    if (p.clearance > widest && contains(target, p.point)) widest = p.clearance;
+  }
+  for (const Region& region : target) {
+    for (const AxisPoint& p : Clearance(region, tol).centers()) {
+      if (allowed.contains(p.point)) widest = std::max(widest, allowed.boundary_distance(p.point));
+    }
+  }
+  return widest;
+}
+
 double default_spindle(const Tool& tool, const Machine& machine) {
   const double rpm =
       std::max(10.0, std::round(kDefaultCuttingSpeed * 1000 / (kPi * tool.diameter) / 10) * 10);
@@ -143,8 +160,15 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
 }  // namespace
 
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
+  const double deep = feature.top_z - feature.floor_z;
+  const bool leans = feature.wall_slope.radians() != 0 && deep > 0;
+  const Regions allowed = leans ? at_depth(feature.allowed, feature.wall_slope, deep, tol) : feature.allowed;
+  const Regions target = leans ? intersect(feature.target, allowed, tol) : feature.target;
+  const bool closed = feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole;
   double radius = 0;
-  for (const auto& region : feature.allowed) radius = std::max(radius, Clearance(region, tol).max());
+  for (const auto& region : allowed) {
+    radius = std::max(radius, closed ? Clearance(region, tol).max() : widest_over(target, region, tol));
+  }
   return 2 * radius;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "geometry/boolean.h"
 #include "part/round_hole.h"
 #include "pipeline/certify.h"
 #include "pipeline/holes.h"
@@ -67,7 +68,9 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
   auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius);
   for (auto& layer : layers) {
     layer.reserve = reserve;
-    const Regions standing = standing_target(part, step.feature, layer.z, options.tol);
+    Regions standing = standing_target(part, step.feature, layer.z, options.tol);
+    // It stands in the outline at the top: between leaning walls there is less.
+    if (feature.wall_slope.radians() != 0) standing = intersect(standing, layer.allowed, options.tol);
     if (standing.empty() || has_open_side(feature)) layer.target = standing;
     layer.bare = is_bare(part, feature);
   }

@@ -162,6 +162,7 @@ class CoverageProof {
     if (beside_target(cell, parents.outline, near.outline)) return true;
     ConvexPolygon part = part_in_target(cell, near.outline);
     if (part.empty()) return true;
+    if (may_have_film() && all_in_film(cell, part)) return true;
     if (cell.half <= question_.flat && take_covered(part, near.swaths)) return true;
     const bool within_reach = list_legals(cell, part, parents.legals, near.legals);
     if (cell.legality == Legality::kNone) {
@@ -344,6 +345,33 @@ class CoverageProof {
       return false;
     });
     return found;
+  }
+
+  /// Whether all of `part` lies in what is to be left on one wall: within the allowance, or inside where it leans.
+  bool all_in_film(const Cell& cell, const ConvexPolygon& part) const {
+    const double greatest = question_.allowance + question_.part->greatest_lean();
+    const std::vector<Wall>& walls = question_.part->walls();
+    bool found = false;
+    question_.part->wall_tree().nearest(cell.center, greatest, [&](int i) {
+      found = found || (walls[i].stands_at(question_.z) && film_holds(walls[i], cell, part));
+      return false;
+    });
+    return found;
+  }
+
+  bool film_holds(const Wall& wall, const Cell& cell, const ConvexPolygon& part) const {
+    const double film = question_.allowance + wall.lean(question_.z);
+    if (wall.edge.is_arc()) {
+      if (distance(wall.edge, cell.center) + cell.reach() > film) return false;
+    } else if (excess_over(part, {wall.edge, film}) > kRounding) {
+      return false;
+    }
+    const std::vector<Edge> ends = wall.flat_ends(question_.z);
+    return std::all_of(ends.begin(), ends.end(), [&](const Edge& end) {
+      const Vec2 outward = left_of(end.tangent_at(0));
+      return std::all_of(part.points().begin(), part.points().end(),
+                         [&](Vec2 p) { return dot(p - end.from, outward) <= kRounding; });
+    });
   }
 
   /// Adds what no centre reaches of a cell that the program is known to have cut as far as it can.

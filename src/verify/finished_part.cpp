@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "verify/trimmed_curve.h"
+
 namespace clearcut {
 namespace {
 
@@ -29,7 +31,20 @@ Vec2 left_normal_at_middle(const Edge& edge) {
   return left_of(edge.tangent_at(0.5));
 }
 
+double distance_of(const Edge& path, const Edge& wall) {
+  return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
+}
+
 }  // namespace
+
+std::vector<Edge> Wall::flat_ends(double z) const {
+  std::vector<Edge> ends;
+  const double far = lean(z);
+  if (far <= 0) return ends;
+  if (flat_from) ends.push_back(Edge::line(edge.from, edge.from + left_of(edge.tangent_at(0)) * far));
+  if (flat_to) ends.push_back(Edge::line(edge.to + left_of(edge.tangent_at(1)) * far, edge.to));
+  return ends;
+}
 
 FinishedPart::FinishedPart(const Part& part) : top_z_(top_of(part)) {
   if (part.stock) add_stock(*part.stock);
@@ -59,6 +74,7 @@ void FinishedPart::add_feature(const Feature& feature, int index) {
 }
 
 void FinishedPart::add_stock(const Stock& stock) {
+  stock_ = stock.plan;
   const Vec2 a = stock.plan.min, c = stock.plan.max, b{c.x, a.y}, d{a.x, c.y};
   Shape shape;
   shape.outline = EdgeTree({Edge::line(a, d), Edge::line(d, c), Edge::line(c, b), Edge::line(b, a)});
@@ -84,6 +100,37 @@ double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   const double far = (shape.top - shape.floor) * shape.slope;
   const double d = std::min(far, shape.outline.nearest(p, far).distance);
   return std::max(shape.floor, shape.top - d / shape.slope);
+}
+
+/// Beyond a flat end, the lean that puts p as far from the wall as it is from that end.
+double FinishedPart::lean_inside(const Wall& wall, double z, Vec2 p) const {
+  const double lean = wall.lean(z);
+  if (!wall.flat_from && !wall.flat_to) return lean;
+  const double from_outline = distance(wall.edge, p);
+  for (const Edge& end : wall.flat_ends(z)) {
+    const Vec2 corner = wall.flat_from && end.from == wall.edge.from ? end.from : end.to;
+    const Vec2 outward = left_of(end.tangent_at(0));
+    const bool beyond = dot(p - corner, outward) > 0 && from_outline >= distance(corner, p) - kProbe;
+    if (beyond) return std::max(0.0, from_outline - distance(end, p));
+  }
+  return lean;
+}
+
+double FinishedPart::apart(const Wall& wall, double z, const Edge& path) const {
+  double least = distance_of(path, wall.edge);
+  const double lean = wall.lean(z);
+  if (lean <= 0) return least;
+  for (const Edge& top : parallel(wall.edge, lean, 0)) {
+    if (top.from != top.to) least = std::min(least, distance_of(path, top));
+  }
+  for (const Edge& end : wall.flat_ends(z)) least = std::min(least, distance_of(path, end));
+  const auto round = [&](Vec2 corner) {
+    const double d = path.from == path.to ? distance(path.from, corner) : distance(path, corner);
+    least = std::min(least, d - lean);
+  };
+  if (!wall.flat_from) round(wall.edge.from);
+  if (!wall.flat_to) round(wall.edge.to);
+  return least;
 }
 
 double FinishedPart::height(Vec2 p) const {
@@ -146,15 +193,25 @@ void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
   const Vec2 middle = piece.at(0.5), aside = left_normal_at_middle(piece) * kProbe;
   const double left = height_beside(middle + aside, index, true);
   const double right = height_beside(middle - aside, index, false);
-  if (shape.slope > 0) {
-    const double upright = std::min(right, shape.floor);
-    if (left < upright) walls_.push_back({piece, left, upright, shape.feature, 0, 0});
-    const double high = left < right ? right : shape.top;
-    walls_.push_back({piece, shape.floor, high, shape.feature, shape.top, shape.slope});
-    return;
-  }
-  if (left < right) walls_.push_back({piece, left, right, shape.feature, 0, 0});
-  if (right < left) walls_.push_back({piece.reversed(), right, left, shape.feature, 0, 0});
+  if (shape.slope > 0) return add_leaning_wall(piece, shape, left, right);
+  if (left < right) walls_.push_back({piece, left, right, shape.feature});
+  if (right < left) walls_.push_back({piece.reversed(), right, left, shape.feature});
+}
+
+void FinishedPart::add_leaning_wall(const Edge& piece, const Shape& shape, double left, double right) {
+  // Beside the stock nothing leans, and its own sides are upright.
+  if (left == kNothing && right == kNothing) return;
+  if (left == kNothing) return walls_.push_back({piece, left, right, shape.feature});
+  const double upright = std::min(right, shape.floor);
+  if (left < upright) walls_.push_back({piece, left, upright, shape.feature});
+  Wall wall{piece, shape.floor, left < right ? right : shape.top, shape.feature, shape.top, shape.slope};
+  wall.flat_from = is_beside_stock(piece.from - piece.tangent_at(0) * kProbe);
+  wall.flat_to = is_beside_stock(piece.to + piece.tangent_at(1) * kProbe);
+  walls_.push_back(wall);
+}
+
+bool FinishedPart::is_beside_stock(Vec2 p) const {
+  return stock_ && !stock_->contains(p);
 }
 
 }  // namespace clearcut

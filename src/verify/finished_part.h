@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "part/part.h"
@@ -18,9 +19,13 @@ struct Wall {
   int feature = -1;   ///< whose outline it is; -1: the edge of the stock
   double top_z = 0;   ///< leaning walls: height at which the wall is at `edge`
   double slope = 0;   ///< tan of the angle it leans; at height z it stands (top_z - z) * slope inside `edge`
+  bool flat_from = false;  ///< leaning walls: the side of the stock cuts what leans off square at this end
+  bool flat_to = false;
 
   bool stands_at(double z) const { return z_low <= z && z < z_high; }
   double lean(double z) const { return slope > 0 ? std::max(0.0, top_z - z) * slope : 0.0; }
+  /// What leans at height z as it shows at the flat ends: lines from or to the outline, free on their left.
+  std::vector<Edge> flat_ends(double z) const;
 };
 
 /// Height of the part over the plan: the lowest floor of the features that allow the cutter at a place, else
@@ -46,8 +51,10 @@ class FinishedPart {
   /// How far a wall at height z stands inside its outline for a cutter at p: leaning walls only do so towards
   /// the feature they bound.
   double lean(const Wall& wall, double z, Vec2 p) const {
-    return wall.slope > 0 && z < wall.top_z && is_inside(wall.feature, p) ? wall.lean(z) : 0.0;
+    return wall.slope > 0 && z < wall.top_z && is_inside(wall.feature, p) ? lean_inside(wall, z, p) : 0.0;
   }
+  /// Distance of a path (or place, from == to) from what stands of a wall at height z.
+  double apart(const Wall& wall, double z, const Edge& path) const;
   /// Whether p lies within the outline of a feature.
   bool is_inside(int feature, Vec2 p) const;
 
@@ -77,6 +84,9 @@ class FinishedPart {
                               const std::vector<int>& owner) const;
   bool holds(const Shape& shape, Vec2 p) const;
   double height_in(const Shape& shape, Vec2 p) const;
+  double lean_inside(const Wall& wall, double z, Vec2 p) const;
+  void add_leaning_wall(const Edge& piece, const Shape& shape, double left, double right);
+  bool is_beside_stock(Vec2 p) const;
   double height_beside(Vec2 p, int own, bool inside_own) const;
 
   std::vector<Shape> shapes_;
@@ -85,6 +95,7 @@ class FinishedPart {
   std::vector<double> heights_;
   double top_z_ = 0;
   double greatest_lean_ = 0;
+  std::optional<Box> stock_;
 };
 
 }  // namespace clearcut

@@ -60,11 +60,17 @@ class LevelJudge {
     if (distance(wall.edge, path.from == path.to ? path.from : path.at(0.5)) >= farthest + half) return;
     const double apart = edge_distance(path, wall.edge);
     if (apart >= farthest) return;
-    const double lean = wall.slope > 0 ? part_.lean(wall, z, nearest_place(path, wall.edge)) : 0;
-    const double depth = std::min(radius_ + lean - apart, wall.z_high - z);
+    const double depth = std::min(radius_ - apart_from(path, apart, z, wall), wall.z_high - z);
     if (depth <= 0 || (worst_ && depth <= worst_->depth)) return;
     worst_ = Gouge{depth, {}, z, false, wall.feature};
     worst_wall_ = &wall;
+  }
+
+  /// From what stands of a wall at this height; `apart`: from its outline.
+  double apart_from(const Edge& path, double apart, double z, const Wall& wall) const {
+    if (wall.slope <= 0) return apart;
+    if (wall.flat_from || wall.flat_to) return part_.apart(wall, z, path);
+    return apart - part_.lean(wall, z, nearest_place(path, wall.edge));
   }
 
   /// The centre itself may be inside the part, behind a wall or below a floor.

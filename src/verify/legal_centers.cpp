@@ -47,6 +47,7 @@ LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, con
   });
   add_wall_curves(walls);
   add_corner_curves(walls);
+  add_end_curves(walls);
   add_tight_places();
   boundary_ = EdgeTree(std::move(found_));
 }
@@ -87,8 +88,20 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
           Edge::arc(corner + left_of(heading) * d, corner + left_of(after) * d, corner, Turn::kClockwise);
       if (distance(arc.from, arc.to) > kRounding) add_legal_parts(arc, i);
     }
-    if (matched) continue;
+    if (matched || (wall.flat_to && d > reach_)) continue;
     for (const Edge& half : circle(corner, d)) add_legal_parts(half, i);
+  }
+}
+
+/// Beside the flat ends of leaning walls.
+void LegalCenters::add_end_curves(const std::vector<int>& walls) {
+  for (const int i : walls) {
+    for (const Edge& end : part_.walls()[i].flat_ends(z_)) {
+      for (const Edge& curve : parallel(end, reach_, 0)) add_legal_parts(curve, i);
+      for (const Vec2 corner : {end.from, end.to}) {
+        for (const Edge& half : circle(corner, reach_)) add_legal_parts(half, i);
+      }
+    }
   }
 }
 
@@ -155,6 +168,7 @@ void LegalCenters::cut_by_wall(TrimmedCurve& left, const Wall& wall, double upri
   if (!wall.stands_at(z_) || distance(wall.edge, left.middle()) >= farthest + left.half()) return;
   left.add_cuts(wall.edge, upright);
   if (farthest > upright) left.add_cuts(wall.edge, farthest);
+  for (const Edge& end : wall.flat_ends(z_)) left.add_cuts(end, upright);
   left.keep([&](Vec2 p) { return distance(wall.edge, p) >= upright + part_.lean(wall, z_, p); });
 }
 

@@ -29,6 +29,7 @@ class LegalCenters {
  private:
   void add_wall_curves(const std::vector<int>& walls);
   void add_corner_curves(const std::vector<int>& walls);
+  void add_end_curves(const std::vector<int>& walls);
   /// `wall`: that which the curve runs along; its neighbours are the likeliest to be nearer.
   void add_legal_parts(const Edge& curve, int wall);
   void add_fit_point(Vec2 p);

@@ -248,6 +248,38 @@ TEST(Verify, NearlyStraightArcsAreJudgedAsLines) {
   }
 }
 
+/// A slot through the whole stock, 10 mm wide at the top, its walls 1 mm nearer at the floor.
+Part leaning_slot() {
+  Part part = pocket_part(rectangle(0, 15, 60, 25), 6, -4);
+  part.stock = Stock{{{0, 0}, {60, 40}}, -20, 0};
+  const Region around = rectangle(-1000, -1000, 1060, 1040)[0];
+  Feature& slot = part.features[0];
+  slot.kind = FeatureKind::kSlot;
+  slot.wall_slope = Radians::of(std::atan(0.25));
+  slot.allowed = {Region::from_valid_loops(
+      around.outer(), {rectangle(0, 0, 60, 15)[0].outer(), rectangle(0, 25, 60, 40)[0].outer()})};
+  return part;
+}
+
+Toolpath slot_program(double low, double high, std::optional<double> across = {}) {
+  Writer writer;
+  writer.enter({-4, low}, 0, -4).feed({64, low}).feed({64, high}).feed({-4, high});
+  if (across) writer.feed({*across, high}).feed({*across, 45}).feed({*across, -5});
+  return writer.done();
+}
+
+TEST(Verify, LeaningWallsEndAtTheSideOfTheStock) {
+  const Part part = leaning_slot();
+  const Findings right = verify(part, slot_program(19, 21), {});
+  EXPECT_TRUE(right.all.clean) << report_of(right);
+  EXPECT_LE(right.all.unreachable_mm2, 0.1);
+  // What leans ends with the stock: beside it a cutter may pass as near as beside an upright side.
+  EXPECT_TRUE(verify(part, slot_program(19, 21, -3), {}).all.clean);
+  EXPECT_NEAR(verify(part, slot_program(19, 21, -2.99), {}).all.gouge_mm, 0.01, 1e-9);
+  EXPECT_NEAR(verify(part, slot_program(18.99, 21), {}).all.gouge_mm, 0.01, 1e-9);
+  EXPECT_TRUE(has(verify(part, slot_program(19.02, 21), {}), FaultKind::kUncut));
+}
+
 TEST(Verify, AHoleOfTheCuttersSizeIsCutByAPlunge) {
   const std::vector<Vec2> turned{{3, -4}, {11, 2}, {5, 10}, {-3, 4}};
   const Regions holes[] = {rectangle(0, 0, 10, 10),
