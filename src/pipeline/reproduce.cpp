@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/clearance.h"
+#include "pipeline/reproduce_tour.h"
 #include "plan/contour.h"
 #include "plan/layer.h"
 #include "toolpath/pass.h"
@@ -136,7 +137,8 @@ const std::vector<Entry>& entries() {
   static const std::vector<Entry> all{{"coefficients", coefficients},
                                       {"overlaps", overlaps},
                                       {"triangle", triangle},
-                                      {"rho-triangle", rho_triangle}};
+                                      {"rho-triangle", rho_triangle},
+                                      {"genetic", genetic_figures}};
   return all;
 }
 

@@ -32,6 +32,10 @@ class Fitness {
   /// Change of `local` by a rearrangement, before it is applied. O(1): a reversed stretch keeps its value.
   double change(const Genome& genome, const Rearrangement& rearrangement) const;
 
+  /// Whether the value follows from `local` alone.
+  bool is_local() const { return !objective_.path_dependent(); }
+  double value_of(double local) const { return local + objective_.constant(); }
+
   /// Sets `value` from `local`; objectives that depend on the whole path are evaluated here.
   void complete(Individual& individual) const;
 

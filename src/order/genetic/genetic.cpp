@@ -37,6 +37,7 @@ class Evolution {
         moves_(moves),
         ground_(moves, options.neighbours),
         fitness_(moves, objective),
+        has_rules_(!moves.problem().precedence.empty()),
         random_(options.seed),
         selection_(selection_named(options.selection)),
         crossover_(crossover_named(options.crossover, ground_)),
@@ -89,26 +90,31 @@ class Evolution {
     return pool_.best().value < before - kSameValue * std::abs(before);
   }
 
+  /// A child is priced before its genes are written: most are no better and cost no copy.
   void one_child() {
     const Parents parents = select();
     const bool crosses = random_.unit() < options_.crossover_rate;
+    const bool mutates = random_.unit() < options_.mutation_rate;
     const Individual& first = pool_.at(parents.first);
+    ++result_.children;
     if (crosses) {
       crossover_->cross(first.genome, pool_.at(parents.second).genome, random_, child_.genome);
       child_.local = fitness_.local_after(first, child_.genome);
-    } else {
-      child_ = first;
     }
-    if (random_.unit() < options_.mutation_rate) {
-      const Rearrangement change = mutation_->choose(child_.genome, random_);
-      child_.local += fitness_.change(child_.genome, change);
-      child_.genome.apply(change);
+    const Genome& genes = crosses ? child_.genome : first.genome;
+    const Rearrangement change = mutates ? mutation_->choose(genes, random_) : Rearrangement{};
+    const double local = (crosses ? child_.local : first.local) + fitness_.change(genes, change);
+    if (fitness_.is_local()) {
+      const double value = fitness_.value_of(local);
+      if (!has_rules_) count(parents, value);
+      if (!replacement_->wants(pool_, value, parents.first)) return;
     }
-    ++result_.children;
-    const Problem& problem = moves_.problem();
-    if (!problem.precedence.empty() && !is_valid(problem, child_.genome.genes())) return;
+    if (!crosses) child_ = first;
+    child_.local = local;
+    child_.genome.apply(change);
+    if (has_rules_ && !is_valid(moves_.problem(), child_.genome.genes())) return;
     fitness_.complete(child_);
-    count(parents);
+    if (has_rules_ || !fitness_.is_local()) count(parents, child_.value);
     replacement_->offer(pool_, child_, parents.first);
   }
 
@@ -133,11 +139,11 @@ class Evolution {
     }
   }
 
-  void count(const Parents& parents) {
+  void count(const Parents& parents, double value) {
     const double better = std::min(pool_.at(parents.first).value, pool_.at(parents.second).value);
     const double enough = kSameValue * std::abs(better);
-    result_.improved += child_.value < better - enough ? 1 : 0;
-    result_.records += child_.value < pool_.best().value - enough ? 1 : 0;
+    result_.improved += value < better - enough ? 1 : 0;
+    result_.records += value < pool_.best().value - enough ? 1 : 0;
   }
 
   void sample() {
@@ -153,6 +159,7 @@ class Evolution {
   const Moves& moves_;
   Ground ground_;
   Fitness fitness_;
+  bool has_rules_;  ///< precedence: children may be invalid
   Random random_;
   std::unique_ptr<Selection> selection_;
   std::unique_ptr<Crossover> crossover_;

@@ -55,8 +55,8 @@ struct GeneticResult {
 
 /// Runs the algorithm over any problem and objective. One thread; runs of a study go side by side. Children
 /// that break precedence are dropped. Throws InputError for unknown operators and sizes that make no sense.
-/// Cost per child O(n) for copying, O(altered edges) for its value; objectives that depend on the whole path
-/// are evaluated whole. Memory O(population n); no matrix of distances.
+/// Cost O(1) for a mutated child that is not taken in, O(n) for the others; objectives that depend on the whole
+/// path are evaluated whole. Memory O(population n); no matrix of distances.
 GeneticResult run_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
 
 /// The same as a Solution with its proven gap, which the algorithm itself cannot know.

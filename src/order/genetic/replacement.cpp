@@ -26,30 +26,39 @@ bool has_copy(const Pool& pool, const Individual& child) {
 
 class Distinct final : public Replacement {
  public:
+  bool wants(const Pool& pool, double value, int /*first_parent*/) const override {
+    return value < pool.worst().value || same_value(value, pool.worst().value);
+  }
   void offer(Pool& pool, Individual& child, int /*first_parent*/) override {
-    const double worst = pool.worst().value;
-    if ((child.value < worst || same_value(child.value, worst)) && !has_copy(pool, child))
+    if (wants(pool, child.value, 0) && !has_copy(pool, child))
       pool.replace(pool.at_rank(pool.size() - 1), child);
   }
 };
 
 class Worst final : public Replacement {
  public:
+  bool wants(const Pool& pool, double value, int /*first_parent*/) const override {
+    return value < pool.worst().value;
+  }
   void offer(Pool& pool, Individual& child, int /*first_parent*/) override {
-    if (child.value < pool.worst().value) pool.replace(pool.at_rank(pool.size() - 1), child);
+    if (wants(pool, child.value, 0)) pool.replace(pool.at_rank(pool.size() - 1), child);
   }
 };
 
 class Parent final : public Replacement {
  public:
-  void offer(Pool& pool, Individual& child, int first_parent) override {
+  bool wants(const Pool& pool, double value, int first_parent) const override {
     const double parent = pool.at(first_parent).value;
-    if (child.value < parent || same_value(child.value, parent)) pool.replace(first_parent, child);
+    return value < parent || same_value(value, parent);
+  }
+  void offer(Pool& pool, Individual& child, int first_parent) override {
+    if (wants(pool, child.value, first_parent)) pool.replace(first_parent, child);
   }
 };
 
 class WholeGeneration final : public Replacement {
  public:
+  bool wants(const Pool& /*pool*/, double /*value*/, int /*first_parent*/) const override { return true; }
   void offer(Pool& /*pool*/, Individual& child, int /*first_parent*/) override { children_.push_back(child); }
   void end_generation(Pool& pool) override {
     std::stable_sort(children_.begin(), children_.end(),

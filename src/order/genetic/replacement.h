@@ -13,6 +13,8 @@ namespace clearcut::order {
 class Replacement {
  public:
   virtual ~Replacement() = default;
+  /// False when a child of that value would be left anyway.
+  virtual bool wants(const Pool& pool, double value, int first_parent) const = 0;
   /// Takes the child in, or leaves it; `first_parent` is that parent's place in the pool.
   virtual void offer(Pool& pool, Individual& child, int first_parent) = 0;
   virtual void end_generation(Pool& /*pool*/) {}
