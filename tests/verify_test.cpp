@@ -240,5 +240,36 @@ TEST(VerifyPrograms, SpoiltProgramsAreJudgedAsSamplingJudgesThem) {
   EXPECT_LT(refused, 50);
 }
 
+/// Replaces the first line of a program that matches, and judges what that makes of it.
+Findings with_line(const PlanResult& result, const std::string& pattern, const std::string& line) {
+  auto lines = lines_of(result.program);
+  const auto found = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
+    return std::regex_search(text, std::regex(pattern));
+  });
+  EXPECT_NE(found, lines.end()) << pattern;
+  *found = line;
+  return judged(result.part, joined(lines));
+}
+
+/// A program that cannot be read is not called clean either.
+bool called_clean(const PlanResult& result, const std::string& pattern, const std::string& line) {
+  try {
+    return with_line(result, pattern, line).all.clean;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+TEST(VerifyPrograms, UnitsPlanesAndModesThatAreNotMeant) {
+  const PlanResult result = planned(4);
+  ASSERT_TRUE(result.findings.all.clean);
+  EXPECT_TRUE(called_clean(result, "^G21", "G21"));
+  EXPECT_FALSE(called_clean(result, "^G21", "G20"));  // numbers in mm, read as inches
+  EXPECT_TRUE(called_clean(result, "^G17 ", "G17 G40 G49 G54 G80 G90 G91.1 G94"));
+  EXPECT_FALSE(called_clean(result, "^G17 ", "G17 G40 G49 G54 G80 G91 G91.1 G94"));  // incremental
+  EXPECT_FALSE(called_clean(result, "^G17 ", "G17 G40 G49 G54 G80 G90 G90.1 G94"));  // centres absolute
+  EXPECT_FALSE(called_clean(result, "^G17 ", "G18 G40 G49 G54 G80 G90 G91.1 G94"));  // arcs upright
+}
+
 }  // namespace
 }  // namespace clearcut
