@@ -30,75 +30,73 @@ bool within(const Edge& e, Vec2 p, double reach) {
 
 Cover::Cover(std::span<const Edge> edges, double radius)
     : edges_(edges.begin(), edges.end()), radius_(radius) {
-  for (const auto& edge : edges_) box_.add(edge.box());
-  if (edges_.empty()) return;
-  box_ = box_.grown(2 * radius);
+  Box box;
+  for (const auto& edge : edges_) box.add(edge.box());
+  if (box.empty()) return;
+  box = box.grown(2 * radius);
   const double most_cells = 4.0 * static_cast<double>(edges_.size()) + 64;
-  cell_ = std::max(radius / 2, std::sqrt(box_.width() * box_.height() / most_cells));
-  columns_ = static_cast<std::size_t>(box_.width() / cell_) + 1;
-  rows_ = static_cast<std::size_t>(box_.height() / cell_) + 1;
-  edges_in_.resize(columns_ * rows_);
-  const double half_diagonal = cell_ * 0.7072;
+  grid_ = CellGrid(box, std::max(radius / 2, std::sqrt(box.width() * box.height() / most_cells)));
+  sort_edges();
+}
+
+Cover::Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base)
+    : base_(std::move(base)),
+      edges_(edges.begin(), edges.end()),
+      radius_(base_->radius_),
+      grid_(base_->grid_) {
+  sort_edges();
+}
+
+void Cover::sort_edges() {
+  const double half_diagonal = grid_.cell * 0.7072;
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    for_cells(edges_[i].box().grown(radius), [&](std::size_t cell, Vec2 center) {
-      if (within(edges_[i], center, radius + half_diagonal)) edges_in_[cell].push_back(i);
+    grid_.for_cells(edges_[i].box().grown(radius_), [&](std::size_t cell, Vec2 center) {
+      if (within(edges_[i], center, radius_ + half_diagonal)) edges_in_.add(cell, i);
     });
   }
+  edges_in_.build(grid_.count());
 }
 
-template <typename F>
-void Cover::for_cells(const Box& box, F&& f) const {
-  const auto clamp_to = [](double v, std::size_t n) {
-    return static_cast<std::size_t>(std::clamp(v, 0.0, static_cast<double>(n - 1)));
-  };
-  const std::size_t c0 = clamp_to((box.min.x - box_.min.x) / cell_, columns_);
-  const std::size_t c1 = clamp_to((box.max.x - box_.min.x) / cell_, columns_);
-  const std::size_t r0 = clamp_to((box.min.y - box_.min.y) / cell_, rows_);
-  const std::size_t r1 = clamp_to((box.max.y - box_.min.y) / cell_, rows_);
-  for (std::size_t r = r0; r <= r1; ++r) {
-    for (std::size_t c = c0; c <= c1; ++c) {
-      const Vec2 center{box_.min.x + (static_cast<double>(c) + 0.5) * cell_,
-                        box_.min.y + (static_cast<double>(r) + 0.5) * cell_};
-      f(r * columns_ + c, center);
-    }
-  }
-}
-
-std::size_t Cover::cell_of(Vec2 p) const {
-  const auto c = static_cast<std::size_t>((p.x - box_.min.x) / cell_);
-  const auto r = static_cast<std::size_t>((p.y - box_.min.y) / cell_);
-  return std::min(r, rows_ - 1) * columns_ + std::min(c, columns_ - 1);
+bool Cover::own_edge_holds(Vec2 p, std::size_t cell, double reach) const {
+  const auto near = edges_in_.at(cell);
+  return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return within(edges_[i], p, reach); });
 }
 
 bool Cover::holds(Vec2 p, double slack) const {
-  if (edges_.empty() || !box_.contains(p)) return false;
-  const auto& near = edges_in_[cell_of(p)];
-  return std::any_of(near.begin(), near.end(),
-                     [&](std::uint32_t i) { return within(edges_[i], p, radius_ - slack); });
+  if (grid_.box.empty() || !grid_.box.contains(p)) return false;
+  const std::size_t cell = grid_.cell_of(p);
+  return own_edge_holds(p, cell, radius_ - slack) ||
+         (base_ && base_->own_edge_holds(p, cell, radius_ - slack));
 }
 
 double Cover::distance_to(Vec2 p) const {
   double best = std::numeric_limits<double>::infinity();
-  if (edges_.empty() || !box_.contains(p)) return best;
-  for (const std::uint32_t i : edges_in_[cell_of(p)]) best = std::min(best, distance(edges_[i], p));
-  return best;
+  if (grid_.box.empty() || !grid_.box.contains(p)) return best;
+  for (const Cover* cover : {this, base_.get()}) {
+    if (!cover) continue;
+    for (const std::uint32_t i : cover->edges_in_.at(grid_.cell_of(p))) {
+      const Edge& e = cover->edges_[i];
+      const double d = e.is_arc() ? distance(e, p) : 0;
+      best = std::min(best, e.is_arc() ? d * d : squared_distance_to_line(e, p));
+    }
+  }
+  return std::sqrt(best);
 }
 
 void Cover::add_curve(const Curve& curve) {
-  const double half_diagonal = cell_ * 0.7072 + kBorder;
+  const double half_diagonal = grid_.cell * 0.7072 + kBorder;
   const auto number = static_cast<std::uint32_t>(curves_.size());
   curves_.push_back(curve);
-  for_cells(curve.box.grown(kBorder), [&](std::size_t cell, Vec2 center) {
+  grid_.for_cells(curve.box, [&](std::size_t cell, Vec2 center) {
     const double off = curve.circle ? std::abs(std::sqrt(norm_squared(center - curve.a)) - curve.radius)
                                     : std::abs(cross(curve.direction, center - curve.a));
-    if (off <= half_diagonal) curves_in_[cell].push_back(number);
+    if (off <= half_diagonal) curves_in_.add(cell, number);
   });
 }
 
 void Cover::add_curves() {
-  curves_in_.assign(edges_in_.size(), {});
   const auto add_circle = [&](Vec2 center, double r, const Box& box) {
-    if (r > kRim) add_curve({true, center, {}, r, box});
+    if (r > kRim) add_curve({true, center, {}, r, box.grown(kBorder)});
   };
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Edge& e = edges_[i];
@@ -112,7 +110,7 @@ void Cover::add_curves() {
         Box box;
         box.add(e.from + side);
         box.add(e.to + side);
-        add_curve({false, e.from + side, u, 0, box});
+        add_curve({false, e.from + side, u, 0, box.grown(kBorder)});
       }
     }
     const bool joined = i > 0 && edges_[i - 1].to == e.from;
@@ -121,6 +119,7 @@ void Cover::add_curves() {
     const bool goes_on = i + 1 < edges_.size() && edges_[i + 1].from == e.to;
     if (!goes_on) add_circle(e.to, radius_, Box{e.to, e.to}.grown(radius_));
   }
+  curves_in_.build(grid_.count());
 }
 
 /// The circle about the joint of two edges is a rim only between their normals, on the outer side of the
@@ -139,7 +138,7 @@ void Cover::add_joint(const Edge& before, const Edge& after) {
     box.add(b);
     box = box.grown(0.3 * norm(b - a));
   }
-  add_curve({true, p, {}, radius_, box});
+  add_curve({true, p, {}, radius_, box.grown(kBorder)});
 }
 
 void Cover::add_joint_points() {
@@ -152,7 +151,7 @@ void Cover::add_joint_points() {
   }
 }
 
-void Cover::add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out) const {
+void Cover::add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out) {
   if (!p.circle && !q.circle) {
     const double det = cross(p.direction, q.direction);
     if (std::abs(det) < 1e-9) return;
@@ -180,29 +179,53 @@ void Cover::add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out)
 }
 
 std::vector<Vec2> Cover::holes(const std::function<bool(Vec2)>& matters) const {
+  std::vector<Vec2> found;
+  if (grid_.box.empty()) return found;
   Cover work(*this);
   work.add_curves();
   work.add_joint_points();
-  std::vector<Vec2> found;
+  // What holds one meeting often holds the next.
+  std::uint32_t last = 0;
   const auto look_at = [&](Vec2 p) {
-    if (!holds(p, kRim) && matters(p)) found.push_back(p);
+    if (last < edges_.size() && within(edges_[last], p, radius_ - kRim)) return;
+    const auto near = edges_in_.at(grid_.cell_of(p));
+    const auto holder = std::find_if(near.begin(), near.end(),
+                                     [&](std::uint32_t i) { return within(edges_[i], p, radius_ - kRim); });
+    if (holder != near.end()) {
+      last = *holder;
+    } else if (!(base_ && base_->own_edge_holds(p, grid_.cell_of(p), radius_ - kRim)) && matters(p)) {
+      found.push_back(p);
+    }
   };
   for (const Vec2 p : work.joints_) look_at(p);
+  if (base_) {
+    for (const Vec2 p : base_->rim_) look_at(p);
+  }
   std::vector<Vec2> meetings;
-  for (std::size_t cell = 0; cell < work.curves_in_.size(); ++cell) {
-    const auto& here = work.curves_in_[cell];
+  const auto meet = [&](const Curve& p, const Curve& q, std::size_t cell) {
+    if (!p.box.overlaps(q.box)) return;
+    meetings.clear();
+    add_meetings(p, q, meetings);
+    for (const Vec2 m : meetings) {
+      // Each meeting is looked at in its own cell alone.
+      if (grid_.cell_of(m) == cell && p.box.contains(m) && q.box.contains(m)) look_at(m);
+    }
+  };
+  for (std::size_t cell = 0; cell < grid_.count(); ++cell) {
+    const auto here = work.curves_in_.at(cell);
     for (std::size_t i = 0; i < here.size(); ++i) {
-      for (std::size_t j = i + 1; j < here.size(); ++j) {
-        meetings.clear();
-        add_meetings(work.curves_[here[i]], work.curves_[here[j]], meetings);
-        for (const Vec2 p : meetings) {
-          // Each meeting is looked at in its own cell alone.
-          if (box_.contains(p) && cell_of(p) == cell) look_at(p);
-        }
-      }
+      const Curve& curve = work.curves_[here[i]];
+      for (std::size_t j = i + 1; j < here.size(); ++j) meet(curve, work.curves_[here[j]], cell);
+      if (!base_) continue;
+      for (const std::uint32_t j : base_->curves_in_.at(cell)) meet(curve, base_->curves_[j], cell);
     }
   }
   return found;
+}
+
+void Cover::keep_rim(const std::function<bool(Vec2)>& matters) {
+  rim_ = holes(matters);
+  add_curves();
 }
 
 }  // namespace clearcut

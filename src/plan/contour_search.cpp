@@ -21,7 +21,7 @@ constexpr Trial kTrials[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 0.15
                              {0.95, 0.0},  {0.9, 0.0},  {1.0, 0.0},  {0.85, 0.0},  {0.75, 0.15}};
 /// Work allowed, in vertices of flexible ways over all trials (some tenths of a second), and in one trial:
 /// beyond it the rings stay as they are.
-constexpr double kMostVerticesInAll = 2500;
+constexpr double kMostVerticesInAll = 800;
 constexpr double kMostVertices = 8000;
 /// Edges of the outlines; beyond, the plain rings stay, which take linear time.
 constexpr std::size_t kMostEdges = 2000;
@@ -32,8 +32,9 @@ constexpr double kChord = 0.004;
 /// Rounds after which plans are compared, and further rounds of the best.
 constexpr int kHeats = 3;
 constexpr int kFinalRounds = 3;
-/// At least two plans run to the end; more where they are small.
-constexpr double kMostFinalVertices = 500;
+/// Plans that stay to the end of the heats, and how much slower than the fastest they may be to be finished, too.
+constexpr std::size_t kFinalists = 2;
+constexpr double kAsGood = 1.01;
 /// A plan that leaves a film has to be this much faster than one that does not.
 constexpr double kFilmHandicap = 1.005;
 /// mm. Height of a lift and its plunge, for comparing with staying down.
@@ -84,24 +85,20 @@ class Search {
     double time = std::numeric_limits<double>::infinity();
   };
 
-  /// All run a few rounds, the fastest run to the end. No ways when none is proven to clear everything.
-  Winner winner(std::size_t finalists) {
-    for (auto& entry : entries_) {
-      entry.tightener.pull(kHeats);
-      entry.time = time_of(paths_of(entry.tightener.skeleton()));
+  /// After every round of all the slower half retires; the fastest runs to the end, and others that are as good as
+  /// it. No ways when none is proven to clear everything.
+  Winner winner() {
+    std::size_t running = entries_.size();
+    for (int heat = 0; heat < kHeats; ++heat) {
+      for (std::size_t i = 0; i < running; ++i) run_heat(entries_[i]);
+      const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(running);
+      std::sort(entries_.begin(), end, [](const Entry& a, const Entry& b) { return a.time < b.time; });
+      running = std::min(running, std::max(kFinalists, (running + 1) / 2));
     }
-    std::sort(entries_.begin(), entries_.end(),
-              [](const Entry& a, const Entry& b) { return a.time < b.time; });
     Winner best;
-    std::size_t finished = 0;
-    for (auto& entry : entries_) {
-      if (finished == finalists) break;
-      entry.tightener.pull(kFinalRounds);
-      if (!entry.tightener.finish()) continue;
-      ++finished;
-      auto ways = paths_of(entry.tightener.skeleton());
-      const double film = entry.tightener.film(), time = time_of(ways) * (film > 0 ? kFilmHandicap : 1);
-      if (time < best.time) best = {std::move(ways), film, time};
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const bool promising = i < kFinalists && entries_[i].time < kAsGood * entries_.front().time;
+      if (promising || best.ways.empty()) finish(entries_[i], best);
     }
     return best;
   }
@@ -111,6 +108,19 @@ class Search {
     Tightener tightener;
     double time = 0;
   };
+
+  void run_heat(Entry& entry) const {
+    entry.tightener.pull(1);
+    entry.time = time_of(paths_of(entry.tightener.skeleton()));
+  }
+
+  void finish(Entry& entry, Winner& best) const {
+    entry.tightener.pull(kFinalRounds);
+    if (!entry.tightener.finish()) return;
+    auto ways = paths_of(entry.tightener.skeleton());
+    const double film = entry.tightener.film(), time = time_of(ways) * (film > 0 ? kFilmHandicap : 1);
+    if (time < best.time) best = {std::move(ways), film, time};
+  }
 
   double lift_time() const {
     const double a = options_.machine.acceleration, v = options_.machine.rapid.mm_per_s();
@@ -180,8 +190,6 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
     };
     variants.push_back(ring_passes(domains, job, tol));
   }
-  const auto finalists =
-      static_cast<std::size_t>(std::max(2.0, kMostFinalVertices / std::max(vertices, 1.0)));
   double film = 0;
   int components = 0;
   for (const auto& pass : result.passes) components = std::max(components, pass.component + 1);
@@ -194,7 +202,7 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
       const auto own = component_of(variants[k], component, !options.wall_on_right);
       if (!own.empty()) search.enter(own, kTrials[k].turn_cost);
     }
-    const auto winner = search.winner(finalists);
+    const auto winner = search.winner();
     film = std::max(film, winner.ways.empty() ? result.film : winner.film);
     if (!winner.ways.empty()) replace_component(result, component, winner.ways);
   }

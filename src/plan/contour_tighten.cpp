@@ -29,14 +29,23 @@ constexpr double kPullMargin = 0.0005;
 constexpr double kWitnessMargin = 0.004;
 /// mm. How much less than the radius the exact check runs with: above the rounding of any program text.
 constexpr double kProvenMargin = 0.001;
+/// Radii with which the check runs in the first rounds, where only large holes count, and how many rounds that are.
+constexpr double kFirstLook = 1.01;
+constexpr int kRoughRounds = 3;
 /// mm. Where strokes fit exactly side by side nothing is left for margins: there the limit and the radius of
 /// the check are this much more than the radius.
 constexpr double kFilmLimit = 0.0012;
 constexpr double kFilm = 0.0035;
 /// Spacing of vertices, as a share of the radius.
 constexpr double kSpacing = 0.6;
+/// Spacing of the witnesses at the beginning, as a share of the radius.
+constexpr double kSeedSpacing = 1.0;
+/// Vertices that lie nearer to both their neighbours are dropped, in shares of the spacing.
+constexpr double kCrowded = 0.3;
 /// Holes are taken to be at most this large, as a share of the radius; larger ones count as several.
 constexpr double kHoleSize = 2.0;
+/// Rim vertices this near to the middle of a hole, in shares of its size, belong to it.
+constexpr double kSameHole = 0.6;
 /// Weight of the springs that keep vertices evenly spaced.
 constexpr double kEven = 0.02;
 /// Share of the radius below which lengths are smoothed, so that vertices may meet.
@@ -50,6 +59,8 @@ constexpr int kMendingRounds = 14;
 /// Rounds that close fewer than a fifth of many holes show that there is no room to close them.
 constexpr int kMostStalled = 2;
 constexpr std::size_t kStalledAbove = 20;
+/// So few are closed from all their corners: long thin ones would shrink by a share a round only.
+constexpr std::size_t kFewHoles = 20;
 
 /// How one round of Newton steps goes.
 struct Pull {
@@ -59,7 +70,7 @@ struct Pull {
   double soft = 0;        ///< stiffness of the first step, 1 / radius
   double tension = 1;     ///< force of the bands
 };
-constexpr Pull kFirstPull{40, 0.3, 0.03, 2};
+constexpr Pull kFirstPull{30, 0.3, 0.03, 2};
 constexpr Pull kLaterPull{10, 0.1, 0.03, 100};
 constexpr Pull kSettling{10, 0.02, 0.2, 2000};
 /// Without tension nothing slides away while the last holes are closed.
@@ -114,6 +125,16 @@ Vec2 nearest_on_ring(const Path& ring, Vec2 p, Vec2* tangent = nullptr) {
 struct Witness {
   Vec2 p;
   bool moving = false;  ///< keeps to the middle between the bands on both sides of it
+  double near =
+      1e300;  ///< distance of the nearest band when last looked at, and how far bands had moved by then
+  double when = 0;
+};
+
+/// A band as it lies now, ready for questions.
+struct Segment {
+  Vec2 a;
+  Vec2 d;
+  double inverse = 0;  ///< 1 / squared length; 0 for none
 };
 
 /// A witness near the limit with the bands that may hold it while nothing moves farther than the skin.
@@ -127,11 +148,9 @@ struct Active {
 
 struct Tightener::Impl {
   Impl(Skeleton skeleton, TightenJob job)
-      : skeleton_(std::move(skeleton)),
-        job_(std::move(job)),
-        limit_(job_.radius - kPullMargin),
-        proven_(job_.radius - kProvenMargin) {
+      : skeleton_(std::move(skeleton)), job_(std::move(job)), limit_(job_.radius - kPullMargin) {
     for (const auto& ring : skeleton_.rings) fixed_.insert(fixed_.end(), ring.begin(), ring.end());
+    prove_with(kFirstLook * job_.radius);
     respace();
     list_bands();
     if (bands_.empty()) return;
@@ -141,6 +160,7 @@ struct Tightener::Impl {
   }
 
   void pull(int rounds) {
+    if (round_ >= kRoughRounds) prove_with(job_.radius - kProvenMargin);
     for (int k = 0; k < rounds && !bands_.empty(); ++k) {
       relax(round_++ == 0 ? kFirstPull : kLaterPull);
       add_witnesses(cover().holes(job_.matters));
@@ -153,15 +173,24 @@ struct Tightener::Impl {
     // Still witnesses have done their work by now and would quarrel with the moving ones.
     std::erase_if(witnesses_, [](const Witness& w) { return !w.moving; });
     limit_ = job_.radius - kWitnessMargin;
+    prove_with(job_.radius - kProvenMargin);
     if (!mend(kMostStalled)) {
       if (job_.bare) return false;
       limit_ = job_.radius + kFilmLimit;
-      proven_ = job_.radius + kFilm;
+      prove_with(job_.radius + kFilm);
       if (!mend(kMendingRounds)) return false;
     }
     if (!all_legal()) return false;
     polish();
     return true;
+  }
+
+  void prove_with(double radius) {
+    if (proven_ == radius) return;
+    proven_ = radius;
+    auto rings = std::make_shared<Cover>(fixed_, radius);
+    rings->keep_rim(job_.matters);
+    by_rings_ = std::move(rings);
   }
 
   double film() const { return std::max(0.0, proven_ - job_.radius); }
@@ -177,6 +206,9 @@ struct Tightener::Impl {
       if (left.size() > kStalledAbove && 5 * left.size() > 4 * before) ++stalled;
       before = left.size();
       add_witnesses(left);
+      if (left.size() <= kFewHoles) {
+        for (const Vec2 p : left) witnesses_.push_back({p});
+      }
       respace();
       list_bands();
     }
@@ -191,8 +223,8 @@ struct Tightener::Impl {
   // --- witnesses
 
   void seed_witnesses() {
-    const Cover by_rings(fixed_, proven_);
-    const double spacing = job_.radius / 2;
+    const Cover& by_rings = *by_rings_;
+    const double spacing = job_.radius * kSeedSpacing;
     bool odd = false;
     for (double y = job_.where.min.y; y <= job_.where.max.y; y += spacing * 0.866, odd = !odd) {
       for (double x = job_.where.min.x + (odd ? spacing / 2 : 0); x <= job_.where.max.x; x += spacing) {
@@ -217,22 +249,25 @@ struct Tightener::Impl {
 
   /// One witness in the depth of every hole: its rim is as near as can be to the limit.
   void add_witnesses(const std::vector<Vec2>& rim) {
+    if (rim.empty()) return;
     const Cover now = cover();
     BoxIndex by_place(kHoleSize * job_.radius), by_witness(kHoleSize * job_.radius);
     for (std::uint32_t i = 0; i < rim.size(); ++i) by_place.add({rim[i], rim[i]}, i);
     std::vector<Vec2> added;
+    std::vector<double> reach;  // of the holes that the added ones stand in
     for (const Vec2 start : rim) {
+      const auto holes_near = by_witness.near({start, start});
+      if (std::any_of(holes_near.begin(), holes_near.end(),
+                      [&](std::uint32_t i) { return distance(added[i], start) < reach[i]; }))
+        continue;
       double size = 0;
       Vec2 p = across_hole(start, rim, by_place, now, size);
       if (size == 0) {
         p = deepest_near(start, now);
         size = distance(p, start);
       }
-      const Box around = Box{p, p}.grown(std::max(1e-4, 0.2 * size));
-      const auto near = by_witness.near(around);
-      if (std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return around.contains(added[i]); }))
-        continue;
-      by_witness.add({p, p}, static_cast<std::uint32_t>(added.size()));
+      reach.push_back(std::max(1e-4, kSameHole * size));
+      by_witness.add(Box{p, p}.grown(reach.back()), static_cast<std::uint32_t>(added.size()));
       added.push_back(p);
       witnesses_.push_back({p, true});
       if (size < 1e-3) witnesses_.push_back({p, false});
@@ -259,7 +294,7 @@ struct Tightener::Impl {
   /// Climbs from p to where the bands are farthest, by shorter and shorter steps.
   Vec2 deepest_near(Vec2 p, const Cover& now) const {
     double depth = now.distance_to(p);
-    for (double step = 0.2 * job_.radius; step > 1e-4 * job_.radius;) {
+    for (double step = 0.05 * job_.radius; step > 1e-3 * job_.radius;) {
       Vec2 best = p;
       for (int k = 0; k < 8; ++k) {
         const Vec2 q = p + direction_of(k * kPi / 4) * step;
@@ -269,18 +304,18 @@ struct Tightener::Impl {
           best = q;
         }
       }
-      if (best == p) step /= 2;
+      if (best == p) step /= 4;
       p = best;
     }
     return p;
   }
 
   Cover cover() const {
-    std::vector<Edge> edges = fixed_;
+    std::vector<Edge> edges;
     for (const auto& band : bands_) {
       if (at(band.a) != at(band.b)) edges.push_back(Edge::line(at(band.a), at(band.b)));
     }
-    return Cover(edges, proven_);
+    return Cover(edges, by_rings_);
   }
 
   // --- bands
@@ -305,6 +340,7 @@ struct Tightener::Impl {
   /// Splits long bands and drops vertices that crowd.
   void respace() {
     const double spacing = kSpacing * job_.radius;
+    moved_ += kCrowded * spacing;
     for_ways([&](std::vector<int>& way) {
       std::vector<int> even;
       for (std::size_t i = 0; i < way.size(); ++i) {
@@ -319,7 +355,7 @@ struct Tightener::Impl {
 
   static bool crowded(Vec2 before, Vec2 p, Vec2 after, double spacing) {
     const double reach = distance(before, p) + distance(p, after);
-    if (reach < 0.3 * spacing) return true;
+    if (reach < kCrowded * spacing) return true;
     return reach < spacing && reach - distance(before, after) < 0.002 * spacing;
   }
 
@@ -433,6 +469,7 @@ struct Tightener::Impl {
     slide();
     undo_illegal();
     moved_since_listing_ += std::min(longest, reach);
+    moved_ += std::min(longest, reach);
   }
 
   double longest_move() const {
@@ -447,6 +484,7 @@ struct Tightener::Impl {
     diagonal_.assign(skeleton_.points.size(), {kDamping / job_.radius, 0, kDamping / job_.radius});
     coupling_.assign(bands_.size(), {});
     move_.assign(skeleton_.points.size(), {});
+    measure_bands();
     for (std::uint32_t i = 0; i < bands_.size(); ++i) add_pull(i);
     for (const auto& active : active_) add_hold(active);
     if (job_.turn_cost * tension_ > 0) for_ways([&](const std::vector<int>& way) { add_turns(way); });
@@ -537,10 +575,10 @@ struct Tightener::Impl {
 
   /// From the place of band `i` that is nearest to p, to p.
   Vec2 way_from_band(std::uint32_t i, Vec2 p, double& t) const {
-    const Vec2 a = at(bands_[i].a), d = at(bands_[i].b) - a, s = p - a;
-    const double whole = norm_squared(d), forward = dot(s, d);
-    t = forward <= 0 ? 0.0 : forward >= whole ? 1.0 : forward / whole;
-    return s - d * t;
+    const Segment& band = segments_[i];
+    const Vec2 s = p - band.a;
+    t = std::clamp(dot(s, band.d) * band.inverse, 0.0, 1.0);
+    return s - band.d * t;
   }
 
   static void finish(Hold& hold, Vec2 way) {
@@ -583,7 +621,7 @@ struct Tightener::Impl {
       best.band = candidates_[k];
       best.t = t;
     }
-    for (const std::uint32_t i : fixed_grid_[cell_of(p)]) {
+    for (const std::uint32_t i : fixed_in_.at(grid_.cell_of(p))) {
       const Vec2 way = p - nearest_point(fixed_[i], p);
       const double squared = norm_squared(way);
       if (squared <= 0 || !opposite(way, squared)) continue;
@@ -656,22 +694,37 @@ struct Tightener::Impl {
 
   // --- which witnesses count
 
+  void measure_bands() {
+    segments_.resize(bands_.size());
+    for (std::size_t i = 0; i < bands_.size(); ++i) {
+      const Vec2 a = at(bands_[i].a), d = at(bands_[i].b) - a;
+      const double whole = norm_squared(d);
+      segments_[i] = {a, d, whole > 0 ? 1 / whole : 0};
+    }
+  }
+
+  /// Witnesses near the limit. Those well inside sleep until bands may have moved away from them.
   void list_active() {
     active_.clear();
     candidates_.clear();
     const double far = limit_ + 2 * skin_, near = limit_ - 2 * skin_;
+    measure_bands();
     sort_bands_into_grid(far);
     for (std::uint32_t w = 0; w < witnesses_.size(); ++w) {
-      const Vec2 p = witnesses_[w].p;
+      Witness& witness = witnesses_[w];
+      if (witness.near + (moved_ - witness.when) < near) continue;
+      const Vec2 p = witness.p;
       const auto first = static_cast<std::uint32_t>(candidates_.size());
       double nearest_squared = far * far, t = 0;
-      for (const std::uint32_t band : grid_[cell_of(p)]) {
+      for (const std::uint32_t band : bands_in_.at(grid_.cell_of(p))) {
         const double squared = norm_squared(way_from_band(band, p, t));
         if (squared > far * far) continue;
         candidates_.push_back(band);
         nearest_squared = std::min(nearest_squared, squared);
       }
-      if (nearest_squared < near * near || (witnesses_[w].moving && !job_.matters(p))) {
+      witness.near = std::sqrt(nearest_squared);
+      witness.when = moved_;
+      if (nearest_squared < near * near || (witness.moving && !job_.matters(p))) {
         candidates_.resize(first);
         continue;
       }
@@ -694,43 +747,25 @@ struct Tightener::Impl {
     return best;
   }
 
-  std::size_t cell_of(Vec2 p) const {
-    const auto index = [&](double v, std::size_t n) {
-      return static_cast<std::size_t>(std::clamp(v / cell_, 0.0, static_cast<double>(n - 1)));
-    };
-    return index(p.y - job_.where.min.y, rows_) * columns_ + index(p.x - job_.where.min.x, columns_);
-  }
-
-  using Grid = std::vector<std::vector<std::uint32_t>>;
-
-  void add_to_grid(const Box& box, std::uint32_t number, Grid& grid) const {
-    const std::size_t low = cell_of(box.min), high = cell_of(box.max);
-    for (std::size_t r = low / columns_; r <= high / columns_; ++r) {
-      for (std::size_t c = low % columns_; c <= high % columns_; ++c)
-        grid[r * columns_ + c].push_back(number);
-    }
-  }
-
   void make_grid() {
-    cell_ = job_.radius;
-    columns_ = static_cast<std::size_t>(job_.where.width() / cell_) + 1;
-    rows_ = static_cast<std::size_t>(job_.where.height() / cell_) + 1;
-    fixed_grid_.assign(columns_ * rows_, {});
+    grid_ = CellGrid(job_.where, job_.radius);
     for (std::uint32_t i = 0; i < fixed_.size(); ++i) {
-      add_to_grid(fixed_[i].box().grown(1.5 * job_.radius), i, fixed_grid_);
+      grid_.for_cells(fixed_[i].box().grown(1.5 * job_.radius),
+                      [&](std::size_t cell, Vec2) { fixed_in_.add(cell, i); });
     }
+    fixed_in_.build(grid_.count());
   }
 
   void sort_bands_into_grid(double far) {
-    grid_.assign(columns_ * rows_, {});
     safe_.assign(bands_.size(), 0);
     for (std::uint32_t i = 0; i < bands_.size(); ++i) {
       Box box;
       box.add(at(bands_[i].a));
       box.add(at(bands_[i].b));
-      add_to_grid(box.grown(far), i, grid_);
+      grid_.for_cells(box.grown(far), [&](std::size_t cell, Vec2) { bands_in_.add(cell, i); });
       safe_[i] = job_.legal->surely_holds(box.grown(2 * skin_));
     }
+    bands_in_.build(grid_.count());
   }
 
   static constexpr Sym2 kHeld{1, 0, 1};
@@ -739,8 +774,9 @@ struct Tightener::Impl {
 
   Skeleton skeleton_;
   TightenJob job_;
-  double limit_;   ///< distance at which witnesses begin to hold
-  double proven_;  ///< radius of the exact check
+  double limit_;       ///< distance at which witnesses begin to hold
+  double proven_ = 0;  ///< radius of the exact check
+  std::shared_ptr<const Cover> by_rings_;
   double skin_ = 0;
   double stiffness_ = 0;
   double tension_ = 1;
@@ -754,10 +790,10 @@ struct Tightener::Impl {
   std::size_t next_band_ = 0;
   double moved_since_listing_ = 0;
   int round_ = 0;
-  double cell_ = 1;
-  std::size_t columns_ = 1;
-  std::size_t rows_ = 1;
-  Grid grid_, fixed_grid_;
+  CellGrid grid_;
+  CellLists bands_in_, fixed_in_;
+  std::vector<Segment> segments_;
+  double moved_ = 0;        ///< mm; no band has moved farther since the beginning
   std::vector<char> safe_;  ///< of each band: it cannot leave the legal area before the next listing
 };
 
