@@ -19,12 +19,16 @@ struct Trial {
 /// The first few serve large pockets, all of them small ones.
 constexpr Trial kTrials[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 0.15}, {0.8, 0.15},
                              {0.95, 0.0},  {0.9, 0.0},  {1.0, 0.0},  {0.85, 0.0},  {0.75, 0.15}};
-/// Work allowed, in vertices of flexible ways over all trials (some tenths of a second), and in one trial:
-/// beyond it the rings stay as they are.
+/// Work allowed, in vertices of flexible ways: over all trials, and in one tree of rings. Rings that surround more
+/// stay as they are; only their links and what they surround is pulled taut.
 constexpr double kMostVerticesInAll = 800;
-constexpr double kMostVertices = 8000;
-/// Edges of the outlines; beyond, the plain rings stay, which take linear time.
-constexpr std::size_t kMostEdges = 2000;
+constexpr double kMostFlexible = 800;
+/// Edges of rings; beyond, they stay without further search.
+constexpr std::size_t kMostEdges = 60000;
+/// Step of the rings where only the inner ones are flexible, as a share of the diameter.
+constexpr double kLargeStep = 0.98;
+/// mm by which passes that stay clear more than just so: above the margin of the proof.
+constexpr double kSpareMargin = 0.002;
 /// Flexible ways have about this many vertices per radius of length.
 constexpr double kVerticesPerRadius = 1.7;
 /// Share of the radius by which flexible ways may stray from the rings they start as.
@@ -74,6 +78,7 @@ class Search {
     job_.turn_cost = turn_cost * v * v / options_.machine.acceleration;
     SkeletonOptions skeleton;
     skeleton.chord = kChord * job_.radius;
+    skeleton.flexible = kMostFlexible / kVerticesPerRadius * job_.radius * options_.effort;
     skeleton.hop = lift_time() * options_.feed.mm_per_s();
     skeleton.legal = [&](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
     entries_.push_back({Tightener(skeleton_of(passes, skeleton), job_), 0});
@@ -178,15 +183,17 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
   const LegalArea legal(result.legal);
   const double vertices = vertices_of(result.passes, job.radius);
   std::size_t edges = 0;
-  for (const auto& domain : domains) edges += domain.region.edges().size();
-  if (vertices > kMostVertices * options.effort || edges > kMostEdges) return;
+  for (const auto& pass : result.passes) edges += pass.path.size();
+  if (edges > kMostEdges || options.effort <= 0) return;
+  const bool large = vertices > kMostFlexible * options.effort;
+  if (large) job.margin = kSpareMargin;
   const auto trials = std::clamp<std::size_t>(
       static_cast<std::size_t>(kMostVerticesInAll * options.effort / std::max(vertices, 1.0)), 1,
       std::size(kTrials));
   std::vector<std::vector<Pass>> variants;
   for (std::size_t k = 0; k < trials; ++k) {
     job.step = [&, k](const RingNode&, const std::vector<AxisPiece>&) {
-      return 2 * job.radius * kTrials[k].step;
+      return 2 * job.radius * (large ? kLargeStep : kTrials[k].step);
     };
     variants.push_back(ring_passes(domains, job, tol));
   }

@@ -63,6 +63,8 @@ class SkeletonBuilder {
       std::sort(children_[i].begin(), children_[i].end(),
                 [&](std::size_t a, std::size_t b) { return weight_[a] > weight_[b]; });
     }
+    flexible_ = children_;
+    for (auto& children : flexible_) std::erase_if(children, [&](std::size_t child) { return stays(child); });
   }
 
   Skeleton build() {
@@ -74,7 +76,7 @@ class SkeletonBuilder {
               [&](std::size_t a, std::size_t b) { return weight_[a] > weight_[b]; });
     while (!roots.empty()) {
       const std::size_t next = nearest_root(roots);
-      add_leg(roots[next]);
+      add_tree(roots[next]);
       roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(next));
     }
     return std::move(skeleton_);
@@ -88,9 +90,14 @@ class SkeletonBuilder {
     return static_cast<int>(skeleton_.points.size()) - 1;
   }
 
-  /// Where the tree of pass i would be entered, coming from p.
+  bool stays(std::size_t i) const {
+    return passes_[i].closed &&
+           (passes_[i].parent < 0 || weight_[i] - length(passes_[i].path) > options_.flexible);
+  }
+
+  /// Where the ways inside pass i would be entered, coming from p.
   Vec2 entry_of(std::size_t i, Vec2 p) const {
-    while (!children_[i].empty()) i = children_[i].front();
+    while (!flexible_[i].empty()) i = flexible_[i].front();
     if (passes_[i].closed) return place_on(passes_[i].path, p).point;
     const Vec2 a = passes_[i].path.front().from, b = passes_[i].path.back().to;
     return distance(a, p) <= distance(b, p) ? a : b;
@@ -110,6 +117,20 @@ class SkeletonBuilder {
     return best;
   }
 
+  /// Rings that stay, inside-out: each a leg of its own.
+  void add_tree(std::size_t root) {
+    std::vector<std::size_t> outside_in, open{root};
+    while (!open.empty()) {
+      const std::size_t i = open.back();
+      open.pop_back();
+      outside_in.push_back(i);
+      for (const std::size_t child : children_[i]) {
+        if (stays(child)) open.push_back(child);
+      }
+    }
+    for (auto i = outside_in.rbegin(); i != outside_in.rend(); ++i) add_leg(*i);
+  }
+
   void add_leg(std::size_t root) {
     Leg leg;
     std::vector<int> way;
@@ -117,10 +138,10 @@ class SkeletonBuilder {
     if (!leg.lifted) way.push_back(last_);
     leg.ring = static_cast<int>(skeleton_.rings.size());
     skeleton_.rings.push_back(passes_[root].path);
-    if (!children_[root].empty()) spiral_out(children_[root].front(), way);
+    if (!flexible_[root].empty()) spiral_out(flexible_[root].front(), way);
     const Vec2 from = way.empty() ? passes_[root].path.front().from : at(way.back());
     way.push_back(add_point(place_on(passes_[root].path, from).point, leg.ring));
-    for (std::size_t k = 1; k < children_[root].size(); ++k)
+    for (std::size_t k = 1; k < flexible_[root].size(); ++k)
       leg.detours.push_back(ring_detour(root, k, leg.ring));
     last_ = way.back();
     leg.way_in = std::move(way);
@@ -133,7 +154,7 @@ class SkeletonBuilder {
   }
 
   std::vector<int> ring_detour(std::size_t root, std::size_t k, int ring) {
-    const std::size_t child = children_[root][k];
+    const std::size_t child = flexible_[root][k];
     const auto gate = place_on(passes_[root].path, nearest_to_ring(child, passes_[root].path));
     std::vector<int> way{add_point(gate.point, ring)};
     detour(child, way);
@@ -233,6 +254,7 @@ class SkeletonBuilder {
   const std::vector<Pass>& passes_;
   const SkeletonOptions& options_;
   std::vector<std::vector<std::size_t>> children_;  ///< heaviest first
+  std::vector<std::vector<std::size_t>> flexible_;  ///< those of them that do not stay as they are
   std::vector<double> weight_;                      ///< length of the pass and all inside it
   Skeleton skeleton_;
   int last_ = -1;

@@ -34,12 +34,14 @@ struct SkeletonOptions {
   double chord = 0.05;  ///< mm; flexible ways start as polygons within this of their rings
   double begin = 0;     ///< where the innermost ring is begun, as a share of its length
   double hop = 20;      ///< mm; a lift costs as much time as feeding this far
+  double flexible =
+      1e9;  ///< mm; rings that surround more way than this stay as they are, like those at the wall
   /// Whether the straight way between two points is legal.
   std::function<bool(Vec2, Vec2)> legal;
 };
 
 /// Orders passes inside-out and joins them: every tree of passes becomes one way that ends on its ring at the
-/// wall, which then runs round once; side branches are visited on the way. Open passes without a parent are
+/// wall, or its first that stays as it is, which then runs round once; side branches are visited on the way. Open passes without a parent are
 /// left out.
 Skeleton skeleton_of(const std::vector<Pass>& passes, const SkeletonOptions& options);
 

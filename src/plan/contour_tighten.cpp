@@ -464,8 +464,11 @@ struct Tightener::Impl {
     assemble();
     for_ways([&](const std::vector<int>& way) { solve(way); });
     const double longest = longest_move();
-    const double scale = longest > reach ? reach / longest : 1;
-    for (std::size_t i = 0; i < before_.size(); ++i) skeleton_.points[i].at = before_[i] + move_[i] * scale;
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      // Each for itself: one that is thrown far must not hold up all others.
+      const double far = norm(move_[i]);
+      skeleton_.points[i].at = before_[i] + move_[i] * (far > reach ? reach / far : 1);
+    }
     slide();
     undo_illegal();
     moved_since_listing_ += std::min(longest, reach);
