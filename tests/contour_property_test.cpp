@@ -24,7 +24,7 @@ const Tolerances kTol;
 
 int case_count() {
   const char* set = std::getenv("CLEARCUT_CONTOUR_CASES");
-  return set != nullptr ? std::atoi(set) : 40;
+  return set != nullptr ? std::atoi(set) : 150;
 }
 
 Part pocket_of(const Region& region) {
