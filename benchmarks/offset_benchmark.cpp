@@ -15,6 +15,7 @@
 
 #include "base/units.h"
 #include "geometry/clearance.h"
+#include "part/fishhead.h"
 
 namespace clearcut {
 namespace {
@@ -63,6 +64,24 @@ Input wavy_with_islands() {
     islands.push_back(circle(direction_of(2 * kPi * i / 20) * (i % 2 == 0 ? 22.0 : 38.0), 2.0 + 0.1 * i));
   }
   return {"wavy 1000 with 20 round islands", Region::from_valid_loops(wavy_loop(1000), islands), 1040};
+}
+
+/// The pockets of the fishhead part, levels 5, 5.5, 6 ... mm: its 10 mm cutter at small steps.
+void register_fishhead() {
+  for (const Feature& feature : fishhead(false, kTol).features) {
+    if (feature.kind != FeatureKind::kClosedPocket) continue;
+    const Region region = feature.target.front();
+    benchmark::RegisterBenchmark(("fishhead " + feature.name).c_str(), [region](benchmark::State& state) {
+      std::vector<double> levels;
+      for (double d = 5; d < Clearance(region, kTol).max(); d += 0.5) levels.push_back(d);
+      double sum = 0;
+      for (auto _ : state) {
+        for (const Regions& level : Clearance(region, kTol).insets(levels)) sum += area(level);
+      }
+      benchmark::DoNotOptimize(sum);
+      state.counters["levels"] = static_cast<double>(levels.size());
+    })->Unit(benchmark::kMicrosecond);
+  }
 }
 
 std::vector<double> levels_of(const Region& region, std::size_t most) {
@@ -183,6 +202,7 @@ int main(int argc, char** argv) {
   register_rows(filleted_rectangle());
   for (const int n : {12, 100, 1000, 10000, 100000}) register_rows(wavy(n));
   register_rows(wavy_with_islands());
+  register_fishhead();
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   finishGEOS();
