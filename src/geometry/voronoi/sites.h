@@ -16,8 +16,7 @@ struct GridPoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
   friend bool operator==(GridPoint, GridPoint) = default;
-  // The comparison with 0 inside is none with a null pointer.
-  friend auto operator<=>(GridPoint, GridPoint) = default;  // NOLINT(modernize-use-nullptr)
+  friend auto operator<=>(GridPoint, GridPoint) = default;
 };
 
 /// Indices are those of Sites::elements.
