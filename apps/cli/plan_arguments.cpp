@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/file.h"
+#include "read/gcode/gcode.h"
 #include "read/job/machine_file.h"
 #include "read/tools/tool_library.h"
 
@@ -65,6 +67,10 @@ void PlanArguments::add_tool_options(CLI::App& command) {
   command.add_option("--allowance", allowance_, "Stock to leave on walls, mm");
   command.add_option("--allowance-floor", allowance_floor_, "Stock to leave on floors, mm");
   command.add_option("--engagement", engagement_, "Largest engagement angle of the cutter, degrees");
+  command.add_option(
+      "--material", shop_.material,
+      "Of the work, for forces and wear: aluminium, brass, steel, alloy-steel, stainless, cast-iron, "
+      "titanium");
   command.add_option("--threads", threads_, "Threads to use");
 }
 
@@ -78,6 +84,7 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   command.add_option("--angle", angle_,
                      "Direction of zigzag lines against x, degrees (default: the fastest)");
   command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge");
+  add_shop_options(command);
   command.add_option("--direction", direction_, "climb or conventional");
   command.add_option("--feed", feed_, "Cutting feed, mm/min");
   command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min");
@@ -90,6 +97,49 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
                      "length, turns, angle, engagement, time, or weights W:..,W:..");
   command.add_option("--time", time_, "Longest search, s");
   command.add_option("--seed", seed_, "Seed of the search");
+}
+
+void PlanArguments::add_shop_options(CLI::App& command) {
+  command.add_option("--entry-angle", entry_angle_,
+                     "Steepest way down of a helix or ramp, degrees (default 3)");
+  command.add_option("--helix-diameter", shop_.helix_widest, "Widest helix of the cutter's centre, mm");
+  command.add_option("--helix-min", shop_.helix_narrowest, "Narrowest helix, mm; below it: ramp");
+  command.add_option("--predrilled", predrilled_, "X,Y:DIAMETER of a hole to enter by (repeatable)");
+  command.add_option("--lead", lead_,
+                     "Radius of the arcs into and out of passes along walls, mm (default: none)");
+  command.add_option("--lead-feed", lead_feed_, "Feed on leads, mm/min");
+  command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min");
+  command.add_option("--link-lift", shop_.link_lift, "Lift between passes at depth, mm");
+  command.add_option("--ramp-feed", ramp_feed_, "Feed on ramps and helices, mm/min");
+  command.add_option("--slot-feed", slot_feed_, "Feed where the cutter is in the material all round, mm/min");
+  command.add_option("--slot-angle", shop_.slot_angle_deg,
+                     "Engagement above which the slot feed rules, degrees (default 150)");
+  command.add_flag("--rest", rest_, "Use all mills given, larger first, each on what is left");
+  command.add_option("--after", after_, "Program that has run before: cut only what it left");
+  command.add_option("--finish", shop_.finish, "Finishing after everything else: walls, floor or all");
+  command.add_option("--finish-stock", shop_.finish_stock,
+                     "Stock left on walls for finishing, mm (default 0.3)");
+  command.add_option("--finish-stock-floor", shop_.finish_stock_floor,
+                     "Stock left on floors for finishing, mm (default 0.2)");
+  command.add_option("--finish-depths", shop_.finish_depths,
+                     "In how many depths walls are finished (default 1)");
+  command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm");
+}
+
+ShopOptions PlanArguments::shop(const JobFile& job) const {
+  ShopOptions own = shop_;
+  own.lead_feed = feed_of(lead_feed_);
+  own.link_feed = feed_of(link_feed_);
+  if (rest_) own.rest = true;
+  return own.or_else(job.shop);
+}
+
+std::optional<Toolpath> PlanArguments::earlier(const JobFile& job) const {
+  const std::optional<std::string> file = after_      ? after_
+                                          : job.after ? std::optional(job.after->string())
+                                                      : std::nullopt;
+  if (!file) return std::nullopt;
+  return read_gcode(read_file(*file), *file).toolpath;
 }
 
 Part PlanArguments::read() const {
@@ -140,9 +190,17 @@ PlanOptions PlanArguments::options() const {
   options.allowance_floor = allowance_floor_;
   options.engagement_deg = engagement_ ? engagement_ : given.engagement_deg;
   options.entry = named(kEntries, entry_, "--entry");
+  if (entry_angle_) options.entry_angle = Radians::of_degrees(*entry_angle_);
+  options.lead = lead_;
+  options.scallop = scallop_;
+  options.shop = shop(given);
+  options.earlier = earlier(given);
+  for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
   options.direction = named(kDirections, direction_, "--direction");
   options.cutting.feed = feed_of(feed_);
   options.cutting.plunge_feed = feed_of(plunge_feed_);
+  options.cutting.ramp_feed = feed_of(ramp_feed_);
+  options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
   options.post.dialect = post_.value_or(given.output.post.value_or("linuxcnc"));
   options.post.inch = inch_ || given.output.inch.value_or(false);

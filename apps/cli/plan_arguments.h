@@ -31,7 +31,10 @@ class PlanArguments {
 
  private:
   std::vector<Tool> tools() const;
+  void add_shop_options(CLI::App& command);
   Machine machine(const std::optional<JobFile>& job) const;
+  ShopOptions shop(const JobFile& job) const;
+  std::optional<Toolpath> earlier(const JobFile& job) const;
 
   std::string input_;
   std::vector<std::string> tools_;
@@ -49,6 +52,17 @@ class PlanArguments {
   std::optional<double> allowance_floor_;
   std::optional<double> engagement_;
   std::optional<std::string> entry_;
+  std::optional<double> entry_angle_;
+  std::vector<std::string> predrilled_;
+  std::optional<double> lead_;
+  std::optional<double> scallop_;
+  std::optional<double> lead_feed_;
+  std::optional<double> link_feed_;
+  std::optional<double> ramp_feed_;
+  std::optional<double> slot_feed_;
+  std::optional<std::string> after_;
+  bool rest_ = false;
+  ShopOptions shop_;
   std::optional<std::string> direction_;
   std::optional<double> feed_;
   std::optional<double> plunge_feed_;

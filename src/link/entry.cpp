@@ -12,6 +12,7 @@ constexpr double kNarrowestHelix = 0.2;
 constexpr double kHelixShrink = 0.8;   // from one trial to the next
 constexpr double kLongestRamp = 4;     // tool radii
 constexpr double kShortestRamp = 0.2;  // tool radii
+constexpr double kMostRounds = 4;      // of a ring, on the way down
 
 struct Circle {
   Vec2 center;
@@ -26,10 +27,12 @@ bool fits(const Circle& circle, const Regions& legal) {
   });
 }
 
-std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal, double tool_radius) {
+std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal,
+                                   const LinkOptions& options) {
   if (place.circle_center) return Circle{*place.circle_center, distance(*place.circle_center, place.start)};
-  for (double share = kWidestHelix; share >= kNarrowestHelix; share *= kHelixShrink) {
-    const double radius = share * tool_radius;
+  const double widest = options.helix_widest.value_or(2 * kWidestHelix * options.tool_radius) / 2;
+  const double narrowest = options.helix_narrowest.value_or(2 * kNarrowestHelix * options.tool_radius) / 2;
+  for (double radius = widest; radius >= narrowest; radius *= kHelixShrink) {
     const Circle circle{place.start + left_of(place.direction) * radius, radius};
     if (fits(circle, legal)) return circle;
   }
@@ -62,6 +65,26 @@ std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const Lin
   return moves;
 }
 
+/// Down along the ring, edge by edge; the last edge ends where the depth is reached.
+std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& options) {
+  const double slope = std::tan(options.entry_angle.radians());
+  const double around = length(*place.ring), way = (place.z_above - place.z) / slope;
+  if (!(way > 0) || way > kMostRounds * around) return std::nullopt;
+  Entry entry{{}, EntryKind::kRamp, std::fmod(way, around)};
+  double left = way, z = place.z_above;
+  for (std::size_t i = 0; left > 0; i = (i + 1) % place.ring->size()) {
+    const Edge& edge = (*place.ring)[i];
+    const double size = edge.length();
+    const bool last = left <= size;
+    const Edge piece = last && left < size ? edge.part(0, left / size) : edge;
+    const double low = last ? place.z : z - size * slope;
+    entry.moves.push_back({piece, z, low, MoveKind::kRamp, options.ramp_feed, 0});
+    z = low;
+    left -= size;
+  }
+  return entry;
+}
+
 std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& area, double tool_radius) {
   for (double reach = kLongestRamp; reach >= kShortestRamp; reach /= 2) {
     for (const double side : {1.0, -1.0}) {
@@ -92,17 +115,20 @@ std::vector<Move> ramp(const EntryPlace& place, Vec2 end, const LinkOptions& opt
 
 }  // namespace
 
-std::vector<Move> entry_moves(const EntryPlace& place, const Regions& legal, const LinkOptions& options) {
+Entry entry_at(const EntryPlace& place, const Regions& legal, const LinkOptions& options) {
   if (options.entry == EntryKind::kHelix) {
-    if (const auto circle = helix_circle(place, legal, options.tool_radius))
-      return helix(place, *circle, options);
+    if (const auto circle = helix_circle(place, legal, options))
+      return {helix(place, *circle, options), EntryKind::kHelix};
   }
-  if (options.entry != EntryKind::kPlunge) {
+  if (options.entry != EntryKind::kPlunge || !options.may_plunge) {
+    if (place.ring && options.entry != EntryKind::kZigzagRamp) {
+      if (auto along = ramp_along(place, options)) return *std::move(along);
+    }
     if (const auto end = ramp_end(place, LegalArea(legal), options.tool_radius))
-      return ramp(place, *end, options);
+      return {ramp(place, *end, options), EntryKind::kZigzagRamp};
   }
-  return {{Edge::line(place.start, place.start), place.z_above, place.z, MoveKind::kPlunge,
-           options.plunge_feed, 0}};
+  const Edge down = Edge::line(place.start, place.start);
+  return {{{down, place.z_above, place.z, MoveKind::kPlunge, options.plunge_feed, 0}}, EntryKind::kPlunge};
 }
 
 }  // namespace clearcut

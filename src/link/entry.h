@@ -17,16 +17,28 @@ struct EntryPlace {
   double z_above = 0;                 ///< height where the material is met (and a little more)
   double z = 0;                       ///< depth of the pass
   std::optional<Vec2> circle_center;  ///< the pass begins by circling this point once
+  const Path* ring = nullptr;         ///< the whole pass from its start, where it is closed
 };
 
-/// The moves from (start, z_above) down to (start, z), all inside `legal`.
+/// A way down.
+struct Entry {
+  std::vector<Move> moves;
+  EntryKind kind = EntryKind::kPlunge;
+  /// mm. How far along the ring the depth is reached: there it has to be begun. 0: at its start.
+  double along_ring = 0;
+};
+
+/// The moves from (start, z_above) down to the pass, all inside `legal`. The first way of these that fits, beginning
+/// with the one asked for:
 ///
-/// Helix    about circle_center, else a circle that touches `direction` at the start, of 0.45 diameter and
-/// less while it
-///          does not fit (down to 0.1), no steeper than the entry angle, with a flat circle at the end; where
-///          none fits: ramp.
-/// Ramp     to and fro along the beginning of the pass, at most two diameters of it; where nothing fits:
-/// plunge. Plunge   straight down. Cost     O(edges near the entry).
-std::vector<Move> entry_moves(const EntryPlace& place, const Regions& legal, const LinkOptions& options);
+/// Helix    about circle_center, else about a centre beside the start so that it touches `direction`, as wide as
+///          options.helix_widest and less while it does not fit, down to helix_narrowest; no steeper than the entry
+///          angle, with a flat circle at the end.
+/// Ramp     along the ring, at the entry angle, as far as that takes (a few times round at most).
+/// Zigzag   to and fro along the beginning of the pass, at most two diameters of it.
+/// Plunge   straight down.
+///
+/// Cost     O(edges near the entry).
+Entry entry_at(const EntryPlace& place, const Regions& legal, const LinkOptions& options);
 
 }  // namespace clearcut

@@ -21,7 +21,7 @@ LinkOptions options_for(EntryKind entry) {
 }
 
 EntryPlace place_at(Vec2 start) {
-  return {start, {1, 0}, 0.2, -4, std::nullopt};
+  return {start, {1, 0}, 0.2, -4, std::nullopt, nullptr};
 }
 
 void expect_way_down(const std::vector<Move>& moves, const EntryPlace& place, double steepest_deg,
@@ -47,7 +47,7 @@ TEST(Entry, HelixIsNoSteeperThanAskedForAndStaysLegal) {
   const auto legal = square(30);
   for (const double y : {0.0, 5.0, 15.0}) {
     const auto place = place_at({15, y});
-    const auto moves = entry_moves(place, legal, options_for(EntryKind::kHelix));
+    const auto moves = entry_at(place, legal, options_for(EntryKind::kHelix)).moves;
     expect_way_down(moves, place, 5, legal);
     EXPECT_TRUE(moves.front().path.is_arc());
     EXPECT_EQ(moves.back().z_from, moves.back().z_to) << "ends with a flat circle";
@@ -57,7 +57,7 @@ TEST(Entry, HelixIsNoSteeperThanAskedForAndStaysLegal) {
 TEST(Entry, HelixShrinksUntilItFits) {
   const auto legal = square(2);
   const auto place = place_at({1, 0});
-  const auto moves = entry_moves(place, legal, options_for(EntryKind::kHelix));
+  const auto moves = entry_at(place, legal, options_for(EntryKind::kHelix)).moves;
   expect_way_down(moves, place, 5, legal);
   EXPECT_LE(moves.front().path.radius(), 1.0);
 }
@@ -66,13 +66,13 @@ TEST(Entry, SlotTakesARampInsteadOfAHelix) {
   const Regions legal{Region::from_valid_loops(
       loop_from_points(std::vector<Vec2>{{0, 0}, {30, 0}, {30, 0.2}, {0, 0.2}}), {})};
   const auto place = place_at({5, 0.1});
-  const auto moves = entry_moves(place, legal, options_for(EntryKind::kHelix));
+  const auto moves = entry_at(place, legal, options_for(EntryKind::kHelix)).moves;
   expect_way_down(moves, place, 5, legal);
   EXPECT_FALSE(moves.front().path.is_arc());
 }
 
 TEST(Entry, PlungeGoesStraightDown) {
-  const auto moves = entry_moves(place_at({5, 5}), square(30), options_for(EntryKind::kPlunge));
+  const auto moves = entry_at(place_at({5, 5}), square(30), options_for(EntryKind::kPlunge)).moves;
   ASSERT_EQ(moves.size(), 1u);
   EXPECT_TRUE(moves[0].is_vertical());
   EXPECT_EQ(moves[0].kind, MoveKind::kPlunge);

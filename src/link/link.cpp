@@ -1,12 +1,14 @@
 #include "link/link.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "base/error.h"
 #include "link/entry.h"
+#include "link/lead.h"
 #include "toolpath/legal_area.h"
 
 namespace clearcut {
@@ -14,6 +16,8 @@ namespace {
 
 /// mm over the material where ramps and helices begin.
 constexpr double kEntryHeight = 0.2;
+/// mm. A cutter may be this much wider than a predrilled hole.
+constexpr double kHoleSlack = 0.001;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -143,10 +147,26 @@ class Linker {
     while (!state.finished()) {
       const Choice next = choose(state, above);
       CLEARCUT_ASSERT(next.pass < state.layer().passes.size());
-      go_to(next, state, above);
-      cut(oriented(state, next), state.pass(next.pass).kinds, state.layer().z);
+      cut_pass(next, state, above);
       state.mark_done(next.pass);
     }
+  }
+
+  /// What was asked for and did not fit, in words.
+  std::vector<std::string> notes() const {
+    std::vector<std::string> notes;
+    const auto tell = [&](int times, const std::string& what) {
+      if (times > 0)
+        notes.push_back(what + " (" + std::to_string(times) + (times == 1 ? " place)" : " places)"));
+    };
+    const auto other = [&](EntryKind kind) { return options_.entry != kind ? entries_[index_of(kind)] : 0; };
+    tell(other(EntryKind::kRamp), "the entry asked for does not fit; ramped along the pass");
+    tell(other(EntryKind::kZigzagRamp), "the entry asked for does not fit; ramped to and fro");
+    tell(other(EntryKind::kPlunge), options_.may_plunge
+                                        ? "the entry asked for does not fit; plunged"
+                                        : "no ramp fits and the cutter may not plunge; plunged");
+    tell(without_lead_, "no lead fits at the wall");
+    return notes;
   }
 
   void finish() {
@@ -191,8 +211,13 @@ class Linker {
     return (in_air(p) ? state.layer().z : state.layer().z_top) + options_.above_material;
   }
 
+  /// Beside the stock, or in a predrilled hole.
   bool in_air(Vec2 p) const {
-    return options_.stock && options_.stock->distance_to(p) >= options_.tool_radius;
+    if (options_.stock && options_.stock->distance_to(p) >= options_.tool_radius) return true;
+    return std::any_of(
+        options_.predrilled.begin(), options_.predrilled.end(), [&](const PredrilledHole& hole) {
+          return distance(p, hole.center) + options_.tool_radius <= hole.diameter / 2 + kHoleSlack;
+        });
   }
 
   Choice choose(const LayerState& state, const LayerState* above) const {
@@ -255,10 +280,21 @@ class Linker {
     return std::nullopt;
   }
 
-  /// A point beside the stock from which a straight legal move leads to p.
+  /// The nearest predrilled hole from which a straight legal move leads to p.
+  std::optional<Vec2> way_from_hole(Vec2 p, const LayerState& state) const {
+    std::optional<Vec2> best;
+    for (const PredrilledHole& hole : options_.predrilled) {
+      if (!in_air(hole.center) || (best && distance(p, hole.center) >= distance(p, *best))) continue;
+      if (state.legal().holds_line(hole.center, p)) best = hole.center;
+    }
+    return best;
+  }
+
+  /// A point beside the stock or in a predrilled hole from which a straight legal move leads to p.
   std::optional<Vec2> way_out(Vec2 p, const LayerState& state) const {
-    if (!options_.stock) return std::nullopt;
     if (in_air(p)) return p;
+    if (const auto hole = way_from_hole(p, state)) return hole;
+    if (!options_.stock || !state.open()) return std::nullopt;
     const Box beyond = options_.stock->grown(options_.tool_radius + options_.above_material);
     const Vec2 outs[] = {{beyond.min.x, p.y}, {beyond.max.x, p.y}, {p.x, beyond.min.y}, {p.x, beyond.max.y}};
     std::optional<Vec2> best;
@@ -269,31 +305,84 @@ class Linker {
     return best;
   }
 
-  void go_to(const Choice& next, const LayerState& state, const LayerState* above) {
+  void cut_pass(Choice next, const LayerState& state, const LayerState* above) {
+    if (!next.stay_down && state.open()) start_from_air(next, state);
+    const Pass& pass = state.pass(next.pass);
+    Path path = oriented(state, next);
+    std::optional<Lead> lead;
+    if (options_.lead_radius > 0 && runs_along_wall(pass)) {
+      lead = lead_for(path, state.layer().legal, options_.lead_radius);
+      if (lead && next.stay_down && !state.legal().holds_line(at_, lead->in.from)) lead.reset();
+      if (!lead) ++without_lead_;
+    }
+    if (lead) {
+      path = begun_at(path, lead->along);
+      next.start.point = lead->in.from;
+    }
+    const bool on_ring = pass.closed && pass.kinds.empty() && !lead;
+    const double along = go_to(next, lead ? Path{lead->in} : path, on_ring, state, above);
+    if (along > 0) path = begun_at(path, along);
+    if (lead) cut({lead->in}, {MoveKind::kLeadIn}, state.layer().z);
+    cut(path, pass.kinds, state.layer().z);
+    if (lead) cut({lead->out}, {MoveKind::kLeadOut}, state.layer().z);
+  }
+
+  static bool runs_along_wall(const Pass& pass) {
+    return pass.closed && pass.parent < 0 && pass.kinds.empty() && !pass.entry_center;
+  }
+
+  /// A ring that is entered anew begins where air leads to it, if it does anywhere.
+  void start_from_air(Choice& next, const LayerState& state) const {
+    const Pass& pass = state.pass(next.pass);
+    if (!pass.closed || !pass.kinds.empty() || way_out(next.start.point, state)) return;
+    if (const auto entry = find_air_entry(pass.path, state)) next.start = entry->start;
+  }
+
+  /// To the beginning of `path` at depth; mm along it where the depth is reached, if it is a ring that was ramped along.
+  double go_to(const Choice& next, const Path& path, bool is_ring, const LayerState& state,
+               const LayerState* above) {
     const Vec2 p = next.start.point;
-    if (next.stay_down) return line_to(p, MoveKind::kLink, options_.feed);
-    const auto outside = state.open() ? way_out(p, state) : std::nullopt;
+    if (next.stay_down) {
+      link_to(p);
+      return 0;
+    }
+    const auto outside = way_out(p, state);
     const Vec2 entry = outside.value_or(p);
     rise_and_cross(entry, running() ? hop_height(entry, state, above) : options_.safe_z);
     vertical(approach_z(entry, state), MoveKind::kRapid, {});
-    if (in_air(entry)) {
-      vertical(state.layer().z, MoveKind::kPlunge, options_.plunge_feed);
-      return line_to(p, MoveKind::kLeadIn, options_.feed);
-    }
-    enter_material(next, state);
+    if (!outside)
+      return enter_material(path, is_ring ? &path : nullptr, state.pass(next.pass).entry_center, state);
+    vertical(state.layer().z, MoveKind::kPlunge, options_.plunge_feed);
+    line_to(p, MoveKind::kLeadIn, lead_feed());
+    return 0;
   }
 
-  /// From a little above the material down into it, as the entry option says.
-  void enter_material(const Choice& next, const LayerState& state) {
-    const Pass& pass = state.pass(next.pass);
-    vertical(std::min(z_, state.layer().z_top + kEntryHeight), MoveKind::kPlunge, options_.plunge_feed);
-    const Edge first = oriented(state, next).front();
-    const Vec2 heading = first.from == first.to ? Vec2{1, 0} : first.tangent_at(0);
-    const EntryPlace place{at_, heading, z_, state.layer().z, pass.entry_center};
-    const auto moves = entry_moves(place, state.layer().legal, options_);
-    moves_.insert(moves_.end(), moves.begin(), moves.end());
-    z_ = state.layer().z;
+  void link_to(Vec2 p) {
+    if (p == at_) return;
+    const double depth = z_;
+    const MmPerMin feed = options_.link_feed.value_or(options_.feed);
+    if (options_.link_lift > 0) vertical(depth + options_.link_lift, MoveKind::kLink, feed);
+    line_to(p, MoveKind::kLink, feed);
+    vertical(depth, MoveKind::kPlunge, options_.plunge_feed);
   }
+
+  /// From a little above the material down into it, as the entry option says. See go_to for what comes back.
+  double enter_material(const Path& path, const Path* ring, std::optional<Vec2> center,
+                        const LayerState& state) {
+    vertical(std::min(z_, state.layer().z_top + kEntryHeight), MoveKind::kPlunge, options_.plunge_feed);
+    const Edge first = path.front();
+    const Vec2 heading = first.from == first.to ? Vec2{1, 0} : first.tangent_at(0);
+    const EntryPlace place{at_, heading, z_, state.layer().z, center, ring};
+    const Entry entry = entry_at(place, state.layer().legal, options_);
+    moves_.insert(moves_.end(), entry.moves.begin(), entry.moves.end());
+    ++entries_[index_of(entry.kind)];
+    at_ = entry.moves.back().path.to;
+    z_ = state.layer().z;
+    return entry.along_ring;
+  }
+
+  static std::size_t index_of(EntryKind kind) { return static_cast<std::size_t>(kind); }
+  MmPerMin lead_feed() const { return options_.lead_feed.value_or(options_.feed); }
 
   void rise_and_cross(Vec2 to, double height) {
     if (!running()) {
@@ -333,16 +422,22 @@ class Linker {
       if (i == 0) joined.from = at_;           // the same point to rounding
       if (joined.from == joined.to) continue;  // a place where the cutter just fits: plunged into
       const MoveKind kind = kinds.empty() ? MoveKind::kCut : kinds[i];
-      moves_.push_back(
-          {joined, z, z, kind, kind == MoveKind::kLink ? options_.machine.rapid : options_.feed, 0});
+      moves_.push_back({joined, z, z, kind, feed_of(kind), 0});
       at_ = joined.to;
     }
+  }
+
+  MmPerMin feed_of(MoveKind kind) const {
+    if (kind == MoveKind::kLink) return options_.link_feed.value_or(options_.machine.rapid);
+    return kind == MoveKind::kLeadIn || kind == MoveKind::kLeadOut ? lead_feed() : options_.feed;
   }
 
   const LinkOptions& options_;
   std::vector<Move> moves_;
   Vec2 at_;
   double z_ = 0;
+  std::array<int, 4> entries_{};  ///< into material, by kind
+  int without_lead_ = 0;
 };
 
 }  // namespace
@@ -359,6 +454,7 @@ Section link_layers(const std::vector<LayerPasses>& layers, const LinkOptions& o
   Section section;
   section.spindle_clockwise = options.spindle_clockwise;
   section.moves = linker.take_moves();
+  section.notes = linker.notes();
   return section;
 }
 

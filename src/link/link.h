@@ -20,8 +20,17 @@ struct LinkOptions {
   MmPerMin feed = MmPerMin::of(1000);
   MmPerMin plunge_feed = MmPerMin::of(300);
   MmPerMin ramp_feed = MmPerMin::of(500);
+  std::optional<MmPerMin> lead_feed;  ///< arcs and lines into and out of passes; absent: feed
+  std::optional<MmPerMin>
+      link_feed;  ///< ways at depth through what is cut; absent: feed, or rapid within a pass
   EntryKind entry = EntryKind::kPlunge;
   Radians entry_angle = Radians::of_degrees(3);
+  std::optional<double> helix_widest;      ///< mm, diameter of the centre's circle; absent: 0.9 of the tool's
+  std::optional<double> helix_narrowest;   ///< mm; absent: 0.2 of the tool's diameter
+  bool may_plunge = true;                  ///< false: straight down is the last resort, and noted
+  double lead_radius = 0;                  ///< mm; 0: passes along walls begin and end on the wall
+  double link_lift = 0;                    ///< mm; ways at depth are run this much higher
+  std::vector<PredrilledHole> predrilled;  ///< ways down for a cutter no wider
   /// Plan view of the raw block: outside it there is only air. Absent: solid everywhere outside the targets.
   std::optional<Box> stock;
   Machine machine;  ///< decides between staying down and lifting
@@ -29,6 +38,10 @@ struct LinkOptions {
 
 /// All moves of one feature, layers from the top down.
 ///
+/// Entries   see link/entry.h; from beside the stock or down a predrilled hole where a straight legal way leads in.
+/// Leads     passes along walls of closed pockets begin and end with a quarter circle that touches them, where
+///           one of lead_radius or, failing that, down to a quarter of it lies in the legal area. What could not
+///           be done as asked is told in section.notes.
 /// Order     inside-out within each connected legal area (rings before the ring that surrounds them), nearest
 /// first. Links     down at depth where the straight way or a way along the legal boundary stays in the legal
 /// area and is

@@ -75,6 +75,8 @@ struct Operation {
   std::optional<Radians> entry_angle;
   std::optional<CutDirection> direction;
   std::optional<double> retract_z;  ///< absolute, mm
+  std::optional<double> lead;       ///< mm; radius of the arcs into and out of passes along walls
+  bool rest = false;                ///< cut only what the earlier steps of the same feature leave
   std::string strategy_hint;        ///< strategy named by the file, "" if none
 };
 
@@ -86,6 +88,12 @@ struct Workingstep {
   Operation operation;
 };
 
+/// A hole that is there before the work begins: a way down for cutters that are no wider. mm.
+struct PredrilledHole {
+  Vec2 center;
+  double diameter = 0;
+};
+
 /// A whole job description; a value.
 struct Part {
   std::string name;
@@ -94,7 +102,8 @@ struct Part {
   std::optional<double> clearance_z;  ///< security plane, absolute; absent: stock top + 10
   std::vector<Tool> tools;
   std::vector<Feature> features;
-  std::vector<Workingstep> workplan;  ///< in order of cutting
+  std::vector<Workingstep> workplan;       ///< in order of cutting
+  std::vector<PredrilledHole> predrilled;  ///< as deep as any feature they lie in
   Diagnostics diagnostics;
 
   double top_z() const;   ///< stock top, or the highest feature top

@@ -87,6 +87,14 @@ LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind en
   link.ramp_feed = *operation.cutting.ramp_feed;
   link.entry = operation.entry.value_or(entry);
   if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
+  link.may_plunge = tool_of(part, step).center_cutting;
+  link.helix_widest = options.shop.helix_widest;
+  link.helix_narrowest = options.shop.helix_narrowest;
+  link.lead_radius = operation.lead.value_or(0);
+  link.lead_feed = options.shop.lead_feed;
+  link.link_feed = options.shop.link_feed;
+  link.link_lift = options.shop.link_lift.value_or(0);
+  link.predrilled = part.predrilled;
   if (part.stock) link.stock = part.stock->plan;
   link.machine = options.machine;
   return link;
@@ -116,6 +124,8 @@ VerifyOptions verify_options(const PlanOptions& options) {
   verify.machine = options.machine;
   verify.engagement_limit_deg = options.engagement_deg;
   verify.threads = options.threads;
+  if (options.earlier) verify.earlier = &*options.earlier;
+  if (options.shop.material) verify.material = work_material_named(*options.shop.material);
   return verify;
 }
 

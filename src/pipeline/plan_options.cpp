@@ -101,6 +101,19 @@ Tool parse_tool(const std::string& text) {
   return tool;
 }
 
+PredrilledHole parse_predrilled(const std::string& text) {
+  const std::string place = "--predrilled " + text;
+  const auto comma = text.find(','), colon = text.find(':');
+  if (comma == std::string::npos || colon == std::string::npos || colon < comma)
+    throw InputError(place, "needs a place and a diameter in mm, for example 12,8.5:6");
+  PredrilledHole hole;
+  hole.center.x = required_number(text.substr(0, comma), place, "a coordinate");
+  hole.center.y = required_number(text.substr(comma + 1, colon - comma - 1), place, "a coordinate");
+  hole.diameter = required_number(text.substr(colon + 1), place, "a diameter in mm");
+  if (!(hole.diameter > 0)) throw InputError(place, "the diameter must be above 0 mm");
+  return hole;
+}
+
 void check(const PlanOptions& options) {
   require(absent_or_positive(options.stepdown), "--stepdown", "must be above 0 mm");
   require(absent_or_not_negative(options.allowance), "--allowance", "must be 0 mm or more");
@@ -113,6 +126,15 @@ void check(const PlanOptions& options) {
   require(!options.cutting.plunge_feed || options.cutting.plunge_feed->mm_per_min() > 0, "--plunge-feed",
           "must be above 0 mm/min");
   require(absent_or_positive(options.cutting.spindle_rpm), "--spindle", "must be above 0 rpm");
+  require(!options.entry_angle || (options.entry_angle->degrees() > 0 && options.entry_angle->degrees() < 90),
+          "--entry-angle", "must lie between 0 and 90 degrees");
+  require(absent_or_not_negative(options.lead), "--lead", "must be 0 mm or more");
+  require(absent_or_positive(options.scallop), "--scallop", "must be above 0 mm");
+  require(!options.cutting.ramp_feed || options.cutting.ramp_feed->mm_per_min() > 0, "--ramp-feed",
+          "must be above 0 mm/min");
+  require(!options.cutting.slot_feed || options.cutting.slot_feed->mm_per_min() > 0, "--slot-feed",
+          "must be above 0 mm/min");
+  check(options.shop, "--");
   require(absent_or_positive(options.time_s), "--time", "must be above 0 s");
   require(options.threads >= 1 && options.threads <= 1024, "--threads", "must lie between 1 and 1024");
 }

@@ -9,8 +9,10 @@
 
 #include "base/tolerances.h"
 #include "part/part.h"
+#include "part/shop_options.h"
 #include "post/post.h"
 #include "toolpath/machine.h"
+#include "toolpath/move.h"
 
 namespace clearcut {
 
@@ -24,6 +26,12 @@ struct PlanOptions {
   std::optional<double> allowance_floor;
   std::optional<double> engagement_deg;
   std::optional<EntryKind> entry;
+  std::optional<Radians> entry_angle;
+  std::optional<double> lead;     ///< mm; radius of leads into passes along walls, 0: none
+  std::optional<double> scallop;  ///< mm; greatest step between layers on leaning walls
+  ShopOptions shop;
+  std::vector<PredrilledHole> predrilled;  ///< besides the part's own
+  std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
   std::optional<CutDirection> direction;
   CuttingData cutting;
   Machine machine;
@@ -37,6 +45,9 @@ struct PlanOptions {
 
 /// "endmill:10[:T3][:flutes=2][:corner=0.5][:name=ROUGHER][:noplunge]". Throws InputError.
 Tool parse_tool(const std::string& text);
+
+/// "X,Y:D": a hole of diameter D at (X, Y), mm. Throws InputError.
+PredrilledHole parse_predrilled(const std::string& text);
 
 /// Checks that every option is in its sensible range; throws InputError naming the first that is not.
 void check(const PlanOptions& options);

@@ -11,6 +11,8 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "part/round_hole.h"
+#include "pipeline/left_over.h"
+#include "pipeline/work_plan.h"
 
 namespace clearcut {
 namespace {
@@ -48,9 +50,22 @@ double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
   return largest;
 }
 
+/// Tools that an earlier program has used are not chosen again while there are others.
+std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions& options) {
+  std::vector<char> used(tools.size(), 0);
+  if (!options.earlier) return used;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    used[i] = std::any_of(options.earlier->sections.begin(), options.earlier->sections.end(),
+                          [&](const Section& section) { return section.tool_number == tools[i].number; });
+  }
+  if (std::all_of(used.begin(), used.end(), [](char u) { return u; })) std::fill(used.begin(), used.end(), 0);
+  return used;
+}
+
 /// A drill of the hole's size; else the largest mill with a legal position in the feature, else the smallest (which
 /// then reports that it does not fit).
-int tool_for(const Feature& feature, const std::vector<Tool>& tools, const Tolerances& tol) {
+int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& used,
+             const Tolerances& tol) {
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
   const auto hole = round_hole_of(feature, tol);
   int best = 0;
@@ -64,8 +79,9 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const Toler
     if (a_fits != b_fits) return a_fits;
     return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;
   };
+  while (used[static_cast<std::size_t>(best)]) ++best;
   for (std::size_t i = 1; i < tools.size(); ++i) {
-    if (better(tools[i], tools[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
+    if (!used[i] && better(tools[i], tools[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
   }
   return best;
 }
@@ -74,9 +90,10 @@ void choose_tools(Part& part, const PlanOptions& options) {
   if (!options.tools.empty()) {
     part.tools = options.tools;
     number_tools(part.tools);
+    const auto used = used_before(part.tools, options);
     for (auto& step : part.workplan) {
       step.operation.tool =
-          tool_for(part.features[static_cast<std::size_t>(step.feature)], part.tools, options.tol);
+          tool_for(part.features[static_cast<std::size_t>(step.feature)], part.tools, used, options.tol);
     }
   }
   if (part.tools.empty()) {
@@ -114,12 +131,17 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   if (options.allowance) operation.allowance_side = *options.allowance;
   if (options.allowance_floor) operation.allowance_floor = *options.allowance_floor;
   if (options.entry) operation.entry = options.entry;
+  if (options.entry_angle) operation.entry_angle = options.entry_angle;
+  if (options.lead) operation.lead = options.lead;
+  if (options.scallop) operation.scallop = options.scallop;
   if (options.direction) operation.direction = options.direction;
   auto& cutting = operation.cutting;
   // The feed a file states for a drill is how fast it goes down; one stated for all cutters is not.
   if (only_plunges(tool) && !cutting.plunge_feed) cutting.plunge_feed = cutting.feed;
   if (options.cutting.feed) cutting.feed = options.cutting.feed;
   if (options.cutting.plunge_feed) cutting.plunge_feed = options.cutting.plunge_feed;
+  if (options.cutting.ramp_feed) cutting.ramp_feed = options.cutting.ramp_feed;
+  if (options.cutting.slot_feed) cutting.slot_feed = options.cutting.slot_feed;
   if (options.cutting.spindle_rpm) cutting.spindle_rpm = options.cutting.spindle_rpm;
   if (only_plunges(tool)) operation.allowance_side = 0;
 }
@@ -189,11 +211,15 @@ Part with_tools(Part part, const PlanOptions& options) {
 Part prepare(Part part, const PlanOptions& options) {
   if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
   choose_tools(part, options);
+  part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
+  for (auto& step : part.workplan)
+    apply_options(step.operation, part.tools.at(static_cast<std::size_t>(step.operation.tool)), options);
+  if (options.shop.rest.value_or(false)) add_rest_steps(part, options);
+  if (options.shop.finish) add_finishing_steps(part, options);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {
     const auto& tool = part.tools.at(static_cast<std::size_t>(step.operation.tool));
     const auto& feature = part.features.at(static_cast<std::size_t>(step.feature));
-    apply_options(step.operation, tool, options);
     for (auto& text : apply_defaults(step.operation, tool, feature, options.machine)) {
       text += " (T" + std::to_string(tool.number) + ")";
       if (std::find(noted.begin(), noted.end(), text) == noted.end()) noted.push_back(text);

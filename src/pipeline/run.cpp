@@ -7,12 +7,15 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "geometry/boolean.h"
+#include "link/slot_feed.h"
 #include "part/round_hole.h"
 #include "pipeline/certify.h"
 #include "pipeline/holes.h"
+#include "pipeline/left_over.h"
 #include "pipeline/prepare.h"
 #include "pipeline/strategies.h"
 #include "plan/layers.h"
+#include "plan/walls.h"
 #include "read/gcode/gcode.h"
 #include "toolpath/kinematics.h"
 
@@ -78,6 +81,57 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
   return layers;
 }
 
+/// A layer as it is to be planned.
+struct LayerLeft {
+  Layer layer;
+  bool walls_only = false;
+  bool rest = false;  ///< cleared by others around its target
+};
+
+/// mm. What others cleared may hold films up to this thick: no place for rapids.
+constexpr double kFilmOfOthers = 0.01;
+
+bool finishes(const Operation& operation) {
+  return operation.kind == OperationKind::kFinishing || operation.kind == OperationKind::kSideFinishing ||
+         operation.kind == OperationKind::kBottomFinishing;
+}
+
+/// mm. Most stock that one pass along the walls finishes, of the cutter's diameter.
+constexpr double kThinStock = 0.5;
+
+/// What one pass along its walls finishes: thin stock in a pocket closed all round, above the floor or at a floor that is
+/// finished otherwise.
+bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
+                       const Layer& layer, const PlanOptions& options) {
+  if (has_open_side(feature) || !finishes(step.operation)) return false;
+  if (step.operation.kind == OperationKind::kFinishing && last) return false;
+  return !is_thicker_than(left, 2 * kThinStock * layer.tool_radius, options.tol);
+}
+
+/// The layers with what earlier steps of the feature or an earlier program have left of them, where the step is to cut
+/// that alone: rest machining and finishing.
+std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const Part& part,
+                                   const PlanOptions& options) {
+  const auto& step = part.workplan[static_cast<std::size_t>(index)];
+  const bool finishing = finishes(step.operation) && follows_milling(part, index);
+  std::vector<LayerLeft> out;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const bool last = i + 1 == layers.size();
+    if (finishing && step.operation.kind == OperationKind::kBottomFinishing && !last) continue;
+    LayerLeft one{layers[i]};
+    const bool whole_floor = finishing && last && step.operation.kind != OperationKind::kSideFinishing;
+    if (!whole_floor && (finishing || step.operation.rest || options.earlier)) {
+      const Regions left = left_over(part, index, one.layer, options);
+      one.walls_only =
+          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, options);
+      if (!one.walls_only) one.layer.target = left;
+      one.rest = true;
+    }
+    if (!one.layer.target.empty()) out.push_back(std::move(one));
+  }
+  return out;
+}
+
 /// The section of one workingstep; without moves where the cutter does not fit.
 Section plan_step(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
@@ -85,7 +139,10 @@ Section plan_step(int index, const Part& part, const Attempt& attempt, const Pla
   const auto layers = standing_layers(part, step, options);
   if (auto hole = hole_step(layers, index, part, options)) return *std::move(hole);
   std::vector<LayerPasses> passes;
-  for (const auto& layer : layers) passes.push_back(strategy(layer));
+  for (const auto& layer : layers_left(layers, index, part, options)) {
+    passes.push_back(layer.walls_only ? plan_walls(layer.layer, options.tol) : strategy(layer.layer));
+    if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
+  }
   return link_step(passes, index, default_entry(tool_of(part, step), attempt), part, options);
 }
 
@@ -116,12 +173,41 @@ Draft draft_all(const Part& part, const std::vector<Attempt>& attempts, const Pl
   return draft;
 }
 
-Toolpath toolpath_of(const Draft& draft) {
+/// Degrees. Above this the cutter is taken to be in a slot.
+constexpr double kSlotAngle = 150;
+
+/// Slows down wherever a step with a slot feed is in the material all round, given all that runs before.
+void slow_down_slots(Toolpath& toolpath, const Part& part, const PlanOptions& options) {
+  const auto slot_feed_of = [&](const Section& section) {
+    return part.workplan[static_cast<std::size_t>(section.workingstep)].operation.cutting.slot_feed;
+  };
+  const bool wanted = std::any_of(toolpath.sections.begin(), toolpath.sections.end(),
+                                  [&](const Section& section) { return slot_feed_of(section).has_value(); });
+  if (!wanted) return;
+  std::vector<double> radii;
+  for (const auto& tool : part.tools) radii.push_back(tool.radius());
+  Material material(part.stock ? std::optional(part.stock->plan) : std::nullopt, part.top_z(), radii);
+  const Radians limit = Radians::of_degrees(options.shop.slot_angle_deg.value_or(kSlotAngle));
+  for (auto& section : toolpath.sections) {
+    const auto& step = part.workplan[static_cast<std::size_t>(section.workingstep)];
+    slow_down_slots(section, tool_of(part, step).radius(), limit,
+                    slot_feed_of(section).value_or(*step.operation.cutting.feed), material);
+  }
+}
+
+Toolpath toolpath_of(const Draft& draft, const Part& part, const PlanOptions& options) {
   Toolpath toolpath;
   for (const auto& section : draft.sections) {
     if (!section.moves.empty()) toolpath.sections.push_back(section);
   }
+  slow_down_slots(toolpath, part, options);
   return toolpath;
+}
+
+void report_notes(const Draft& draft, Part& part) {
+  for (const auto& section : draft.sections) {
+    for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
+  }
 }
 
 void report_what_does_not_fit(Part& part, const Draft& draft, const PlanOptions& options) {
@@ -136,7 +222,8 @@ void report_what_does_not_fit(Part& part, const Draft& draft, const PlanOptions&
     if (!draft.sections[i].moves.empty()) continue;
     const bool fits =
         tool_of(part, step).diameter <= largest_fitting_diameter(feature_of(part, step), options.tol);
-    if (fits && standing_layers(part, step, options).empty()) continue;
+    const auto layers = standing_layers(part, step, options);
+    if (fits && layers_left(layers, static_cast<int>(i), part, options).empty()) continue;
     part.diagnostics.skip(feature_of(part, step).name, does_not_fit(part, step, options));
   }
 }
@@ -196,9 +283,11 @@ PlanResult plan(const Part& part, const PlanOptions& options) {
   const auto attempts = attempts_for(options);
   Draft draft = draft_all(result.part, attempts, options);
   report_what_does_not_fit(result.part, draft, options);
-  certify(result, toolpath_of(draft), options);
-  while (retry_unclean(draft, result, attempts, options)) certify(result, toolpath_of(draft), options);
-  sign(result, toolpath_of(draft), options);
+  const auto toolpath = [&] { return toolpath_of(draft, result.part, options); };
+  certify(result, toolpath(), options);
+  while (retry_unclean(draft, result, attempts, options)) certify(result, toolpath(), options);
+  sign(result, toolpath(), options);
+  report_notes(draft, result.part);
   return result;
 }
 

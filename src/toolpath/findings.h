@@ -49,6 +49,25 @@ struct Engagement {
   double conventional_mm = 0;
 };
 
+/// What a force model makes of the engagement; only where the material of the work is known.
+struct CuttingLoad {
+  double max_force_n = 0;  ///< mean tangential force over a turn of the cutter, where it is greatest
+  std::optional<Place> max_force_at;
+  double mean_force_n = 0;  ///< over cutting length
+  double max_power_w = 0;   ///< at the cutter
+  double energy_j = 0;
+  double removed_mm3 = 0;
+  double wear = 0;  ///< contact time / tool life (Taylor): 1 uses one cutter up
+};
+
+/// The wall of the finished part that gives way most under the greatest force beside it.
+struct ThinWall {
+  double thickness_mm = 0;
+  double height_mm = 0;
+  double deflection_mm = 0;
+  Place at;
+};
+
 struct Figures {
   double feed_mm = 0;
   double rapid_mm = 0;
@@ -67,8 +86,10 @@ struct Figures {
   int rapid_in_material = 0;   ///< number of rapids through stock
   double max_axial_mm = 0;     ///< greatest depth of material above the tip at a feed move
   Engagement engagement;
-  double air_cut_mm = 0;      ///< feed length at depth that touches no material
-  double lower_bound_mm = 0;  ///< no program can cut this with less feed length
+  double air_cut_mm = 0;  ///< feed length at depth that touches no material
+  std::optional<CuttingLoad> load;
+  std::optional<ThinWall> thin_wall;  ///< where it bends by more than 0.02 mm
+  double lower_bound_mm = 0;          ///< no program can cut this with less feed length
   bool clean = false;
 };
 

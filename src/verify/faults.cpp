@@ -105,7 +105,10 @@ class FaultFinder {
   Fault fault(FaultKind kind, const JudgedMove& judged, const Place& place, double size,
               const std::string& what) const {
     const std::string feature = name_of_work(part_, judged.workingstep);
-    return {kind, feature, place, size, (feature.empty() ? "" : feature + ": ") + what + at(place) + "."};
+    const std::string whose = judged.earlier    ? "in the program before: "
+                              : feature.empty() ? ""
+                                                : feature + ": ";
+    return {kind, feature, place, size, whose + what + at(place) + "."};
   }
 
   const Part& part_;

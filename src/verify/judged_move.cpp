@@ -149,10 +149,8 @@ void assign_layers(JudgedProgram& program) {
   }
 }
 
-}  // namespace
-
-JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine) {
-  JudgedProgram program;
+void append_moves(const Part& part, const Toolpath& toolpath, const Machine& machine,
+                  std::vector<JudgedMove>& out) {
   for (const Section& section : toolpath.sections) {
     const std::vector<Seconds> times = move_times(section.moves, machine);
     for (std::size_t i = 0; i < section.moves.size(); ++i) {
@@ -163,12 +161,26 @@ JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const M
       judged.clockwise = section.spindle_clockwise;
       judged.time_s = times[i].seconds();
       judged.time_naive_s = naive_time(section.moves[i], machine).seconds();
-      program.moves.push_back(judged);
+      out.push_back(judged);
     }
   }
+}
+
+}  // namespace
+
+JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
+                             const Toolpath* earlier) {
+  JudgedProgram program;
+  append_moves(part, toolpath, machine, program.moves);
   attribute(part, toolpath, program.moves);
   find_layers(part, program);
   assign_layers(program);
+  if (earlier == nullptr) return program;
+  std::vector<JudgedMove> own = std::move(program.moves);
+  program.moves.clear();
+  append_moves(part, *earlier, machine, program.moves);
+  for (JudgedMove& judged : program.moves) judged.earlier = true;
+  program.moves.insert(program.moves.end(), own.begin(), own.end());
   return program;
 }
 

@@ -42,6 +42,7 @@ struct JudgedMove {
   const Tool* tool = nullptr;  ///< null: unknown
   int tool_number = 0;
   bool clockwise = true;
+  bool earlier = false;  ///< of a program that has run before: cuts, but counts nothing
   int workingstep = -1;  ///< whose work it is, for grouping only
   int layer = -1;        ///< index among the workingstep's layers
   double time_s = 0;
@@ -65,7 +66,9 @@ struct JudgedProgram {
 };
 
 /// Lists the moves of `toolpath` with their tools, times, and the workingstep and layer they belong to: by
-/// the section's number, else its label, else by place and depth.
-JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine);
+/// the section's number, else its label, else by place and depth. The moves of `earlier`, if any, go before, and belong to
+/// no workingstep.
+JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
+                             const Toolpath* earlier = nullptr);
 
 }  // namespace clearcut

@@ -205,6 +205,13 @@ class LoadMeter {
   bool in_entry_ = false;
 };
 
+/// Below every floor.
+double bottom_of(const Part& part) {
+  double bottom = part.top_z();
+  for (const Feature& feature : part.features) bottom = std::min(bottom, feature.floor_z);
+  return bottom - 1;
+}
+
 }  // namespace
 
 void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options) {
@@ -212,10 +219,15 @@ void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOp
   for (const JudgedMove& judged : moves) {
     if (judged.radius() > 0) radii.push_back(judged.radius());
   }
+  for (const PredrilledHole& hole : part.predrilled) radii.push_back(hole.diameter / 2);
   if (radii.empty()) return;
   std::optional<Box> plan;
   if (part.stock) plan = part.stock->plan;
   Material material(plan, part.top_z(), radii);
+  for (const PredrilledHole& hole : part.predrilled) {
+    const Edge down = Edge::line(hole.center, hole.center);
+    material.add({down, part.top_z(), bottom_of(part), MoveKind::kPlunge, {}, 0}, hole.diameter / 2);
+  }
   LoadMeter meter(material, options);
   for (JudgedMove& judged : moves) meter.measure(judged);
 }

@@ -70,6 +70,7 @@ class FindingsBuilder {
     std::vector<const JudgedMove*> all;
     std::vector<std::vector<const JudgedMove*>> by_step(part_.workplan.size());
     for (const JudgedMove& judged : program_.moves) {
+      if (judged.earlier) continue;
       all.push_back(&judged);
       if (judged.workingstep >= 0) by_step[judged.workingstep].push_back(&judged);
     }
@@ -160,7 +161,7 @@ class FindingsBuilder {
 
 Findings verify(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
   const FinishedPart finished(part);
-  JudgedProgram program = judged_program(part, toolpath, options.machine);
+  JudgedProgram program = judged_program(part, toolpath, options.machine, options.earlier);
   std::vector<FeatureWork> works = works_of(part);
 
   std::vector<std::function<void()>> tasks;

@@ -7,6 +7,7 @@
 
 #include "base/tolerances.h"
 #include "part/part.h"
+#include "part/work_material.h"
 #include "toolpath/findings.h"
 #include "toolpath/machine.h"
 #include "toolpath/move.h"
@@ -18,6 +19,10 @@ struct VerifyOptions {
   Machine machine;
   std::optional<double> engagement_limit_deg;
   int threads = 1;
+  /// A program that has run before on the same stock: what it cut is cut, what it spoiled is reported, and its lengths
+  /// and times are not in the figures.
+  const Toolpath* earlier = nullptr;
+  std::optional<WorkMaterial> material;  ///< of the work; forces and wear are computed where it is known
 };
 
 /// Judges `toolpath` (normally read back from program text) against `part`, whoever wrote it.

@@ -59,6 +59,7 @@ CutSettings settings_of(DataSection& section) {
   out.allowance = section.number("allowance");
   out.allowance_floor = section.not_negative("allowance_floor");
   out.scallop = section.positive("scallop");
+  out.lead = section.not_negative("lead");
   if (const auto entry = section.choice("entry", entries)) out.entry = static_cast<EntryKind>(*entry);
   if (const auto angle = section.positive("entry_angle")) {
     if (*angle > 90) section.fail_at("entry_angle", "must be at most 90 degrees");
@@ -159,8 +160,38 @@ JobOutput output_of(DataSection section) {
   return out;
 }
 
+ShopOptions shop_of(DataSection& section) {
+  ShopOptions shop;
+  shop.helix_widest = section.positive("helix_diameter");
+  shop.helix_narrowest = section.positive("helix_min");
+  shop.lead_feed = feed_of(section, "lead_feed");
+  shop.link_feed = feed_of(section, "link_feed");
+  shop.link_lift = section.not_negative("link_lift");
+  shop.slot_angle_deg = section.positive("slot_angle");
+  shop.rest = section.flag("rest");
+  shop.finish = section.text("finish");
+  shop.finish_stock = section.not_negative("finish_stock");
+  shop.finish_stock_floor = section.not_negative("finish_stock_floor");
+  shop.finish_depths = section.positive("finish_depths");
+  shop.material = section.text("material");
+  return shop;
+}
+
+PredrilledHole predrilled_of(DataSection section) {
+  PredrilledHole hole;
+  const auto x = coordinate(section, "x"), y = coordinate(section, "y");
+  const auto diameter = section.positive("diameter");
+  if (!x || !y || !diameter) section.fail("needs x, y and diameter");
+  hole.center = {*x, *y};
+  hole.diameter = *diameter;
+  section.refuse_unknown();
+  return hole;
+}
+
 void read_plan_section(DataSection section, JobFile& job) {
   job.plan = settings_of(section);
+  job.shop = shop_of(section);
+  if (const auto after = section.text("after")) job.after = beside(job.file, *after);
   job.clearance_z = coordinate(section, "clearance");
   job.engagement_deg = section.positive("engagement");
   if (job.engagement_deg && *job.engagement_deg > 360)
@@ -194,6 +225,8 @@ JobFile read_job_text(std::string_view text, const std::string& file_name) {
   for (DataSection& tool : section.sections("tool")) job.tools.push_back(tool_of_section(std::move(tool)));
   if (const auto machine = section.section("machine")) read_machine_section(*machine, job);
   if (const auto plan = section.section("plan")) read_plan_section(*plan, job);
+  for (DataSection& hole : section.sections("predrilled"))
+    job.predrilled.push_back(predrilled_of(std::move(hole)));
   for (DataSection& one : section.sections("operation"))
     job.operations.push_back(operation_rule(std::move(one)));
   if (const auto output = section.section("output")) job.output = output_of(*output);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "part/part.h"
+#include "part/shop_options.h"
 #include "read/read_options.h"
 #include "read/tools/tool_library.h"
 #include "toolpath/machine.h"
@@ -24,6 +25,7 @@ struct CutSettings {
   std::optional<double> allowance;      ///< mm, on walls
   std::optional<double> allowance_floor;
   std::optional<double> scallop;  ///< mm
+  std::optional<double> lead;     ///< mm, radius; 0: none
   std::optional<EntryKind> entry;
   std::optional<Radians> entry_angle;
   std::optional<CutDirection> direction;
@@ -70,6 +72,9 @@ struct JobFile {
   std::vector<OperationRule> operations;
   JobOutput output;
   // For the planner as a whole.
+  ShopOptions shop;
+  std::optional<std::filesystem::path> after;  ///< program that has run before, found from the job's folder
+  std::vector<PredrilledHole> predrilled;      ///< [[predrilled]]
   std::optional<double> engagement_deg;
   std::optional<std::string> objective;
   std::optional<double> time_s;

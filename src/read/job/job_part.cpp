@@ -109,6 +109,7 @@ void apply_settings(const CutSettings& settings, const Part& part, const std::st
   if (settings.allowance) operation.allowance_side = *settings.allowance;
   if (settings.allowance_floor) operation.allowance_floor = *settings.allowance_floor;
   set_if(operation.scallop, settings.scallop);
+  set_if(operation.lead, settings.lead);
   set_if(operation.entry, settings.entry);
   set_if(operation.entry_angle, settings.entry_angle);
   set_if(operation.direction, settings.direction);
@@ -258,6 +259,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over) {
   Part part = read_part(job.part_file, merged(job.read, over));
   if (job.stock) part.stock = stock_of(*job.stock, part, job.file);
   if (job.clearance_z) part.clearance_z = job.clearance_z;
+  part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
   Dresser(job, part).run();
   return part;
 }

@@ -95,9 +95,21 @@ const char* const kRest = R"(
 # allowance_floor = 0      # mm left on floors
 # entry = "helix"          # helix, ramp, zigzag, plunge
 # entry_angle = 3          # degrees
+# helix_diameter = 5       # mm, widest helix; helix_min: narrowest
+# lead = 0                 # mm, radius of the arcs into and out of passes along walls
 # direction = "climb"      # climb, conventional
 # feed = 1000              # mm/min; also plunge_feed, ramp_feed, slot_feed
+# lead_feed = 1000         # mm/min; link_feed: between passes
+# link_lift = 0            # mm, ways between passes are run this much higher
+# slot_angle = 150         # degrees of engagement above which slot_feed rules
 # spindle = 12000          # rpm
+# scallop = 0.5            # mm, steps that layers may leave on leaning walls
+# rest = false             # true: all tools given, larger ones first, each on what is left
+# after = "before.ngc"     # a program that has run before: only what it left is cut
+# finish = "walls"         # walls, floor, all: finishing after everything else
+# finish_stock = 0.3       # mm left on walls for it; finish_stock_floor = 0.2
+# finish_depths = 1        # in how many depths walls are finished
+# material = "steel"       # for forces: aluminium, brass, steel, alloy-steel, stainless, cast-iron, titanium
 # clearance = 10           # z of rapid travel, mm
 # engagement = 90          # largest engagement angle, degrees
 # objective = "time"       # length, turns, angle, engagement, time
@@ -109,6 +121,11 @@ const char* const kRest = R"(
 # tool = 1                 # number
 # kind = "finishing"       # an operation of its own after the others; also side_finishing, bottom_finishing
 # skip = false             # true: not machined
+
+# [[predrilled]]           # a hole that is there already: entered instead of plunging
+# x = 20
+# y = 10
+# diameter = 8
 
 # [machine]
 # file = "mill.toml"       # the same keys

@@ -245,6 +245,12 @@ void read_approach(const Node& node, Operation& operation, Context& context) {
     context.note("an approach of this kind is not used; the planner chooses the entry", *approach);
 }
 
+/// The lead out of a pass along the wall; ours is the same on the way in.
+void read_retract(const Node& node, Operation& operation) {
+  const auto retract = node.ref(10);
+  if (retract && retract->is("AP_RETRACT_TANGENT")) operation.lead = retract->length(1);
+}
+
 std::string lower(std::string text) {
   for (char& c : text)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -325,6 +331,7 @@ Operation read_operation(const Node& node, double feature_z, const Tools& tools,
   if (!goes_straight_down(operation)) {
     read_depths(node, tool, operation, context);
     read_approach(node, operation, context);
+    read_retract(node, operation);
     read_strategy(node, operation, context);
   }
   read_cutting(node, tool_node, tool, tools, operation, context);

@@ -1,0 +1,68 @@
+#include "link/slot_feed.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearcut {
+namespace {
+
+constexpr double kStepsPerRadius = 8;
+/// mm. Material thinner than this is rounding.
+constexpr double kFilm = 1e-3;
+
+/// One of the equal steps of a move, slow or not.
+std::vector<bool> slow_steps(const Move& move, double radius, Radians limit, const Material& material) {
+  const int count = std::max(1, static_cast<int>(std::ceil(move.path.length() * kStepsPerRadius / radius)));
+  std::vector<bool> slow;
+  Move lifted = move;
+  lifted.z_from += kFilm;
+  lifted.z_to += kFilm;
+  for (int i = 0; i < count; ++i) {
+    const double t = (i + 0.5) / count;
+    slow.push_back(material.engagement(lifted, t, radius - kFilm).angle > limit.radians());
+  }
+  // A step early and a step late: the load rises before it is measured.
+  std::vector<bool> wide = slow;
+  for (std::size_t i = 0; i < slow.size(); ++i) {
+    if (!slow[i]) continue;
+    if (i > 0) wide[i - 1] = true;
+    if (i + 1 < slow.size()) wide[i + 1] = true;
+  }
+  return wide;
+}
+
+void append_by_speed(const Move& move, const std::vector<bool>& slow, MmPerMin slot_feed,
+                     std::vector<Move>& out) {
+  const double count = static_cast<double>(slow.size());
+  for (std::size_t i = 0; i < slow.size();) {
+    std::size_t end = i + 1;
+    while (end < slow.size() && slow[end] == slow[i]) ++end;
+    Move piece = move;
+    const bool whole = i == 0 && end == slow.size();
+    if (!whole) piece.path = move.path.part(static_cast<double>(i) / count, static_cast<double>(end) / count);
+    if (i == 0) piece.path.from = move.path.from;
+    if (i > 0) piece.path.from = out.back().path.to;
+    if (end == slow.size()) piece.path.to = move.path.to;
+    if (slow[i]) piece.feed = slot_feed;
+    out.push_back(piece);
+    i = end;
+  }
+}
+
+}  // namespace
+
+void slow_down_slots(Section& section, double radius, Radians limit, MmPerMin slot_feed, Material& material) {
+  std::vector<Move> moves;
+  for (const Move& move : section.moves) {
+    const bool feeds = !is_rapid(move.kind);
+    if (feeds && !move.is_vertical() && move.z_from == move.z_to && slot_feed < move.feed) {
+      append_by_speed(move, slow_steps(move, radius, limit, material), slot_feed, moves);
+    } else {
+      moves.push_back(move);
+    }
+    if (feeds) material.add(move, radius);
+  }
+  section.moves = std::move(moves);
+}
+
+}  // namespace clearcut

@@ -1,0 +1,133 @@
+#include "pipeline/work_plan.h"
+
+#include <algorithm>
+
+#include "part/round_hole.h"
+#include "pipeline/prepare.h"
+
+namespace clearcut {
+namespace {
+
+constexpr double kWallStock = 0.3;   // mm, where nothing is said
+constexpr double kFloorStock = 0.2;  // mm
+/// Of the cutter's radius.
+constexpr double kLead = 0.5;
+
+const Tool& tool_of(const Part& part, const Workingstep& step) {
+  return part.tools.at(static_cast<std::size_t>(step.operation.tool));
+}
+
+const Feature& feature_of(const Part& part, const Workingstep& step) {
+  return part.features.at(static_cast<std::size_t>(step.feature));
+}
+
+/// Indices of the mills, widest first, of each diameter the first.
+std::vector<int> mills_of(const std::vector<Tool>& tools) {
+  std::vector<int> mills;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    const auto as_wide = [&](int other) {
+      return tools[static_cast<std::size_t>(other)].diameter == tools[i].diameter;
+    };
+    if (!only_plunges(tools[i]) && std::none_of(mills.begin(), mills.end(), as_wide))
+      mills.push_back(static_cast<int>(i));
+  }
+  std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {
+    return tools[static_cast<std::size_t>(a)].diameter > tools[static_cast<std::size_t>(b)].diameter;
+  });
+  return mills;
+}
+
+/// The last step of each feature that mills it, in the order of the workplan.
+std::vector<Workingstep> last_milling_steps(const Part& part) {
+  std::vector<Workingstep> last;
+  for (const Workingstep& step : part.workplan) {
+    if (only_plunges(tool_of(part, step))) continue;
+    std::erase_if(last, [&](const Workingstep& other) { return other.feature == step.feature; });
+    last.push_back(step);
+  }
+  return last;
+}
+
+/// Whether a cutter wider than `tool` works on the feature of `step`.
+bool is_preceded_by_wider(const Part& part, const Workingstep& step, const Tool& tool) {
+  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
+    return other.feature == step.feature && !only_plunges(tool_of(part, other)) &&
+           tool_of(part, other).diameter > tool.diameter;
+  });
+}
+
+Workingstep named_step(const Workingstep& step, const char* ending, OperationKind kind) {
+  Workingstep out = step;
+  out.name += ending;
+  out.operation.name = out.name;
+  out.operation.kind = kind;
+  out.operation.rest = false;
+  return out;
+}
+
+/// Along the walls, with the tool that came last.
+Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptions& shop) {
+  Workingstep step = named_step(last, "_walls", OperationKind::kSideFinishing);
+  Operation& operation = step.operation;
+  const Feature& feature = feature_of(part, last);
+  const double depth = feature.top_z - feature.floor_z - operation.allowance_floor;
+  if (depth > 0) operation.stepdown = depth / shop.finish_depths.value_or(1);
+  if (!operation.lead) operation.lead = kLead * tool_of(part, last).radius();
+  return step;
+}
+
+/// Over the floor, with the tool that came first; away from walls that are finished afterwards.
+Workingstep floor_step(const Workingstep& first, const ShopOptions& shop) {
+  Workingstep step = named_step(first, "_floor", OperationKind::kBottomFinishing);
+  if (*shop.finish == "all") step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+  return step;
+}
+
+void leave_stock(Operation& operation, const ShopOptions& shop) {
+  if (*shop.finish != "floor") operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+  if (*shop.finish != "walls") operation.allowance_floor += shop.finish_stock_floor.value_or(kFloorStock);
+}
+
+}  // namespace
+
+void add_rest_steps(Part& part, const PlanOptions& options) {
+  const auto steps = last_milling_steps(part);
+  for (const int mill : mills_of(part.tools)) {
+    const Tool& tool = part.tools[static_cast<std::size_t>(mill)];
+    for (const Workingstep& step : steps) {
+      const bool fits =
+          tool.diameter <= largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
+      if (!fits || !is_preceded_by_wider(part, step, tool)) continue;
+      Workingstep rest = step;
+      rest.name += "_rest_T" + std::to_string(tool.number);
+      rest.operation.name = rest.name;
+      rest.operation.tool = mill;
+      rest.operation.rest = true;
+      part.workplan.push_back(std::move(rest));
+    }
+  }
+}
+
+void add_finishing_steps(Part& part, const PlanOptions& options) {
+  const ShopOptions& shop = options.shop;
+  std::vector<Workingstep> floors, walls;
+  for (const Workingstep& last : last_milling_steps(part)) {
+    const auto hole = round_hole_of(feature_of(part, last), options.tol);
+    if (hole && makes_hole(tool_of(part, last), *hole, options.tol)) continue;
+    const auto first = std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+      return step.feature == last.feature && !only_plunges(tool_of(part, step));
+    });
+    if (*shop.finish != "walls") floors.push_back(floor_step(*first, shop));
+    if (*shop.finish != "floor") walls.push_back(wall_step(last, part, shop));
+  }
+  for (Workingstep& step : part.workplan) {
+    const auto same = [&](const Workingstep& finish) { return finish.feature == step.feature; };
+    const bool finished =
+        std::any_of(floors.begin(), floors.end(), same) || std::any_of(walls.begin(), walls.end(), same);
+    if (finished && !only_plunges(tool_of(part, step))) leave_stock(step.operation, shop);
+  }
+  part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());
+  part.workplan.insert(part.workplan.end(), walls.begin(), walls.end());
+}
+
+}  // namespace clearcut

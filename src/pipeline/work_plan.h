@@ -1,0 +1,17 @@
+// Adds the steps that options ask for to a workplan: smaller tools on what larger ones leave, finishing.
+#pragma once
+
+#include "pipeline/plan_options.h"
+
+namespace clearcut {
+
+/// For every milled feature one step more for each smaller mill of the part, on what is left, after all steps there are,
+/// tool by tool.
+void add_rest_steps(Part& part, const PlanOptions& options);
+
+/// For every milled feature the finishing steps asked for, after all others, which leave stock for them: the floor with
+/// the feature's first mill, then the walls with its last, in options.shop.finish_depths depths and with leads of half the
+/// cutter's radius.
+void add_finishing_steps(Part& part, const PlanOptions& options);
+
+}  // namespace clearcut
