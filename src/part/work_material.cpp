@@ -1,7 +1,7 @@
 // Symbols
 //
-//   kc1.1, mc   [kienzle1957], values of [schoenherr2002]-style tables; see docs/forces.md
-//   C, n        [groover2013] table 23.2: carbide 500 m/min for steel, 900 m/min for other metals, n = 0.25
+//   kc1.1, mc   steels and cast iron [kienzle1957]; the others rounded from [sandvik2010]
+//   C, n        carbide, [groover2013]: 500 m/min for steel, 900 m/min for softer metals, n = 0.25; titanium half of steel
 #include "part/work_material.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ const std::vector<WorkMaterial>& work_materials() {
   static const std::vector<WorkMaterial> materials{
       {"aluminium", 700, 0.25, 900, 0.25, 70000},   {"brass", 780, 0.18, 900, 0.25, 100000},
       {"steel", 1990, 0.26, 500, 0.25, 210000},     {"alloy-steel", 2500, 0.26, 500, 0.25, 210000},
-      {"stainless", 2350, 0.21, 500, 0.25, 200000}, {"cast-iron", 1160, 0.26, 500, 0.25, 110000},
+      {"stainless", 2000, 0.21, 500, 0.25, 200000}, {"cast-iron", 1160, 0.26, 500, 0.25, 110000},
       {"titanium", 1400, 0.23, 250, 0.25, 115000},
   };
   return materials;

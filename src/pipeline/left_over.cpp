@@ -29,13 +29,18 @@ const Tool& tool_of(const Part& part, const Operation& operation) {
   return part.tools.at(static_cast<std::size_t>(operation.tool));
 }
 
+Regions inset_all(const Regions& regions, double distance, const Tolerances& tol) {
+  Regions out;
+  for (const Region& region : regions) {
+    const Regions inside = inset(region, distance, tol);
+    out.insert(out.end(), inside.begin(), inside.end());
+  }
+  return out;
+}
+
 /// What a cutter that keeps `stock` from the walls can sweep of `allowed`.
 Regions reach_of(const Regions& allowed, double radius, double stock, const Tolerances& tol) {
-  Regions legal;
-  for (const Region& region : allowed) {
-    const Regions inside = inset(region, radius + stock, tol);
-    legal.insert(legal.end(), inside.begin(), inside.end());
-  }
+  const Regions legal = inset_all(allowed, radius + stock, tol);
   return legal.empty() ? legal : dilate(legal, radius - kSpare, tol);
 }
 
@@ -105,13 +110,13 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer, const P
   }
   if (options.earlier && !left.empty())
     left = subtract(left, cut_by_program(*options.earlier, part, layer.z, box(left), tol), tol);
-  Regions thick;
-  for (const Region& region : left) {
-    const Regions inside = inset(region, kSliver, tol);
-    thick.insert(thick.end(), inside.begin(), inside.end());
-  }
+  if (own.operation.allowance_side > 0 && !left.empty())
+    left = intersect(left, inset_all(layer.allowed, own.operation.allowance_side, tol), tol);
+  const Regions thick = inset_all(left, kSliver, tol);
   if (thick.empty()) return thick;
-  return intersect(dilate(thick, kSliver + kOverlap, tol), layer.target, tol);
+  // Up to the wall over the stock that stays there: targets are bounded by walls or by what is cut.
+  const double grow = kSliver + kOverlap + 1.5 * own.operation.allowance_side;
+  return intersect(dilate(thick, grow, tol), layer.target, tol);
 }
 
 bool follows_milling(const Part& part, int workingstep) {
