@@ -38,7 +38,7 @@ struct Section {
   double spindle_rpm = 0;
   bool spindle_clockwise = true;
   bool coolant = false;
-  std::vector<Move> moves;         ///< joined end to start, except that the first may begin anywhere
+  std::vector<Move> moves;           ///< joined end to start, except that the first may begin anywhere
   std::vector<std::string> notes{};  ///< what was asked for and could not be done; not part of the program
 };
 
