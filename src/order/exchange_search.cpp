@@ -34,8 +34,16 @@ ExchangeSearch::ExchangeSearch(const Moves& moves, const Objective& objective, c
       path_(with_extra(moves.problem(), start)),
       random_(seed),
       value_(evaluate(objective, moves, start)),
-      path_part_(objective.path_dependent() ? objective.path(moves, start) : 0),
-      queued_(static_cast<std::size_t>(path_.size())) {}
+      path_value_(objective.path_dependent() ? objective.path_value(moves) : nullptr),
+      queued_(static_cast<std::size_t>(path_.size())) {
+  if (path_value_) path_part_ = path_value_->of(start);
+}
+
+/// An evaluation costs about as much as the path is long.
+void ExchangeSearch::allow_evaluations() {
+  constexpr long long kPointsEvaluated = 20000;
+  evaluations_left_ = std::max(50LL, kPointsEvaluated / path_.size());
+}
 
 Tour ExchangeSearch::tour() const {
   std::vector<int> nodes = path_.nodes();
@@ -131,8 +139,9 @@ bool ExchangeSearch::accept_if_better() {
   path_.apply(exchange_);
   double path_part = path_part_;
   bool better = keeps_rules();
+  if (better && whole && evaluations_left_-- <= 0) better = false;
   if (better && whole) {
-    path_part = objective_.path(moves_, tour());
+    path_part = path_value_->of(tour());
     better = change + path_part - path_part_ < -least_gain(value_);
   }
   if (!better) {
@@ -167,7 +176,8 @@ bool ExchangeSearch::try_closing(double balance) {
 bool ExchangeSearch::extend(int depth, double balance) {
   const int loose = exchange_.t[2 * depth - 1], partner = exchange_.t[2 * depth - 2];
   const int breadth = depth == 1 ? kSecondBreadth : kThirdBreadth;
-  const bool prune = !objective_.path_dependent();
+  // What depends on the whole path is asked only about exchanges of two edges and those that pay otherwise.
+  const bool prune = !objective_.path_dependent() || depth > 1;
   for (int i = 0; i < candidate_count(loose, breadth); ++i) {
     const int c = candidate(loose, i, breadth);
     if (c == path_.next(loose) || c == path_.previous(loose)) continue;
@@ -213,7 +223,7 @@ void ExchangeSearch::drain(const StopWatch& watch) {
   while (head_ < queue_.size()) {
     const int v = queue_[head_++];
     queued_[v] = false;
-    while (!watch.over() && improve_node(v)) {
+    while (!watch.over() && (!path_value_ || evaluations_left_ > 0) && improve_node(v)) {
     }
   }
   queue_.clear();
@@ -221,6 +231,7 @@ void ExchangeSearch::drain(const StopWatch& watch) {
 }
 
 void ExchangeSearch::descend(const StopWatch& watch) {
+  allow_evaluations();
   for (const int v : std::vector<int>(path_.nodes())) touch(v);
   drain(watch);
   path_.commit();
@@ -254,13 +265,15 @@ void ExchangeSearch::kick() {
 
 void ExchangeSearch::run(long long kicks, double enough, const StopWatch& watch) {
   if (path_.size() < 8) return;
+  allow_evaluations();
   for (long long i = 0; i < kicks && value_ > enough && !watch.over(); ++i) {
+    if (path_value_ && evaluations_left_ <= 0) return;
     const double old_value = value_, old_path_part = path_part_;
     kick();
     bool better = keeps_rules();
     if (better) {
       if (objective_.path_dependent()) {
-        path_part_ = objective_.path(moves_, tour());
+        path_part_ = path_value_->of(tour());
         value_ += path_part_ - old_path_part;
       }
       drain(watch);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "base/random.h"
@@ -21,7 +22,8 @@ class ExchangeSearch {
   ExchangeSearch(const Moves& moves, const Objective& objective, const Neighbours& neighbours,
                  const Tour& start, std::uint64_t seed);
 
-  /// To a local optimum; sooner when the watch ends.
+  /// To a local optimum; sooner when the watch ends, and for objectives of the whole path after a number of
+  /// evaluations that is the smaller the longer the path.
   void descend(const StopWatch& watch);
   /// Kicks with repair; keeps what is no worse. Stops early at a value of at most `enough`.
   void run(long long kicks, double enough, const StopWatch& watch);
@@ -39,6 +41,7 @@ class ExchangeSearch {
   bool is_removed(int a, int b, int depth) const;
   /// Cost of the edge a-b and of the corners it makes when the edges a-not_a and b-not_b leave.
   double corners_made(int a, int b, int not_a, int not_b) const;
+  void allow_evaluations();
   bool accept_if_better();
   bool keeps_rules() const;
   void kick();
@@ -63,6 +66,8 @@ class ExchangeSearch {
   Exchange exchange_;
   double value_ = 0;
   double path_part_ = 0;
+  std::unique_ptr<PathValue> path_value_;  ///< only for objectives that depend on the whole path
+  long long evaluations_left_ = 0;         ///< of whole paths, until the next call of descend or run
   std::vector<int> queue_;
   std::size_t head_ = 0;
   std::vector<char> queued_;

@@ -2,6 +2,24 @@
 
 namespace clearcut::order {
 
+namespace {
+
+class WholePath final : public PathValue {
+ public:
+  WholePath(const Objective& objective, const Moves& moves) : objective_(objective), moves_(moves) {}
+  double of(std::span<const int> tour) override { return objective_.path(moves_, tour); }
+
+ private:
+  const Objective& objective_;
+  const Moves& moves_;
+};
+
+}  // namespace
+
+std::unique_ptr<PathValue> Objective::path_value(const Moves& moves) const {
+  return std::make_unique<WholePath>(*this, moves);
+}
+
 double evaluate(const Objective& objective, const Moves& moves, std::span<const int> tour) {
   double value = objective.constant() + (objective.path_dependent() ? objective.path(moves, tour) : 0);
   each_edge(moves.problem(), tour, [&](int a, int b) { value += objective.edge(moves, a, b); });

@@ -13,6 +13,14 @@
 
 namespace clearcut::order {
 
+/// The part of a value that depends on the whole path; remembers the last path it was asked about, so that one
+/// that begins alike is evaluated from its first changed point. For one thread.
+class PathValue {
+ public:
+  virtual ~PathValue() = default;
+  virtual double of(std::span<const int> tour) = 0;
+};
+
 /// value(tour) = constant() + sum of edge(a, b) over moves + sum of corner(a, b, c) over points between two
 /// moves
 /// + path(tour).
@@ -29,6 +37,8 @@ class Objective {
   /// Whether path() matters: such objectives are re-evaluated as a whole.
   virtual bool path_dependent() const { return false; }
   virtual double path(const Moves& /*moves*/, std::span<const int> /*tour*/) const { return 0; }
+  /// The same for many paths in turn; without an own one every path is evaluated as a whole.
+  virtual std::unique_ptr<PathValue> path_value(const Moves& moves) const;
   /// value >= length * l + turns * t + angle * a + constant for every tour; equal when `exact`. For lower
   /// bounds.
   struct Linear {

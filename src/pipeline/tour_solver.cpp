@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "order/solve.h"
+#include "pipeline/engagement_model.h"
 
 namespace clearcut {
 namespace {
@@ -60,13 +61,24 @@ double weight_of(const std::string& text) {
   return weight;
 }
 
-order::ObjectivePtr layer_objective(const std::string& name, const PlanOptions& options, MmPerMin feed) {
+/// Share of the leading half circle; of the angle asked for, else half.
+double engagement_target(const PlanOptions& options) {
+  return options.engagement_deg ? *options.engagement_deg / 180 : 0.5;
+}
+
+order::ObjectivePtr layer_objective(const std::string& name, const TourTask& task, const PlanOptions& options,
+                                    MmPerMin feed) {
+  const EngagementTask engagement{task.points, task.way, task.layer->target, task.layer->tool_radius};
   if (name == "length") return order::length_objective();
   if (name == "turns") return order::turns_objective();
   if (name == "angle") return order::angle_objective();
   if (name == "time") return machine_time_objective(options.machine, feed);
-  throw InputError("--objective", fmt::format("'{}' is unknown; use length, turns, angle, time, or "
-                                              "weights such as 1:length,20:turns",
+  if (name == "engagement")
+    return engagement_objective(engagement_target(options), [=] { return raster_engagement(engagement); });
+  if (name == "engagement-exact")
+    return engagement_objective(engagement_target(options), [=] { return exact_engagement(engagement); });
+  throw InputError("--objective", fmt::format("'{}' is unknown; use length, turns, angle, engagement, "
+                                              "engagement-exact, time, or weights such as 1:length,20:turns",
                                               name));
 }
 
@@ -98,8 +110,9 @@ TourSolver tour_solver(const PlanOptions& options, MmPerMin feed) {
     problem.points = task.points;
     problem.shape = order::Shape::kOpenPath;
     problem.detour = task.way;
-    const auto objective = objective_from(
-        options.objective, [&](const std::string& name) { return layer_objective(name, options, feed); });
+    const auto objective = objective_from(options.objective, [&](const std::string& name) {
+      return layer_objective(name, task, options, feed);
+    });
     order::SolveOptions solve;
     solve.seed = options.seed;
     solve.threads = options.threads;

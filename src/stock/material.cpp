@@ -167,12 +167,14 @@ const std::vector<Material::Entry>* Material::Grid::at(Vec2 p) const {
   return found == cells.end() ? nullptr : &found->second;
 }
 
-void Material::Grid::insert(const Edge& path, double radius, Entry entry) {
+/// The lists of all cells that a circle may reach the path from; each at least once.
+template <typename F>
+void Material::Grid::for_lists(const Edge& path, double radius, F&& f) {
   const double far = reach + radius;
   // Halving keeps the box of a long slanting path from covering many cells in vain.
   if (path.from != path.to && path.length() > 2 * far + 4 * cell) {
-    insert(path.part(0, 0.5), radius, entry);
-    insert(path.part(0.5, 1), radius, entry);
+    for_lists(path.part(0, 0.5), radius, f);
+    for_lists(path.part(0.5, 1), radius, f);
     return;
   }
   Box box = path.from == path.to ? Box{path.from, path.from} : path.box();
@@ -183,10 +185,22 @@ void Material::Grid::insert(const Edge& path, double radius, Entry entry) {
   for (double y = y0; y <= box.max.y; y += cell) {
     for (double x = x0; x <= box.max.x; x += cell) {
       if (distance_to_path(path, {x, y}) > far + half_diagonal) continue;
-      std::vector<Entry>& list = cells[key({x, y})];
-      if (list.empty() || list.back().sweep != entry.sweep) list.push_back(entry);
+      f(cells[key({x, y})]);
     }
   }
+}
+
+void Material::Grid::insert(const Edge& path, double radius, Entry entry) {
+  for_lists(path, radius, [&](std::vector<Entry>& list) {
+    if (list.empty() || list.back().sweep != entry.sweep) list.push_back(entry);
+  });
+}
+
+/// Only the newest sweep can be removed: it comes last in all its lists.
+void Material::Grid::remove(const Edge& path, double radius, int sweep) {
+  for_lists(path, radius, [&](std::vector<Entry>& list) {
+    if (!list.empty() && list.back().sweep == sweep) list.pop_back();
+  });
 }
 
 Material::Sweep Material::make_sweep(const Edge& path, double z_from, double z_to, double radius) {
@@ -206,6 +220,13 @@ void Material::add(const Move& move, double radius) {
     const double dz = move.z_to - move.z_from;
     add_piece(pieces == 1 ? move.path : move.path.part(t0, t1), move.z_from + dz * t0, move.z_from + dz * t1,
               radius);
+  }
+}
+
+void Material::forget_beyond(std::size_t sweeps) {
+  for (; sweeps_.size() > sweeps; sweeps_.pop_back()) {
+    const Sweep& last = sweeps_.back();
+    for (Grid& grid : grids_) grid.remove(last.path, last.radius, static_cast<int>(sweeps_.size()) - 1);
   }
 }
 

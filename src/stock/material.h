@@ -35,6 +35,10 @@ class Material {
   /// Takes away what a cutter of `radius` mm sweeps along `move`.
   void add(const Move& move, double radius);
 
+  /// How many pieces of moves were added, and the way back to fewer: what later ones swept is material again.
+  std::size_t sweeps() const { return sweeps_.size(); }
+  void forget_beyond(std::size_t sweeps);
+
   /// Whether no material reaches above z at p.
   bool is_removed(Vec2 p, double z) const;
   /// Height of the material at p: z_top, or the lowest tip that passed over p; -infinity beside the block. On
@@ -79,6 +83,9 @@ class Material {
     std::uint64_t key(Vec2 p) const;
     const std::vector<Entry>* at(Vec2 p) const;
     void insert(const Edge& path, double radius, Entry entry);
+    void remove(const Edge& path, double radius, int sweep);
+    template <typename F>
+    void for_lists(const Edge& path, double radius, F&& f);
   };
 
   void add_piece(const Edge& path, double z_from, double z_to, double radius);

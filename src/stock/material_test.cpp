@@ -32,6 +32,28 @@ TEST(Material, AboveTheTopThereIsNothing) {
   EXPECT_FALSE(material.is_removed({0, 0}, -0.001));
 }
 
+TEST(Material, ForgettingBringsBackWhatWasThereBefore) {
+  Random random(5);
+  Material once(std::nullopt, 0, {3}), twice(std::nullopt, 0, {3});
+  const auto some_move = [&] {
+    const Vec2 a{random.between(0, 40), random.between(0, 40)},
+        b{random.between(0, 40), random.between(0, 40)};
+    return flat(Edge::line(a, b), -1);
+  };
+  for (int i = 0; i < 20; ++i) {
+    const Move kept = some_move();
+    once.add(kept, 3);
+    twice.add(kept, 3);
+  }
+  const std::size_t sweeps = twice.sweeps();
+  for (int i = 0; i < 20; ++i) twice.add(some_move(), 3);
+  twice.forget_beyond(sweeps);
+  for (int i = 0; i < 200; ++i) {
+    const Vec2 p{random.between(-5, 45), random.between(-5, 45)};
+    EXPECT_EQ(once.engagement(p, {1, 0}, 3, -1).angle, twice.engagement(p, {1, 0}, 3, -1).angle);
+  }
+}
+
 // acos(1 - stepover / R): the closed form of a straight pass beside a straight pass.
 TEST(Material, StepoverGivesItsClosedForm) {
   const double r = 5;

@@ -6,6 +6,15 @@ namespace clearcut::order {
 
 namespace {
 
+struct WeightedPath final : PathValue {
+  double of(std::span<const int> tour) override {
+    double total = 0;
+    for (const auto& [weight, part] : parts) total += weight * part->of(tour);
+    return total;
+  }
+  std::vector<std::pair<double, std::unique_ptr<PathValue>>> parts;
+};
+
 class WeightedSum final : public Objective {
  public:
   explicit WeightedSum(std::vector<std::pair<double, ObjectivePtr>> parts) : parts_(std::move(parts)) {}
@@ -31,6 +40,13 @@ class WeightedSum final : public Objective {
   }
   double path(const Moves& moves, std::span<const int> tour) const override {
     return sum([&](const Objective& o) { return o.path_dependent() ? o.path(moves, tour) : 0.0; });
+  }
+  std::unique_ptr<PathValue> path_value(const Moves& moves) const override {
+    auto sum = std::make_unique<WeightedPath>();
+    for (const auto& [weight, part] : parts_) {
+      if (part->path_dependent()) sum->parts.emplace_back(weight, part->path_value(moves));
+    }
+    return sum;
   }
   Linear linear() const override {
     Linear total;
