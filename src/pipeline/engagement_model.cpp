@@ -58,7 +58,9 @@ class RasterEngagement final : public EngagementModel {
   RasterEngagement(EngagementTask given, double accuracy) : EngagementModel(std::move(given)) {
     // Eq. 4.21: accuracy = resolution / (sqrt 2 pi r).
     size_ = accuracy * std::sqrt(2.0) * kPi * task().radius;
-    circle_ = circle_pixels(static_cast<int>(std::lround(task().radius / size_)));
+    const int radius = static_cast<int>(std::lround(task().radius / size_));
+    circle_ = circle_pixels(radius);
+    lag_ = static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * radius)));
     for (const Pixel p : circle_) {
       if (spans_.empty() || spans_.back().y != p.y) spans_.push_back({p.x, p.x, p.y});
       spans_.back().high = std::max(spans_.back().high, p.x);
@@ -70,16 +72,20 @@ class RasterEngagement final : public EngagementModel {
   void plunge(Vec2 p) override { clear(pixel_of(p)); }
   double cut(const std::vector<Vec2>& move) override {
     double sum = 0;
-    int steps = 0;
+    std::size_t steps = 0;
     for (std::size_t i = 1; i < move.size(); ++i) {
       look_along(move[i] - move[i - 1]);
-      line_pixels(pixel_of(move[i - 1]), pixel_of(move[i]), [&](Pixel at) {
-        sum += engaged(at);
-        ++steps;
-        clear(at);
-      });
+      trail_.clear();
+      line_pixels(pixel_of(move[i - 1]), pixel_of(move[i]), [&](Pixel at) { trail_.push_back(at); });
+      for (std::size_t k = 0; k < trail_.size(); ++k) {
+        sum += engaged(trail_[k]);
+        if (k >= lag_) clear(trail_[k - lag_]);
+      }
+      for (std::size_t k = trail_.size() - std::min(lag_, trail_.size()); k < trail_.size(); ++k)
+        clear(trail_[k]);
+      steps += trail_.size();
     }
-    return steps == 0 ? 0 : sum / steps;
+    return steps == 0 ? 0 : sum / static_cast<double>(steps);
   }
   std::size_t mark() const override { return cleared_.size(); }
   void back_to(std::size_t mark) override {
@@ -144,7 +150,10 @@ class RasterEngagement final : public EngagementModel {
   Vec2 origin_;
   int columns_ = 0, rows_ = 0;
   std::vector<char> map_;
-  std::vector<Pixel> circle_, leading_;
+  /// Steps by which clearing follows the cutter: at its sides the circle runs along the path for so many pixels,
+  /// which the step before would have cleared already.
+  std::size_t lag_ = 0;
+  std::vector<Pixel> circle_, leading_, trail_;
   std::vector<Span> spans_;
   std::vector<std::size_t> cleared_;
 };

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/clearance.h"
+#include "pipeline/reproduce_orders.h"
 #include "pipeline/reproduce_tour.h"
 #include "plan/contour.h"
 #include "plan/layer.h"
@@ -138,7 +139,11 @@ const std::vector<Entry>& entries() {
                                       {"overlaps", overlaps},
                                       {"triangle", triangle},
                                       {"rho-triangle", rho_triangle},
-                                      {"genetic", genetic_figures}};
+                                      {"genetic", genetic_figures},
+                                      {"lattices", lattice_table},
+                                      {"fishhead", fishhead_table},
+                                      {"objectives", objectives_table},
+                                      {"tour-engagement", engagement_table}};
   return all;
 }
 

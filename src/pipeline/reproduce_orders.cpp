@@ -1,0 +1,311 @@
+#include "pipeline/reproduce_orders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "order/lattice.h"
+#include "order/solve.h"
+#include "part/fishhead.h"
+#include "pipeline/engagement_model.h"
+#include "pipeline/prepare.h"
+#include "pipeline/tour_solver.h"
+#include "plan/layers.h"
+
+namespace clearcut {
+namespace {
+
+order::Solution solved(const order::Problem& problem, const order::Objective& objective, std::uint64_t seed,
+                       long long rounds = 4) {
+  order::SolveOptions options;
+  options.seed = seed;
+  options.stop.seconds = std::numeric_limits<double>::infinity();
+  options.stop.effort = 1;
+  options.stop.rounds = rounds;
+  return order::solve(problem, objective, options);
+}
+
+/// Worst value and longest time over seeds.
+struct Worst {
+  double value = 0, bound = 0, seconds = 0;
+};
+
+Worst worst_of(const order::Problem& problem, const order::Objective& objective, int seeds) {
+  Worst worst;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    const auto solution = solved(problem, objective, static_cast<std::uint64_t>(seed));
+    worst.value = std::max(worst.value, solution.objective);
+    worst.bound = solution.bound;
+    worst.seconds = std::max(worst.seconds, solution.seconds);
+  }
+  return worst;
+}
+
+order::Problem open_lattice(int columns, int rows) {
+  order::Problem problem = order::lattice_problem(columns, rows);
+  problem.shape = order::Shape::kOpenPath;
+  return problem;
+}
+
+void add_lattice(TextTable& table, const std::string& size, const std::string& measure,
+                 const std::string& printed, const Worst& worst, int seeds) {
+  table.add({size, measure, printed, fmt::format("{:.0f}", worst.value), fmt::format("{:.0f}", worst.bound),
+             std::to_string(seeds), fmt::format("{:.3f}", worst.seconds)});
+}
+
+constexpr double kEndMill = 10;  // mm
+constexpr double kEngagementShare = 0.5;
+
+/// Collects what the planner asks of its optimiser instead of answering well.
+std::vector<TourTask> published_tasks(const Layer& layer, double pitch, const TourSolver& answer) {
+  std::vector<TourTask> tasks;
+  TourGridOptions grid;
+  grid.published = true;
+  grid.pitch = pitch;
+  grid.pitch_in_mm = true;
+  plan_tour(layer, grid,
+            [&](const TourTask& task) {
+              tasks.push_back(task);
+              return answer(task);
+            },
+            {});
+  return tasks;
+}
+
+struct Sum {
+  double length = 0, angle = 0;
+  int turns = 0;
+  Sum& operator+=(const Sum& o) {
+    length += o.length, angle += o.angle, turns += o.turns;
+    return *this;
+  }
+};
+
+order::Problem problem_of(const TourTask& task) {
+  order::Problem problem;
+  problem.name = "grid";
+  problem.points = task.points;
+  problem.shape = order::Shape::kOpenPath;
+  problem.detour = task.way;
+  return problem;
+}
+
+/// Length, turns and angle of the published grid of a layer in the order that the objective asks for.
+Sum grid_figures(const Layer& layer, double pitch, const order::Objective& objective) {
+  Sum sum;
+  published_tasks(layer, pitch, [&](const TourTask& task) {
+    const auto solution = solved(problem_of(task), objective, 1, 1);
+    sum += {solution.length, solution.angle_deg, solution.turns};
+    return solution.tour;
+  });
+  return sum;
+}
+
+/// How the printed job may be read.
+struct Reading {
+  const char* name;
+  double face_pitch, pocket_pitch;  ///< mm
+  bool every_layer;
+};
+
+Sum fishhead_figures(const Reading& reading, const order::Objective& objective) {
+  PlanOptions options;
+  options.stepdown = 2;
+  const Part part = prepare(fishhead(false, {}), options);
+  Sum total;
+  for (const auto& step : part.workplan) {
+    const double radius = part.tools[static_cast<std::size_t>(step.operation.tool)].radius();
+    auto layers =
+        layers_of(part.features[static_cast<std::size_t>(step.feature)], step.operation, radius, {});
+    if (layers.empty()) continue;
+    const double pitch = radius > kEndMill ? reading.face_pitch : reading.pocket_pitch;
+    // All layers have the same outline, so the same tour serves them all. Open sides: the target's own outline,
+    // as published (a closed pocket made of it).
+    Layer layer = layers.front();
+    layer.allowed = layer.target;
+    const Sum one = grid_figures(layer, pitch, objective);
+    const int count = reading.every_layer ? static_cast<int>(layers.size()) : 1;
+    total += {one.length * count, one.angle * count, one.turns * count};
+  }
+  return total;
+}
+
+order::ObjectivePtr seeded(const char* kind) {
+  // Among tours of equal turns or angle the shorter one, as the text's multi-objective fitness.
+  const auto main = std::string(kind) == "turns" ? order::turns_objective() : order::angle_objective();
+  const double weight = std::string(kind) == "turns" ? 20 : 0.2;
+  return order::weighted_sum({{weight, main}, {1, order::length_objective()}});
+}
+
+/// POCKET or face of the fishhead that the text's figures come nearest to: the layer with the grid of about as
+/// many points as its shortest path has steps.
+TourTask feature_task(double pitch, double radius, const std::string& name, Layer& layer) {
+  PlanOptions options;
+  options.stepdown = 2;
+  const Part part = prepare(fishhead(false, {}), options);
+  for (const auto& step : part.workplan) {
+    const auto& feature = part.features[static_cast<std::size_t>(step.feature)];
+    if (feature.name != name) continue;
+    layer = layers_of(feature, step.operation, radius, {}).front();
+    layer.allowed = layer.target;
+    layer.tool_radius = radius;
+    const auto tasks = published_tasks(layer, pitch, [](const TourTask& task) {
+      std::vector<int> order(task.points.size());
+      for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+      return order;
+    });
+    const auto largest = std::max_element(tasks.begin(), tasks.end(), [](const auto& a, const auto& b) {
+      return a.points.size() < b.points.size();
+    });
+    TourTask task = *largest;
+    task.layer = &layer;
+    task.way = {};
+    return task;
+  }
+  return {};
+}
+
+EngagementTask engagement_task(const TourTask& task) {
+  return {task.points, task.way, task.layer->target, task.layer->tool_radius};
+}
+
+std::array<double, 10> histogram(const std::vector<double>& shares) {
+  std::array<double, 10> bins{};
+  for (const double share : shares) {
+    bins[static_cast<std::size_t>(std::clamp(share * 10, 0.0, 9.0))] +=
+        100 / static_cast<double>(std::max<std::size_t>(shares.size(), 1));
+  }
+  return bins;
+}
+
+void add_histogram(TextTable& table, int target, const char* model, const std::vector<double>& shares) {
+  std::vector<std::string> row{fmt::format("{} %", target), model};
+  double mean = 0;
+  for (const double share : shares) mean += 100 * share / static_cast<double>(shares.size());
+  row.push_back(fmt::format("{:.1f}", mean));
+  for (const double bin : histogram(shares)) row.push_back(fmt::format("{:.0f}", bin));
+  table.add(row);
+}
+
+}  // namespace
+
+TextTable lattice_table() {
+  TextTable table;
+  table.title = "Tour tables 6.3 and 6.6: lattices, open paths; ours is the worst over all seeds";
+  table.columns = {{"lattice", Align::kLeft},
+                   {"measure", Align::kLeft},
+                   {"printed"},
+                   {"ours"},
+                   {"bound"},
+                   {"seeds"},
+                   {"longest s"}};
+  const auto ten = open_lattice(10, 10);
+  add_lattice(table, "10x10", "turns", "18.33", worst_of(ten, *order::turns_objective(), 100), 100);
+  add_lattice(table, "10x10", "angle, deg", "1636.8", worst_of(ten, *order::angle_objective(), 100), 100);
+  const std::tuple<int, int, const char*> sizes[] = {
+      {10, 10, "99.91 %"}, {100, 100, "97.34 %"}, {100, 75, "97.52 %"}, {100, 80, "97.43 %"}};
+  for (const auto& [columns, rows, printed] : sizes) {
+    const auto problem = open_lattice(columns, rows);
+    const std::string size = fmt::format("{}x{}", columns, rows);
+    const auto length = worst_of(problem, *order::length_objective(), 3);
+    add_lattice(table, size, fmt::format("length ({:.2f} %)", 100 * length.bound / length.value), printed,
+                length, 3);
+    add_lattice(table, size, "turns", "", worst_of(problem, *order::turns_objective(), 3), 3);
+    add_lattice(table, size, "angle, deg", "", worst_of(problem, *order::angle_objective(), 3), 3);
+  }
+  table.notes.push_back("printed percentages are the text's fitness: optimum / result");
+  return table;
+}
+
+TextTable fishhead_table() {
+  constexpr std::array<Reading, 4> kReadings{{{"50 % of D, every 2 mm layer", 20, 5, true},
+                                              {"D, every 2 mm layer", 40, 10, true},
+                                              {"50 % of D, one layer a feature", 20, 5, false},
+                                              {"D, one layer a feature", 40, 10, false}}};
+  TextTable table;
+  table.title = "Tour table 6.5: the fishhead, 40 mm face mill and 10 mm end mill, layers of 2 mm";
+  table.columns = {{"reading", Align::kLeft}, {"feed, bidirectional"}, {"turns"},
+                   {"feed, spiral"},          {"turn angle, deg"},     {"feed / printed"}};
+  table.add({"printed: GA", "25282", "423", "24103", "34686", "1.00"});
+  table.add({"printed: NX", "24950", "415", "23830", "34090", "0.99"});
+  table.add({"printed: FeatureCAM", "24395", "412", "23740", "34358", "0.96"});
+  table.add({"printed: MasterCAM", "25030", "431", "24010", "35670", "0.99"});
+  table.add_rule();
+  for (const auto& reading : kReadings) {
+    const Sum rows = fishhead_figures(reading, *seeded("turns"));
+    const Sum spiral = fishhead_figures(reading, *seeded("angle"));
+    table.add({reading.name, fmt::format("{:.0f}", rows.length), std::to_string(rows.turns),
+               fmt::format("{:.0f}", spiral.length), fmt::format("{:.0f}", spiral.angle),
+               fmt::format("{:.2f}", rows.length / 25282)});
+  }
+  table.notes.push_back("grids as published: they leave a rim; entries and moves between areas are not in");
+  table.notes.push_back(
+      "the certified clean job: clearcut plan examples/fishhead.p21 --strategy tour --stepdown 2");
+  return table;
+}
+
+TextTable objectives_table() {
+  TextTable table;
+  table.title = "Tour table 6.4: the fishhead's face with islands, grid of 5 mm, 10 mm end mill";
+  table.columns = {{"objective", Align::kLeft},
+                   {"length, printed"},
+                   {"ours"},
+                   {"turns, printed"},
+                   {"ours"},
+                   {"deviation"},
+                   {"bound"},
+                   {"gap %"}};
+  Layer layer;
+  const TourTask task = feature_task(5, kEndMill / 2, "PLANAR_FACE2", layer);
+  if (task.points.empty()) return table;
+  const auto problem = problem_of(task);
+  const auto engagement =
+      engagement_objective(kEngagementShare, [&] { return raster_engagement(engagement_task(task)); });
+  const std::tuple<const char*, order::ObjectivePtr, const char*, const char*> rows[] = {
+      {"length", order::length_objective(), "2937", "185"},
+      {"turns", order::turns_objective(), "3615", "41"},
+      {"engagement 50 %", engagement, "3999", "260"},
+      {"all three",
+       order::weighted_sum({{1, order::length_objective()}, {20, order::turns_objective()}, {1, engagement}}),
+       "3012", "42"}};
+  for (const auto& [name, objective, length, turns] : rows) {
+    const auto solution = solved(problem, *objective, 1);
+    double deviation = 0;
+    const auto shares = raster_engagement(engagement_task(task))->along(solution.tour);
+    for (const double share : shares)
+      deviation += std::abs(share - kEngagementShare) / static_cast<double>(shares.size());
+    table.add({name, length, fmt::format("{:.0f}", solution.length), turns, std::to_string(solution.turns),
+               fmt::format("{:.3f}", deviation), fmt::format("{:.0f}", solution.bound),
+               fmt::format("{:.2f}", 100 * solution.gap)});
+  }
+  table.notes.push_back(
+      fmt::format("{} points; deviation: mean |engagement - 50 %|, raster model; the text does "
+                  "not name its feature or its grid",
+                  task.points.size()));
+  return table;
+}
+
+TextTable engagement_table() {
+  TextTable table;
+  table.title =
+      "Tour figure 6-15: percent of the moves by mean engagement, POCKET3, 10 mm end mill, grid of 2.5 mm";
+  table.columns = {{"target"}, {"model", Align::kLeft}, {"mean %"}};
+  for (int bin = 0; bin < 10; ++bin) table.columns.push_back({fmt::format("{}-{}", 10 * bin, 10 * bin + 10)});
+  Layer layer;
+  const TourTask task = feature_task(2.5, kEndMill / 2, "POCKET3", layer);
+  if (task.points.empty()) return table;
+  for (int target = 20; target <= 100; target += 20) {
+    const auto objective =
+        engagement_objective(target / 100.0, [&] { return raster_engagement(engagement_task(task)); });
+    const auto solution = solved(problem_of(task), *objective, 1);
+    add_histogram(table, target, "raster", raster_engagement(engagement_task(task))->along(solution.tour));
+    add_histogram(table, target, "exact", exact_engagement(engagement_task(task))->along(solution.tour));
+  }
+  table.notes.push_back("optimised by the raster model, then measured by both; a slot is 100 %");
+  return table;
+}
+
+}  // namespace clearcut
