@@ -78,7 +78,10 @@ bool LegalWays::joined(std::size_t i, std::size_t j) const {
 
 std::vector<std::size_t> LegalWays::corners_within(Vec2 a, Vec2 b, double reach) const {
   std::vector<std::size_t> found;
+  const Vec2 middle = lerp(a, b, 0.5);
   for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Vec2 off = corners_[i] - middle;
+    if (std::abs(off.x) > reach / 2 || std::abs(off.y) > reach / 2) continue;
     if (distance(a, corners_[i]) + distance(corners_[i], b) <= reach) found.push_back(i);
   }
   return found;
