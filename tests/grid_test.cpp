@@ -665,6 +665,51 @@ TEST(ElementsCommand, WritesEverythingAndSaysThatMaterialIsLeft) {
   EXPECT_THAT(read_file(folder.path("p.json")), HasSubstr("\"uncut_thickness_mm\""));
 }
 
+TEST(ElementsCommand, TakesElementsAsOptionsInTheOrderTyped) {
+  const test_support::ScratchFolder folder;
+  const auto run = test_support::run_clearcut({"elements",
+                                               "--hole",
+                                               "12,12,9:id=first",
+                                               "--line",
+                                               "25,5,25,35:id=second",
+                                               "--hole",
+                                               "12,30,9:T2",
+                                               "--slot",
+                                               "35,8,35,30,6:T2",
+                                               "--arc",
+                                               "45,8,45,30,11,ccw:T2",
+                                               "--pocket",
+                                               "60,5,20,20",
+                                               "--tool",
+                                               "endmill:6",
+                                               "--tool",
+                                               "endmill:4",
+                                               "--depth",
+                                               "2",
+                                               "-o",
+                                               folder.path("p.ngc"),
+                                               "--certificate",
+                                               folder.path("p.json")});
+  EXPECT_NE(run.exit_code, 2) << run.err;
+  EXPECT_LT(run.out.find("first"), run.out.find("second"));
+  EXPECT_LT(run.out.find("second"), run.out.find("element 3"));
+  EXPECT_THAT(read_file(folder.path("p.json")), HasSubstr("\"gouge_mm\": 0"));
+}
+
+TEST(ElementsCommand, RefusesBadElementsInOneLineAndWritesNothing) {
+  const test_support::ScratchFolder folder;
+  const std::vector<std::vector<std::string>> bad{
+      {"--hole", "12,12"}, {"--hole", "12,12,9", kExample}, {"--hole", "12,12,3", "--tool", "endmill:6"}};
+  for (const auto& options : bad) {
+    std::vector<std::string> arguments{"elements", "--depth", "2", "-o", folder.path("p.ngc")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto run = test_support::run_clearcut(arguments);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_TRUE(folder.names().empty());
+  }
+}
+
 TEST(ElementsCommand, RefusesBadJobsInOneLineAndWritesNothing) {
   const test_support::ScratchFolder folder;
   const auto job = folder.file("bad.toml", "[stock]\nx = [0, 9]\ny = [0, 9]\nz = [-1, 0]\n");

@@ -1,4 +1,7 @@
+#include <array>
+#include <map>
 #include <memory>
+#include <utility>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -6,6 +9,7 @@
 #include "commands.h"
 #include "output.h"
 #include "pipeline/elements.h"
+#include "read/elements/element_options.h"
 #include "read/elements/read_elements.h"
 #include "report/certificate.h"
 #include "report/grid_picture.h"
@@ -14,8 +18,21 @@
 namespace clearcut::cli {
 namespace {
 
+/// Options that hold one element each, with what they ask for.
+constexpr std::array<std::pair<const char*, const char*>, 5> kElementOptions{
+    {{"line", "Groove: X1,Y1,X2,Y2[:T2][:depth=MM][:stepdown=MM][:feed=MM/MIN][:id=NAME]"},
+     {"arc", "Curved groove: X1,Y1,X2,Y2,RADIUS,cw|ccw[:...]"},
+     {"pocket", "Rectangle: X,Y,LENGTH,WIDTH[:corner=upper-right][:...]"},
+     {"hole", "Hole: X,Y,DIAMETER[:...]"},
+     {"slot", "Slot between the centres of its round ends: X1,Y1,X2,Y2,WIDTH[:...]"}}};
+
 struct ElementsCommand {
   std::string input;
+  std::map<std::string, std::vector<std::string>> typed;  ///< by kind
+  std::vector<ElementOption> elements;                    ///< the same in the order they were typed
+  ElementDefaults defaults;
+  std::vector<std::string> tools;
+  bool strict = false;
   std::string output;
   std::string certificate;
   std::string svg;
@@ -26,11 +43,30 @@ struct ElementsCommand {
   PlanOptions options;
 };
 
+/// What decides the job, whether it comes from a file or was typed.
+std::string input_text(const ElementsCommand& command) {
+  if (!command.input.empty()) return read_file(command.input);
+  std::string text;
+  for (const auto& element : command.elements) text += "--" + element.kind + " " + element.text + "\n";
+  for (const auto& tool : command.tools) text += "--tool " + tool + "\n";
+  return text;
+}
+
+ElementJob job_of(const ElementsCommand& command) {
+  if (!command.input.empty() && !command.elements.empty())
+    throw InputError("elements", "takes a job file or elements as options, not both");
+  if (!command.input.empty()) return read_elements(command.input);
+  ElementDefaults defaults = command.defaults;
+  for (const auto& tool : command.tools) defaults.tools.push_back(parse_tool(tool));
+  if (command.strict) defaults.middle_row = MiddleRow::kStrict;
+  return elements_of_options(command.elements, defaults);
+}
+
 CertificateInfo certificate_info(const ElementsCommand& command, const std::string& program) {
   CertificateInfo info;
   info.version = kVersion;
   info.seed = command.options.seed;
-  info.input_hash = content_hash(read_file(command.input));
+  info.input_hash = content_hash(input_text(command));
   info.program_hash = content_hash(program);
   info.machine = command.options.machine.name;
   return info;
@@ -53,9 +89,10 @@ int run(const ElementsCommand& command) {
     print_line(plain(grid_reduction_table()));
     return kClean;
   }
-  if (command.input.empty() || command.output.empty())
-    throw InputError("elements", "needs a job and a program to write: clearcut elements JOB.toml -o OUT.ngc");
-  const ElementJob job = read_elements(command.input);
+  if ((command.input.empty() && command.elements.empty()) || command.output.empty())
+    throw InputError("elements",
+                     "needs a job or elements and a program to write: clearcut elements JOB.toml -o OUT.ngc");
+  const ElementJob job = job_of(command);
   const ElementsResult result = plan_elements(job, command.options);
   write_files(output_files(command, job, result));
   if (!command.quiet) {
@@ -69,12 +106,48 @@ int run(const ElementsCommand& command) {
   return result.plan.findings.all.clean ? kClean : kFault;
 }
 
+/// Elements are numbered in the order they were typed, whatever their kinds.
+std::vector<ElementOption> in_typed_order(const CLI::App& command, const ElementsCommand& state) {
+  std::map<std::string, std::size_t> taken;
+  std::vector<ElementOption> elements;
+  for (const CLI::Option* option : command.parse_order()) {
+    const std::string kind = option->get_single_name();
+    const auto typed = state.typed.find(kind);
+    if (typed != state.typed.end()) elements.push_back({kind, typed->second.at(taken[kind]++)});
+  }
+  return elements;
+}
+
+void add_element_options(CLI::App& command, ElementsCommand& state) {
+  const std::string group = "Elements";
+  for (const auto& [kind, help] : kElementOptions) {
+    command.add_option(std::string("--") + kind, state.typed[kind], help)
+        ->allow_extra_args(false)
+        ->group(group);
+  }
+  auto& defaults = state.defaults;
+  command.add_option("--tool", state.tools, "KIND:DIAMETER[:T2]..., for elements given as options")
+      ->allow_extra_args(false)
+      ->group(group);
+  command.add_option("--depth", defaults.depth, "Depth of elements that say none, mm")->group(group);
+  command.add_option("--stepdown", defaults.stepdown, "Depth of one layer, mm")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  command.add_option("--stock", defaults.stock, "X0,X1,Y0,Y1,Z0,Z1; default: around the elements")
+      ->group(group);
+  command.add_option("--resolution", defaults.resolution, "Side of a square, mm (1)")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  command.add_flag("--strict", state.strict, "Drop a middle row that both edges reach")->group(group);
+}
+
 }  // namespace
 
 void add_elements_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("elements", "Plan a job of design elements on a grid of squares");
   auto state = std::make_shared<ElementsCommand>();
   command->add_option("JOB", state->input, "Job of lines, arcs, rectangles, holes and slots (TOML)");
+  add_element_options(*command, *state);
   command->add_option("-o,--output", state->output, "Program to write (- for standard output)");
   command->add_option("--certificate", state->certificate, "Certificate to write (JSON)");
   command->add_option("--svg", state->svg, "Picture of squares, reduced squares and tool impact to write");
@@ -84,7 +157,10 @@ void add_elements_command(CLI::App& app, int& exit_code) {
   command->add_option("--seed", state->options.seed, "Seed of the search");
   command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
-  command->callback([state, &exit_code] { exit_code = run(*state); });
+  command->callback([state, command, &exit_code] {
+    state->elements = in_typed_order(*command, *state);
+    exit_code = run(*state);
+  });
 }
 
 }  // namespace clearcut::cli
