@@ -75,9 +75,10 @@ void PlanArguments::add_tool_options(CLI::App& command) {
 }
 
 void PlanArguments::add_cutting_options(CLI::App& command) {
-  command.add_option("--strategy", strategy_,
-                     "auto, contour, zigzag, spiral, adaptive, or a published method: lom, rho, second, "
-                     "lom-corrected, rho-corrected, fixed, loops, pwid, single, double, bisectors");
+  command.add_option(
+      "--strategy", strategy_,
+      "auto, contour, zigzag, spiral, adaptive, tour, or a published method: lom, rho, second, "
+      "lom-corrected, rho-corrected, fixed, loops, pwid, single, double, bisectors");
   command.add_option("--stepover", stepover_,
                      "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "
                      "commas, one a contour");
@@ -93,8 +94,9 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
                      "Controller: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin");
   command.add_flag("--inch", inch_, "Write the program in inches");
   command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm");
-  command.add_option("--objective", objective_,
-                     "length, turns, angle, engagement, time, or weights W:..,W:..");
+  command.add_option(
+      "--objective", objective_,
+      "Of the strategy tour: length, turns, angle, engagement, time, or weights 1:length,20:turns");
   command.add_option("--time", time_, "Longest search, s");
   command.add_option("--seed", seed_, "Seed of the search");
 }
