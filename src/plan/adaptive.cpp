@@ -13,7 +13,7 @@ namespace clearcut {
 namespace {
 
 /// Radians. What rounding in the program, arcs fitted to traced curves and the sampling of the contact may add.
-constexpr double kContactMargin = 0.006;
+constexpr double kContactMargin = 0.003;
 /// Radius of the entry circle as a share of the cutter's: below 1 no post is left in its middle.
 constexpr double kEntryCircle = 0.8;
 /// Tool radii between the marks on walls.
@@ -22,13 +22,18 @@ constexpr double kMarkPitch = 0.1;
 constexpr double kKeepOff = 0.0035;
 /// Tool radii. A cut begins no farther before the material that it is after.
 constexpr double kLongestApproach = 1.5;
-/// mm. Rests thinner than this stay; rounds of looking for thicker ones.
+/// Tool radii. A start from which so many cuts advance less along the wall is given up.
+constexpr double kLeastAdvance = 0.01;
+constexpr int kMostIdle = 3;
+/// Entries for what the cuts from elsewhere cannot reach.
+constexpr int kMostEntries = 20;
+/// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
 constexpr double kRest = 0.004;
-constexpr int kMostRests = 10;
+constexpr int kMostRests = 60;
 /// mm. Links through what is cleared may graze as much.
 constexpr double kFree = 1e-3;
 /// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
-constexpr double kMergeGap = 1.5;
+constexpr double kMergeGap = 0.8;
 /// Share of a disc that must be uncut for an entry of its own.
 constexpr double kFreshShare = 0.6;
 
@@ -58,11 +63,8 @@ class AdaptivePlanner {
       clear_room(rooms_[i]);
       cut_fronts([&](Vec2 p) { return nearest_room(p) == i; });
     }
-    for (;;) {
-      cut_fronts([](Vec2) { return true; });
-      if (walls_.starts().empty() || path_.empty()) break;
-      finish_pass();  // what is left cannot be reached but from above
-    }
+    cut_fronts([](Vec2) { return true; });
+    enter_what_is_left();
     cut_walls();
     cut_rests();
     if (!path_.empty()) finish_pass();
@@ -70,6 +72,31 @@ class AdaptivePlanner {
   }
 
  private:
+  /// What the cuts could not reach is entered from above.
+  void enter_what_is_left() {
+    for (int i = 0; i < kMostEntries && !walls_.starts().empty() && !path_.empty(); ++i) {
+      finish_pass();
+      cut_fronts([](Vec2) { return true; });
+    }
+    for (int i = 0; i < kMostEntries; ++i) {
+      const auto room = widest_uncut();
+      if (!room) return;
+      if (!path_.empty()) finish_pass();
+      clear_room(*room);
+      cut_fronts([](Vec2) { return true; });
+    }
+  }
+
+  std::optional<Disc> widest_uncut() const {
+    std::optional<Disc> best;
+    for (const AxisPoint& place : clearance_.axis().points) {
+      if (place.clearance < reach_ || (best && place.clearance - reach_ + radius_ <= best->radius)) continue;
+      if (ground_.is_removed(place.point) || !front_.contains(place.point)) continue;
+      best = Disc{place.point, front_.boundary_distance(place.point) + radius_};
+    }
+    return best;
+  }
+
   void clear_room(const Disc& room) {
     path_.open(room, kEntryCircle * radius_, limit_);
     if (const auto last = path_.last_arc())
@@ -167,7 +194,10 @@ class AdaptivePlanner {
     if (gate != cut.front().from) cut.insert(cut.begin(), Edge::line(gate, cut.front().from));
     path_.append(cut, approach->way);
     walls_.update(ground_, box(cut).grown(2 * radius_));
-    if (walls_.is_start(start)) walls_.give_up(start);
+    if (walls_.is_start(start) &&
+        walls_.count_idle(start, tracer_.first_departure(), kLeastAdvance * radius_) >= kMostIdle) {
+      walls_.give_up(start);
+    }
     return true;
   }
 
@@ -220,22 +250,47 @@ class AdaptivePlanner {
           std::min_element(stretches.begin(), stretches.end(), [&](const Path& a, const Path& b) {
             return distance(a.front().from, at) < distance(b.front().from, at);
           });
-      const auto way = path_.way_to(next->front().from, step());
-      if (!way && !path_.empty()) finish_pass();
-      path_.append(*next, way.value_or(std::vector<Vec2>{}));
-      for (const Edge& edge : *next) ground_.cut(edge);
+      cut_stretch(*next);
       stretches.erase(next);
     }
   }
 
+  void cut_stretch(Path stretch) {
+    const Vec2 p = stretch.front().from, inwards = left_of(stretch.front().tangent_at(0));
+    for (const double share : {0.0, 0.02, 0.05, 0.1, 0.2, 0.4}) {
+      const Vec2 gate = p + inwards * (share * radius_);
+      if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree)) continue;
+      const auto way = way_to(gate);
+      if (!way) continue;
+      if (share > 0) stretch.insert(stretch.begin(), Edge::line(gate, p));
+      return append(stretch, *way);
+    }
+    if (const auto way = path_.way_to(p, step()); way && !path_.empty()) {
+      // Over films: at the cutting feed.
+      Path lead;
+      for (const Vec2 station : *way)
+        lead.push_back(Edge::line(lead.empty() ? path_.at() : lead.back().to, station));
+      stretch.insert(stretch.begin(), lead.begin(), lead.end());
+    } else if (!path_.empty()) {
+      finish_pass();
+    }
+    append(stretch, {});
+  }
+
+  void append(const Path& cut, const std::vector<Vec2>& way) {
+    for (const Edge& edge : cut) ground_.cut(edge);
+    path_.append(cut, way);
+  }
+
   /// What still stands between the cuts: over each place that the check of the whole cover finds.
   void cut_rests() {
-    for (int i = 0; i < kMostRests; ++i) {
+    for (int left = kMostRests; left > 0;) {
       const auto holes = Cover(all_cuts(), radius_ + kRest).holes([&](Vec2 p) { return is_reachable(p); });
-      if (holes.empty()) return;
-      bool cut = false;
-      for (const Vec2 hole : holes) cut = cut_rest(nearest_legal(hole)) || cut;
-      if (!cut) return;
+      const int before = left;
+      for (const Vec2 hole : holes) {
+        if (left > 0 && !ground_.is_removed(hole) && cut_rest(nearest_legal(hole))) --left;
+      }
+      if (left == before) return;
     }
   }
 
@@ -266,8 +321,7 @@ class AdaptivePlanner {
         if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree)) continue;
         const auto way = way_to(gate);
         if (!way) continue;
-        ground_.cut(Edge::line(gate, p));
-        path_.append({Edge::line(gate, p)}, *way);
+        append({Edge::line(gate, p)}, *way);
         return true;
       }
     }

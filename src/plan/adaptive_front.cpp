@@ -14,20 +14,26 @@ constexpr double kWallShare = 0.62;
 constexpr double kCornerTurn = 0.1;
 /// Tool radii on both sides of a corner that are cut to the wall.
 constexpr double kCornerZone = 1.2;
-/// Change of the distance from the wall along it.
-constexpr double kTaper = 0.2;
+/// Share of the slope against the wall at which a wall pass would meet the limit.
+constexpr double kTaperShare = 0.9;
+constexpr double kSteepestTaper = 0.4;
 /// Width of a place over the distance from its walls.
 constexpr double kLeastWidth = 10;
 /// Tool radii between the points of the outline, and how far its arcs are from them.
 constexpr double kPitch = 0.1;
 constexpr double kTolerance = 0.0005;
+/// Points that an arc is made of at least, so that it is found again.
+constexpr int kLeastParts = 6;
 /// Points times edges above which narrow places take too long to find: everything is cut to the wall.
 constexpr double kMostWork = 3e7;
 
 class FrontOutline {
  public:
   FrontOutline(const Region& legal, double tool_radius, double limit)
-      : legal_(legal), radius_(tool_radius), limit_(limit) {}
+      : legal_(legal), radius_(tool_radius), limit_(limit) {
+    const double wall_contact = std::acos(1 - kWallShare * (1 - std::cos(limit)));
+    taper_ = std::min(kSteepestTaper, kTaperShare * std::tan(limit - wall_contact));
+  }
 
   Loop around(const Loop& loop) {
     place_points(loop);
@@ -59,7 +65,8 @@ class FrontOutline {
     points_.clear();
     length_ = 0;
     for (const Edge& edge : loop) {
-      const int parts = static_cast<int>(edge.length() / (kPitch * radius_)) + 1;
+      const int parts =
+          std::max(edge.is_arc() ? kLeastParts : 1, static_cast<int>(edge.length() / (kPitch * radius_)) + 1);
       for (int i = 0; i < parts; ++i) {
         const double t = static_cast<double>(i) / parts;
         points_.push_back({edge.at(t), left_of(edge.tangent_at(t)), length_ + t * edge.length(),
@@ -91,7 +98,7 @@ class FrontOutline {
   void taper() {
     const std::size_t n = points_.size();
     const auto limit_by = [&](Point& point, const Point& other) {
-      point.aside = std::min(point.aside, other.aside + kTaper * distance(point.wall, other.wall));
+      point.aside = std::min(point.aside, other.aside + taper_ * distance(point.wall, other.wall));
     };
     for (std::size_t i = 1; i < 2 * n; ++i) limit_by(points_[i % n], points_[(i - 1) % n]);
     for (std::size_t i = 2 * n; i > 0; --i) limit_by(points_[(i - 1) % n], points_[i % n]);
@@ -131,6 +138,7 @@ class FrontOutline {
   const Region& legal_;
   double radius_;
   double limit_;
+  double taper_ = 0;  ///< change of the distance from the wall along it
   double length_ = 0;
   std::vector<Point> points_;
 };

@@ -8,7 +8,7 @@ namespace {
 /// mm. Thinner contact is rounding.
 constexpr double kRounding = 2e-4;
 /// Tool radii between the places where a straight way is looked at.
-constexpr double kLookStep = 0.1;
+constexpr double kLookStep = 0.2;
 /// Radians between the places where a contact is compared with the outline of the stock.
 constexpr double kStockStep = 0.02;
 

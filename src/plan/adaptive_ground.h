@@ -23,6 +23,8 @@ class Ground {
   bool touches(Vec2 p, double film) const;
   /// Whether the straight way is legal and touches nothing thicker than `film` mm.
   bool is_free(Vec2 a, Vec2 b, double film) const;
+  /// Whether nothing stands at p any more.
+  bool is_removed(Vec2 p) const { return material_.is_removed(p, -1); }
   /// Takes away what the cutter sweeps along `edge`.
   void cut(const Edge& edge);
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/adaptive_arcs.h"
-
 namespace clearcut {
 namespace {
 
@@ -29,6 +27,8 @@ constexpr double kShortest = 1e-4;
 /// Cosine between the direction of travel and a wall met, above which the cut goes on along the wall.
 constexpr double kSlide = 0.5;
 constexpr int kMostSteps = 100000;
+/// Length along a wall met over the distance from it.
+constexpr double kMeetSlope = 8;
 /// Changes between wall and open without cutting, after which a cut ends.
 constexpr int kMostIdle = 4;
 
@@ -48,6 +48,7 @@ Path Tracer::cut_from(const WallPlace& start, double material_s) {
   run_ = engaged_ = 0;
   place_ = start;
   material_s_ = material_s;
+  first_departure_ = -1e300;
   return run(Next::kWall);
 }
 
@@ -56,7 +57,7 @@ Path Tracer::cut_on(Vec2 from, Vec2 heading, double curvature) {
   run_ = engaged_ = 0;
   state_ = {from, heading, curvature};
   tightest_ = radius_ / 2;
-  points_ = {from};
+  points_ = {{from, heading}};
   return run(Next::kTrace);
 }
 
@@ -138,9 +139,13 @@ bool Tracer::can_leave(double s, double radius) const {
   const Wall& wall = walls_.wall(place_.wall);
   const Vec2 from = wall.at(s), heading = wall.heading(s);
   const Vec2 center = from + left_of(heading) * radius;
+  const double off = off_wall(radius);
+  for (const double share : {0.15, 0.5, 1.0}) {
+    if (!ground_.legal().contains(center + rotated(from - center, share * off))) return false;
+  }
   for (double turn = 0; turn < kLeaveTurn; turn += kLeaveStep) {
     const Vec2 p = center + rotated(from - center, turn);
-    if (turn > off_wall(radius) && !area_.contains(p)) return turn > 4 * kLeaveStep;
+    if (turn > off && !area_.contains(p)) return turn > 4 * kLeaveStep;
     if (ground_.contact(p, rotated(heading, turn)) > limit_) return false;
   }
   return true;
@@ -159,8 +164,9 @@ void Tracer::leave(double s, double radius) {
   state_ = {center + rotated(from - center, turn), rotated(wall.heading(s), turn), 1 / radius};
   append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise));
   place_.s = s;
+  if (first_departure_ < -1e299) first_departure_ = s;
   tightest_ = std::min(radius, radius_ / 2);
-  points_ = {state_.point};
+  points_ = {{state_.point, state_.heading}};
 }
 
 void Tracer::append_wall(double s_from, double s_to) {
@@ -241,11 +247,11 @@ Tracer::Next Tracer::trace() {
       air = 0;
     } else if ((air += length) > kAir * radius_) {
       const auto tail = static_cast<std::size_t>(air / length) - 1;
-      points_.resize(points_.size() > tail + 1 ? points_.size() - tail : 1);
+      points_.resize(points_.size() > tail + 1 ? points_.size() - tail : 1, points_.front());
       return Next::kDone;
     }
     state_ = next;
-    add_point(next.point);
+    add_point(next.point, next.heading);
   }
   return Next::kDone;
 }
@@ -266,28 +272,45 @@ Tracer::Next Tracer::meet_wall(const State& next) {
     nearest = hit.distance;
     met = {w, hit.s};
   }
-  if (distance(p, points_.back()) > 1e-4) add_point(p);
+  if (distance(p, points_.back().point) > kShortest)
+    add_point(p, rotated(state_.heading, next.curvature * inside * distance(state_.point, next.point)));
   if (dot(next.heading, walls_.wall(met.wall).heading(met.s)) < kSlide || !walls_.touches_after(met, radius_))
     return Next::kDone;
   if (met.wall == place_.wall && met.s < place_.s + kLeastCut * radius_ && met.s > place_.s - radius_)
     return Next::kDone;
   commit();
+  met.s += kMeetSlope * nearest;
   append(Edge::line(p, walls_.wall(met.wall).at(met.s)));
   place_ = met;
   material_s_ = met.s;
   return Next::kWall;
 }
 
-void Tracer::add_point(Vec2 p) {
-  run_ += distance(points_.back(), p);
-  points_.push_back(p);
+void Tracer::add_point(Vec2 p, Vec2 heading) {
+  run_ += distance(points_.back().point, p);
+  points_.push_back({p, heading});
   if (run_ > kCommit * radius_) commit();
 }
 
-/// Fits arcs to the points and takes away what they sweep.
+/// Whether the edge stays where the cutter may be.
+bool Tracer::is_legal(const Edge& edge) const {
+  for (const double t : {0.15, 0.3, 0.5, 0.7, 0.85}) {
+    if (!ground_.legal().contains(edge.at(t))) return false;
+  }
+  return true;
+}
+
+/// Fits arcs to the points and takes away what they sweep. Where arcs would run into a wall: straight from
+/// point to point.
 void Tracer::commit() {
   if (points_.size() > 1) {
-    for (const Edge& edge : fit_arcs(points_, kTolerance * radius_)) append(edge);
+    const Path fitted = fit_biarcs(points_, kTolerance * radius_);
+    if (std::all_of(fitted.begin(), fitted.end(), [&](const Edge& edge) { return is_legal(edge); })) {
+      for (const Edge& edge : fitted) append(edge);
+    } else {
+      for (std::size_t i = 1; i < points_.size(); ++i)
+        append(Edge::line(points_[i - 1].point, points_[i].point));
+    }
     points_ = {points_.back()};
   }
   run_ = 0;

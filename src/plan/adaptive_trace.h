@@ -1,6 +1,7 @@
 // Cuts that keep the engagement at its limit: the curve that the cutter's centre has to run on for that.
 #pragma once
 
+#include "plan/adaptive_arcs.h"
 #include "plan/adaptive_ground.h"
 #include "plan/adaptive_walls.h"
 
@@ -19,6 +20,9 @@ class Tracer {
   Path cut_from(const WallPlace& start, double material_s);
   /// The same from where the cutter already cuts.
   Path cut_on(Vec2 from, Vec2 heading, double curvature);
+
+  /// Where the last cut first left its wall.
+  double first_departure() const { return first_departure_; }
 
  private:
   struct State {
@@ -40,7 +44,8 @@ class Tracer {
   State stepped(const State& from, double curvature, double length) const;
   double solve_curvature() const;
   double excess(double curvature) const;
-  void add_point(Vec2 p);
+  void add_point(Vec2 p, Vec2 heading);
+  bool is_legal(const Edge& edge) const;
   void commit();
   double wall_contact(double s) const;
   void append(Edge edge);
@@ -53,12 +58,13 @@ class Tracer {
   double limit_;
   double step_;
   Path path_;
-  std::vector<Vec2> points_;  ///< of the cut since the last commit
-  double run_ = 0;            ///< their length
-  double engaged_ = 0;        ///< mm of the cut in contact
+  std::vector<CurvePoint> points_;  ///< of the cut since the last commit
+  double run_ = 0;                  ///< their length
+  double engaged_ = 0;              ///< mm of the cut in contact
   State state_;
   WallPlace place_;
   double material_s_ = 0;
+  double first_departure_ = 0;
   double tightest_ = 1;  ///< mm, radius of the tightest turn allowed
 };
 

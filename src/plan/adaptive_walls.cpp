@@ -83,6 +83,8 @@ void Walls::add(const Loop& loop, const Region& legal, double pitch, double film
     marks.films.push_back(film + kWallShare * legal.boundary_distance(marks.points.back()));
   }
   marks.touching.assign(marks.points.size(), 1);
+  marks.left_at.assign(marks.points.size(), -1e300);
+  marks.idle.assign(marks.points.size(), 0);
   marks_.push_back(std::move(marks));
 }
 
@@ -134,6 +136,14 @@ bool Walls::is_start(const WallPlace& place) const {
   return marks.touching[(i + 1) % marks.points.size()] == 1;
 }
 
+int Walls::count_idle(const WallPlace& start, double s, double least) {
+  Marks& marks = marks_[start.wall];
+  const std::size_t i = mark_at(start);
+  if (s < marks.left_at[i] + least) ++marks.idle[i];
+  marks.left_at[i] = std::max(marks.left_at[i], s);
+  return marks.idle[i];
+}
+
 void Walls::give_up(const WallPlace& place) {
   Marks& marks = marks_[place.wall];
   const std::size_t i = mark_at(place);
@@ -143,7 +153,7 @@ void Walls::give_up(const WallPlace& place) {
 namespace {
 
 /// mm. Thinner films are left.
-constexpr double kFinished = 5e-4;
+constexpr double kFinished = 3e-3;
 
 void add_unfinished(const Wall& wall, double pitch, double gap, const Ground& ground,
                     std::vector<Path>& out) {

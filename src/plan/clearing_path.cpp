@@ -13,7 +13,7 @@ namespace {
 /// mm. Shorter moves are left out.
 constexpr double kShortest = 1e-6;
 /// Axis points tried as the first and last of a way.
-constexpr int kMostGates = 6;
+constexpr int kMostGates = 3;
 constexpr double kInfinity = 1e300;
 
 }  // namespace
@@ -93,7 +93,7 @@ std::vector<int> FreeWays::nearest_free(Vec2 p, const Ground& ground, double fil
   std::vector<int> found;
   int looked = 0;
   for (const auto& [far, node] : by_distance) {
-    if (static_cast<int>(found.size()) >= kMostGates || ++looked > 10 * kMostGates) break;
+    if (static_cast<int>(found.size()) >= kMostGates || ++looked > 5 * kMostGates) break;
     if (ground.is_free(p, nodes_[static_cast<std::size_t>(node)], film)) found.push_back(node);
   }
   return found;
