@@ -66,7 +66,9 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
 Strategy adaptive_strategy(const PlanOptions& options) {
   AdaptiveOptions adaptive;
   if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
-  return [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); };
+  return [planner = AdaptiveLayers(adaptive, options.tol)](const Layer& layer) mutable {
+    return planner(layer);
+  };
 }
 
 /// mm between lines, where one is asked for; rules about the angles of contours mean nothing to lines.

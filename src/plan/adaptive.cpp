@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/adaptive_front.h"
 #include "plan/adaptive_trace.h"
@@ -27,6 +28,8 @@ constexpr double kLeastAdvance = 0.01;
 constexpr int kMostIdle = 3;
 /// Entries for what the cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
+/// Tool radii that the centre may run beyond an open side.
+constexpr double kBeyondOpenSides = 0.5;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
 constexpr double kRest = 0.004;
 constexpr int kMostRests = 60;
@@ -36,6 +39,19 @@ constexpr double kFree = 1e-3;
 constexpr double kMergeGap = 0.8;
 /// Share of a disc that must be uncut for an entry of its own.
 constexpr double kFreshShare = 0.6;
+
+/// Whether the cutter may be far beside what is to be removed.
+bool has_open_side(const Layer& layer) {
+  const Box reach = box(layer.target).grown(layer.tool_radius), allowed = box(layer.allowed);
+  return !reach.contains(allowed.min) || !reach.contains(allowed.max);
+}
+
+/// Where the cutter may be, less what lies far beyond open sides: there it cuts air.
+Regions area_near_target(const Layer& layer, const Tolerances& tol) {
+  if (!has_open_side(layer)) return layer.allowed;
+  const double reach = (1 + kBeyondOpenSides) * layer.tool_radius + layer.wall_stock;
+  return intersect(layer.allowed, dilate(layer.target, reach, tol), tol);
+}
 
 /// The passes of one connected legal area.
 class AdaptivePlanner {
@@ -50,7 +66,7 @@ class AdaptivePlanner {
         reach_(layer.tool_radius + layer.wall_stock),
         depth_(layer.z_top - layer.z),
         limit_(limit),
-        ground_({legal}, radius_, std::nullopt),
+        ground_({legal}, radius_),
         walls_(front_, legal, kMarkPitch * radius_, film()),
         ways_(clearance.axis(), reach_, 2 * radius_),
         tracer_(ground_, walls_, inner, limit),
@@ -390,7 +406,7 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
   result.strategy = "adaptive";
   const double first = layer.tool_radius + layer.wall_stock;
   const double limit = options.engagement.radians() - kContactMargin;
-  for (const auto& region : layer.allowed) {
+  for (const auto& region : area_near_target(layer, tol)) {
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);
     const auto inner = inner_areas(legal, clearance, layer, limit);
@@ -401,6 +417,27 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
     add_fit_lines(result, clearance.fit_lines(first, layer.reserve));
   }
   return result;
+}
+
+namespace {
+
+bool same_outlines(const Regions& a, const Regions& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& x, const Region& y) {
+    return x.outer() == y.outer() && x.islands() == y.islands();
+  });
+}
+
+}  // namespace
+
+LayerPasses AdaptiveLayers::operator()(const Layer& layer) {
+  const bool same = above_ && same_outlines(above_->allowed, layer.allowed) &&
+                    same_outlines(above_->target, layer.target) && above_->tool_radius == layer.tool_radius &&
+                    above_->wall_stock == layer.wall_stock && above_->reserve == layer.reserve;
+  if (!same) passes_ = plan_adaptive(layer, options_, tol_);
+  above_ = layer;
+  passes_.z_top = layer.z_top;
+  passes_.z = layer.z;
+  return passes_;
 }
 
 }  // namespace clearcut

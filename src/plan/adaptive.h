@@ -1,6 +1,8 @@
 // Engagement-limited clearing: a spiral in the widest place, then cuts from wall to wall at the limit.
 #pragma once
 
+#include <optional>
+
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "plan/layer.h"
@@ -24,5 +26,18 @@ struct AdaptiveOptions {
 /// Source  own; the spiral's step and the look of a steady cut follow from the contact in closed form, see
 ///         docs/adaptive.md.
 LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol);
+
+/// Plans layer after layer; one that differs from the layer above in height alone is not planned again.
+class AdaptiveLayers {
+ public:
+  AdaptiveLayers(const AdaptiveOptions& options, const Tolerances& tol) : options_(options), tol_(tol) {}
+  LayerPasses operator()(const Layer& layer);
+
+ private:
+  AdaptiveOptions options_;
+  Tolerances tol_;
+  std::optional<Layer> above_;
+  LayerPasses passes_;
+};
 
 }  // namespace clearcut

@@ -19,9 +19,11 @@ constexpr double kTaperShare = 0.9;
 constexpr double kSteepestTaper = 0.4;
 /// Width of a place over the distance from its walls.
 constexpr double kLeastWidth = 10;
-/// Tool radii between the points of the outline, and how far its arcs are from them.
+/// Tool radii between the points of the outline.
 constexpr double kPitch = 0.1;
-constexpr double kTolerance = 0.0005;
+constexpr double kClosePitch = 0.02;
+/// mm. How far arcs of the outline are from its points: below any gouge that counts.
+constexpr double kTolerance = 3e-4;
 /// Points that an arc is made of at least, so that it is found again.
 constexpr int kLeastParts = 6;
 /// Points times edges above which narrow places take too long to find: everything is cut to the wall.
@@ -65,8 +67,10 @@ class FrontOutline {
     points_.clear();
     length_ = 0;
     for (const Edge& edge : loop) {
+      // Round an obstacle, chords between points would cut it: they are close there.
+      const double pitch = (edge.turn == Turn::kClockwise ? kClosePitch : kPitch) * radius_;
       const int parts =
-          std::max(edge.is_arc() ? kLeastParts : 1, static_cast<int>(edge.length() / (kPitch * radius_)) + 1);
+          std::max(edge.is_arc() ? kLeastParts : 1, static_cast<int>(edge.length() / pitch) + 1);
       for (int i = 0; i < parts; ++i) {
         const double t = static_cast<double>(i) / parts;
         points_.push_back({edge.at(t), left_of(edge.tangent_at(t)), length_ + t * edge.length(),
@@ -129,7 +133,7 @@ class FrontOutline {
       const Point& point = points_[(first + i) % n];
       run.push_back(point.wall + point.inwards * point.aside);
       if (i == 0 || (i < n && !point.corner)) continue;
-      for (const Edge& edge : fit_arcs(run, kTolerance * radius_)) loop.push_back(edge);
+      for (const Edge& edge : fit_arcs(run, kTolerance)) loop.push_back(edge);
       run = {run.back()};
     }
     return loop;

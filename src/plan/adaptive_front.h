@@ -10,7 +10,7 @@ namespace clearcut {
 /// Shape   beside walls the wall pass is left the most of its widest cut; near corners, where a wall
 ///         pass meets both sides at once, and in narrow places nothing; in between the distance changes
 ///         slowly.
-/// Error   0.001 tool radii.
+/// Error   0.3 um.
 /// Cost    O(length / tool radius * edges).
 Region front_area(const Region& legal, double tool_radius, double limit);
 

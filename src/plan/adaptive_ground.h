@@ -11,8 +11,8 @@ namespace clearcut {
 /// The material of one layer seen by one cutter, in plan view. Exact: see Material.
 class Ground {
  public:
-  /// `legal`: where the cutter's centre may be. `stock`: what stands, plan view; absent: everything.
-  Ground(const Regions& legal, double tool_radius, std::optional<Regions> stock);
+  /// `legal`: where the cutter's centre may be.
+  Ground(const Regions& legal, double tool_radius);
 
   double tool_radius() const { return tool_radius_; }
   const LegalArea& legal() const { return legal_; }
@@ -29,11 +29,8 @@ class Ground {
   void cut(const Edge& edge);
 
  private:
-  double in_stock(const AngleSet& angles, Vec2 p, double reference) const;
-
   LegalArea legal_;
   double tool_radius_;
-  std::optional<LegalArea> stock_;
   Material material_;
 };
 

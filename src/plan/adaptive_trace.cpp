@@ -83,7 +83,7 @@ Tracer::Next Tracer::follow_wall() {
   const double first = place_.s;
   double s = first, cut_until = std::max(first, material_s_);
   while (s - first < wall.length() * 0.999) {
-    const double next = std::min(s + step_, wall.edge_end(s));
+    const double next = std::min(s + step_, std::max(s + step_ / 3, wall.edge_end(s)));
     const double contact = std::max(wall_contact(next - 1e-7), wall_contact(next + 1e-7));
     if (contact > limit_) return depart(s, next);
     if (contact > kTouch) engaged_ += next - s;
