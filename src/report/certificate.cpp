@@ -38,6 +38,29 @@ Json engagement(const Engagement& e) {
   for (const double length : e.histogram_mm) json["histogram"].push_back(number(length));
   json["climb_mm"] = number(e.climb_mm);
   json["conventional_mm"] = number(e.conventional_mm);
+  const double sided = e.climb_mm + e.conventional_mm;
+  json["climb_percent"] = sided > 0 ? number(100 * e.climb_mm / sided) : Json(nullptr);
+  return json;
+}
+
+Json forces(const CuttingLoad& load) {
+  Json json;
+  json["max_force_n"] = number(load.max_force_n);
+  json["max_force_at"] = place(load.max_force_at);
+  json["mean_force_n"] = number(load.mean_force_n);
+  json["max_power_w"] = number(load.max_power_w);
+  json["energy_j"] = number(load.energy_j);
+  json["removed_mm3"] = number(load.removed_mm3);
+  json["tool_wear"] = number(load.wear);
+  return json;
+}
+
+Json thin_wall(const ThinWall& wall) {
+  Json json;
+  json["thickness_mm"] = number(wall.thickness_mm);
+  json["height_mm"] = number(wall.height_mm);
+  json["deflection_mm"] = number(wall.deflection_mm);
+  json["at"] = place(wall.at);
   return json;
 }
 
@@ -81,6 +104,8 @@ void add_figures(Json& json, const Figures& f) {
   json["engagement"] = engagement(f.engagement);
   json["air_cut_mm"] = number(f.air_cut_mm);
   json["lower_bound_mm"] = number(f.lower_bound_mm);
+  if (f.load) json["load"] = forces(*f.load);
+  if (f.thin_wall) json["thin_wall"] = thin_wall(*f.thin_wall);
 }
 
 Json layer(const LayerFindings& findings) {

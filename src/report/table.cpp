@@ -83,6 +83,27 @@ void fit_names(TextTable& text) {
   }
 }
 
+/// Share of climb milling, and forces where the material is known.
+std::string load_lines(const Figures& all) {
+  std::string text;
+  const Engagement& engagement = all.engagement;
+  const double sided = engagement.climb_mm + engagement.conventional_mm;
+  if (sided > 0)
+    text += fmt::format("climb {} % of the cutting length\n", fixed(100 * engagement.climb_mm / sided, 0));
+  if (all.load) {
+    text += fmt::format("force up to {} N, power {} W, energy {} kJ, {} % of a cutter's life\n",
+                        fixed(all.load->max_force_n, 0), fixed(all.load->max_power_w, 0),
+                        fixed(all.load->energy_j / 1000, 2), fixed(100 * all.load->wear, 2));
+  }
+  if (all.thin_wall) {
+    text += fmt::format("thin wall: {} mm thick, {} mm high, bends {} mm at x {} y {}\n",
+                        fixed(all.thin_wall->thickness_mm, 2), fixed(all.thin_wall->height_mm, 2),
+                        fixed(all.thin_wall->deflection_mm, 3), fixed(all.thin_wall->at.point.x, 2),
+                        fixed(all.thin_wall->at.point.y, 2));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string table(const Part& part, const Findings& findings) {
@@ -108,7 +129,7 @@ std::string table(const Part& part, const Findings& findings) {
   text.add_rule();
   text.add(row("total", "", std::to_string(layers), findings.all));
   fit_names(text);
-  return plain(text) + faults_of(findings);
+  return plain(text) + load_lines(findings.all) + faults_of(findings);
 }
 
 }  // namespace clearcut

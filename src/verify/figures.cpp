@@ -54,6 +54,18 @@ void add_retracts(Figures& figures, std::span<const JudgedMove* const> moves, do
   }
 }
 
+void add_forces(Figures& figures, const CuttingLoad& forces) {
+  if (!figures.load) figures.load = CuttingLoad{};
+  CuttingLoad& sum = *figures.load;
+  sum.energy_j += forces.energy_j;
+  sum.removed_mm3 += forces.removed_mm3;
+  sum.wear += forces.wear;
+  sum.max_power_w = std::max(sum.max_power_w, forces.max_power_w);
+  if (forces.max_force_n <= sum.max_force_n) return;
+  sum.max_force_n = forces.max_force_n;
+  sum.max_force_at = forces.max_force_at;
+}
+
 void add_load(Figures& figures, const MoveLoad& load) {
   Engagement& engagement = figures.engagement;
   if (load.max_deg > engagement.max_deg) {
@@ -65,6 +77,7 @@ void add_load(Figures& figures, const MoveLoad& load) {
   engagement.conventional_mm += load.conventional_mm;
   for (std::size_t i = 0; i < load.histogram_mm.size(); ++i)
     engagement.histogram_mm[i] += load.histogram_mm[i];
+  if (load.forces) add_forces(figures, *load.forces);
   figures.air_cut_mm += load.air_mm;
   figures.max_axial_mm = std::max(figures.max_axial_mm, load.axial_mm);
   if (load.rapid_contact) ++figures.rapid_in_material;
@@ -74,18 +87,20 @@ void add_load(Figures& figures, const MoveLoad& load) {
 
 Figures figures_of(std::span<const JudgedMove* const> moves, double top_z) {
   Figures figures;
-  double cutting_mm = 0, angle_mm_deg = 0;
+  double cutting_mm = 0, angle_mm_deg = 0, force_mm_n = 0;
   for (const JudgedMove* judged : moves) {
     add_lengths(figures, *judged);
     add_load(figures, judged->load);
     cutting_mm += judged->load.cutting_mm;
     angle_mm_deg += judged->load.angle_mm_deg;
+    force_mm_n += judged->load.force_mm_n;
     if (judged->gouge && judged->gouge->depth > figures.gouge_mm) {
       figures.gouge_mm = judged->gouge->depth;
       figures.gouge_at = Place{judged->gouge->point, judged->gouge->z, judged->move->line};
     }
   }
   if (cutting_mm > 0) figures.engagement.mean_deg = angle_mm_deg / cutting_mm;
+  if (cutting_mm > 0 && figures.load) figures.load->mean_force_n = force_mm_n / cutting_mm;
   add_turns(figures, moves);
   add_retracts(figures, moves, top_z);
   return figures;

@@ -159,6 +159,7 @@ void append_moves(const Part& part, const Toolpath& toolpath, const Machine& mac
       judged.tool = tool_of(part, section.tool_number);
       judged.tool_number = section.tool_number;
       judged.clockwise = section.spindle_clockwise;
+      judged.rpm = section.spindle_rpm;
       judged.time_s = times[i].seconds();
       judged.time_naive_s = naive_time(section.moves[i], machine).seconds();
       out.push_back(judged);

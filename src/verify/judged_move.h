@@ -29,6 +29,8 @@ struct MoveLoad {
   Place axial_at;
   std::optional<Place> rapid_contact;   ///< where a rapid touches material
   std::optional<Place> plunge_contact;  ///< where a cutter that may not plunge does
+  std::optional<CuttingLoad> forces;    ///< where the material of the work is known
+  double force_mm_n = 0;                ///< integral of the force over the length, N mm
 };
 
 /// Radius of the part of a cutter's end that is flat: its floor needs no cusps. mm.
@@ -42,6 +44,7 @@ struct JudgedMove {
   const Tool* tool = nullptr;  ///< null: unknown
   int tool_number = 0;
   bool clockwise = true;
+  double rpm = 0;
   bool earlier = false;  ///< of a program that has run before: cuts, but counts nothing
   int workingstep = -1;  ///< whose work it is, for grouping only
   int layer = -1;        ///< index among the workingstep's layers

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stock/material.h"
+#include "verify/forces.h"
 
 namespace clearcut {
 namespace {
@@ -99,8 +100,9 @@ class LoadMeter {
     lifted.z_to += kFilm;
     const Contact contact = material_.engagement(lifted, t, judged.radius() - kFilm);
     MoveLoad& load = judged.load;
-    if (contact.angle > 0)
-      measure_axial(judged, move.path.at(t), angle_of(direction_at(move, t)), z, contact.angles);
+    const double axial = contact.angle > 0 ? measure_axial(judged, move.path.at(t),
+                                                           angle_of(direction_at(move, t)), z, contact.angles)
+                                           : 0;
     if (!judged.is_flat() || in_entry_) return;
     if (contact.angle <= 0) {
       load.air_mm += length;
@@ -111,6 +113,8 @@ class LoadMeter {
     load.angle_mm_deg += angle * length;
     load.histogram_mm[std::min<std::size_t>(17, static_cast<std::size_t>(angle / 10))] += length;
     if (options_.limit_deg && angle > *options_.limit_deg) load.over_limit_mm += length;
+    if (options_.material)
+      add_forces(judged, {contact, axial, length, {move.path.at(t), z, move.line}}, *options_.material);
     const double climb = climb_share(contact, judged.clockwise);
     load.climb_mm += length * climb;
     load.conventional_mm += length * (1 - climb);
@@ -127,16 +131,20 @@ class LoadMeter {
     return difference > 0 ? 1 : 0;
   }
 
-  /// Height of the material before the cutter, well inside what it takes away.
-  void measure_axial(JudgedMove& judged, Vec2 center, double heading, double z, const AngleSet& contact) {
+  /// Height of the material before the cutter, well inside what it takes away; here, and the greatest of the move.
+  double measure_axial(JudgedMove& judged, Vec2 center, double heading, double z, const AngleSet& contact) {
     const double inside = judged.radius() - kSliver;
-    if (inside <= 0) return;
+    double here = 0;
+    if (inside <= 0) return here;
     for (const AngleInterval& item : contact.intervals()) {
       for (const double part : {0.1, 0.5, 0.9}) {
         const double angle = heading + item.from + part * item.width();
-        measure_axial_at(judged, center + direction_of(angle) * inside, center, z);
+        const Vec2 p = center + direction_of(angle) * inside;
+        measure_axial_at(judged, p, center, z);
+        if (options_.material) here = std::max(here, material_.height(p) - z);
       }
     }
+    return here;
   }
 
   void measure_axial_at(JudgedMove& judged, Vec2 p, Vec2 center, double z) {

@@ -5,13 +5,15 @@
 
 #include "base/tolerances.h"
 #include "part/part.h"
+#include "part/work_material.h"
 #include "verify/judged_move.h"
 
 namespace clearcut {
 
 struct LoadOptions {
   Tolerances tol;
-  std::optional<double> limit_deg;  ///< engagement above this is counted apart
+  std::optional<double> limit_deg;       ///< engagement above this is counted apart
+  std::optional<WorkMaterial> material;  ///< of the work; none: no forces
 };
 
 /// Runs the program through the stock, move by move, and fills every move's `load`.

@@ -8,6 +8,7 @@
 #include "verify/feature_work.h"
 #include "verify/figures.h"
 #include "verify/finished_part.h"
+#include "verify/forces.h"
 #include "verify/gouge.h"
 #include "verify/judged_move.h"
 #include "verify/load.h"
@@ -165,13 +166,18 @@ Findings verify(const Part& part, const Toolpath& toolpath, const VerifyOptions&
   std::vector<FeatureWork> works = works_of(part);
 
   std::vector<std::function<void()>> tasks;
-  tasks.push_back([&] { measure_load(part, program.moves, {options.tol, options.engagement_limit_deg}); });
+  tasks.push_back([&] {
+    measure_load(part, program.moves, {options.tol, options.engagement_limit_deg, options.material});
+  });
   for (std::size_t i = 0; i < program.moves.size(); i += kChunk) {
     const std::span<JudgedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
     tasks.push_back([&finished, &options, chunk] { judge_gouges(finished, chunk, options.tol); });
   }
   judge_works(part, finished, program, options, works, std::move(tasks));
-  return FindingsBuilder(part, program, works, options).build();
+  Findings findings = FindingsBuilder(part, program, works, options).build();
+  if (findings.all.load)
+    findings.all.thin_wall = thinnest_wall(finished, findings.all.load->max_force_n, *options.material);
+  return findings;
 }
 
 }  // namespace clearcut
