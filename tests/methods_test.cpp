@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "geometry/boolean.h"
 #include "pipeline/method_study.h"
+#include "pipeline/tool_sets.h"
 #include "read/read_part.h"
 #include "support/command.h"
 
@@ -13,7 +14,9 @@ namespace {
 
 using test_support::run_clearcut;
 using test_support::ScratchFolder;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kTriangle = "name triangle\ndepth 2\n79.9861 60\n79.9861 60\n79.9861 60\n";
 
@@ -47,6 +50,49 @@ TEST(LengthsAndAngles, ArePlannedAndCertified) {
   const auto input = folder.file("triangle.edges", kTriangle);
   const auto result = run_clearcut({"plan", input, "--tool", "endmill:10", "-o", folder.path("a.ngc")});
   EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST(Methods, ToolsAreDrivenByTheirSpeeds) {
+  Tool tool;
+  tool.diameter = 10;
+  tool.teeth = 3;
+  const CuttingData data = driven(tool, 36.6, 0.05);
+  EXPECT_NEAR(*data.spindle_rpm, 1165.0, 0.1);
+  EXPECT_NEAR(data.feed->mm_per_min(), 174.8, 0.05);
+}
+
+TEST(Methods, ToolTableNamesTheFastestAndWhatDoesNotFit) {
+  const ScratchFolder folder;
+  const auto input = folder.file("triangle.edges", kTriangle);
+  const auto result =
+      run_clearcut({"tools", input, "--tool", "endmill:20", "--tool", "endmill:6", "--tool", "endmill:60",
+                    "--cutting-speed", "36.6", "--feed-per-tooth", "0.04", "0.05", "0.06"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, ContainsRegex("endmill 6 +2 +1940 +194 "));
+  EXPECT_THAT(result.out, HasSubstr("endmill 60  does not fit"));
+  EXPECT_THAT(result.out, HasSubstr(" *"));
+  EXPECT_EQ(run_clearcut({"tools", input}).exit_code, 2) << "no tools";
+  EXPECT_EQ(run_clearcut({"tools", input, "--tool", "endmill:6", "--cutting-speed", "-1"}).exit_code, 2);
+}
+
+TEST(Methods, ReproducedTablesDifferOnlyWhereTheirOutlinesAreNotPrinted) {
+  for (const char* table : {"coefficients", "overlaps", "triangle", "rho-triangle"}) {
+    EXPECT_THAT(run_clearcut({"reproduce", table}).out, Not(HasSubstr("(differs)"))) << table;
+  }
+  EXPECT_THAT(run_clearcut({"reproduce", "lengths"}).out, HasSubstr("the shapes are ours"));
+}
+
+TEST(Methods, CompareShowsWhatEveryRivalAdds) {
+  const ScratchFolder folder;
+  const auto input = folder.file("triangle.edges", kTriangle);
+  const auto result = run_clearcut({"compare", input, "--tool", "endmill:10"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("vs fixed"));
+  for (const char* method :
+       {"loops", "pwid", "single", "double", "bisectors", "lom-corrected", "rho-corrected"}) {
+    EXPECT_THAT(result.out, ContainsRegex(std::string("\n") + method + " [^\n]* yes")) << method;
+  }
+  EXPECT_THAT(result.out, ContainsRegex("\nfixed [^\n]* NO"));
 }
 
 /// A small part of `clearcut compare --random 2000`, whose figures are in docs/methods.md.

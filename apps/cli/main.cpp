@@ -29,6 +29,7 @@ int parse_and_run(int argc, char** argv) {
   add_info_command(app, exit_code);
   add_elements_command(app, exit_code);
   add_compare_command(app, exit_code);
+  add_tools_command(app, exit_code);
   add_reproduce_command(app, exit_code);
   add_convert_command(app, exit_code);
   add_init_command(app, exit_code);

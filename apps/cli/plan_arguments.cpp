@@ -50,10 +50,10 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
 }
 
 void PlanArguments::add_tool_list_options(CLI::App& command) {
-  command.add_option(
-      "--tool", tools_,
-      "KIND:DIAMETER[:T3][:flutes=2][:corner=0.5][:name=N][:noplunge]; kinds: endmill, facemill, bullnose, "
-      "ball, drill, reamer (repeatable)");
+  command.add_option("--tool", tools_,
+                     "KIND:DIAMETER[:T3][:flutes=2][:corner=0.5][:name=N][:noplunge]; "
+                     "kinds: endmill, facemill, bullnose, "
+                     "ball, drill, reamer (repeatable)");
   command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml");
 }
 

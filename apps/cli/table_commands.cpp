@@ -11,6 +11,7 @@
 #include "pipeline/compare.h"
 #include "pipeline/method_study.h"
 #include "pipeline/reproduce.h"
+#include "pipeline/tool_sets.h"
 #include "plan_arguments.h"
 #include "post/outline_writer.h"
 
@@ -69,6 +70,28 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     if (state->arguments.input().empty())
       throw InputError("compare", "give a part, or --random and how many");
     print(compare(state->arguments.read(), state->arguments.options()), state->as_markdown);
+  });
+}
+
+void add_tools_command(CLI::App& app, int& exit_code) {
+  struct ToolsCommand {
+    PlanArguments arguments;
+    ToolSpeeds speeds;
+    bool as_markdown = false;
+  };
+  auto* command = app.add_subcommand("tools", "Plan a part with each of several cutters, in one table");
+  auto state = std::make_shared<ToolsCommand>();
+  state->arguments.add_part_options(*command, "INPUT");
+  state->arguments.add_tool_options(*command);
+  state->arguments.add_cutting_options(*command);
+  command->add_option("--cutting-speed", state->speeds.cutting_speed,
+                      "At the circumference, m/min: gives the spindle");
+  command->add_option("--feed-per-tooth", state->speeds.feeds_per_tooth,
+                      "mm, one for each tool or one for all: gives the feed");
+  command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
+  command->callback([state, &exit_code] {
+    print(tool_table(state->arguments.read(), state->speeds, state->arguments.options()), state->as_markdown);
+    exit_code = kClean;
   });
 }
 

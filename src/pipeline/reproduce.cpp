@@ -10,10 +10,12 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/clearance.h"
+#include "pipeline/published_comparisons.h"
 #include "pipeline/reproduce_orders.h"
 #include "pipeline/reproduce_tour.h"
 #include "plan/contour.h"
 #include "plan/layer.h"
+#include "plan/side_offsets.h"
 #include "toolpath/pass.h"
 
 namespace clearcut {
@@ -93,6 +95,13 @@ Region equilateral(double edge) {
   return Region::from_valid_loops(loop_from_points(corners), {});
 }
 
+/// CPO-kappa eq. 1 to 3, without geometry.
+double total_by_formulas(double edge, double radius, double step) {
+  SideList list;
+  for (int i = 0; i < 3; ++i) list.sides.push_back({edge, kPi / 3, 0});
+  return published_length(list, radius, 0, [&](double) { return step; }).total;
+}
+
 /// CPO-kappa figure 10.
 TextTable triangle() {
   constexpr double kStep = 7.01, kRadius = 5;
@@ -117,6 +126,8 @@ TextTable triangle() {
   }
   total += (contours - 1) * passage_length(kStep, kPi / 3);
   table.add({"total with passages", "373.4802", marked(total, 373.4802, 3), ""});
+  table.add({"by lengths and angles alone", "373.4802",
+             marked(total_by_formulas(79.9861, kRadius, kStep), 373.4802, 3), ""});
   return table;
 }
 
@@ -139,6 +150,8 @@ const std::vector<Entry>& entries() {
                                       {"overlaps", overlaps},
                                       {"triangle", triangle},
                                       {"rho-triangle", rho_triangle},
+                                      {"lengths", length_comparison},
+                                      {"cutters", cutter_comparison},
                                       {"genetic", genetic_figures},
                                       {"lattices", lattice_table},
                                       {"fishhead", fishhead_table},

@@ -164,10 +164,35 @@ struct Draft {
   std::vector<std::size_t> attempt;
 };
 
+/// Edges of an outline beyond which rivals are not tried: their time would be felt.
+constexpr std::size_t kMostEdgesForRivals = 400;
+
+std::size_t edges_of(const Feature& feature) {
+  std::size_t count = 0;
+  for (const auto& region : feature.allowed) count += region.edges().size();
+  return count;
+}
+
+/// The section of an attempt, or of a rival that is faster.
+Section fastest_section(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
+  Section best = plan_step(index, part, attempt, options);
+  const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
+  if (!attempt.beside_rivals || best.moves.empty() || edges_of(feature) > kMostEdgesForRivals) return best;
+  Seconds time = kinematic_time(best.moves, options.machine);
+  for (const auto& rival : rival_attempts()) {
+    Section section = plan_step(index, part, rival, options);
+    const Seconds theirs = kinematic_time(section.moves, options.machine);
+    if (section.moves.empty() || theirs >= time) continue;
+    best = std::move(section);
+    time = theirs;
+  }
+  return best;
+}
+
 Draft draft_all(const Part& part, const std::vector<Attempt>& attempts, const PlanOptions& options) {
   Draft draft;
   for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
-    draft.sections.push_back(plan_step(i, part, attempts.front(), options));
+    draft.sections.push_back(fastest_section(i, part, attempts.front(), options));
     draft.attempt.push_back(0);
   }
   return draft;

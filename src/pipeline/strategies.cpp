@@ -160,9 +160,19 @@ Strategy strategy_for(const Attempt& attempt, const Operation& operation, const 
                                              fmt::join(strategy_names(), ", ")));
 }
 
+const std::vector<Attempt>& rival_attempts() {
+  static const std::vector<Attempt> all{
+      {"single", {}}, {"double", {}}, {"pwid", {}}, {"loops", {}}, {"lom-corrected", {}}};
+  return all;
+}
+
 std::vector<Attempt> attempts_for(const PlanOptions& options) {
+  const std::vector<Attempt> ours{{"contour", options.stepover, !options.stepover},
+                                  {"contour", options.stepover}};
+  if (options.strategy == "contour") return ours;
   if (options.strategy != "auto") return {{options.strategy, options.stepover}};
-  std::vector<Attempt> attempts{{"contour", options.stepover}, {"contour", "0.6"}, {"contour", "0.35"}};
+  std::vector<Attempt> attempts = ours;
+  attempts.insert(attempts.end(), {{"contour", "0.6"}, {"contour", "0.35"}});
   if (options.engagement_deg) attempts.insert(attempts.begin(), {"adaptive", std::nullopt});
   return attempts;
 }

@@ -31,7 +31,11 @@ std::string description_of(const std::string& strategy);
 struct Attempt {
   std::string strategy;
   std::optional<std::string> stepover;
+  bool beside_rivals = false;  ///< the published ways to clear rests are tried too, and the fastest is taken
 };
+
+/// What an attempt beside rivals is measured against: methods that leave nothing by construction.
+const std::vector<Attempt>& rival_attempts();
 
 /// The strategy of an attempt with the operation's feed and the options' limits bound in.
 /// Throws InputError for an unknown name or a stepover that cannot be read.

@@ -1,0 +1,146 @@
+#include "pipeline/tool_sets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "pipeline/compare.h"
+#include "pipeline/run.h"
+
+namespace clearcut {
+namespace {
+
+constexpr double kDefaultCuttingSpeed = 100;  // m/min, as in prepare()
+
+/// A tool and what is asked of it.
+struct Candidate {
+  Tool tool;
+  CuttingData cutting;
+};
+
+bool positive(double value) {
+  return std::isfinite(value) && value > 0;
+}
+
+void check(const ToolSpeeds& speeds) {
+  if (speeds.cutting_speed && !positive(*speeds.cutting_speed)) {
+    throw InputError("--cutting-speed", "must be above 0 m/min");
+  }
+  if (!std::all_of(speeds.feeds_per_tooth.begin(), speeds.feeds_per_tooth.end(), positive)) {
+    throw InputError("--feed-per-tooth", "must be above 0 mm");
+  }
+}
+
+CuttingData cutting_of(const Tool& tool, std::size_t index, const ToolSpeeds& speeds, CuttingData given) {
+  if (!speeds.cutting_speed && speeds.feeds_per_tooth.empty()) return given;
+  const bool feeds = !speeds.feeds_per_tooth.empty();
+  const double fz = feeds ? speeds.feeds_per_tooth[std::min(index, speeds.feeds_per_tooth.size() - 1)] : 0;
+  const auto data = driven(tool, speeds.cutting_speed.value_or(kDefaultCuttingSpeed), fz);
+  given.spindle_rpm = data.spindle_rpm;
+  if (feeds) given.feed = data.feed;
+  return given;
+}
+
+std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
+  const auto& tools = options.tools.empty() ? part.tools : options.tools;
+  if (tools.empty()) {
+    throw InputError("tools",
+                     "none to choose from; give several, for example --tool endmill:6 --tool endmill:12");
+  }
+  check(speeds);
+  std::vector<Candidate> all;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    all.push_back({tools[i], cutting_of(tools[i], i, speeds, options.cutting)});
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.tool.diameter < b.tool.diameter; });
+  return all;
+}
+
+ToolRun run_of(const Candidate& candidate, const Part& part, PlanOptions options) {
+  const Tool& tool = candidate.tool;
+  options.tools = {tool};
+  options.cutting = candidate.cutting;
+  ToolRun run;
+  run.tool = tool;
+  try {
+    const auto result = plan(part, options);
+    const auto& figures = result.findings.all;
+    const auto& cutting = result.part.workplan.front().operation.cutting;
+    run.spindle_rpm = cutting.spindle_rpm.value_or(0);
+    run.feed_mm_per_min = cutting.feed ? cutting.feed->mm_per_min() : 0;
+    run.fits = true;
+    run.clean = figures.clean;
+    run.feed_mm = figures.feed_mm;
+    run.time_s = figures.time_s;
+    run.published_s = published_time(figures.time_naive_s, figures.turns);
+    run.unreachable_mm2 = figures.unreachable_mm2;
+  } catch (const InputError&) {
+    run.fits = false;
+  }
+  return run;
+}
+
+std::string name_of_run(const ToolRun& run) {
+  return fmt::format("{} {}", name_of(run.tool.kind), trimmed(run.tool.diameter, 3));
+}
+
+std::vector<std::string> cells(const ToolRun& run, bool fastest) {
+  if (!run.fits) return {name_of_run(run), "does not fit"};
+  return {name_of_run(run) + (fastest ? " *" : ""),
+          std::to_string(run.tool.teeth),
+          fmt::format("{:.0f}", run.spindle_rpm),
+          fmt::format("{:.0f}", run.feed_mm_per_min),
+          fmt::format("{:.1f}", run.feed_mm),
+          fmt::format("{:.2f}", run.time_s),
+          fmt::format("{:.2f}", run.published_s),
+          fmt::format("{:.2f}", run.unreachable_mm2),
+          run.clean ? "yes" : "NO"};
+}
+
+const ToolRun* fastest_clean(const std::vector<ToolRun>& runs) {
+  const ToolRun* best = nullptr;
+  for (const auto& run : runs) {
+    if (run.clean && (!best || run.time_s < best->time_s)) best = &run;
+  }
+  return best;
+}
+
+}  // namespace
+
+CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth) {
+  CuttingData data;
+  data.spindle_rpm = 1000 * cutting_speed / (kPi * tool.diameter);
+  data.feed = MmPerMin::of(feed_per_tooth * tool.teeth * *data.spindle_rpm);
+  return data;
+}
+
+std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
+  std::vector<ToolRun> runs;
+  for (const auto& one : candidates_of(part, speeds, options)) runs.push_back(run_of(one, part, options));
+  return runs;
+}
+
+TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
+  const auto runs = run_tools(part, speeds, options);
+  TextTable table;
+  table.title = part.name + ": each cutter alone";
+  table.columns = {{"tool", Align::kLeft},
+                   {"Z"},
+                   {"rpm"},
+                   {"mm/min"},
+                   {"feed mm"},
+                   {"time s"},
+                   {"eq. 9 s"},
+                   {"corners mm2"},
+                   {"clean", Align::kLeft}};
+  const ToolRun* best = fastest_clean(runs);
+  for (const auto& run : runs) table.add(cells(run, &run == best));
+  table.notes.push_back("* fastest alone; corners: out of its reach, left for a smaller one");
+  return table;
+}
+
+}  // namespace clearcut

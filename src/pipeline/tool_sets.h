@@ -1,0 +1,50 @@
+// Which of several cutters, or which sequence of them, cuts a part soonest (CPO-rho section 4).
+//
+//   paper   here                        unit     meaning
+//   R_i     Tool::radius()              mm
+//   Z_i     Tool::teeth
+//   f_z,i   ToolSpeeds::feeds_per_tooth mm
+//   V_c     ToolSpeeds::cutting_speed   m/min
+//   n       CuttingData::spindle_rpm    rpm      1000 V_c / (pi D)
+//   V_f     CuttingData::feed           mm/min   f_z Z n
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pipeline/plan_options.h"
+#include "report/text_table.h"
+
+namespace clearcut {
+
+/// How cutters are driven; what is absent comes from the part or the defaults of prepare().
+struct ToolSpeeds {
+  std::optional<double> cutting_speed;
+  std::vector<double> feeds_per_tooth;  ///< of each tool in the order given; the last serves the rest
+};
+
+/// Spindle and feed of a tool with `feed_per_tooth`. Units and formulas above.
+CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth);
+
+/// One cutter, alone on the whole part.
+struct ToolRun {
+  Tool tool;
+  double spindle_rpm = 0;
+  double feed_mm_per_min = 0;
+  bool fits = false;
+  bool clean = false;
+  double feed_mm = 0;
+  double time_s = 0;           ///< kinematic
+  double published_s = 0;      ///< CPO-rho eq. 9
+  double unreachable_mm2 = 0;  ///< corners that it cannot reach
+};
+
+/// Every tool of the options (else of the part) alone on every feature, smallest first. Throws InputError without tools
+/// and for speeds that are not above 0.
+/// Cost one plan each.
+std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
+
+/// The table, with the fastest clean cutter marked.
+TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
+
+}  // namespace clearcut
