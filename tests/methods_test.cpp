@@ -68,8 +68,8 @@ TEST(Methods, ToolTableNamesTheFastestAndWhatDoesNotFit) {
       run_clearcut({"tools", input, "--tool", "endmill:20", "--tool", "endmill:6", "--tool", "endmill:60",
                     "--cutting-speed", "36.6", "--feed-per-tooth", "0.04", "0.05", "0.06"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, ContainsRegex("endmill 6 +2 +1940 +194 "));
-  EXPECT_THAT(result.out, HasSubstr("endmill 60  does not fit"));
+  EXPECT_THAT(result.out, ContainsRegex("endmill 6 [*]? +2 +1942 +194 "));
+  EXPECT_THAT(result.out, ContainsRegex("endmill 60 +does not fit"));
   EXPECT_THAT(result.out, HasSubstr(" *"));
   EXPECT_EQ(run_clearcut({"tools", input}).exit_code, 2) << "no tools";
   EXPECT_EQ(run_clearcut({"tools", input, "--tool", "endmill:6", "--cutting-speed", "-1"}).exit_code, 2);
