@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "base/random.h"
+#include "geometry/clearance.h"
 #include "plan/adaptive_cut.h"
+#include "plan/contour_cover.h"
 
 namespace clearcut {
 namespace {
@@ -53,6 +58,84 @@ TEST(Adaptive, PathIsJoinedAndEveryEdgeHasItsKind) {
 
 TEST(Adaptive, NothingWhereTheCutterDoesNotFit) {
   EXPECT_TRUE(plan_adaptive(square_layer(5.9), {}, {}).passes.empty());
+}
+
+/// A second look at the contact, without any of the planner's geometry: material is a raster of small squares.
+class Raster {
+ public:
+  explicit Raster(double side)
+      : count_(static_cast<int>(side / kCell)), solid_(static_cast<std::size_t>(count_ * count_), 1) {}
+
+  double contact(Vec2 p, Vec2 travel) const {
+    constexpr int kParts = 360;
+    int inside = 0;
+    for (int i = 0; i < kParts; ++i) {
+      const Vec2 u = direction_of(2 * kPi * (i + 0.5) / kParts);
+      if (dot(u, travel) > 0 && is_solid(p + u * kTool)) ++inside;
+    }
+    return 2 * kPi * inside / kParts;
+  }
+  void clear(Vec2 p) {
+    for (int y = index(p.y - kTool); y <= index(p.y + kTool); ++y) {
+      for (int x = index(p.x - kTool); x <= index(p.x + kTool); ++x) {
+        if (distance(Vec2{x + 0.5, y + 0.5} * kCell, p) <= kTool)
+          solid_[static_cast<std::size_t>(y * count_ + x)] = 0;
+      }
+    }
+  }
+
+ private:
+  static constexpr double kCell = 0.05;
+  int index(double v) const { return std::clamp(static_cast<int>(v / kCell), 0, count_ - 1); }
+  bool is_solid(Vec2 p) const {
+    return p.x > 0 && p.y > 0 && p.x < count_ * kCell && p.y < count_ * kCell &&
+           solid_[static_cast<std::size_t>(index(p.y) * count_ + index(p.x))] != 0;
+  }
+
+  int count_;
+  std::vector<char> solid_;
+};
+
+TEST(Adaptive, ContactKeepsTheLimitOnARaster) {
+  AdaptiveOptions options;
+  options.engagement = Radians::of_degrees(60);
+  const auto pass = plan_adaptive(square_layer(30), options, {}).passes.at(0);
+  Raster raster(30);
+  double over = 0, whole = 0;
+  for (std::size_t i = 0; i < pass.path.size(); ++i) {
+    const Edge& edge = pass.path[i];
+    const int steps = static_cast<int>(edge.length() / 0.2) + 1;
+    for (int k = 0; k < steps; ++k) {
+      const Vec2 p = edge.at((k + 0.5) / steps);
+      // The first circle is the entry's. One square of the raster is worth some ten degrees.
+      if (i >= 2 &&
+          raster.contact(p, edge.tangent_at((k + 0.5) / steps)) > options.engagement.radians() + 0.2)
+        over += edge.length() / steps;
+      whole += edge.length() / steps;
+      raster.clear(p);
+    }
+  }
+  EXPECT_GT(whole, 300);
+  EXPECT_LT(over, 0.02 * whole);
+}
+
+TEST(Adaptive, ClearsRandomPolygons) {
+  Random random(11);
+  for (int i = 0; i < 8; ++i) {
+    std::vector<Vec2> corners;
+    const int count = 4 + i % 4;
+    for (int k = 0; k < count; ++k)
+      corners.push_back(direction_of(2 * kPi * (k + random.between(-0.25, 0.25)) / count) *
+                        random.between(14, 24));
+    Layer layer = square_layer(1);
+    layer.allowed = layer.target = {Region::from_valid_loops(loop_from_points(corners), {})};
+    std::vector<Edge> edges;
+    for (const Pass& pass : plan_adaptive(layer, {}, {}).passes)
+      edges.insert(edges.end(), pass.path.begin(), pass.path.end());
+    const Regions legal = inset(layer.allowed[0], kTool, {});
+    const auto holes = Cover(edges, kTool + 0.005).holes([&](Vec2 p) { return contains(legal, p); });
+    EXPECT_TRUE(holes.empty()) << i;
+  }
 }
 
 }  // namespace
