@@ -66,6 +66,7 @@ std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions&
 /// then reports that it does not fit).
 int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& used,
              const Tolerances& tol) {
+  if (tools.size() == 1) return 0;
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
   const auto hole = round_hole_of(feature, tol);
   int best = 0;
