@@ -16,6 +16,9 @@ constexpr double kRounding = 1e-7;
 /// this far from all legal places; less is the tip of a sharp corner.
 constexpr double kSlot = 0.1;
 
+/// Share of the fit tolerance that counts in a hole of the cutter's size: less than a program may do there.
+constexpr double kTight = 0.75;
+
 /// Walls before and after a curve's own that are tried first.
 constexpr int kNeighbours = 3;
 
@@ -125,7 +128,7 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
       if ((beyond.second - beyond.first) * legal.length() > kSlot) {
         add(beyond);
       } else {
-        tight_.push_back(curve.part(beyond.first, beyond.second));
+        tight_.emplace_back(curve.part(beyond.first, beyond.second), wall);
       }
     }
   }
@@ -134,10 +137,15 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
 /// A hole just as wide as the cutter leaves a few micrometres of each wall's curve, and nothing else near them.
 void LegalCenters::add_tight_places() {
   const EdgeTree known(found_);
-  for (const Edge& piece : tight_) {
+  for (const auto& [piece, wall] : tight_) {
     const Vec2 middle = piece.from == piece.to ? piece.from : piece.at(0.5);
+    if (piece.from == piece.to || !part_.is_free(middle, z_)) continue;
     if (known.nearest(middle, kSlot + norm(piece.to - piece.from)).edge >= 0) continue;
-    if (part_.is_free(middle, z_)) found_.push_back(piece);
+    const TrimmedCurve fitting = legal_parts(piece, wall, kTight * fit_);
+    for (const Interval& part : fitting.parts()) {
+      const Edge left = piece.part(part.first, part.second);
+      if (left.from != left.to) found_.push_back(left);
+    }
   }
 }
 

@@ -43,7 +43,7 @@ class LegalCenters {
   double z_, reach_;
   double fit_;  ///< mm; how much wider than a gap the cutter may be
   std::vector<Edge> found_;
-  std::vector<Edge> tight_;  ///< short stretches where the cutter just fits
+  std::vector<std::pair<Edge, int>> tight_;  ///< short stretches where the cutter just fits, and their walls
   EdgeTree boundary_;
 };
 
