@@ -291,6 +291,51 @@ TEST(Contour, RunsWithTheWallOnTheSideAskedFor) {
   }
 }
 
+/// Distance of the way's middle from the wall, at its beginning and its end.
+std::pair<double, double> depths_of(const Pass& way, const Region& region) {
+  return {region.boundary_distance(way.path.front().from), region.boundary_distance(way.path.back().to)};
+}
+
+TEST(Contour, RunsOutsideInOnRequestWithTheWallOnTheSameSide) {
+  const Region pocket = rectangle(50, 40);
+  ContourOptions options;
+  const auto inside_out = plan_contour(pocket_layer(pocket, 6), options, kTol);
+  options.outside_in = true;
+  const auto outside_in = plan_contour(pocket_layer(pocket, 6), options, kTol);
+  ASSERT_EQ(inside_out.passes.size(), 1u);
+  ASSERT_EQ(outside_in.passes.size(), 1u);
+  EXPECT_NEAR(depths_of(inside_out.passes[0], pocket).second, 3, 1e-6);
+  EXPECT_GT(depths_of(inside_out.passes[0], pocket).first, 8);
+  EXPECT_NEAR(depths_of(outside_in.passes[0], pocket).first, 3, 1e-6);
+  EXPECT_GT(depths_of(outside_in.passes[0], pocket).second, 8);
+  for (const auto& plan : {inside_out, outside_in}) {
+    double turning = 0;
+    for (const auto& e : plan.passes[0].path) turning += cross(e.from - Vec2{25, 20}, e.to - Vec2{25, 20});
+    EXPECT_GT(turning, 0);
+  }
+  Section section;
+  expect_clean(cut(pocket_layer(pocket, 6), options, &section), "outside-in");
+}
+
+TEST(Contour, RingsRunOutsideInOnRequest) {
+  auto options = stepping("0.5");
+  options.outside_in = true;
+  const auto section = linked({plan_contour(pocket_layer(rectangle(50, 40), 6), options, kTol)}, 3);
+  const auto first_cut = std::find_if(section.moves.begin(), section.moves.end(),
+                                      [](const Move& m) { return m.kind == MoveKind::kCut; });
+  ASSERT_NE(first_cut, section.moves.end());
+  EXPECT_NEAR(rectangle(50, 40).boundary_distance(first_cut->path.from), 3, 1e-6);
+}
+
+TEST(Contour, BeginsWhereAsked) {
+  ContourOptions options;
+  options.start = Vec2{12, 31};
+  const Layer layer = pocket_layer(rectangle(50, 40), 6);
+  Section section;
+  expect_clean(cut(layer, options, &section), "given start");
+  EXPECT_EQ(section.moves.front().path.from, *options.start);
+}
+
 TEST(Contour, LayersOfOneOutlineArePlannedOnce) {
   ContourPlanner planner({}, kTol);
   Layer layer = pocket_layer(rectangle(50, 40), 6);

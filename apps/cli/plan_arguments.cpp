@@ -1,5 +1,7 @@
 #include "plan_arguments.h"
 
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "base/error.h"
@@ -18,6 +20,9 @@ const std::map<std::string, EntryKind> kEntries{{"helix", EntryKind::kHelix},
 const std::map<std::string, CutDirection> kDirections{{"climb", CutDirection::kClimb},
                                                       {"conventional", CutDirection::kConventional}};
 
+/// Whether outside-in.
+const std::map<std::string, bool> kOrders{{"inside-out", false}, {"outside-in", true}};
+
 template <class Value>
 std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
                            const char* option) {
@@ -32,6 +37,16 @@ std::optional<Value> named(const std::map<std::string, Value>& names, const std:
 std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
   if (!mm_per_min) return std::nullopt;
   return MmPerMin::of(*mm_per_min);
+}
+
+Vec2 point_of(const std::string& text, const char* option) {
+  Vec2 point;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%c", &point.x, &point.y, &rest) != 2 || !std::isfinite(point.x) ||
+      !std::isfinite(point.y)) {
+    throw InputError(option, "'" + text + "' is not a point; write X,Y in mm");
+  }
+  return point;
 }
 
 }  // namespace
@@ -87,6 +102,8 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge");
   add_shop_options(command);
   command.add_option("--direction", direction_, "climb or conventional");
+  command.add_option("--order", order_, "Contours inside-out (default) or outside-in");
+  command.add_option("--start", start_, "Where the cutting of contours begins: X,Y");
   command.add_option("--feed", feed_, "Cutting feed, mm/min");
   command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min");
   command.add_option("--spindle", spindle_, "Spindle speed, rpm");
@@ -199,6 +216,8 @@ PlanOptions PlanArguments::options() const {
   options.earlier = earlier(given);
   for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
   options.direction = named(kDirections, direction_, "--direction");
+  options.outside_in = named(kOrders, order_, "--order").value_or(false);
+  if (start_) options.start = point_of(*start_, "--start");
   options.cutting.feed = feed_of(feed_);
   options.cutting.plunge_feed = feed_of(plunge_feed_);
   options.cutting.ramp_feed = feed_of(ramp_feed_);

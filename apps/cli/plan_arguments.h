@@ -64,6 +64,8 @@ class PlanArguments {
   bool rest_ = false;
   ShopOptions shop_;
   std::optional<std::string> direction_;
+  std::optional<std::string> order_;
+  std::optional<std::string> start_;
   std::optional<double> feed_;
   std::optional<double> plunge_feed_;
   std::optional<double> spindle_;

@@ -106,14 +106,13 @@ class LayerState {
   }
 
   /// Outer rings of open layers are cut from the air inwards, so they run the other way round.
-  bool turned_round(std::size_t i) const {
-    return pass(i).closed && precedence_to_children(i) == Precedence::kOuterFirst;
-  }
+  bool turned_round(std::size_t i) const { return outside_first(i); }
 
  private:
+  bool outside_first(std::size_t i) const { return open_ && pass(i).closed && signed_area(pass(i).path) > 0; }
+
   Precedence precedence_to_children(std::size_t i) const {
-    return open_ && pass(i).closed && signed_area(pass(i).path) > 0 ? Precedence::kOuterFirst
-                                                                    : Precedence::kInnerFirst;
+    return layer_.outside_in || outside_first(i) ? Precedence::kOuterFirst : Precedence::kInnerFirst;
   }
 
   /// The tree edge between i and its parent: which of the two has to wait; -1 without a parent.
@@ -256,6 +255,10 @@ class Linker {
       const auto& path = state.pass(i).path;
       candidate.start = {path.front().from, 0, 0, false};
       candidate.cost = -state.pass(i).offset;  // farthest from the wall
+      if (state.layer().start) {
+        candidate.start = nearest_start(state.pass(i), *state.layer().start);
+        candidate.cost = distance(candidate.start.point, *state.layer().start);
+      }
       if (state.open() && find_air_entry(path, state)) candidate.cost -= 1e6;
       if (candidate.cost < first.cost) first = candidate;
     }

@@ -33,6 +33,8 @@ struct PlanOptions {
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
   std::optional<CutDirection> direction;
+  bool outside_in = false;    ///< contours from the wall inwards; false: inside-out
+  std::optional<Vec2> start;  ///< where the cutting of contours should begin
   CuttingData cutting;
   Machine machine;
   PostOptions post;

@@ -59,6 +59,8 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
   contour.feed = *operation.cutting.feed;
   if (operation.lead.value_or(0) > 0) contour.effort = 0;  // rings stay whole: leads need a place to begin
   contour.wall_on_right = wall_on_right(operation);
+  contour.outside_in = options.outside_in;
+  contour.start = options.start;
   return
       [planner = ContourPlanner(contour, options.tol)](const Layer& layer) mutable { return planner(layer); };
 }

@@ -22,6 +22,7 @@
 #include "plan/contour_search.h"
 #include "plan/layers.h"
 #include "plan/step_rule.h"
+#include "toolpath/legal_area.h"
 
 namespace clearcut {
 namespace {
@@ -122,6 +123,33 @@ Regions legal_area(const Layer& layer, const std::vector<Domain>& domains, doubl
   return legal;
 }
 
+bool is_way(const Pass& pass) {
+  return !pass.closed && !pass.reversible;
+}
+
+/// Ways pulled taut inside-out become ways outside-in: each runs backwards, the last comes first.
+void turn_ways_round(LayerPasses& layer) {
+  const auto ways = std::stable_partition(layer.passes.begin(), layer.passes.end(),
+                                          [](const Pass& pass) { return !is_way(pass); });
+  std::reverse(ways, layer.passes.end());
+  std::for_each(ways, layer.passes.end(), [](Pass& pass) { pass.path = reversed(pass.path); });
+}
+
+/// A straight way from `start` to the first of the ways that can be reached by one.
+void begin_at(Vec2 start, LayerPasses& layer) {
+  const LegalArea legal(layer.legal);
+  for (auto& pass : layer.passes) {
+    if (!is_way(pass)) continue;
+    const Vec2 first = pass.path.front().from;
+    if (first == start || !legal.holds_line(start, first)) continue;
+    pass.path.insert(pass.path.begin(), Edge::line(start, first));
+    return;
+  }
+}
+
+/// Rings, and the ways they are pulled into, inside-out.
+LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, const Tolerances& tol);
+
 }  // namespace
 
 LayerPasses ContourPlanner::operator()(const Layer& layer) {
@@ -133,6 +161,20 @@ LayerPasses ContourPlanner::operator()(const Layer& layer) {
 }
 
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
+  ContourOptions inside_out = options;
+  // Ways are run backwards in the end, so their rings are planned the other way round.
+  if (options.outside_in) inside_out.wall_on_right = !options.wall_on_right;
+  LayerPasses result = plan_inside_out(layer, inside_out, tol);
+  result.outside_in = options.outside_in;
+  result.start = options.start;
+  if (options.outside_in) turn_ways_round(result);
+  if (options.start) begin_at(*options.start, result);
+  return result;
+}
+
+namespace {
+
+LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
   CLEARCUT_ASSERT(layer.tool_radius > 0);
   LayerPasses result;
   result.z_top = layer.z_top;
@@ -164,4 +206,5 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   return result;
 }
 
+}  // namespace
 }  // namespace clearcut

@@ -55,6 +55,10 @@ struct ContourOptions {
   double effort = 1;
   /// Rings run with the wall on the right (climb milling for a clockwise spindle); false: on the left.
   bool wall_on_right = true;
+  /// Rings at the wall come first, those they surround after them; false: the other way round.
+  bool outside_in = false;
+  /// Where cutting should begin: exactly there where the first pass can be reached on a straight way.
+  std::optional<Vec2> start;
   /// What the fastest of several plans is judged by.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);

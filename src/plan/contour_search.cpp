@@ -78,6 +78,7 @@ class Search {
     job_.turn_cost = turn_cost * v * v / options_.machine.acceleration;
     SkeletonOptions skeleton;
     skeleton.chord = kChord * job_.radius;
+    if (!options_.outside_in) skeleton.begin = options_.start;
     skeleton.flexible = kMostFlexible / kVerticesPerRadius * job_.radius * options_.effort;
     skeleton.hop = lift_time() * options_.feed.mm_per_s();
     skeleton.legal = [&](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };

@@ -201,13 +201,7 @@ class SkeletonBuilder {
 
   /// Where the innermost ring begins.
   Vec2 beginning_of(const Path& ring) const {
-    const double wanted = options_.begin * length(ring);
-    double behind = 0;
-    for (const auto& edge : ring) {
-      if (behind + edge.length() > wanted) return edge.at((wanted - behind) / edge.length());
-      behind += edge.length();
-    }
-    return ring.front().from;
+    return options_.begin ? place_on(ring, *options_.begin).point : ring.front().from;
   }
 
   /// Into pass i and all it surrounds, innermost first, and back to where it was entered.

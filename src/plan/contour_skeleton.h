@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "toolpath/pass.h"
@@ -32,8 +33,9 @@ struct Skeleton {
 
 struct SkeletonOptions {
   double chord = 0.05;  ///< mm; flexible ways start as polygons within this of their rings
-  double begin = 0;     ///< where the innermost ring is begun, as a share of its length
-  double hop = 20;      ///< mm; a lift costs as much time as feeding this far
+  /// The innermost ring is begun as near to this as it comes.
+  std::optional<Vec2> begin;
+  double hop = 20;  ///< mm; a lift costs as much time as feeding this far
   double flexible =
       1e9;  ///< mm; rings that surround more way than this stay as they are, like those at the wall
   /// Whether the straight way between two points is legal.

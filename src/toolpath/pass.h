@@ -33,7 +33,9 @@ struct LayerPasses {
   Regions target;               ///< material to remove in this layer, plan view
   double film = 0;              ///< mm; uncut films up to this far from what was cut may stay between passes
   std::vector<Pass> passes;
-  std::string strategy;  ///< which strategy ran
+  bool outside_in = false;    ///< rings come before those they surround
+  std::optional<Vec2> start;  ///< where cutting should begin, or as near as the first pass comes
+  std::string strategy;       ///< which strategy ran
 };
 
 }  // namespace clearcut
