@@ -88,6 +88,8 @@ void add_tools_command(CLI::App& app, int& exit_code) {
                       "At the circumference, m/min: gives the spindle");
   command->add_option("--feed-per-tooth", state->speeds.feeds_per_tooth,
                       "mm, one for each tool or one for all: gives the feed");
+  command->add_option("--tool-change", state->speeds.tool_change_s, "Time of a tool change in a sequence, s")
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
   command->callback([state, &exit_code] {
     print(tool_table(state->arguments.read(), state->speeds, state->arguments.options()), state->as_markdown);

@@ -101,6 +101,56 @@ std::vector<std::string> cells(const ToolRun& run, bool fastest) {
           run.clean ? "yes" : "NO"};
 }
 
+/// Cutters one after the other, by their places in the list of candidates, largest first.
+struct Sequence {
+  std::vector<std::size_t> tools;
+  double time_s = 0;
+};
+
+/// Time of `then` on what `first` leaves, with its own speeds; none where that cannot be cut clean.
+std::optional<double> rest_time(const Candidate& first, const Candidate& then, const Part& part,
+                                PlanOptions options) {
+  options.tools = {first.tool, then.tool};
+  options.cutting = then.cutting;
+  options.shop.rest = true;
+  try {
+    const auto findings = plan(part, options).findings;
+    double time = 0;
+    for (const auto& feature : findings.features) {
+      if (feature.tool_diameter == then.tool.diameter) time += feature.figures.time_s;
+    }
+    return findings.all.clean ? std::optional(time) : std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// The fastest way to end with the smallest cutter; `all` and `runs` run from the smallest up.
+std::optional<Sequence> fastest_sequence(const std::vector<Candidate>& all, const std::vector<ToolRun>& runs,
+                                         const Part& part, const ToolSpeeds& speeds,
+                                         const PlanOptions& options) {
+  std::vector<std::optional<Sequence>> best(all.size());
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (runs[i].clean) best[i] = Sequence{{i}, runs[i].time_s};
+    for (std::size_t larger = i + 1; larger < all.size(); ++larger) {
+      if (!best[larger] || all[larger].tool.diameter <= all[i].tool.diameter) continue;
+      const auto rest = rest_time(all[larger], all[i], part, options);
+      if (!rest) continue;
+      const double time = best[larger]->time_s + *rest + speeds.tool_change_s;
+      if (best[i] && time >= best[i]->time_s) continue;
+      best[i] = Sequence{best[larger]->tools, time};
+      best[i]->tools.push_back(i);
+    }
+  }
+  return best.empty() ? std::nullopt : best.front();
+}
+
+std::string text_of(const Sequence& sequence, const std::vector<ToolRun>& runs) {
+  std::string names;
+  for (const std::size_t i : sequence.tools) names += (names.empty() ? "" : ", then ") + name_of_run(runs[i]);
+  return names;
+}
+
 const ToolRun* fastest_clean(const std::vector<ToolRun>& runs) {
   const ToolRun* best = nullptr;
   for (const auto& run : runs) {
@@ -140,6 +190,12 @@ TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptio
   const ToolRun* best = fastest_clean(runs);
   for (const auto& run : runs) table.add(cells(run, &run == best));
   table.notes.push_back("* fastest alone; corners: out of its reach, left for a smaller one");
+  const auto sequence = fastest_sequence(candidates_of(part, speeds, options), runs, part, speeds, options);
+  if (sequence) {
+    table.notes.push_back(
+        fmt::format("fastest sequence that ends with the smallest, {:.0f} s a tool change: {}: {:.2f} s",
+                    speeds.tool_change_s, text_of(*sequence, runs), sequence->time_s));
+  }
   return table;
 }
 

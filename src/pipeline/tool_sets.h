@@ -21,6 +21,7 @@ namespace clearcut {
 struct ToolSpeeds {
   std::optional<double> cutting_speed;
   std::vector<double> feeds_per_tooth;  ///< of each tool in the order given; the last serves the rest
+  double tool_change_s = 10;            ///< between the tools of a sequence
 };
 
 /// Spindle and feed of a tool with `feed_per_tooth`. Units and formulas above.
@@ -44,7 +45,8 @@ struct ToolRun {
 /// Cost one plan each.
 std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
 
-/// The table, with the fastest clean cutter marked.
+/// The table, with the fastest clean cutter marked and the fastest sequence of cutters that ends with the smallest: each
+/// one cuts what larger ones cannot reach, which depends on the one before it alone. Cost a plan for every two tools.
 TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
 
 }  // namespace clearcut
