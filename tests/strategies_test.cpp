@@ -120,5 +120,70 @@ TEST(Zigzag, LinesAreNoFartherApartThanAskedFor) {
                InputError);
 }
 
+Regions rectangle(double width, double height) {
+  return {Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{0, 0}, {width, 0}, {width, height}, {0, height}}), {})};
+}
+
+const Contestant* contestant(const Contest& contest, const std::string& strategy) {
+  const auto found = std::find_if(contest.contestants.begin(), contest.contestants.end(),
+                                  [&](const Contestant& one) { return one.strategy == strategy; });
+  return found == contest.contestants.end() ? nullptr : &*found;
+}
+
+TEST(Auto, KeepsTheFastestOfThosePlannedAndListsAll) {
+  for (const std::uint64_t seed : {1u, 2u, 4u, 6u}) {
+    Random random(seed);
+    const Part part = test_support::random_part(random, random.between(3, 8));
+    const auto result = plan(part, options_for("auto"));
+    ASSERT_TRUE(result.findings.all.clean) << seed;
+    ASSERT_EQ(result.contests.size(), 1u);
+    const auto& contest = result.contests.front();
+    ASSERT_FALSE(contest.kept().empty());
+    const auto* kept = contestant(contest, contest.kept());
+    EXPECT_NEAR(kept->time_s, result.findings.all.time_s, 0.02 * kept->time_s + 0.1) << seed;
+    for (const char* name : {"contour", "zigzag", "spiral", "adaptive"}) {
+      const auto* one = contestant(contest, name);
+      ASSERT_TRUE(one) << name;
+      if (one->time_s > 0) EXPECT_LE(kept->time_s, one->time_s) << seed << " " << name;
+      if (one->outcome == Outcome::kCannotWin) EXPECT_GE(one->least_s, kept->time_s) << seed << " " << name;
+    }
+  }
+}
+
+/// The bounds by which strategies are left out hold for what those strategies plan.
+TEST(Auto, LeavesOutOnlyWhatCannotWin) {
+  for (const double width : {30.0, 60.0, 110.0}) {
+    const Part part =
+        test_support::part_of(rectangle(width, 40), rectangle(width, 40), FeatureKind::kClosedPocket, 6);
+    const auto contest = plan(part, options_for("auto")).contests.front();
+    for (const auto& one : contest.contestants) {
+      if (one.least_s == 0) continue;
+      EXPECT_GE(plan(part, options_for(one.strategy)).findings.all.time_s, one.least_s) << one.strategy;
+    }
+  }
+}
+
+TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
+  auto options = options_for("auto");
+  options.engagement_deg = 60;
+  const auto result = plan(
+      test_support::part_of(rectangle(50, 40), rectangle(50, 40), FeatureKind::kClosedPocket, 6), options);
+  EXPECT_EQ(result.contests.front().kept(), "adaptive");
+  EXPECT_TRUE(result.findings.all.clean);
+}
+
+TEST(Auto, DoesNotDependOnTheNumberOfThreads) {
+  CLEARCUT_SKIP_WITHOUT_DATA();
+  const Part part = read_part((*test_support::data_folder() / "shapes/fishhead_pocket5.json").string(), {});
+  auto options = options_for("auto");
+  options.tools = {parse_tool("endmill:6")};
+  const auto one = plan(part, options);
+  options.threads = 4;
+  const auto four = plan(part, options);
+  EXPECT_EQ(one.program, four.program);
+  EXPECT_EQ(one.contests.front().kept(), four.contests.front().kept());
+}
+
 }  // namespace
 }  // namespace clearcut

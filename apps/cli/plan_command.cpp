@@ -9,6 +9,7 @@
 #include "pipeline/run.h"
 #include "plan_arguments.h"
 #include "report/certificate.h"
+#include "report/contest_table.h"
 #include "report/html.h"
 #include "report/result.h"
 #include "report/svg.h"
@@ -28,12 +29,13 @@ struct PlanCommand {
 };
 
 CertificateInfo certificate_info(const PlanCommand& command, const PlanOptions& options,
-                                 const std::string& program) {
+                                 const PlanResult& result) {
   CertificateInfo info;
   info.version = kVersion;
   info.seed = options.seed;
   info.input_hash = content_hash(read_file(command.arguments.input()));
-  info.program_hash = content_hash(program);
+  info.program_hash = content_hash(result.program);
+  info.contests = result.contests;
   info.machine = options.machine.name;
   return info;
 }
@@ -45,7 +47,7 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
     if (!path.empty()) files.push_back({path, content()});
   };
   add(command.certificate, [&] {
-    return certificate_json(result.part, result.findings, certificate_info(command, options, result.program));
+    return certificate_json(result.part, result.findings, certificate_info(command, options, result));
   });
   add(command.svg, [&] { return svg(result.part, result.toolpath, result.findings, {}); });
   add(command.html, [&] {
@@ -79,7 +81,10 @@ int run(PlanCommand command) {
   write_files(output_files(command, options, result));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
-    if (command.output != "-") print_line(table(result.part, result.findings));
+    if (command.output != "-") {
+      if (options.strategy == "auto") print_line(plain(contest_table(result.contests)));
+      print_line(table(result.part, result.findings));
+    }
   }
   return result.findings.all.clean ? kClean : kFault;
 }

@@ -10,6 +10,7 @@
 #include "link/slot_feed.h"
 #include "part/round_hole.h"
 #include "pipeline/certify.h"
+#include "pipeline/choice.h"
 #include "pipeline/holes.h"
 #include "pipeline/left_over.h"
 #include "pipeline/prepare.h"
@@ -21,6 +22,10 @@
 
 namespace clearcut {
 namespace {
+
+/// Edges of an outline: above the first, strategies that take long are not tried; above the second, only the first is.
+constexpr std::size_t kMostEdges = 2000;
+constexpr std::size_t kMostEdgesAtAll = 20000;
 
 const Tool& tool_of(const Part& part, const Workingstep& step) {
   return part.tools.at(static_cast<std::size_t>(step.operation.tool));
@@ -132,18 +137,51 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
   return out;
 }
 
-/// The section of one workingstep; without moves where the cutter does not fit.
-Section plan_step(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
+void add_size(StepPlan& plan, const Layer& layer, const LayerPasses& passes) {
+  plan.legal_mm2 += area(passes.legal);
+  std::size_t edges = 0;
+  for (const auto& region : passes.legal) {
+    for (const auto& edge : region.edges()) plan.legal_rim_mm += edge.length();
+    edges += region.edges().size();
+  }
+  const double whole = area(layer.allowed);
+  plan.pocket = plan.pocket && edges <= kMostEdges && whole - area(layer.target) <= 1e-9 * whole;
+}
+
+/// What a strategy makes of one workingstep.
+StepPlan plan_step(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const auto strategy = strategy_for(attempt, step.operation, options);
   const auto layers = standing_layers(part, step, options);
-  if (auto hole = hole_step(layers, index, part, options)) return *std::move(hole);
-  std::vector<LayerPasses> passes;
-  for (const auto& layer : layers_left(layers, index, part, options)) {
-    passes.push_back(layer.walls_only ? plan_walls(layer.layer, options.tol) : strategy(layer.layer));
-    if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
+  StepPlan plan;
+  if (auto hole = hole_step(layers, index, part, options)) {
+    plan.section = *std::move(hole);
+    plan.hole = true;
+  } else {
+    std::vector<LayerPasses> passes;
+    for (const auto& layer : layers_left(layers, index, part, options)) {
+      passes.push_back(layer.walls_only ? plan_walls(layer.layer, options.tol) : strategy(layer.layer));
+      if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
+      add_size(plan, layer.layer, passes.back());
+      plan.pocket = plan.pocket && !layer.rest;
+    }
+    plan.section = link_step(passes, index, default_entry(tool_of(part, step), attempt), part, options);
   }
-  return link_step(passes, index, default_entry(tool_of(part, step), attempt), part, options);
+  plan.time_s = kinematic_time(plan.section.moves, options.machine).seconds();
+  return plan;
+}
+
+std::vector<ChoiceStep> choice_steps(const Part& part) {
+  std::vector<ChoiceStep> steps;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const auto& step = part.workplan[i];
+    const auto& feature = feature_of(part, step);
+    std::size_t edges = 0;
+    for (const auto& region : feature.allowed) edges += region.edges().size();
+    steps.push_back({feature.name, static_cast<int>(i), tool_of(part, step).radius(),
+                     *step.operation.cutting.feed, edges <= kMostEdgesAtAll});
+  }
+  return steps;
 }
 
 std::string does_not_fit(const Part& part, const Workingstep& step, const PlanOptions& options) {
@@ -158,12 +196,6 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const PlanOp
                      trimmed(largest_fitting_diameter(feature_of(part, step), options.tol), 3));
 }
 
-/// What is planned for each workingstep, and by which of the attempts.
-struct Draft {
-  std::vector<Section> sections;
-  std::vector<std::size_t> attempt;
-};
-
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
 constexpr std::size_t kMostEdgesForRivals = 400;
 
@@ -173,29 +205,19 @@ std::size_t edges_of(const Feature& feature) {
   return count;
 }
 
-/// The section of an attempt, or of a rival that is faster.
-Section fastest_section(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
-  Section best = plan_step(index, part, attempt, options);
+/// The plan of an attempt, or of a rival that is faster.
+StepPlan fastest_plan(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
+  StepPlan best = plan_step(index, part, attempt, options);
   const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
-  if (!attempt.beside_rivals || best.moves.empty() || edges_of(feature) > kMostEdgesForRivals) return best;
-  Seconds time = kinematic_time(best.moves, options.machine);
+  const bool alone = !attempt.beside_rivals || best.hole || edges_of(feature) > kMostEdgesForRivals;
+  if (alone || best.section.moves.empty()) return best;
   for (const auto& rival : rival_attempts()) {
-    Section section = plan_step(index, part, rival, options);
-    const Seconds theirs = kinematic_time(section.moves, options.machine);
-    if (section.moves.empty() || theirs >= time) continue;
-    best = std::move(section);
-    time = theirs;
+    StepPlan plan = plan_step(index, part, rival, options);
+    if (plan.section.moves.empty() || plan.time_s >= best.time_s) continue;
+    best.section = std::move(plan.section);
+    best.time_s = plan.time_s;
   }
   return best;
-}
-
-Draft draft_all(const Part& part, const std::vector<Attempt>& attempts, const PlanOptions& options) {
-  Draft draft;
-  for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
-    draft.sections.push_back(fastest_section(i, part, attempts.front(), options));
-    draft.attempt.push_back(0);
-  }
-  return draft;
 }
 
 /// Degrees. Above this the cutter is taken to be in a slot.
@@ -220,31 +242,32 @@ void slow_down_slots(Toolpath& toolpath, const Part& part, const PlanOptions& op
   }
 }
 
-Toolpath toolpath_of(const Draft& draft, const Part& part, const PlanOptions& options) {
+Toolpath toolpath_of(const Choice& choice, const Part& part, const PlanOptions& options) {
   Toolpath toolpath;
-  for (const auto& section : draft.sections) {
-    if (!section.moves.empty()) toolpath.sections.push_back(section);
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    if (!choice.section(i).moves.empty()) toolpath.sections.push_back(choice.section(i));
   }
   slow_down_slots(toolpath, part, options);
   return toolpath;
 }
 
-void report_notes(const Draft& draft, Part& part) {
-  for (const auto& section : draft.sections) {
+void report_notes(const Choice& choice, Part& part) {
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const Section& section = choice.section(i);
     for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
   }
 }
 
-void report_what_does_not_fit(Part& part, const Draft& draft, const PlanOptions& options) {
-  const bool nothing = std::all_of(draft.sections.begin(), draft.sections.end(),
-                                   [](const Section& section) { return section.moves.empty(); });
+void report_what_does_not_fit(Part& part, const Choice& choice, const PlanOptions& options) {
+  bool nothing = true;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) nothing = nothing && choice.section(i).moves.empty();
   if (nothing) {
     throw InputError(part.source_file,
                      "nothing can be cut: " + does_not_fit(part, part.workplan.front(), options));
   }
-  for (std::size_t i = 0; i < draft.sections.size(); ++i) {
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
-    if (!draft.sections[i].moves.empty()) continue;
+    if (!choice.section(i).moves.empty()) continue;
     const bool fits =
         tool_of(part, step).diameter <= largest_fitting_diameter(feature_of(part, step), options.tol);
     const auto layers = standing_layers(part, step, options);
@@ -253,17 +276,14 @@ void report_what_does_not_fit(Part& part, const Draft& draft, const PlanOptions&
   }
 }
 
-/// Plans every workingstep that was not certified clean by the next attempt. False when there was nothing to
-/// do.
-bool retry_unclean(Draft& draft, PlanResult& result, const std::vector<Attempt>& attempts,
-                   const PlanOptions& options) {
+/// Takes the next best plan of every workingstep that was not certified clean. False when there was nothing to do.
+bool retry_unclean(Choice& choice, PlanResult& result) {
   bool retried = false;
   for (const auto& feature : result.findings.features) {
     if (feature.figures.clean || feature.workingstep < 0) continue;
     const auto i = static_cast<std::size_t>(feature.workingstep);
-    if (draft.sections[i].moves.empty() || draft.attempt[i] + 1 >= attempts.size()) continue;
-    const Attempt& next = attempts[++draft.attempt[i]];
-    draft.sections[i] = plan_step(feature.workingstep, result.part, next, options);
+    if (!choice.next(i)) continue;
+    const Attempt& next = choice.attempt(i);
     result.part.diagnostics.note(feature.name,
                                  "was not certified clean at first and is planned again: " + next.strategy +
                                      (next.stepover ? ", stepover " + *next.stepover : ""));
@@ -305,14 +325,17 @@ void keep_stated_stepdowns(Part& prepared, const Part& part, const PlanOptions& 
 PlanResult plan(const Part& part, const PlanOptions& options) {
   PlanResult result;
   result.part = prepare(part, options);
-  const auto attempts = attempts_for(options);
-  Draft draft = draft_all(result.part, attempts, options);
-  report_what_does_not_fit(result.part, draft, options);
-  const auto toolpath = [&] { return toolpath_of(draft, result.part, options); };
+  const auto planner = [&](int step, const Attempt& attempt) {
+    return fastest_plan(step, result.part, attempt, options);
+  };
+  Choice choice(choice_steps(result.part), attempts_for(options), planner, options);
+  report_what_does_not_fit(result.part, choice, options);
+  const auto toolpath = [&] { return toolpath_of(choice, result.part, options); };
   certify(result, toolpath(), options);
-  while (retry_unclean(draft, result, attempts, options)) certify(result, toolpath(), options);
+  while (retry_unclean(choice, result)) certify(result, toolpath(), options);
   sign(result, toolpath(), options);
-  report_notes(draft, result.part);
+  report_notes(choice, result.part);
+  result.contests = choice.contests();
   return result;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pipeline/plan_options.h"
+#include "toolpath/contest.h"
 #include "toolpath/findings.h"
 #include "toolpath/move.h"
 
@@ -14,6 +16,7 @@ struct PlanResult {
   std::string program;  ///< text for the controller
   Toolpath toolpath;    ///< read back from `program`
   Findings findings;    ///< of `toolpath`
+  std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 
 /// Plans, posts and certifies a part.

@@ -85,6 +85,27 @@ std::optional<double> line_distance(const std::optional<std::string>& stepover, 
                                              *stepover));
 }
 
+bool same_outline(const Regions& a, const Regions& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& r, const Region& s) {
+    return r.outer() == s.outer() && r.islands() == s.islands();
+  });
+}
+
+/// Layers with the outline of the one before get its passes at their own depth.
+Strategy once_per_outline(Strategy plan) {
+  return [plan = std::move(plan), last = std::optional<Layer>(),
+          passes = LayerPasses()](const Layer& layer) mutable {
+    const bool known = last && last->wall_stock == layer.wall_stock && last->reserve == layer.reserve &&
+                       last->bare == layer.bare && same_outline(last->allowed, layer.allowed) &&
+                       same_outline(last->target, layer.target);
+    if (!known) passes = plan(layer);
+    last = layer;
+    passes.z_top = layer.z_top;
+    passes.z = layer.z;
+    return passes;
+  };
+}
+
 Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
   ZigzagOptions zigzag;
   if (options.angle_deg) zigzag.angle = Radians::of_degrees(*options.angle_deg);
@@ -92,10 +113,11 @@ Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, con
   zigzag.machine = options.machine;
   zigzag.feed = *operation.cutting.feed;
   line_distance(attempt.stepover, 1);  // refused before anything is planned
-  return [zigzag, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
-    zigzag.stepover = line_distance(stepover, 2 * layer.tool_radius);
-    return plan_zigzag(layer, zigzag, tol);
-  };
+  return once_per_outline(
+      [zigzag, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
+        zigzag.stepover = line_distance(stepover, 2 * layer.tool_radius);
+        return plan_zigzag(layer, zigzag, tol);
+      });
 }
 
 Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
@@ -110,10 +132,11 @@ Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, con
   spiral.machine = options.machine;
   spiral.feed = *operation.cutting.feed;
   line_distance(attempt.stepover, 1);  // refused before anything is planned
-  return [spiral, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
-    spiral.stepover = line_distance(stepover, 2 * layer.tool_radius);
-    return plan_spiral(layer, spiral, tol);
-  };
+  return once_per_outline(
+      [spiral, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
+        spiral.stepover = line_distance(stepover, 2 * layer.tool_radius);
+        return plan_spiral(layer, spiral, tol);
+      });
 }
 
 }  // namespace
@@ -168,14 +191,21 @@ const std::vector<Attempt>& rival_attempts() {
   return all;
 }
 
-std::vector<Attempt> attempts_for(const PlanOptions& options) {
-  const std::vector<Attempt> ours{{"contour", options.stepover, !options.stepover},
-                                  {"contour", options.stepover}};
-  if (options.strategy == "contour") return ours;
-  if (options.strategy != "auto") return {{options.strategy, options.stepover}};
-  std::vector<Attempt> attempts = ours;
-  attempts.insert(attempts.end(), {{"contour", "0.6"}, {"contour", "0.35"}});
-  if (options.engagement_deg) attempts.insert(attempts.begin(), {"adaptive", std::nullopt});
+Attempts attempts_for(const PlanOptions& options) {
+  const Attempt beside{"contour", options.stepover, !options.stepover}, plain{"contour", options.stepover};
+  if (options.strategy == "contour") return {{beside}, {plain}};
+  if (options.strategy != "auto") return {{{options.strategy, options.stepover}}, {}};
+  Attempts attempts{{beside}, {plain, {"contour", "0.6"}, {"contour", "0.35"}}};
+  if (options.engagement_deg) {
+    // The others begin with a slot.
+    attempts.contest = {{"adaptive", std::nullopt}};
+    return attempts;
+  }
+  for (const char* name : {"zigzag", "spiral"}) attempts.contest.push_back({name, options.stepover});
+  attempts.contest.push_back({"adaptive", std::nullopt});
+  const auto& names = strategy_names();
+  if (std::find(names.begin(), names.end(), "tour") != names.end())
+    attempts.contest.push_back({"tour", std::nullopt});
   return attempts;
 }
 

@@ -41,8 +41,12 @@ const std::vector<Attempt>& rival_attempts();
 /// Throws InputError for an unknown name or a stepover that cannot be read.
 Strategy strategy_for(const Attempt& attempt, const Operation& operation, const PlanOptions& options);
 
-/// What the wanted strategy stands for, best first: one attempt, or under "auto" a list of which each is
-/// tried where the ones before it were not certified clean.
-std::vector<Attempt> attempts_for(const PlanOptions& options);
+/// What the wanted strategy stands for: those among which the fastest is kept, the surest first, and those tried
+/// one after the other where none of them was certified clean.
+struct Attempts {
+  std::vector<Attempt> contest;
+  std::vector<Attempt> fallbacks;
+};
+Attempts attempts_for(const PlanOptions& options);
 
 }  // namespace clearcut

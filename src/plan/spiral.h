@@ -27,7 +27,7 @@ struct SpiralOptions {
 ///         contours are closed passes. Where the legal position is a line, that line.
 /// Error   nothing reachable of the target is left thicker than tol.uncut; turns are no farther apart than the step.
 /// Cost    O(steps tried * (n log n + turns * n log n)).
-/// Source  the idea of [held2009spiral]; turns are built by booleans of offsets instead of by waves along a tree.
+/// Source  the idea of [held2009]; turns are built by booleans of offsets instead of by waves along a tree.
 LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const Tolerances& tol);
 
 }  // namespace clearcut

@@ -27,7 +27,7 @@ struct OrderQuestion {
 
 /// All cells once, cheap in sum.
 ///
-/// Method  Up to nine cells: proven best, by dynamic programming over sets. More: nearest first, then stretches of up
+/// Method  Up to nine cells: proven best, by dynamic programming over sets [held1962]. More: nearest first, then stretches of up
 ///         to three cells are moved to better places while that pays; the ways of cutting are chosen best for each
 ///         order by dynamic programming along it.
 /// Cost    O(2^n n^2) up to nine cells, O(n^2) a round beyond.

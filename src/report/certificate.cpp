@@ -115,12 +115,34 @@ Json layer(const LayerFindings& findings) {
   return json;
 }
 
-Json feature(const FeatureFindings& findings) {
+Json contestant(const Contestant& one) {
+  Json json;
+  json["strategy"] = one.strategy;
+  json["stepover"] = one.stepover;
+  json["outcome"] = name_of(one.outcome);
+  json["time_s"] = number(one.time_s);
+  json["feed_mm"] = number(one.feed_mm);
+  json["least_s"] = number(one.least_s);
+  return json;
+}
+
+/// Which strategy was kept for a workingstep, and all that were considered.
+void add_contest(Json& json, const std::vector<Contest>& contests, int workingstep) {
+  for (const Contest& contest : contests) {
+    if (contest.workingstep != workingstep) continue;
+    json["strategy"] = contest.kept();
+    json["candidates"] = Json::array();
+    for (const Contestant& one : contest.contestants) json["candidates"].push_back(contestant(one));
+  }
+}
+
+Json feature(const FeatureFindings& findings, const std::vector<Contest>& contests) {
   Json json;
   json["name"] = findings.name;
   json["workingstep"] = findings.workingstep;
   json["tool_number"] = findings.tool_number;
   json["tool_diameter"] = number(findings.tool_diameter);
+  add_contest(json, contests, findings.workingstep);
   add_figures(json, findings.figures);
   json["layers"] = Json::array();
   for (const LayerFindings& one : findings.layers) json["layers"].push_back(layer(one));
@@ -152,7 +174,8 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   json["machine"] = info.machine;
   add_figures(json, findings.all);
   json["features"] = Json::array();
-  for (const FeatureFindings& one : findings.features) json["features"].push_back(feature(one));
+  for (const FeatureFindings& one : findings.features)
+    json["features"].push_back(feature(one, info.contests));
   json["faults"] = Json::array();
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -3,20 +3,23 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "part/part.h"
+#include "toolpath/contest.h"
 #include "toolpath/findings.h"
 
 namespace clearcut {
 
 /// What the findings rest on: enough to repeat them.
 struct CertificateInfo {
-  std::string version;       ///< of the software
-  std::uint64_t seed = 0;    ///< of everything random
-  std::string input_hash;    ///< of the bytes of the part's file
-  std::string program_hash;  ///< of the bytes of the program that was judged
-  std::string tool;          ///< tools as asked for, "" when they come with the part
-  std::string machine;       ///< name of the machine whose limits and times were used
+  std::string version;            ///< of the software
+  std::uint64_t seed = 0;         ///< of everything random
+  std::string input_hash;         ///< of the bytes of the part's file
+  std::string program_hash;       ///< of the bytes of the program that was judged
+  std::string tool;               ///< tools as asked for, "" when they come with the part
+  std::string machine;            ///< name of the machine whose limits and times were used
+  std::vector<Contest> contests;  ///< of the workingsteps; empty when a program of unknown origin was judged
 };
 
 /// Shape   one JSON object: what it rests on, the figures of the whole, `features` (each with its figures and

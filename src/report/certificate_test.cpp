@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::Not;
 
-const CertificateInfo kInfo{"1.2.3", 18446744073709551615ULL, "abc", "def", "endmill:10", "small mill"};
+const CertificateInfo kInfo{"1.2.3", 18446744073709551615ULL, "abc", "def", "endmill:10", "small mill", {}};
 
 Json certificate(const Findings& findings) {
   return Json::parse(certificate_json(sample::part(), findings, kInfo));
@@ -101,6 +101,26 @@ TEST(Certificate, NamesThatAreNotUtf8DoNotBreakIt) {
   EXPECT_EQ(json["part"],
             "a\xef\xbf\xbd"
             "b\n\"");
+}
+
+TEST(Certificate, ListsTheStrategiesConsideredForAFeature) {
+  Findings findings;
+  findings.features.resize(2);
+  findings.features[0].workingstep = 0;
+  findings.features[1].workingstep = 1;
+  CertificateInfo info = kInfo;
+  info.contests = {
+      {"pocket",
+       1,
+       {{"zigzag", "", Outcome::kKept, 12.5, 200, 0}, {"spiral", "0.5", Outcome::kCannotWin, 0, 0, 14}}}};
+  const auto json = nlohmann::json::parse(certificate_json(Part{}, findings, info));
+  EXPECT_FALSE(json["features"][0].contains("strategy"));
+  const auto& feature = json["features"][1];
+  EXPECT_EQ(feature["strategy"], "zigzag");
+  ASSERT_EQ(feature["candidates"].size(), 2u);
+  EXPECT_EQ(feature["candidates"][0]["time_s"], 12.5);
+  EXPECT_EQ(feature["candidates"][1]["outcome"], "cannot win");
+  EXPECT_EQ(feature["candidates"][1]["least_s"], 14);
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+// What the strategies came to, feature by feature.
+#pragma once
+
+#include <vector>
+
+#include "report/text_table.h"
+#include "toolpath/contest.h"
+
+namespace clearcut {
+
+/// One row a feature and strategy: time, feed length, what became of it. Times with ">" are bounds of what was not
+/// planned because it cannot win.
+TextTable contest_table(const std::vector<Contest>& contests);
+
+}  // namespace clearcut
