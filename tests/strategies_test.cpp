@@ -145,8 +145,12 @@ TEST(Auto, KeepsTheFastestOfThosePlannedAndListsAll) {
     for (const char* name : {"contour", "zigzag", "spiral", "adaptive"}) {
       const auto* one = contestant(contest, name);
       ASSERT_TRUE(one) << name;
-      if (one->time_s > 0) EXPECT_LE(kept->time_s, one->time_s) << seed << " " << name;
-      if (one->outcome == Outcome::kCannotWin) EXPECT_GE(one->least_s, kept->time_s) << seed << " " << name;
+      if (one->time_s > 0) {
+        EXPECT_LE(kept->time_s, one->time_s) << seed << " " << name;
+      }
+      if (one->outcome == Outcome::kCannotWin) {
+        EXPECT_GE(one->least_s, kept->time_s) << seed << " " << name;
+      }
     }
   }
 }
