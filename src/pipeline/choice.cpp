@@ -28,7 +28,7 @@ double least_way(const std::string& strategy, const StepPlan& known, double radi
   // Grids are followed by passes along the walls.
   if (strategy == "tour") return known.legal_mm2 / (2 * radius) + known.legal_rim_mm;
   if (strategy == "adaptive") {
-    return known.legal_mm2 / (radius * (1 - std::cos(AdaptiveOptions{}.engagement.radians())));
+    return reached / (radius * (1 - std::cos(AdaptiveOptions{}.engagement.radians())));
   }
   return plain;
 }
@@ -83,6 +83,8 @@ void Choice::plan_others(const PlanOptions& options) {
     auto& tries = candidates_[step].tries;
     const StepPlan& known = tries.front().plan;
     if (known.hole || !known.pocket || known.section.moves.empty() || !steps_[step].small) continue;
+    // Where the cutter has hardly room to move there is nothing to choose.
+    if (known.legal_mm2 < steps_[step].tool_radius * steps_[step].tool_radius) continue;
     double best = known.time_s;
     for (std::size_t k = 1; k < std::min(kFirst, tries.size()); ++k)
       best = std::min(best, tries[k].plan.time_s);
