@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "base/error.h"
+#include "base/units.h"
 
 namespace clearcut {
 namespace {
@@ -168,7 +169,10 @@ Edge joined(Vec2 from, Vec2 to, const Piece& piece, const Sources& sources) {
   const bool along = t_from <= t_to;
   const Turn turn =
       along == (source.turn == Turn::kCounterClockwise) ? Turn::kCounterClockwise : Turn::kClockwise;
-  return Edge::arc(from, to, source.center, turn);
+  const Edge arc = Edge::arc(from, to, source.center, turn);
+  // Ends that all but coincide on the source may stand the other way about it: then the arc would go all round.
+  return std::abs(arc.sweep()) > std::abs(source.sweep() * (t_to - t_from)) + kPi ? Edge::line(from, to)
+                                                                                  : arc;
 }
 
 Loop loop_of(const ClipperLib::Path& path, const Sources& sources, const Tolerances& tol) {

@@ -155,7 +155,8 @@ class AdaptivePlanner {
     constexpr int kRings = 6, kSpokes = 24;
     int fresh = 0;
     for (int i = 0; i < kRings * kSpokes; ++i) {
-      const double rho = disc.radius * std::sqrt((i / kSpokes + 0.5) / kRings);
+      const int ring = i / kSpokes;
+      const double rho = disc.radius * std::sqrt((ring + 0.5) / kRings);
       const Vec2 p = disc.center + direction_of(2 * kPi * (i % kSpokes) / kSpokes) * rho;
       fresh += std::none_of(rooms.begin(), rooms.end(),
                             [&](const Disc& room) { return distance(room.center, p) < room.radius; });
