@@ -23,9 +23,9 @@
 namespace clearcut {
 namespace {
 
-/// Edges of an outline: above the first, strategies that take long are not tried; above the second, only the first is.
-constexpr std::size_t kMostEdges = 2000;
-constexpr std::size_t kMostEdgesAtAll = 20000;
+/// Edges of an outline: above the first, strategies whose time grows faster than the edges are not tried; above the second, only the first is.
+constexpr std::size_t kMostEdges = 60;
+constexpr std::size_t kMostEdgesAtAll = 120;
 
 const Tool& tool_of(const Part& part, const Workingstep& step) {
   return part.tools.at(static_cast<std::size_t>(step.operation.tool));
