@@ -26,7 +26,7 @@ struct Example {
   double stepdown;                  ///< mm
 };
 
-constexpr Example kExamples[] = {{"bracket.dxf", "endmill:6", 2}};
+constexpr Example kExamples[] = {{"bracket.dxf", "endmill:6", 2}, {"fishhead.p21", std::nullopt, 50}};
 
 struct Case {
   Example example;

@@ -152,8 +152,9 @@ std::optional<Vec2> label_point(const Part& part, int feature) {
   std::optional<Vec2> best;
   double best_room = 0;
   for (int i = 0; i < kSamples * kSamples; ++i) {
-    const Vec2 p{box.min.x + box.width() * (i % kSamples + 0.5) / kSamples,
-                 box.min.y + box.height() * (i / kSamples + 0.5) / kSamples};
+    const int column = i % kSamples, row = i / kSamples;
+    const Vec2 p{box.min.x + box.width() * (column + 0.5) / kSamples,
+                 box.min.y + box.height() * (row + 0.5) / kSamples};
     if (!contains(f.target, p) || (part.stock && !part.stock->plan.contains(p))) continue;
     double room = std::numeric_limits<double>::infinity();
     for (const Feature& other : part.features) {

@@ -120,8 +120,8 @@ double draw_panels(SvgWriter& svg, const Job& job, double top) {
   for (int i = 0; i < count; ++i) {
     PlanView view;
     view.world = world_of(job, features[static_cast<std::size_t>(i)]);
-    view.corner = {kPageMargin + (i % kPanelColumns) * (width + kGap),
-                   top + kCaptionHeight + (i / kPanelColumns) * row_height};
+    const int column = i % kPanelColumns, row = i / kPanelColumns;
+    view.corner = {kPageMargin + column * (width + kGap), top + kCaptionHeight + row * row_height};
     view.width = width;
     view.height = height;
     draw_panel(svg, job, features[static_cast<std::size_t>(i)], view);

@@ -64,8 +64,8 @@ void LegalArea::mark_empty_cells() {
 }
 
 Box LegalArea::cell_box(std::size_t cell) const {
-  const Vec2 low =
-      box_.min + Vec2{static_cast<double>(cell % columns_), static_cast<double>(cell / columns_)} * cell_;
+  const std::size_t column = cell % columns_, row = cell / columns_;
+  const Vec2 low = box_.min + Vec2{static_cast<double>(column), static_cast<double>(row)} * cell_;
   return {low, low + Vec2{cell_, cell_}};
 }
 
