@@ -39,10 +39,4 @@ function(clearcut_link_packages)
       target_link_libraries(clearcut_${module} PUBLIC ${package})
     endif()
   endforeach()
-  if(OpenCASCADE_FOUND)
-    target_link_libraries(clearcut_read PRIVATE TKSTEP TKXSBase TKTopAlgo TKBRep TKG3d TKMath TKernel)
-    set_source_files_properties(src/read/step_solid/solid_model.cpp PROPERTIES
-      COMPILE_DEFINITIONS CLEARCUT_STEP_SOLIDS
-      COMPILE_OPTIONS "-isystem;${OpenCASCADE_INCLUDE_DIR}")
-  endif()
 endfunction()

@@ -238,19 +238,14 @@ TEST(StepSolid, DamagedFilesAreReadOrRefused) {
 
 TEST(DoneApart, HandsOverMoreThanAPipeHolds) {
   const std::string long_text(1 << 20, 'x');
-  EXPECT_EQ(done_apart([&] { return long_text; }, 10), long_text);
+  EXPECT_EQ(done_apart({"/bin/cat"}, long_text, 10), long_text);
 }
 
 TEST(DoneApart, CrashesErrorsAndEndlessWorkAreNothing) {
-  EXPECT_EQ(done_apart([]() -> std::string { std::abort(); }, 10), std::nullopt);
-  EXPECT_EQ(done_apart([]() -> std::string { throw std::runtime_error("no"); }, 10), std::nullopt);
-  volatile bool on = true;
-  const auto endless = [&]() -> std::string {
-    while (on) {
-    }
-    return "";
-  };
-  EXPECT_EQ(done_apart(endless, 1), std::nullopt);
+  EXPECT_EQ(done_apart({"/bin/sh", "-c", "echo half; kill -SEGV $$"}, "", 10), std::nullopt);
+  EXPECT_EQ(done_apart({"/bin/sh", "-c", "echo half; exit 3"}, "", 10), std::nullopt);
+  EXPECT_EQ(done_apart({"/bin/sh", "-c", "while :; do :; done"}, "", 1), std::nullopt);
+  EXPECT_EQ(done_apart({"/nonexistent/program"}, "", 10), std::nullopt);
 }
 
 }  // namespace

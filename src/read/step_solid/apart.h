@@ -1,17 +1,19 @@
-// Work that may crash or never end, done in a process of its own.
+// Work that may crash or never end, done by a program of its own.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace clearcut {
 
-/// What `work` returns; nothing where it crashed, or took more than `seconds` of processor time. It runs in a
-/// copy of this process without standard output: nothing else that it does is seen here.
+/// What the program `command` (its path, then its arguments) writes when it is given `input`; nothing where it crashed,
+/// failed, or took more than `seconds` of processor time. What it says on standard error is dropped.
 ///
-/// Throws  std::system_error where no process can be started.
-/// Cost    about a millisecond on top of the work's.
-std::optional<std::string> done_apart(const std::function<std::string()>& work, int seconds);
+/// Throws  std::system_error where it cannot be started.
+/// Cost    about a millisecond on top of the program's own.
+std::optional<std::string> done_apart(const std::vector<std::string>& command, std::string_view input,
+                                      int seconds);
 
 }  // namespace clearcut

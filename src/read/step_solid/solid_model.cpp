@@ -1,46 +1,8 @@
-// The only file that knows Open CASCADE.
 #include "read/step_solid/solid_model.h"
 
+#include <filesystem>
+
 #include "base/error.h"
-
-#ifndef CLEARCUT_STEP_SOLIDS
-
-namespace clearcut {
-
-bool solids_can_be_read() {
-  return false;
-}
-
-SolidModel load_solid(std::string_view, const std::string& file_name) {
-  throw InputError(
-      file_name,
-      "a STEP solid, and this build reads none; install libocct-data-exchange-dev (Open CASCADE) "
-      "and build again");
-}
-
-}  // namespace clearcut
-
-#else
-
-#include <BRepAdaptor_Curve.hxx>
-#include <BRepAdaptor_Surface.hxx>
-#include <BRepBndLib.hxx>
-#include <BRepLib.hxx>
-#include <BRepTools.hxx>
-#include <BRep_Tool.hxx>
-#include <Bnd_Box.hxx>
-#include <STEPControl_Reader.hxx>
-#include <Standard_Failure.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
-#include <TopoDS_Solid.hxx>
-#include <cmath>
-#include <sstream>
-
-#include "base/units.h"
-#include "read/outline/curve_fit.h"
 #include "read/part21/part21.h"
 #include "read/step_solid/apart.h"
 #include "read/step_solid/model_bytes.h"
@@ -48,216 +10,35 @@ SolidModel load_solid(std::string_view, const std::string& file_name) {
 namespace clearcut {
 namespace {
 
-/// A direction's component below this counts as zero: 1 um over a metre.
-constexpr double kSquare = 1e-6;
-/// mm. Shorter edges in plan view are vertical edges of the solid.
-constexpr double kVertical = 1e-6;
 /// Seconds of the processor.
 constexpr int kLongestRead = 120;
-/// mm. The kernel's box is taken to the faces' own extents where it differs by less.
-constexpr double kBoxSlack = 1e-3;
 
-Vec2 plan_of(const gp_Pnt& p) {
-  return {p.X(), p.Y()};
-}
-
-std::string surface_name(GeomAbs_SurfaceType type) {
-  switch (type) {
-    case GeomAbs_Plane:
-      return "plane";
-    case GeomAbs_Cylinder:
-      return "cylinder";
-    case GeomAbs_Cone:
-      return "cone";
-    case GeomAbs_Sphere:
-      return "sphere";
-    case GeomAbs_Torus:
-      return "torus";
-    default:
-      return "free surface";
-  }
-}
-
-/// A horizontal circle or part of it, in the sense of its parameter.
-Path circular(const gp_Circ& circle, double first, double last) {
-  const Vec2 center = plan_of(circle.Location());
-  const auto turn = circle.Axis().Direction().Z() > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
-  const auto at = [&](double t) {
-    const gp_XYZ p = circle.Location().XYZ() +
-                     circle.XAxis().Direction().XYZ() * (circle.Radius() * std::cos(t)) +
-                     circle.YAxis().Direction().XYZ() * (circle.Radius() * std::sin(t));
-    return Vec2{p.X(), p.Y()};
-  };
-  const double middle = (first + last) / 2;
-  const bool full = last - first > 2 * kPi - 1e-9;
-  const Vec2 end = full ? at(first) : at(last);
-  if (!full && last - first < 1.5 * kPi) return {Edge::arc(at(first), end, center, turn)};
-  return {Edge::arc(at(first), at(middle), center, turn), Edge::arc(at(middle), end, center, turn)};
-}
-
-/// An edge in plan view, in the sense of its orientation; empty for vertical ones.
-Path projected(const TopoDS_Edge& edge) {
-  if (BRep_Tool::Degenerated(edge)) return {};
-  const BRepAdaptor_Curve curve(edge);
-  const double first = curve.FirstParameter(), last = curve.LastParameter();
-  const Vec2 from = plan_of(curve.Value(first)), to = plan_of(curve.Value(last));
-  Path path;
-  if (curve.GetType() == GeomAbs_Line) {
-    if (distance(from, to) > kVertical) path = {Edge::line(from, to)};
-  } else if (curve.GetType() == GeomAbs_Circle &&
-             std::abs(curve.Circle().Axis().Direction().Z()) > 1 - kSquare * kSquare) {
-    path = circular(curve.Circle(), first, last);
-  } else {
-    append_fitted([&](double t) { return plan_of(curve.Value(first + t * (last - first))); }, kCurveTolerance,
-                  path);
-  }
-  return edge.Orientation() == TopAbs_REVERSED ? reversed(path) : path;
-}
-
-gp_Vec outward(const BRepAdaptor_Surface& surface, const TopoDS_Face& face, double u, double v) {
-  gp_Pnt p;
-  gp_Vec du, dv;
-  surface.D1(u, v, p, du, dv);
-  gp_Vec normal = du.Crossed(dv);
-  if (normal.Magnitude() < 1e-12) return {0, 0, 0};
-  normal.Normalize();
-  if (face.Orientation() == TopAbs_REVERSED) normal.Reverse();
-  return normal;
-}
-
-/// By the normals on a grid over the face; one of them for a plane.
-Facing facing_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face) {
-  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-  BRepTools::UVBounds(face, u0, u1, v0, v1);
-  const int steps = surface.GetType() == GeomAbs_Plane ? 1 : 16;
-  bool up = false, down = false;
-  for (int i = 0; i <= steps; ++i) {
-    for (int j = 0; j <= steps; ++j) {
-      const double z = outward(surface, face, u0 + (u1 - u0) * i / steps, v0 + (v1 - v0) * j / steps).Z();
-      up = up || z > kSquare;
-      down = down || z < -kSquare;
-    }
-  }
-  if (up && down) return Facing::kMixed;
-  if (up) return Facing::kUp;
-  return down ? Facing::kDown : Facing::kUpright;
-}
-
-std::optional<WallFront> front_of(const gp_Vec& normal, const Box& plan) {
-  if (std::abs(normal.Z()) > kSquare) return std::nullopt;
-  if (std::abs(normal.X()) > kSquare && std::abs(normal.Y()) > kSquare) return std::nullopt;
-  const Vec2 outward_plan{std::round(normal.X()), std::round(normal.Y())};
-  return WallFront{outward_plan, plan.center() + outward_plan * 0.01};
-}
-
-SolidFace face_of(const TopoDS_Face& face, int number) {
-  const BRepAdaptor_Surface surface(face);
-  SolidFace out;
-  out.number = number;
-  out.surface = surface_name(surface.GetType());
-  out.facing = facing_of(surface, face);
-  Bnd_Box box;
-  BRepBndLib::Add(face, box, false);
-  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  box.Get(x0, y0, out.z_low, x1, y1, out.z_high);
-  out.plan = {{x0, y0}, {x1, y1}};
-  if (surface.GetType() == GeomAbs_Plane) {
-    const gp_Vec normal = outward(surface, face, 0, 0);
-    out.level = std::abs(normal.Z()) > 1 - kSquare * kSquare;
-    if (out.level) out.z_low = out.z_high = surface.Plane().Location().Z();
-    out.front = front_of(normal, out.plan);
-  }
-  if (out.facing != Facing::kUp) return out;
-  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
-    Path path = projected(TopoDS::Edge(edges.Current()));
-    if (!path.empty()) out.outline.push_back(std::move(path));
-  }
-  return out;
-}
-
-void take_nearest(double& value, double candidate) {
-  if (std::abs(value - candidate) < kBoxSlack) value = candidate;
-}
-
-/// The box of the whole, exact where lines, circles and levels make it.
-void set_box(const Bnd_Box& box, SolidModel& solid) {
-  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  box.Get(x0, y0, solid.z_bottom, x1, y1, solid.z_top);
-  Box edges;
-  for (const SolidFace& face : solid.faces) {
-    for (const Path& path : face.outline) edges.add(clearcut::box(path));
-    if (!face.level) continue;
-    take_nearest(solid.z_bottom, face.z_low);
-    take_nearest(solid.z_top, face.z_high);
-  }
-  solid.plan = {{x0, y0}, {x1, y1}};
-  if (edges.empty()) return;
-  take_nearest(solid.plan.min.x, edges.min.x);
-  take_nearest(solid.plan.min.y, edges.min.y);
-  take_nearest(solid.plan.max.x, edges.max.x);
-  take_nearest(solid.plan.max.y, edges.max.y);
-}
-
-SolidModel model_of(const TopoDS_Shape& shape, const std::string& file_name) {
-  SolidModel solid;
-  Bnd_Box box;
-  box.SetGap(0);
-  for (TopExp_Explorer bodies(shape, TopAbs_SOLID); bodies.More(); bodies.Next()) {
-    TopoDS_Solid body = TopoDS::Solid(bodies.Current());
-    BRepLib::OrientClosedSolid(body);
-    BRepBndLib::AddOptimal(body, box, false, false);
-    ++solid.bodies;
-    for (TopExp_Explorer faces(body, TopAbs_FACE); faces.More(); faces.Next())
-      solid.faces.push_back(face_of(TopoDS::Face(faces.Current()), static_cast<int>(solid.faces.size()) + 1));
-  }
-  if (solid.faces.empty() || box.IsVoid())
-    throw InputError(file_name, "the STEP file holds no solid; export the part as a solid body");
-  set_box(box, solid);
-  return solid;
-}
-
-SolidModel read_with_kernel(std::string_view text, const std::string& file_name) {
-  STEPControl_Reader reader;
-  std::istringstream stream{std::string(text)};
-  if (reader.ReadStream(file_name.c_str(), stream) != IFSelect_RetDone)
-    throw InputError(file_name, "Open CASCADE cannot read this STEP file; export the solid again");
-  reader.TransferRoots();
-  const TopoDS_Shape shape = reader.OneShape();
-  if (shape.IsNull())
-    throw InputError(file_name, "the STEP file holds no solid; export the part as a solid body");
-  return model_of(shape, file_name);
-}
-
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
-  return text;
-}
-
-/// The solid after an 'S', or after an 'E' why there is none.
-std::string answer(std::string_view text, const std::string& file_name) {
-  try {
-    return "S" + bytes_of(read_with_kernel(text, file_name));
-  } catch (const InputError& error) {
-    return std::string("E") + error.what();
-  } catch (const Standard_Failure& failure) {
-    const char* reason = failure.GetMessageString();
-    return "E" + file_name + ": Open CASCADE cannot read this solid (" + failure.DynamicType()->Name() +
-           (reason && *reason ? ": " + one_line(reason) : "") + "); export it again";
-  }
+/// The program that knows the CAD kernel: beside this one, or where it was built. Empty where there is none.
+std::string reader_of_solids() {
+  std::error_code none;
+  const auto beside =
+      std::filesystem::read_symlink("/proc/self/exe", none).replace_filename("clearcut-solids");
+  for (const std::filesystem::path& place : {beside, std::filesystem::path(CLEARCUT_SOLIDS)})
+    if (!place.empty() && std::filesystem::exists(place, none)) return place.string();
+  return {};
 }
 
 }  // namespace
 
 bool solids_can_be_read() {
-  return true;
+  return !reader_of_solids().empty();
 }
 
 SolidModel load_solid(std::string_view text, const std::string& file_name) {
+  const std::string reader = reader_of_solids();
+  if (reader.empty())
+    throw InputError(
+        file_name,
+        "a STEP solid, and this build reads none; install libocct-data-exchange-dev (Open CASCADE) "
+        "and build again");
   // Names the line of a broken file, which the kernel does not.
   parse_part21(text, file_name);
-  // The kernel crashes on some damaged files.
-  const auto got = done_apart([&] { return answer(text, file_name); }, kLongestRead);
+  const auto got = done_apart({reader, file_name}, text, kLongestRead);
   if (!got || got->empty())
     throw InputError(file_name, "Open CASCADE breaks down over this solid, or takes more than " +
                                     std::to_string(kLongestRead) + " s; export it again");
@@ -266,5 +47,3 @@ SolidModel load_solid(std::string_view text, const std::string& file_name) {
 }
 
 }  // namespace clearcut
-
-#endif

@@ -1,0 +1,13 @@
+// What the CAD kernel makes of a STEP file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace clearcut {
+
+/// The solid as bytes_of after an 'S', or after an 'E' in one line why there is none. The kernel crashes on some damaged
+/// files and takes minutes for others: to be run in a process of its own.
+std::string solid_answer(std::string_view text, const std::string& file_name);
+
+}  // namespace clearcut
