@@ -337,7 +337,7 @@ TEST(Contour, BeginsWhereAsked) {
 }
 
 TEST(Contour, LayersOfOneOutlineArePlannedOnce) {
-  ContourPlanner planner({}, kTol);
+  const Strategy planner = once_per_outline([](const Layer& layer) { return plan_contour(layer, {}, kTol); });
   Layer layer = pocket_layer(rectangle(50, 40), 6);
   const auto first = planner(layer);
   layer.z_top = -2;

@@ -138,6 +138,12 @@ double area(const Regions& regions) {
   return sum;
 }
 
+std::size_t edge_count(const Regions& regions) {
+  std::size_t count = 0;
+  for (const Region& region : regions) count += region.edges().size();
+  return count;
+}
+
 Box box(const Regions& regions) {
   Box all;
   for (const Region& region : regions) all.add(region.box());

@@ -56,6 +56,7 @@ class Region {
 /// Regions with disjoint interiors.
 using Regions = std::vector<Region>;
 double area(const Regions& regions);
+std::size_t edge_count(const Regions& regions);
 Box box(const Regions& regions);
 bool contains(const Regions& regions, Vec2 p);
 

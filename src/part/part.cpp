@@ -41,4 +41,12 @@ double Part::safe_z() const {
   return clearance_z.value_or(top_z() + kSafeHeight);
 }
 
+const Tool& tool_of(const Part& part, const Workingstep& step) {
+  return part.tools.at(static_cast<std::size_t>(step.operation.tool));
+}
+
+const Feature& feature_of(const Part& part, const Workingstep& step) {
+  return part.features.at(static_cast<std::size_t>(step.feature));
+}
+
 }  // namespace clearcut

@@ -110,6 +110,10 @@ struct Part {
   double safe_z() const;  ///< clearance_z or top + 10
 };
 
+/// What a step works with and on.
+const Tool& tool_of(const Part& part, const Workingstep& step);
+const Feature& feature_of(const Part& part, const Workingstep& step);
+
 /// The outline of `regions` at depth `below_top` mm under a feature with leaning walls (SPEC B4).
 Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol);
 /// Sets top_z of every feature in workplan order to the height that the features before it leave standing over its

@@ -14,14 +14,6 @@
 namespace clearcut {
 namespace {
 
-const Tool& tool_of(const Part& part, const Workingstep& step) {
-  return part.tools.at(static_cast<std::size_t>(step.operation.tool));
-}
-
-const Feature& feature_of(const Part& part, const Workingstep& step) {
-  return part.features.at(static_cast<std::size_t>(step.feature));
-}
-
 std::string stock_line(const Part& part) {
   if (!part.stock) return "STOCK: NOT GIVEN";
   const auto& stock = *part.stock;

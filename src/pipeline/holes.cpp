@@ -28,8 +28,8 @@ bool is_bored(const HoleWork& work, const Feature& feature, const Workingstep& s
 std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingstep, const Part& part,
                                  const PlanOptions& options) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  const auto& feature = part.features.at(static_cast<std::size_t>(step.feature));
-  const auto& tool = part.tools.at(static_cast<std::size_t>(step.operation.tool));
+  const auto& feature = feature_of(part, step);
+  const auto& tool = tool_of(part, step);
   const auto hole = round_hole_of(feature, options.tol);
   std::optional<Section> section;
   if (hole && !layers.empty()) {

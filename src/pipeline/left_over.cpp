@@ -25,10 +25,6 @@ const Workingstep& step_at(const Part& part, int index) {
   return part.workplan.at(static_cast<std::size_t>(index));
 }
 
-const Tool& tool_of(const Part& part, const Operation& operation) {
-  return part.tools.at(static_cast<std::size_t>(operation.tool));
-}
-
 Regions inset_all(const Regions& regions, double distance, const Tolerances& tol) {
   Regions out;
   for (const Region& region : regions) {
@@ -90,9 +86,8 @@ Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, con
 bool reaches(const Part& part, const Workingstep& step, double z) {
   const Operation& operation = step.operation;
   if (operation.kind == OperationKind::kSideFinishing) return false;  // along the walls alone
-  const double floor =
-      part.features.at(static_cast<std::size_t>(step.feature)).floor_z + operation.allowance_floor;
-  return floor <= z + kSameHeight && !only_plunges(tool_of(part, operation));
+  const double floor = feature_of(part, step).floor_z + operation.allowance_floor;
+  return floor <= z + kSameHeight && !only_plunges(tool_of(part, step));
 }
 
 }  // namespace
@@ -101,12 +96,12 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer, const P
   const Workingstep& own = step_at(part, workingstep);
   const Tolerances& tol = options.tol;
   Regions left = layer.target;
-  const bool upright = part.features.at(static_cast<std::size_t>(own.feature)).wall_slope.radians() == 0;
+  const bool upright = feature_of(part, own).wall_slope.radians() == 0;
   for (int i = 0; upright && i < workingstep && !left.empty(); ++i) {
     const Workingstep& step = step_at(part, i);
     if (step.feature != own.feature || !reaches(part, step, layer.z)) continue;
     const double stock = step.operation.allowance_side + layer.reserve;
-    left = subtract(left, reach_of(layer.allowed, tool_of(part, step.operation).radius(), stock, tol), tol);
+    left = subtract(left, reach_of(layer.allowed, tool_of(part, step).radius(), stock, tol), tol);
   }
   if (options.earlier && !left.empty())
     left = subtract(left, cut_by_program(*options.earlier, part, layer.z, box(left), tol), tol);
@@ -123,7 +118,7 @@ bool follows_milling(const Part& part, int workingstep) {
   const Workingstep& own = step_at(part, workingstep);
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = step_at(part, i);
-    if (step.feature == own.feature && !only_plunges(tool_of(part, step.operation))) return true;
+    if (step.feature == own.feature && !only_plunges(tool_of(part, step))) return true;
   }
   return false;
 }

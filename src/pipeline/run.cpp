@@ -6,16 +6,13 @@
 
 #include "base/error.h"
 #include "base/format.h"
-#include "geometry/boolean.h"
 #include "link/slot_feed.h"
 #include "part/round_hole.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
-#include "pipeline/holes.h"
-#include "pipeline/left_over.h"
 #include "pipeline/prepare.h"
+#include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
-#include "plan/layers.h"
 #include "plan/walls.h"
 #include "read/gcode/gcode.h"
 #include "toolpath/kinematics.h"
@@ -23,149 +20,48 @@
 namespace clearcut {
 namespace {
 
-/// Edges of an outline: above the first, strategies whose time grows faster than the edges are not tried; above the second, only the first is.
+/// Edges of an outline: above the first, strategies whose time grows faster than the edges are not tried; above
+/// the second, only the first is.
 constexpr std::size_t kMostEdges = 60;
 constexpr std::size_t kMostEdgesAtAll = 120;
 
-const Tool& tool_of(const Part& part, const Workingstep& step) {
-  return part.tools.at(static_cast<std::size_t>(step.operation.tool));
-}
-
-const Feature& feature_of(const Part& part, const Workingstep& step) {
-  return part.features.at(static_cast<std::size_t>(step.feature));
-}
+/// mm. What others cleared may hold films up to this thick: no place for rapids.
+constexpr double kFilmOfOthers = 0.01;
 
 /// Where nobody says how to go down: a helix under limited engagement and for cutters that cannot plunge.
 EntryKind default_entry(const Tool& tool, const Attempt& attempt) {
   return tool.center_cutting && attempt.strategy != "adaptive" ? EntryKind::kPlunge : EntryKind::kHelix;
 }
 
-bool has_open_side(const Feature& feature) {
-  return feature.kind != FeatureKind::kClosedPocket && feature.kind != FeatureKind::kRoundHole;
-}
-
-/// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
-/// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path.
-double printing_reserve(const PlanOptions& options) {
-  PostOptions metric = options.post, inch = options.post;
-  metric.inch = false;
-  inch.inch = true;
-  return std::max(
-      {0.0, rounding_of(metric) - options.tol.gouge / 2, rounding_of(inch) - options.tol.gouge / 2});
-}
-
-/// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning
-/// walls to layers that begin elsewhere.
-bool is_bare(const Part& part, const Feature& feature) {
-  if (feature.wall_slope.radians() != 0) return true;
-  const Box here = box(feature.target);
-  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
-    return other.floor_z < feature.floor_z && box(other.target).overlaps(here);
-  });
-}
-
-/// The layers of one workingstep over which something still stands. Open features cut only that; in closed
-/// ones the walls bound every pass, so the whole layer is cut.
-std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, const PlanOptions& options) {
-  const auto& feature = feature_of(part, step);
-  Operation operation = step.operation;
-  const double reserve = printing_reserve(options);
-  operation.allowance_side += reserve;
-  operation.allowance_floor += reserve;
-  const Tool& tool = tool_of(part, step);
-  auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius);
-  for (auto& layer : layers) {
-    layer.reserve = reserve;
-    Regions standing = standing_target(part, step.feature, layer.z, options.tol);
-    // It stands in the outline at the top: between leaning walls there is less.
-    if (feature.wall_slope.radians() != 0) standing = intersect(standing, layer.allowed, options.tol);
-    if (standing.empty() || has_open_side(feature)) layer.target = standing;
-    layer.bare = is_bare(part, feature);
-  }
-  std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
-  return layers;
-}
-
-/// A layer as it is to be planned.
-struct LayerLeft {
-  Layer layer;
-  bool walls_only = false;
-  bool rest = false;  ///< cleared by others around its target
-};
-
-/// mm. What others cleared may hold films up to this thick: no place for rapids.
-constexpr double kFilmOfOthers = 0.01;
-
-bool finishes(const Operation& operation) {
-  return operation.kind == OperationKind::kFinishing || operation.kind == OperationKind::kSideFinishing ||
-         operation.kind == OperationKind::kBottomFinishing;
-}
-
-/// mm. Most stock that one pass along the walls finishes, of the cutter's diameter.
-constexpr double kThinStock = 0.5;
-
-/// What one pass along its walls finishes: thin stock in a pocket closed all round, above the floor or at a floor that is
-/// finished otherwise.
-bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
-                       const Layer& layer, const PlanOptions& options) {
-  if (has_open_side(feature) || !finishes(step.operation)) return false;
-  if (step.operation.kind == OperationKind::kFinishing && last) return false;
-  return !is_thicker_than(left, 2 * kThinStock * layer.tool_radius, options.tol);
-}
-
-/// The layers with what earlier steps of the feature or an earlier program have left of them, where the step is to cut
-/// that alone: rest machining and finishing.
-std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const Part& part,
-                                   const PlanOptions& options) {
-  const auto& step = part.workplan[static_cast<std::size_t>(index)];
-  const bool finishing = finishes(step.operation) && follows_milling(part, index);
-  std::vector<LayerLeft> out;
-  for (std::size_t i = 0; i < layers.size(); ++i) {
-    const bool last = i + 1 == layers.size();
-    if (finishing && step.operation.kind == OperationKind::kBottomFinishing && !last) continue;
-    LayerLeft one{layers[i]};
-    const bool whole_floor = finishing && last && step.operation.kind != OperationKind::kSideFinishing;
-    if (!whole_floor && (finishing || step.operation.rest || options.earlier)) {
-      const Regions left = left_over(part, index, one.layer, options);
-      one.walls_only =
-          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, options);
-      if (!one.walls_only) one.layer.target = left;
-      one.rest = true;
-    }
-    if (!one.layer.target.empty()) out.push_back(std::move(one));
-  }
-  return out;
-}
-
 void add_size(StepPlan& plan, const Layer& layer, const LayerPasses& passes) {
   plan.legal_mm2 += area(passes.legal);
-  std::size_t edges = 0;
   for (const auto& region : passes.legal) {
     for (const auto& edge : region.edges()) plan.legal_rim_mm += edge.length();
-    edges += region.edges().size();
   }
   const double whole = area(layer.allowed);
-  plan.pocket = plan.pocket && edges <= kMostEdges && whole - area(layer.target) <= 1e-9 * whole;
+  plan.pocket =
+      plan.pocket && edge_count(passes.legal) <= kMostEdges && whole - area(layer.target) <= 1e-9 * whole;
 }
 
 /// What a strategy makes of one workingstep.
-StepPlan plan_step(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
-  const auto& step = part.workplan[static_cast<std::size_t>(index)];
+StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attempt,
+                   const PlanOptions& options) {
+  const auto& step = part.workplan[static_cast<std::size_t>(work.workingstep)];
   const auto strategy = strategy_for(attempt, step.operation, options);
-  const auto layers = standing_layers(part, step, options);
   StepPlan plan;
-  if (auto hole = hole_step(layers, index, part, options)) {
-    plan.section = *std::move(hole);
+  if (work.hole) {
+    plan.section = *work.hole;
     plan.hole = true;
   } else {
     std::vector<LayerPasses> passes;
-    for (const auto& layer : layers_left(layers, index, part, options)) {
+    for (const auto& layer : work.layers) {
       passes.push_back(layer.walls_only ? plan_walls(layer.layer, options.tol) : strategy(layer.layer));
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
       add_size(plan, layer.layer, passes.back());
       plan.pocket = plan.pocket && !layer.rest;
     }
-    plan.section = link_step(passes, index, default_entry(tool_of(part, step), attempt), part, options);
+    const EntryKind entry = default_entry(tool_of(part, step), attempt);
+    plan.section = link_step(passes, work.workingstep, entry, part, options);
   }
   plan.time_s = kinematic_time(plan.section.moves, options.machine).seconds();
   return plan;
@@ -176,10 +72,8 @@ std::vector<ChoiceStep> choice_steps(const Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
     const auto& feature = feature_of(part, step);
-    std::size_t edges = 0;
-    for (const auto& region : feature.allowed) edges += region.edges().size();
     steps.push_back({feature.name, static_cast<int>(i), tool_of(part, step).radius(),
-                     *step.operation.cutting.feed, edges <= kMostEdgesAtAll});
+                     *step.operation.cutting.feed, edge_count(feature.allowed) <= kMostEdgesAtAll});
   }
   return steps;
 }
@@ -199,20 +93,15 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const PlanOp
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
 constexpr std::size_t kMostEdgesForRivals = 400;
 
-std::size_t edges_of(const Feature& feature) {
-  std::size_t count = 0;
-  for (const auto& region : feature.allowed) count += region.edges().size();
-  return count;
-}
-
 /// The plan of an attempt, or of a rival that is faster.
-StepPlan fastest_plan(int index, const Part& part, const Attempt& attempt, const PlanOptions& options) {
-  StepPlan best = plan_step(index, part, attempt, options);
-  const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
-  const bool alone = !attempt.beside_rivals || best.hole || edges_of(feature) > kMostEdgesForRivals;
+StepPlan fastest_plan(const StepWork& work, const Part& part, const Attempt& attempt,
+                      const PlanOptions& options) {
+  StepPlan best = plan_step(work, part, attempt, options);
+  const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
+  const bool alone = !attempt.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
   for (const auto& rival : rival_attempts()) {
-    StepPlan plan = plan_step(index, part, rival, options);
+    StepPlan plan = plan_step(work, part, rival, options);
     if (plan.section.moves.empty() || plan.time_s >= best.time_s) continue;
     best.section = std::move(plan.section);
     best.time_s = plan.time_s;
@@ -258,7 +147,8 @@ void report_notes(const Choice& choice, Part& part) {
   }
 }
 
-void report_what_does_not_fit(Part& part, const Choice& choice, const PlanOptions& options) {
+void report_what_does_not_fit(Part& part, const Choice& choice, const std::vector<StepWork>& works,
+                              const PlanOptions& options) {
   bool nothing = true;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) nothing = nothing && choice.section(i).moves.empty();
   if (nothing) {
@@ -270,8 +160,7 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const PlanOption
     if (!choice.section(i).moves.empty()) continue;
     const bool fits =
         tool_of(part, step).diameter <= largest_fitting_diameter(feature_of(part, step), options.tol);
-    const auto layers = standing_layers(part, step, options);
-    if (fits && layers_left(layers, static_cast<int>(i), part, options).empty()) continue;
+    if (fits && works[i].layers.empty()) continue;
     part.diagnostics.skip(feature_of(part, step).name, does_not_fit(part, step, options));
   }
 }
@@ -325,15 +214,18 @@ void keep_stated_stepdowns(Part& prepared, const Part& part, const PlanOptions& 
 PlanResult plan(const Part& part, const PlanOptions& options) {
   PlanResult result;
   result.part = prepare(part, options);
+  const auto works = step_works(result.part, options);
   const auto planner = [&](int step, const Attempt& attempt) {
-    return fastest_plan(step, result.part, attempt, options);
+    return fastest_plan(works[static_cast<std::size_t>(step)], result.part, attempt, options);
   };
   Choice choice(choice_steps(result.part), attempts_for(options), planner, options);
-  report_what_does_not_fit(result.part, choice, options);
-  const auto toolpath = [&] { return toolpath_of(choice, result.part, options); };
-  certify(result, toolpath(), options);
-  while (retry_unclean(choice, result)) certify(result, toolpath(), options);
-  sign(result, toolpath(), options);
+  report_what_does_not_fit(result.part, choice, works, options);
+  Toolpath toolpath;
+  do {
+    toolpath = toolpath_of(choice, result.part, options);
+    certify(result, toolpath, options);
+  } while (retry_unclean(choice, result));
+  sign(result, toolpath, options);
   report_notes(choice, result.part);
   result.contests = choice.contests();
   return result;

@@ -9,6 +9,7 @@
 #include "pipeline/tour_solver.h"
 #include "plan/adaptive.h"
 #include "plan/contour.h"
+#include "plan/layers.h"
 #include "plan/spiral.h"
 #include "plan/tour.h"
 #include "plan/zigzag.h"
@@ -61,16 +62,15 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
   contour.wall_on_right = wall_on_right(operation);
   contour.outside_in = options.outside_in;
   contour.start = options.start;
-  return
-      [planner = ContourPlanner(contour, options.tol)](const Layer& layer) mutable { return planner(layer); };
+  return once_per_outline(
+      [contour, tol = options.tol](const Layer& layer) { return plan_contour(layer, contour, tol); });
 }
 
 Strategy adaptive_strategy(const PlanOptions& options) {
   AdaptiveOptions adaptive;
   if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
-  return [planner = AdaptiveLayers(adaptive, options.tol)](const Layer& layer) mutable {
-    return planner(layer);
-  };
+  return once_per_outline(
+      [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); });
 }
 
 /// mm between lines, where one is asked for; rules about the angles of contours mean nothing to lines.
@@ -83,27 +83,6 @@ std::optional<double> line_distance(const std::optional<std::string>& stepover, 
   throw InputError("--stepover", fmt::format("'{}' is a rule for contours; give a fraction of the diameter "
                                              "or mm, for example 0.8 or 4.5mm",
                                              *stepover));
-}
-
-bool same_outline(const Regions& a, const Regions& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& r, const Region& s) {
-    return r.outer() == s.outer() && r.islands() == s.islands();
-  });
-}
-
-/// Layers with the outline of the one before get its passes at their own depth.
-Strategy once_per_outline(Strategy plan) {
-  return [plan = std::move(plan), last = std::optional<Layer>(),
-          passes = LayerPasses()](const Layer& layer) mutable {
-    const bool known = last && last->wall_stock == layer.wall_stock && last->reserve == layer.reserve &&
-                       last->bare == layer.bare && same_outline(last->allowed, layer.allowed) &&
-                       same_outline(last->target, layer.target);
-    if (!known) passes = plan(layer);
-    last = layer;
-    passes.z_top = layer.z_top;
-    passes.z = layer.z;
-    return passes;
-  };
 }
 
 Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
@@ -122,16 +101,15 @@ Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, con
 
 Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
   const auto grid = attempt.stepover ? parse_tour_grid(*attempt.stepover) : TourGridOptions{};
-  return [planner = TourPlanner(grid, tour_solver(options, *operation.cutting.feed), options.tol)](
-             const Layer& layer) mutable { return planner(layer); };
+  return once_per_outline([grid, solve = tour_solver(options, *operation.cutting.feed), tol = options.tol](
+                              const Layer& layer) { return plan_tour(layer, grid, solve, tol); });
 }
 
 /// Edges of an outline: the time of spirals grows with their square and would be minutes.
 constexpr std::size_t kMostEdgesOfSpirals = 500;
 
 void refuse_many_edges(const Regions& regions) {
-  std::size_t edges = 0;
-  for (const auto& region : regions) edges += region.edges().size();
+  const std::size_t edges = edge_count(regions);
   if (edges > kMostEdgesOfSpirals) {
     throw InputError("--strategy",
                      fmt::format("spirals in an outline of {} edges would take too long (at most {}); use "
@@ -218,9 +196,6 @@ Attempts attempts_for(const PlanOptions& options) {
   }
   for (const char* name : {"zigzag", "spiral"}) attempts.contest.push_back({name, options.stepover});
   attempts.contest.push_back({"adaptive", std::nullopt});
-  const auto& names = strategy_names();
-  if (std::find(names.begin(), names.end(), "tour") != names.end())
-    attempts.contest.push_back({"tour", std::nullopt});
   return attempts;
 }
 

@@ -1,7 +1,6 @@
 // The strategies by name, behind one signature.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +11,6 @@
 #include "toolpath/pass.h"
 
 namespace clearcut {
-
-using Strategy = std::function<LayerPasses(const Layer&)>;
 
 /// Names that --strategy takes, "auto" first.
 const std::vector<std::string>& strategy_names();

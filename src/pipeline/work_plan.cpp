@@ -13,14 +13,6 @@ constexpr double kFloorStock = 0.2;  // mm
 /// Of the cutter's radius.
 constexpr double kLead = 0.5;
 
-const Tool& tool_of(const Part& part, const Workingstep& step) {
-  return part.tools.at(static_cast<std::size_t>(step.operation.tool));
-}
-
-const Feature& feature_of(const Part& part, const Workingstep& step) {
-  return part.features.at(static_cast<std::size_t>(step.feature));
-}
-
 /// Indices of the mills, widest first, of each diameter the first.
 std::vector<int> mills_of(const std::vector<Tool>& tools) {
   std::vector<int> mills;

@@ -420,25 +420,4 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
   return result;
 }
 
-namespace {
-
-bool same_outlines(const Regions& a, const Regions& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& x, const Region& y) {
-    return x.outer() == y.outer() && x.islands() == y.islands();
-  });
-}
-
-}  // namespace
-
-LayerPasses AdaptiveLayers::operator()(const Layer& layer) {
-  const bool same = above_ && same_outlines(above_->allowed, layer.allowed) &&
-                    same_outlines(above_->target, layer.target) && above_->tool_radius == layer.tool_radius &&
-                    above_->wall_stock == layer.wall_stock && above_->reserve == layer.reserve;
-  if (!same) passes_ = plan_adaptive(layer, options_, tol_);
-  above_ = layer;
-  passes_.z_top = layer.z_top;
-  passes_.z = layer.z;
-  return passes_;
-}
-
 }  // namespace clearcut

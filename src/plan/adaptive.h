@@ -27,17 +27,4 @@ struct AdaptiveOptions {
 ///         docs/adaptive.md.
 LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol);
 
-/// Plans layer after layer; one that differs from the layer above in height alone is not planned again.
-class AdaptiveLayers {
- public:
-  AdaptiveLayers(const AdaptiveOptions& options, const Tolerances& tol) : options_(options), tol_(tol) {}
-  LayerPasses operator()(const Layer& layer);
-
- private:
-  AdaptiveOptions options_;
-  Tolerances tol_;
-  std::optional<Layer> above_;
-  LayerPasses passes_;
-};
-
 }  // namespace clearcut

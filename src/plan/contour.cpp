@@ -20,7 +20,6 @@
 #include "geometry/boolean.h"
 #include "plan/contour_passes.h"
 #include "plan/contour_search.h"
-#include "plan/layers.h"
 #include "plan/step_rule.h"
 #include "toolpath/legal_area.h"
 
@@ -151,14 +150,6 @@ void begin_at(Vec2 start, LayerPasses& layer) {
 LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, const Tolerances& tol);
 
 }  // namespace
-
-LayerPasses ContourPlanner::operator()(const Layer& layer) {
-  if (!last_ || !same_outline(*last_, layer)) last_passes_ = plan_contour(layer, options_, tol_);
-  last_ = layer;
-  last_passes_.z_top = layer.z_top;
-  last_passes_.z = layer.z;
-  return last_passes_;
-}
 
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
   ContourOptions inside_out = options;

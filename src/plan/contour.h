@@ -75,19 +75,6 @@ struct ContourOptions {
 /// docs/contour.md.
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol);
 
-/// Plans layer after layer; layers with the same outline as the one before get its passes at their own depth.
-class ContourPlanner {
- public:
-  ContourPlanner(const ContourOptions& options, const Tolerances& tol) : options_(options), tol_(tol) {}
-  LayerPasses operator()(const Layer& layer);
-
- private:
-  ContourOptions options_;
-  Tolerances tol_;
-  std::optional<Layer> last_;
-  LayerPasses last_passes_;
-};
-
 // The papers' formulas. Angles are interior angles in radians, lengths mm.
 
 /// CPO-kappa eq. 6: step / diameter that leaves neither residual nor overlap in a corner of angle alpha.

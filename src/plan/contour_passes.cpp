@@ -4,32 +4,15 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/line_path.h"
 #include "plan/contour_residual.h"
 #include "plan/corner_loop.h"
 
 namespace clearcut {
 namespace {
 
-/// 1 - cosine of the largest change of direction between lines that are drawn as one (0.001 degree).
-constexpr double kCollinear = 1.5e-10;
 /// mm. Bisectors that are curved are followed this closely.
 constexpr double kBisectorChord = 0.005;
-
-/// Lines through the points, without those that lie on the way between their neighbours.
-Path line_path(const std::vector<Vec2>& points, bool closed) {
-  Path path;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i] == points[i - 1]) continue;
-    const Edge edge = Edge::line(points[i - 1], points[i]);
-    if (!path.empty() && dot(path.back().tangent_at(1), edge.tangent_at(0)) > 1 - kCollinear) {
-      path.back().to = edge.to;
-    } else {
-      path.push_back(edge);
-    }
-  }
-  if (closed && points.back() != points.front()) path.push_back(Edge::line(points.back(), points.front()));
-  return path;
-}
 
 Nearest nearest_on(const Path& path, Vec2 p, std::size_t& edge) {
   Nearest best{{}, std::numeric_limits<double>::infinity(), 0};
@@ -158,7 +141,7 @@ class PassBuilder {
     insert_way(passes_[ring_at_root(node, root)].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
       std::vector<Vec2> points = residual.points;
       points.front() = points.back() = from;
-      return loop_for(points, in, out, domain).value_or(line_path(points, false));
+      return loop_for(points, in, out, domain).value_or(line_path(points));
     });
   }
 
@@ -209,7 +192,9 @@ class PassBuilder {
     Pass pass;
     pass.parent = nearest_ring(node, residual.points.front());
     pass.closed = residual.closed;
-    pass.path = line_path(residual.points, residual.closed);
+    pass.path = line_path(residual.points);
+    if (residual.closed && residual.points.back() != residual.points.front())
+      pass.path.push_back(Edge::line(residual.points.back(), residual.points.front()));
     if (pass.path.empty()) {
       // All can be cleared from one point: reached on the way from the ring around it.
       std::size_t edge = 0;
@@ -272,7 +257,7 @@ class PassBuilder {
     }
     if (points.size() < 2) return;
     Pass pass;
-    pass.path = line_path(points, false);
+    pass.path = line_path(points);
     pass.offset = job_.first_level;
     std::size_t edge = 0;
     double nearest_distance = std::numeric_limits<double>::infinity();

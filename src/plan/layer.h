@@ -1,6 +1,7 @@
 // What every strategy takes: one layer of one feature with its cutter.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/tolerances.h"
@@ -22,5 +23,8 @@ struct Layer {
   /// Rapids of what is cut later come down through here: not even a film far thinner than tol.uncut may stay.
   bool bare = false;
 };
+
+/// What a strategy is to those who run it.
+using Strategy = std::function<LayerPasses(const Layer&)>;
 
 }  // namespace clearcut

@@ -1,6 +1,8 @@
 #include "plan/layers.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 #include "base/format.h"
@@ -41,6 +43,18 @@ Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
   return layer;
 }
 
+bool same_outline(const Regions& a, const Regions& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& r, const Region& s) {
+    return r.outer() == s.outer() && r.islands() == s.islands();
+  });
+}
+
+/// Whether what is planned for one layer serves the other, at its own depth.
+bool same_outline(const Layer& a, const Layer& b) {
+  return a.tool_radius == b.tool_radius && a.wall_stock == b.wall_stock && a.reserve == b.reserve &&
+         a.bare == b.bare && same_outline(a.allowed, b.allowed) && same_outline(a.target, b.target);
+}
+
 }  // namespace
 
 std::vector<double> layer_heights(double top_z, double floor_z, double stepdown) {
@@ -78,14 +92,15 @@ std::vector<Layer> layers_of(const Feature& feature, const Operation& operation,
   return layers;
 }
 
-bool same_outline(const Layer& a, const Layer& b) {
-  const auto same = [](const Regions& p, const Regions& q) {
-    return std::equal(p.begin(), p.end(), q.begin(), q.end(), [](const Region& r, const Region& s) {
-      return r.outer() == s.outer() && r.islands() == s.islands();
-    });
+Strategy once_per_outline(Strategy plan) {
+  return [plan = std::move(plan), last = std::optional<Layer>(),
+          passes = LayerPasses()](const Layer& layer) mutable {
+    if (!last || !same_outline(*last, layer)) passes = plan(layer);
+    last = layer;
+    passes.z_top = layer.z_top;
+    passes.z = layer.z;
+    return passes;
   };
-  return a.tool_radius == b.tool_radius && a.wall_stock == b.wall_stock && a.reserve == b.reserve &&
-         same(a.allowed, b.allowed) && same(a.target, b.target);
 }
 
 }  // namespace clearcut

@@ -30,7 +30,7 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
                              const Tolerances& tol, double corner_radius = 0);
 
-/// Whether what is planned for one layer serves the other, at its own depth.
-bool same_outline(const Layer& a, const Layer& b);
+/// Plans layer after layer; what differs from the layer before in height alone gets its passes, at its own depth.
+Strategy once_per_outline(Strategy plan);
 
 }  // namespace clearcut

@@ -8,16 +8,14 @@
 
 #include "base/error.h"
 #include "geometry/clearance.h"
+#include "geometry/line_path.h"
 #include "plan/contour.h"
 #include "plan/contour_cover.h"
-#include "plan/layers.h"
 #include "plan/legal_ways.h"
 
 namespace clearcut {
 namespace {
 
-/// 1 - cosine of the largest change of direction between moves that are drawn as one (0.001 degree).
-constexpr double kCollinear = 1.5e-10;
 /// mm. Visits to what is left reach this much farther than they must.
 constexpr double kReserve = 0.01;
 /// Rounds of mending that reroute the way; those after only add to it, which always ends.
@@ -29,17 +27,9 @@ constexpr int kProbeDirections = 12;
 
 using Points = std::vector<Vec2>;
 
-Path straightened(const Points& points) {
-  Path path;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i] == points[i - 1]) continue;
-    const Edge edge = Edge::line(points[i - 1], points[i]);
-    if (!path.empty() && dot(path.back().tangent_at(1), edge.tangent_at(0)) > 1 - kCollinear) {
-      path.back().to = edge.to;
-    } else {
-      path.push_back(edge);
-    }
-  }
+/// A single point stays, as a way of no length.
+Path way_through(const Points& points) {
+  Path path = line_path(points);
   if (path.empty() && !points.empty()) path.push_back(Edge::line(points.front(), points.front()));
   return path;
 }
@@ -277,7 +267,7 @@ class AreaPlanner {
       if (left.empty()) break;
       mend(left, round >= kRerouted);
     }
-    return straightened(route_.points());
+    return way_through(route_.points());
   }
 
  private:
@@ -318,7 +308,7 @@ class AreaPlanner {
   /// Places of the target that neither the walls' passes nor the way clear.
   Points holes() const {
     std::vector<Edge> edges = work_.walls;
-    for (const auto& edge : straightened(route_.points())) {
+    for (const auto& edge : way_through(route_.points())) {
       if (edge.from != edge.to) edges.push_back(edge);
     }
     if (edges.empty()) return {};
@@ -457,14 +447,6 @@ LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const 
   if (options.published) result.passes.clear();
   result.passes.insert(result.passes.end(), tours.begin(), tours.end());
   return result;
-}
-
-LayerPasses TourPlanner::operator()(const Layer& layer) {
-  if (!last_ || !same_outline(*last_, layer)) last_passes_ = plan_tour(layer, options_, solve_, tol_);
-  last_ = layer;
-  last_passes_.z_top = layer.z_top;
-  last_passes_.z = layer.z;
-  return last_passes_;
 }
 
 }  // namespace clearcut

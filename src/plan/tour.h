@@ -53,19 +53,4 @@ TourGridOptions parse_tour_grid(const std::string& text);
 LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const TourSolver& solve,
                       const Tolerances& tol);
 
-/// Plans layer after layer; layers with the same outline as the one before get its passes at their own depth.
-class TourPlanner {
- public:
-  TourPlanner(const TourGridOptions& options, TourSolver solve, const Tolerances& tol)
-      : options_(options), solve_(std::move(solve)), tol_(tol) {}
-  LayerPasses operator()(const Layer& layer);
-
- private:
-  TourGridOptions options_;
-  TourSolver solve_;
-  Tolerances tol_;
-  std::optional<Layer> last_;
-  LayerPasses last_passes_;
-};
-
 }  // namespace clearcut

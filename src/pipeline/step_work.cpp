@@ -1,0 +1,114 @@
+#include "pipeline/step_work.h"
+
+#include <algorithm>
+
+#include "geometry/boolean.h"
+#include "pipeline/holes.h"
+#include "pipeline/left_over.h"
+#include "plan/layers.h"
+
+namespace clearcut {
+namespace {
+
+bool has_open_side(const Feature& feature) {
+  return feature.kind != FeatureKind::kClosedPocket && feature.kind != FeatureKind::kRoundHole;
+}
+
+/// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
+/// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path.
+double printing_reserve(const PlanOptions& options) {
+  PostOptions metric = options.post, inch = options.post;
+  metric.inch = false;
+  inch.inch = true;
+  return std::max(
+      {0.0, rounding_of(metric) - options.tol.gouge / 2, rounding_of(inch) - options.tol.gouge / 2});
+}
+
+/// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning
+/// walls to layers that begin elsewhere.
+bool is_bare(const Part& part, const Feature& feature) {
+  if (feature.wall_slope.radians() != 0) return true;
+  const Box here = box(feature.target);
+  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
+    return other.floor_z < feature.floor_z && box(other.target).overlaps(here);
+  });
+}
+
+/// The layers of one workingstep over which something still stands. Open features cut only that; in closed
+/// ones the walls bound every pass, so the whole layer is cut.
+std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, const PlanOptions& options) {
+  const auto& feature = feature_of(part, step);
+  Operation operation = step.operation;
+  const double reserve = printing_reserve(options);
+  operation.allowance_side += reserve;
+  operation.allowance_floor += reserve;
+  const Tool& tool = tool_of(part, step);
+  auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius);
+  for (auto& layer : layers) {
+    layer.reserve = reserve;
+    Regions standing = standing_target(part, step.feature, layer.z, options.tol);
+    // It stands in the outline at the top: between leaning walls there is less.
+    if (feature.wall_slope.radians() != 0) standing = intersect(standing, layer.allowed, options.tol);
+    if (standing.empty() || has_open_side(feature)) layer.target = standing;
+    layer.bare = is_bare(part, feature);
+  }
+  std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
+  return layers;
+}
+
+bool finishes(const Operation& operation) {
+  return operation.kind == OperationKind::kFinishing || operation.kind == OperationKind::kSideFinishing ||
+         operation.kind == OperationKind::kBottomFinishing;
+}
+
+/// mm. Most stock that one pass along the walls finishes, of the cutter's diameter.
+constexpr double kThinStock = 0.5;
+
+/// What one pass along its walls finishes: thin stock in a pocket closed all round, above the floor or at a floor that is
+/// finished otherwise.
+bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
+                       const Layer& layer, const PlanOptions& options) {
+  if (has_open_side(feature) || !finishes(step.operation)) return false;
+  if (step.operation.kind == OperationKind::kFinishing && last) return false;
+  return !is_thicker_than(left, 2 * kThinStock * layer.tool_radius, options.tol);
+}
+
+/// The layers with what earlier steps of the feature or an earlier program have left of them, where the step is to cut
+/// that alone: rest machining and finishing.
+std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const Part& part,
+                                   const PlanOptions& options) {
+  const auto& step = part.workplan[static_cast<std::size_t>(index)];
+  const bool finishing = finishes(step.operation) && follows_milling(part, index);
+  std::vector<LayerLeft> out;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const bool last = i + 1 == layers.size();
+    if (finishing && step.operation.kind == OperationKind::kBottomFinishing && !last) continue;
+    LayerLeft one{layers[i]};
+    const bool whole_floor = finishing && last && step.operation.kind != OperationKind::kSideFinishing;
+    if (!whole_floor && (finishing || step.operation.rest || options.earlier)) {
+      const Regions left = left_over(part, index, one.layer, options);
+      one.walls_only =
+          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, options);
+      if (!one.walls_only) one.layer.target = left;
+      one.rest = true;
+    }
+    if (!one.layer.target.empty()) out.push_back(std::move(one));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<StepWork> step_works(const Part& part, const PlanOptions& options) {
+  std::vector<StepWork> works;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    StepWork work{static_cast<int>(i), {}, {}};
+    const auto standing = standing_layers(part, part.workplan[i], options);
+    work.hole = hole_step(standing, work.workingstep, part, options);
+    work.layers = layers_left(standing, work.workingstep, part, options);
+    works.push_back(std::move(work));
+  }
+  return works;
+}
+
+}  // namespace clearcut

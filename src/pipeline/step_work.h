@@ -1,0 +1,30 @@
+// What is to be done in each workingstep: found once, however many strategies are tried on it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pipeline/plan_options.h"
+#include "plan/layer.h"
+#include "toolpath/move.h"
+
+namespace clearcut {
+
+/// A layer as it is to be planned.
+struct LayerLeft {
+  Layer layer;
+  bool walls_only = false;
+  bool rest = false;  ///< cleared by others around its target
+};
+
+/// One workingstep, ready for any strategy.
+struct StepWork {
+  int workingstep = 0;
+  std::vector<LayerLeft> layers;  ///< over which something still stands, from the top down
+  std::optional<Section> hole;    ///< where it is made as a round hole, whatever the strategy
+};
+
+/// The work of every workingstep of a prepared part, in the order of the workplan. Cost O(layers) booleans a step.
+std::vector<StepWork> step_works(const Part& part, const PlanOptions& options);
+
+}  // namespace clearcut
