@@ -10,6 +10,21 @@ constexpr double kTurn = 2 * kPi;
 
 }  // namespace
 
+AngleSet::AngleSet(std::span<const AngleInterval> items) {
+  for (const AngleInterval& item : items) append(item);
+  if (empty()) return;
+  from_ = items_[0].from;
+  to_ = items_[count_ - 1].to;
+}
+
+AngleSet& AngleSet::operator=(const AngleSet& other) {
+  from_ = other.from_;
+  to_ = other.to_;
+  count_ = other.count_;
+  std::copy(other.items_, other.items_ + other.count_, items_);
+  return *this;
+}
+
 double AngleSet::measure() const {
   double sum = 0;
   for (const AngleInterval& item : intervals()) sum += item.width();

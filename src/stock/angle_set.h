@@ -19,6 +19,11 @@ class AngleSet {
  public:
   /// The whole domain [from, to], to - from <= 2 pi.
   AngleSet(double from, double to) : from_(from), to_(to), count_(1) { items_[0] = {from, to}; }
+  /// Disjoint, ascending intervals; the domain is from the first to the last.
+  explicit AngleSet(std::span<const AngleInterval> items);
+  AngleSet(const AngleSet& other) { *this = other; }
+  /// Copies what is in use alone.
+  AngleSet& operator=(const AngleSet& other);
 
   /// Removes the circular interval center - half .. center + half; any multiple of a turn may be added to
   /// center.
@@ -40,9 +45,9 @@ class AngleSet {
   void remove_linear(double from, double to);
   void append(AngleInterval item);
 
-  double from_;
-  double to_;
-  int count_;
+  double from_ = 0;
+  double to_ = 0;
+  int count_ = 0;
   AngleInterval items_[kCapacity];
 };
 

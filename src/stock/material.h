@@ -12,6 +12,8 @@
 
 namespace clearcut {
 
+class Horizon;
+
 /// Where the front half of a cutter's circle touches material, seen from its direction of travel.
 struct Contact {
   AngleSet angles;   ///< radians from the direction of travel, in [-pi/2, pi/2], > 0 on the left
@@ -65,8 +67,11 @@ class Material {
     double z_to = 0;
     double z_low = 0;
     double z_high = 0;
-    double direction = 0;  ///< angle of a line
     double length = 0;     ///< of a line
+    Vec2 along;            ///< of a line, unit
+    double ring = 0;       ///< radius of an arc
+    Vec2 before, after;    ///< of an arc, see SweptArc
+    bool goes_on = false;  ///< the sweep before ends, no higher, where this one starts
   };
   /// A sweep in a cell's list, with a disc around it: most are turned away by that.
   struct Entry {
@@ -93,10 +98,9 @@ class Material {
   static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);
   static std::optional<Sweep> below(const Sweep& sweep, double z);
   static bool covers(const Sweep& sweep, Vec2 p);
-  template <typename View>
-  static void remove_sweep(View& view, const Sweep& sweep);
-  void remove_everything_else(AngleSet& angles, Vec2 center, double radius, double z, double reference) const;
-  void remove_outside(AngleSet& angles, Vec2 center, double radius, double reference) const;
+  static void remove_sweep(Horizon& horizon, const Sweep& sweep);
+  void remove_everything(Horizon& horizon, Vec2 center, double radius, double z) const;
+  void remove_outside(Horizon& horizon, Vec2 center, double radius) const;
 
   std::optional<Box> plan_;
   double z_top_;

@@ -1,0 +1,212 @@
+#include "stock/horizon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearcut {
+namespace {
+
+/// Grows with the angle of v from the x axis: -2 .. 2. v of any length > 0.
+double pseudo_angle(Vec2 v) {
+  const double q = 1 - v.x / (std::abs(v.x) + std::abs(v.y));
+  return v.y < 0 ? -q : q;
+}
+
+/// The direction of a pseudo-angle, not of unit length.
+Vec2 way_of(double pseudo) {
+  const double q = std::abs(pseudo);
+  return {1 - q, std::copysign(q <= 1 ? q : 2 - q, pseudo)};
+}
+
+Vec2 turned_to(Vec2 v, double cosine, double sine) {
+  return {v.x * cosine - v.y * sine, v.x * sine + v.y * cosine};
+}
+
+double sine_of(double cosine) {
+  return std::sqrt((1 - cosine) * (1 + cosine));
+}
+
+}  // namespace
+
+Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
+    : center_(center),
+      radius_(radius),
+      ahead_(ahead / std::sqrt(norm_squared(ahead))),
+      part_(part),
+      looked_{-9, 9} {
+  items_[0] = part == Part::kFront ? Span{-1, 1} : Span{-2, 2};
+  look();
+}
+
+void Horizon::remove_disc(Vec2 at, double disc) {
+  if (!may_meet(at, disc)) return;
+  const Vec2 v = at - center_;
+  const double squared = norm_squared(v), most = radius_ + disc;
+  if (squared >= most * most) return;
+  const double d = std::sqrt(squared);
+  if (d + disc <= radius_) return;
+  if (d + radius_ <= disc) return clear();
+  const double cosine = (radius_ * radius_ + squared - disc * disc) / (2 * radius_ * d);
+  remove_beyond(v / d, std::max(cosine, -1.0));
+}
+
+void Horizon::remove_beyond(Vec2 normal, double q) {
+  if (q >= 1) return;
+  if (q <= -1) return clear();
+  const double sine = sine_of(q);
+  const Vec2 n = seen(normal);
+  const double from = pseudo_angle(turned_to(n, q, -sine)), to = pseudo_angle(turned_to(n, q, sine));
+  if (from <= to) {
+    remove_span(from, to);
+  } else {
+    remove_span(-3, to);
+    remove_span(from, 3);
+  }
+  look();
+}
+
+void Horizon::remove_line(const SweptLine& line) {
+  const Vec2 rest = rest_center_ - line.from;
+  const double rest_forward = dot(rest, line.along);
+  if (rest_forward <= -rest_radius_ || rest_forward >= line.length + rest_radius_ ||
+      std::abs(cross(line.along, rest)) >= line.radius + rest_radius_)
+    return;
+  const Vec2 w = center_ - line.from;
+  const double forward = dot(w, line.along), aside = cross(line.along, w);
+  const Vec2 left = left_of(line.along);
+  Spans outside;
+  add_beyond(left, (line.radius - aside) / radius_, outside);
+  add_beyond(-left, (line.radius + aside) / radius_, outside);
+  add_beyond(-line.along, forward / radius_, outside);
+  add_beyond(line.along, (line.length - forward) / radius_, outside);
+  keep(outside);
+}
+
+void Horizon::remove_arc(const SweptArc& arc) {
+  const Vec2 rest = rest_center_ - arc.center;
+  if (dot(arc.before, rest) >= rest_radius_ || dot(arc.after, rest) >= rest_radius_) return;
+  const double outer = arc.ring + arc.radius, inner = arc.ring - arc.radius;
+  const double away_from_rest = std::sqrt(norm_squared(rest));
+  if (away_from_rest - rest_radius_ >= outer || away_from_rest + rest_radius_ <= inner) return;
+  const Vec2 w = center_ - arc.center;
+  const double squared = norm_squared(w), d = std::sqrt(squared);
+  const double twice = 2 * d * radius_;
+  const auto cosine_at = [&](double rho) {
+    const double numerator = rho * rho - squared - radius_ * radius_;
+    return twice > 0 ? numerator / twice : (numerator > 0 ? 2.0 : -2.0);
+  };
+  const Vec2 away = d > 0 ? w / d : Vec2{1, 0};
+  Spans outside;
+  add_beyond(away, cosine_at(outer), outside);
+  if (inner > 0) add_beyond(-away, -cosine_at(inner), outside);
+  add_beyond(arc.before, -dot(arc.before, w) / radius_, outside);
+  add_beyond(arc.after, -dot(arc.after, w) / radius_, outside);
+  keep(outside);
+}
+
+void Horizon::Spans::add(double from, double to) {
+  int place = count++;
+  for (; place > 0 && items[place - 1].from > from; --place) items[place] = items[place - 1];
+  items[place] = {from, to};
+}
+
+void Horizon::add_beyond(Vec2 normal, double q, Spans& spans) const {
+  if (q >= 1) return;
+  if (q <= -1) {
+    spans.all = true;
+    return;
+  }
+  const double sine = sine_of(q);
+  const Vec2 n = seen(normal);
+  const double from = pseudo_angle(turned_to(n, q, -sine)), to = pseudo_angle(turned_to(n, q, sine));
+  if (from <= to) {
+    spans.add(from, to);
+  } else {
+    spans.add(-3, to);
+    spans.add(from, 3);
+  }
+}
+
+/// A full set drops its narrowest item: less than is left is reported rather than none at all.
+void Horizon::append(Span span) {
+  if (!(span.to > span.from)) return;
+  if (count_ < kCapacity) {
+    items_[count_++] = span;
+    return;
+  }
+  Span* narrowest = std::min_element(
+      items_, items_ + count_, [](const Span& a, const Span& b) { return a.to - a.from < b.to - b.from; });
+  if (narrowest->to - narrowest->from >= span.to - span.from) return;
+  std::move(narrowest + 1, items_ + count_, narrowest);
+  items_[count_ - 1] = span;
+}
+
+void Horizon::remove_span(double from, double to) {
+  if (count_ == 0 || to <= items_[0].from || from >= items_[count_ - 1].to) return;
+  Span old[kCapacity];
+  const int old_count = count_;
+  std::copy(items_, items_ + count_, old);
+  count_ = 0;
+  for (int i = 0; i < old_count; ++i) {
+    append({old[i].from, std::min(old[i].to, from)});
+    append({std::max(old[i].from, to), old[i].to});
+  }
+}
+
+void Horizon::Spans::merge() {
+  int merged = 0;
+  for (int i = 1; i < count; ++i) {
+    if (items[i].from <= items[merged].to) {
+      items[merged].to = std::max(items[merged].to, items[i].to);
+    } else {
+      items[++merged] = items[i];
+    }
+  }
+  count = std::min(count, merged + 1);
+}
+
+/// Keeps what lies in one of the spans.
+void Horizon::keep(Spans& spans) {
+  if (spans.all || count_ == 0) return;
+  spans.merge();
+  Span old[kCapacity];
+  const int old_count = count_;
+  std::copy(items_, items_ + count_, old);
+  count_ = 0;
+  int k = 0;
+  for (int i = 0; i < old_count; ++i) {
+    while (k < spans.count && spans.items[k].to <= old[i].from) ++k;
+    for (int j = k; j < spans.count && spans.items[j].from < old[i].to; ++j)
+      append({std::max(spans.items[j].from, old[i].from), std::min(spans.items[j].to, old[i].to)});
+  }
+  look();
+}
+
+void Horizon::look() {
+  if (count_ == 0) return;
+  const Span hull{items_[0].from, items_[count_ - 1].to};
+  if (hull.from == looked_.from && hull.to == looked_.to) return;
+  looked_ = hull;
+  rest_center_ = center_;
+  rest_radius_ = radius_ * (1 + 1e-12) + 1e-12;
+  if (hull.to - hull.from > 2) return;  // more than a half turn
+  const Vec2 a = way_of(hull.from), b = way_of(hull.to);
+  const Vec2 from = a / std::sqrt(norm_squared(a)), to = b / std::sqrt(norm_squared(b));
+  // The disc about the chord's middle holds the arc.
+  const Vec2 middle = (from + to) / 2.0;
+  rest_center_ =
+      center_ + Vec2{dot({ahead_.x, -ahead_.y}, middle), dot({ahead_.y, ahead_.x}, middle)} * radius_;
+  rest_radius_ = radius_ * std::sqrt(norm_squared(to - from)) / 2 * (1 + 1e-12) + 1e-12;
+}
+
+AngleSet Horizon::angles() const {
+  const auto angle = [](double pseudo) {
+    const Vec2 way = way_of(pseudo);
+    return std::atan2(way.y, way.x);
+  };
+  AngleInterval found[kCapacity];
+  for (int i = 0; i < count_; ++i) found[i] = {angle(items_[i].from), angle(items_[i].to)};
+  return AngleSet({found, static_cast<std::size_t>(count_)});
+}
+
+}  // namespace clearcut
