@@ -20,7 +20,7 @@ std::vector<int> with_extra(const Problem& problem, const Tour& tour) {
 
 /// Gains below this are rounding.
 double least_gain(double value) {
-  return 1e-9 * (1 + std::abs(value));
+  return kSameValue * (1 + std::abs(value));
 }
 
 }  // namespace

@@ -80,6 +80,9 @@ void each_corner(const Problem& problem, std::span<const int> tour, Visit visit)
   }
 }
 
+/// Values that differ by no more than this share of themselves are equal: sums are rounded.
+inline constexpr double kSameValue = 1e-9;
+
 /// The whole value from scratch.
 double evaluate(const Objective& objective, const Moves& moves, std::span<const int> tour);
 

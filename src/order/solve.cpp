@@ -19,8 +19,6 @@ namespace clearcut::order {
 
 namespace {
 
-constexpr double kSameValue = 1e-9;  // relative; rounding of sums
-
 int bound_iterations(int n) {
   return n < 2000 ? 200 : n < 20000 ? 100 : n < 200000 ? 30 : 10;
 }
@@ -254,23 +252,24 @@ void solve_general(const Problem& problem, const Objective& objective, const Mov
   solution.method = "exchanges, " + std::to_string(kIslands) + " islands";
 }
 
-void finish(const Moves& moves, const Bound& bound, const Keeper& keeper, Solution& solution) {
-  solution.tour = keeper.tour();
-  solution.objective = keeper.value();
-  const TourFigures f = figures(moves, solution.tour);
+}  // namespace
+
+void set_result(Solution& solution, const Moves& moves, const Tour& tour, double objective,
+                const Bound& bound) {
+  solution.tour = tour;
+  solution.objective = objective;
+  const TourFigures f = figures(moves, tour);
   solution.length = f.length;
   solution.turns = f.turns;
   solution.angle_deg = f.angle_deg;
-  solution.bound = std::min(bound.value, solution.objective);
+  solution.bound = std::min(bound.value, objective);
   solution.bound_basis = bound.basis;
-  const double difference = solution.objective - solution.bound;
-  const bool equal = difference <= kSameValue * std::abs(solution.objective);
+  const double difference = objective - solution.bound;
+  const bool equal = difference <= kSameValue * std::abs(objective);
   solution.gap = equal                ? 0
                  : solution.bound > 0 ? difference / solution.bound
                                       : std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
 
 Solution solve(const Problem& problem, const Objective& objective, const SolveOptions& options) {
   check(problem);
@@ -299,7 +298,7 @@ Solution solve(const Problem& problem, const Objective& objective, const SolveOp
     }
     bound = bounds.below(keeper.value());
   });
-  finish(moves, bound, keeper, solution);
+  set_result(solution, moves, keeper.tour(), keeper.value(), bound);
   solution.seconds = watch.seconds();
   return solution;
 }

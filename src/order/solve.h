@@ -49,4 +49,8 @@ struct Bound {
 Bound lower_bound(const Problem& problem, const Objective& objective, const Tour& tour,
                   const StopWatch& watch);
 
+/// Writes a tour, its value and what follows from both - figures, bound, gap - into a solution.
+void set_result(Solution& solution, const Moves& moves, const Tour& tour, double objective,
+                const Bound& bound);
+
 }  // namespace clearcut::order

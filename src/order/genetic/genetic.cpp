@@ -14,8 +14,6 @@ namespace clearcut::order {
 
 namespace {
 
-constexpr double kSameValue = 1e-9;  // relative; rounding of sums
-
 void check_options(const GeneticOptions& o) {
   if (o.population < 2) throw InputError("population", "needs at least 2 individuals");
   if (o.children < 1) throw InputError("children", "a generation needs at least 1 new individual");
@@ -186,19 +184,9 @@ Solution solve_genetic(const Problem& problem, const Objective& objective, const
   const StopWatch watch(options.stop);
   const GeneticResult result = run_genetic(problem, objective, options);
   const Moves moves(problem);
-  const Bound bound = lower_bound(problem, objective, result.tour, watch);
-  const TourFigures f = figures(moves, result.tour);
   Solution solution;
-  solution.tour = result.tour;
-  solution.objective = evaluate(objective, moves, result.tour);
-  solution.length = f.length;
-  solution.turns = f.turns;
-  solution.angle_deg = f.angle_deg;
-  solution.bound = std::min(bound.value, solution.objective);
-  solution.bound_basis = bound.basis;
-  const double difference = solution.objective - solution.bound;
-  if (difference > kSameValue * std::abs(solution.objective))
-    solution.gap = solution.bound > 0 ? difference / solution.bound : std::numeric_limits<double>::infinity();
+  set_result(solution, moves, result.tour, evaluate(objective, moves, result.tour),
+             lower_bound(problem, objective, result.tour, watch));
   solution.seconds = watch.seconds();
   solution.seed = options.seed;
   solution.rounds = result.generations;

@@ -9,8 +9,6 @@ namespace clearcut::order {
 
 namespace {
 
-constexpr double kSameValue = 1e-9;  // relative; rounding of sums
-
 bool same_value(double a, double b) {
   return std::abs(a - b) <= kSameValue * std::abs(b);
 }
