@@ -18,6 +18,7 @@ using Cost = LengthModel::Cost;
 
 constexpr int kSmallestPopulation = 12;
 constexpr double kStartNoise = 0.5;
+constexpr double kShareOfStarts = 0.3;  // of the time; breeding takes about 2.5 times as long
 /// Above this many points one exchange on the whole array is too slow to start from a greedy tour.
 constexpr int kLargestWholeDescent = 150000;
 constexpr int kWindow = 10000;
@@ -79,6 +80,7 @@ std::vector<int> start_tour(const LengthModel& model, std::uint64_t seed, long l
   return search.nodes();
 }
 
+/// Fewer than planned when the machine gives so little time that the plan could not be carried out.
 std::vector<std::vector<int>> start_tours(const LengthModel& model, const Plan& plan, std::uint64_t seed,
                                           const StopWatch& watch) {
   std::vector<std::vector<int>> tours(static_cast<std::size_t>(plan.population));
@@ -92,6 +94,14 @@ std::vector<std::vector<int>> start_tours(const LengthModel& model, const Plan& 
   return tours;
 }
 
+/// Ends when the start tours of a population have had their share of the time left: tours that come later
+/// would not be bred to the end, and a population cut short is far worse than a smaller one.
+StopWatch start_watch(const StopRule& stop, const StopWatch& watch) {
+  StopRule starts = stop;
+  starts.seconds = std::max(0.0, stop.seconds - watch.seconds()) * kShareOfStarts;
+  return StopWatch(starts);
+}
+
 long long search_by_populations(const LengthModel& model, const Plan& plan,
                                 const LengthSearchOptions& options, const StopWatch& watch, Best& best) {
   constexpr int kPatience = 3;
@@ -102,9 +112,10 @@ long long search_by_populations(const LengthModel& model, const Plan& plan,
        round < options.stop.rounds && idle < kPatience && !found_again && !watch.over() && !best.enough();
        ++round) {
     const Cost before = best.cost();
-    std::vector<std::vector<int>> tours = start_tours(model, plan, random.next(), watch);
+    std::vector<std::vector<int>> tours =
+        start_tours(model, plan, random.next(), start_watch(options.stop, watch));
     for (const auto& nodes : tours) best.offer(nodes, model.tour_cost(nodes));
-    if (tours.size() < 2) break;
+    if (static_cast<int>(tours.size()) < kSmallestPopulation) break;
     Population population(model, std::move(tours), {.children = 30, .seed = random.next()});
     population.evolve(watch, [&](const std::vector<int>& nodes, Cost cost) {
       best.offer(nodes, cost);
@@ -223,7 +234,9 @@ LengthSearchResult search_length(const Problem& problem, const LengthModel& mode
   if (plan.population > 0) {
     result.rounds = search_by_populations(model, plan, options, watch, best);
     result.method = "edge assembly, population " + std::to_string(plan.population);
-  } else {
+  }
+  const bool is_too_slow = plan.population > 0 && result.rounds == 0 && !best.enough();
+  if (plan.population == 0 || is_too_slow) {
     result.rounds = search_by_windows(problem, model, options, watch, best);
     result.method = "chained local search, windows of " + std::to_string(kWindow);
   }

@@ -125,8 +125,11 @@ double enough_value(const Bound& bound, const StopRule& stop) {
   return std::max(bound.value * (1 + stop.gap), bound.value + std::abs(bound.value) * kSameValue);
 }
 
+/// A share of what is left of the time. Plans are made for the whole of it, so that they do not hang on the
+/// clock.
 StopRule remaining(const StopRule& stop, const StopWatch& watch, double share) {
   StopRule rest = stop;
+  rest.effort = stop.planned_seconds();
   rest.seconds = std::max(0.0, (stop.seconds - watch.seconds()) * share);
   return rest;
 }
