@@ -86,7 +86,7 @@ void PlanArguments::add_tool_options(CLI::App& command) {
       "--material", shop_.material,
       "Of the work, for forces and wear: aluminium, brass, steel, alloy-steel, stainless, cast-iron, "
       "titanium");
-  command.add_option("--threads", threads_, "Threads to use");
+  command.add_option("--threads", threads_, "Threads; 0: all cores");
 }
 
 void PlanArguments::add_cutting_options(CLI::App& command) {

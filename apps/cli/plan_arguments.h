@@ -78,7 +78,7 @@ class PlanArguments {
   std::optional<std::string> objective_;
   std::optional<double> time_;
   std::optional<std::uint64_t> seed_;
-  int threads_ = 1;
+  int threads_ = 0;
 };
 
 }  // namespace clearcut::cli

@@ -115,7 +115,7 @@ VerifyOptions verify_options(const PlanOptions& options) {
   verify.tol = options.tol;
   verify.machine = options.machine;
   verify.engagement_limit_deg = options.engagement_deg;
-  verify.threads = options.threads;
+  verify.threads = thread_count(options);
   if (options.earlier) verify.earlier = &*options.earlier;
   if (options.shop.material) verify.material = work_material_named(*options.shop.material);
   return verify;

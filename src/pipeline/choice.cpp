@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 #include "base/error.h"
 #include "plan/adaptive.h"
@@ -35,9 +34,7 @@ double least_way(const std::string& strategy, const StepPlan& known, double radi
 
 template <typename Work>
 void in_parallel(std::size_t count, int threads, Work&& work) {
-  // More threads than cores only make the library complain.
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  tbb::task_arena arena(std::clamp(threads, 1, cores));
+  tbb::task_arena arena(threads);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
 
@@ -71,7 +68,7 @@ void Choice::plan_into(std::size_t step, Try& one) const {
 
 void Choice::plan_first(const PlanOptions& options) {
   const std::size_t each = std::min(kFirst, attempts_.contest.size());
-  in_parallel(steps_.size() * each, options.threads, [&](std::size_t i) {
+  in_parallel(steps_.size() * each, thread_count(options), [&](std::size_t i) {
     const std::size_t step = i / each, k = i % each;
     if (k == 0 || steps_[step].small) plan_into(step, candidates_[step].tries[k]);
   });
@@ -98,7 +95,7 @@ void Choice::plan_others(const PlanOptions& options) {
       }
     }
   }
-  in_parallel(work.size(), options.threads, [&](std::size_t i) {
+  in_parallel(work.size(), thread_count(options), [&](std::size_t i) {
     plan_into(work[i].first, candidates_[work[i].first].tries[work[i].second]);
   });
 }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <thread>
 
 #include "base/error.h"
 
@@ -136,7 +138,13 @@ void check(const PlanOptions& options) {
           "must be above 0 mm/min");
   check(options.shop, "--");
   require(absent_or_positive(options.time_s), "--time", "must be above 0 s");
-  require(options.threads >= 1 && options.threads <= 1024, "--threads", "must lie between 1 and 1024");
+  require(options.threads >= 0 && options.threads <= 1024, "--threads",
+          "must lie between 1 and 1024; 0: all cores");
+}
+
+int thread_count(const PlanOptions& options) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return options.threads == 0 ? cores : std::min(options.threads, cores);
 }
 
 }  // namespace clearcut

@@ -41,9 +41,12 @@ struct PlanOptions {
   std::string objective = "time";
   std::optional<double> time_s;  ///< longest search
   std::uint64_t seed = 1;
-  int threads = 1;
+  int threads = 0;  ///< 0: all cores
   Tolerances tol;
 };
+
+/// How many threads the options stand for: at least one, and no more than cores.
+int thread_count(const PlanOptions& options);
 
 /// "endmill:10[:T3][:flutes=2][:corner=0.5][:name=ROUGHER][:noplunge]". Throws InputError.
 Tool parse_tool(const std::string& text);

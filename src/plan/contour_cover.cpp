@@ -12,20 +12,6 @@ constexpr double kRim = 1e-7;
 /// mm. A point on the border of two cells is found in both.
 constexpr double kBorder = 1e-6;
 
-double squared_distance_to_line(const Edge& e, Vec2 p) {
-  const Vec2 d = e.to - e.from, s = p - e.from;
-  const double along = dot(s, d), whole = norm_squared(d);
-  if (along <= 0) return norm_squared(s);
-  if (along >= whole) return norm_squared(p - e.to);
-  const double c = cross(d, s);
-  return c * c / whole;
-}
-
-bool within(const Edge& e, Vec2 p, double reach) {
-  if (e.is_arc()) return distance(e, p) <= reach;
-  return squared_distance_to_line(e, p) <= reach * reach;
-}
-
 }  // namespace
 
 Cover::Cover(std::span<const Edge> edges, double radius)
@@ -48,18 +34,47 @@ Cover::Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base)
 }
 
 void Cover::sort_edges() {
+  for (const Edge& e : edges_) {
+    const Vec2 along = e.to - e.from;
+    strokes_.push_back({e.from, along, e.is_arc() ? -1 : norm_squared(along)});
+  }
   const double half_diagonal = grid_.cell * 0.7072;
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     grid_.for_cells(edges_[i].box().grown(radius_), [&](std::size_t cell, Vec2 center) {
-      if (within(edges_[i], center, radius_ + half_diagonal)) edges_in_.add(cell, i);
+      if (is_within(i, center, radius_ + half_diagonal)) edges_in_.add(cell, i);
     });
   }
   edges_in_.build(grid_.count());
 }
 
+bool Cover::is_within(std::uint32_t edge, Vec2 p, double reach) const {
+  const Stroke& stroke = strokes_[edge];
+  if (stroke.whole < 0) return distance(edges_[edge], p) <= reach;
+  const Vec2 s = p - stroke.from;
+  const double along = dot(s, stroke.along);
+  if (along <= 0) return norm_squared(s) <= reach * reach;
+  if (along >= stroke.whole) return norm_squared(s - stroke.along) <= reach * reach;
+  const double c = cross(stroke.along, s);
+  return c * c <= reach * reach * stroke.whole;
+}
+
+double Cover::squared_distance(std::uint32_t edge, Vec2 p) const {
+  const Stroke& stroke = strokes_[edge];
+  if (stroke.whole < 0) {
+    const double d = distance(edges_[edge], p);
+    return d * d;
+  }
+  const Vec2 s = p - stroke.from;
+  const double along = dot(s, stroke.along);
+  if (along <= 0) return norm_squared(s);
+  if (along >= stroke.whole) return norm_squared(s - stroke.along);
+  const double c = cross(stroke.along, s);
+  return c * c / stroke.whole;
+}
+
 bool Cover::own_edge_holds(Vec2 p, std::size_t cell, double reach) const {
   const auto near = edges_in_.at(cell);
-  return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return within(edges_[i], p, reach); });
+  return std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return is_within(i, p, reach); });
 }
 
 bool Cover::holds(Vec2 p, double slack) const {
@@ -75,28 +90,27 @@ double Cover::distance_to(Vec2 p) const {
   for (const Cover* cover : {this, base_.get()}) {
     if (!cover) continue;
     for (const std::uint32_t i : cover->edges_in_.at(grid_.cell_of(p))) {
-      const Edge& e = cover->edges_[i];
-      const double d = e.is_arc() ? distance(e, p) : 0;
-      best = std::min(best, e.is_arc() ? d * d : squared_distance_to_line(e, p));
+      best = std::min(best, cover->squared_distance(i, p));
     }
   }
   return std::sqrt(best);
 }
 
-void Cover::add_curve(const Curve& curve) {
+void Cover::add_curve(const Curve& curve, Rims& rims) const {
   const double half_diagonal = grid_.cell * 0.7072 + kBorder;
-  const auto number = static_cast<std::uint32_t>(curves_.size());
-  curves_.push_back(curve);
+  const auto number = static_cast<std::uint32_t>(rims.curves.size());
+  rims.curves.push_back(curve);
   grid_.for_cells(curve.box, [&](std::size_t cell, Vec2 center) {
     const double off = curve.circle ? std::abs(std::sqrt(norm_squared(center - curve.a)) - curve.radius)
                                     : std::abs(cross(curve.direction, center - curve.a));
-    if (off <= half_diagonal) curves_in_.add(cell, number);
+    if (off <= half_diagonal) rims.in.add(cell, number);
   });
 }
 
-void Cover::add_curves() {
+Cover::Rims Cover::rims() const {
+  Rims rims;
   const auto add_circle = [&](Vec2 center, double r, const Box& box) {
-    if (r > kRim) add_curve({true, center, {}, r, box.grown(kBorder)});
+    if (r > kRim) add_curve({true, center, {}, r, box.grown(kBorder)}, rims);
   };
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Edge& e = edges_[i];
@@ -110,21 +124,27 @@ void Cover::add_curves() {
         Box box;
         box.add(e.from + side);
         box.add(e.to + side);
-        add_curve({false, e.from + side, u, 0, box.grown(kBorder)});
+        add_curve({false, e.from + side, u, 0, box.grown(kBorder)}, rims);
       }
     }
     const bool joined = i > 0 && edges_[i - 1].to == e.from;
     if (!joined) add_circle(e.from, radius_, Box{e.from, e.from}.grown(radius_));
-    if (joined) add_joint(edges_[i - 1], e);
+    if (joined) add_joint(edges_[i - 1], e, rims);
     const bool goes_on = i + 1 < edges_.size() && edges_[i + 1].from == e.to;
     if (!goes_on) add_circle(e.to, radius_, Box{e.to, e.to}.grown(radius_));
+    for (const double t : {0.0, 1.0}) {
+      const Vec2 n = left_of(e.tangent_at(t)) * radius_, p = t == 0 ? e.from : e.to;
+      rims.joints.push_back(p + n);
+      rims.joints.push_back(p - n);
+    }
   }
-  curves_in_.build(grid_.count());
+  rims.in.build(grid_.count());
+  return rims;
 }
 
 /// The circle about the joint of two edges is a rim only between their normals, on the outer side of the
 /// turn.
-void Cover::add_joint(const Edge& before, const Edge& after) {
+void Cover::add_joint(const Edge& before, const Edge& after, Rims& rims) const {
   const Vec2 in = before.tangent_at(1), out = after.tangent_at(0), p = after.from;
   const double turn = cross(in, out);
   Box box = Box{p, p}.grown(radius_);
@@ -138,17 +158,7 @@ void Cover::add_joint(const Edge& before, const Edge& after) {
     box.add(b);
     box = box.grown(0.3 * norm(b - a));
   }
-  add_curve({true, p, {}, radius_, box.grown(kBorder)});
-}
-
-void Cover::add_joint_points() {
-  for (const auto& e : edges_) {
-    for (const double t : {0.0, 1.0}) {
-      const Vec2 u = e.tangent_at(t), p = t == 0 ? e.from : e.to;
-      joints_.push_back(p + left_of(u) * radius_);
-      joints_.push_back(p - left_of(u) * radius_);
-    }
-  }
+  add_curve({true, p, {}, radius_, box.grown(kBorder)}, rims);
 }
 
 void Cover::add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out) {
@@ -178,54 +188,72 @@ void Cover::add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out)
   }
 }
 
-std::vector<Vec2> Cover::holes(const std::function<bool(Vec2)>& matters) const {
-  std::vector<Vec2> found;
-  if (grid_.box.empty()) return found;
-  Cover work(*this);
-  work.add_curves();
-  work.add_joint_points();
+/// Calls found(place) until it returns true.
+template <typename Found>
+void Cover::search(const Box& where, const std::function<bool(Vec2)>& matters, const Found& found) const {
+  if (grid_.box.empty()) return;
+  const Rims own = rims();
   // What holds one meeting often holds the next.
   std::uint32_t last = 0;
-  const auto look_at = [&](Vec2 p) {
-    if (last < edges_.size() && within(edges_[last], p, radius_ - kRim)) return;
+  const auto is_hole = [&](Vec2 p) {
+    if (last < edges_.size() && is_within(last, p, radius_ - kRim)) return false;
     const auto near = edges_in_.at(grid_.cell_of(p));
     const auto holder = std::find_if(near.begin(), near.end(),
-                                     [&](std::uint32_t i) { return within(edges_[i], p, radius_ - kRim); });
+                                     [&](std::uint32_t i) { return is_within(i, p, radius_ - kRim); });
     if (holder != near.end()) {
       last = *holder;
-    } else if (!(base_ && base_->own_edge_holds(p, grid_.cell_of(p), radius_ - kRim)) && matters(p)) {
-      found.push_back(p);
+      return false;
     }
+    return !(base_ && base_->own_edge_holds(p, grid_.cell_of(p), radius_ - kRim)) && matters(p);
   };
-  for (const Vec2 p : work.joints_) look_at(p);
+  for (const Vec2 p : own.joints)
+    if (is_hole(p) && found(p)) return;
   if (base_) {
-    for (const Vec2 p : base_->rim_) look_at(p);
+    for (const Vec2 p : base_->rim_)
+      if (is_hole(p) && found(p)) return;
   }
   std::vector<Vec2> meetings;
   const auto meet = [&](const Curve& p, const Curve& q, std::size_t cell) {
-    if (!p.box.overlaps(q.box)) return;
+    if (!p.box.overlaps(q.box)) return false;
     meetings.clear();
     add_meetings(p, q, meetings);
-    for (const Vec2 m : meetings) {
+    return std::any_of(meetings.begin(), meetings.end(), [&](Vec2 m) {
       // Each meeting is looked at in its own cell alone.
-      if (grid_.cell_of(m) == cell && p.box.contains(m) && q.box.contains(m)) look_at(m);
-    }
+      return grid_.cell_of(m) == cell && p.box.contains(m) && q.box.contains(m) && is_hole(m) && found(m);
+    });
   };
-  for (std::size_t cell = 0; cell < grid_.count(); ++cell) {
-    const auto here = work.curves_in_.at(cell);
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      const Curve& curve = work.curves_[here[i]];
-      for (std::size_t j = i + 1; j < here.size(); ++j) meet(curve, work.curves_[here[j]], cell);
+  bool ended = false;
+  grid_.for_cells(where, [&](std::size_t cell, Vec2) {
+    const auto here = own.in.at(cell);
+    for (std::size_t i = 0; i < here.size() && !ended; ++i) {
+      const Curve& curve = own.curves[here[i]];
+      for (std::size_t j = i + 1; j < here.size() && !ended; ++j)
+        ended = meet(curve, own.curves[here[j]], cell);
       if (!base_) continue;
-      for (const std::uint32_t j : base_->curves_in_.at(cell)) meet(curve, base_->curves_[j], cell);
+      for (const std::uint32_t j : base_->own_rims_.in.at(cell))
+        ended = ended || meet(curve, base_->own_rims_.curves[j], cell);
     }
-  }
+  });
+}
+
+std::vector<Vec2> Cover::holes(const std::function<bool(Vec2)>& matters) const {
+  std::vector<Vec2> found;
+  search(grid_.box, matters, [&](Vec2 p) {
+    found.push_back(p);
+    return false;
+  });
   return found;
+}
+
+bool Cover::has_hole(const Box& where, const std::function<bool(Vec2)>& matters) const {
+  bool any = false;
+  search(where, matters, [&](Vec2) { return any = true; });
+  return any;
 }
 
 void Cover::keep_rim(const std::function<bool(Vec2)>& matters) {
   rim_ = holes(matters);
-  add_curves();
+  own_rims_ = rims();
 }
 
 }  // namespace clearcut

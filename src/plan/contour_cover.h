@@ -37,10 +37,18 @@ class Cover {
   ///         edge are looked at, too.
   std::vector<Vec2> holes(const std::function<bool(Vec2)>& matters) const;
 
+  /// Whether there is such a place inside `where`: the same search, there alone, and ended by the first.
+  bool has_hole(const Box& where, const std::function<bool(Vec2)>& matters) const;
+
   /// Finds what the base alone leaves, for the covers made over it.
   void keep_rim(const std::function<bool(Vec2)>& matters);
 
  private:
+  /// An edge, ready for questions of distance.
+  struct Stroke {
+    Vec2 from, along;
+    double whole = 0;  ///< squared length; < 0: an arc
+  };
   /// A line at the given distance beside an edge, or a circle.
   struct Curve {
     bool circle = false;
@@ -49,23 +57,32 @@ class Cover {
     double radius = 0;  ///< circles
     Box box;
   };
+  /// All that the rims of holes may consist of.
+  struct Rims {
+    std::vector<Curve> curves;
+    std::vector<Vec2> joints;
+    CellLists in;  ///< per cell: curves through it
+  };
   void sort_edges();
-  void add_curves();
-  void add_curve(const Curve& curve);
-  void add_joint(const Edge& before, const Edge& after);
-  void add_joint_points();
+  Rims rims() const;
+  template <typename Found>
+  void search(const Box& where, const std::function<bool(Vec2)>& matters, const Found& found) const;
+  void add_curve(const Curve& curve, Rims& rims) const;
+  void add_joint(const Edge& before, const Edge& after, Rims& rims) const;
   static void add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out);
+  bool is_within(std::uint32_t edge, Vec2 p, double reach) const;
+  double squared_distance(std::uint32_t edge, Vec2 p) const;
   bool own_edge_holds(Vec2 p, std::size_t cell, double reach) const;
 
   std::shared_ptr<const Cover> base_;
   std::vector<Edge> edges_;
+  std::vector<Stroke> strokes_;
   double radius_;
-  std::vector<Curve> curves_;
-  std::vector<Vec2> joints_;
-  std::vector<Vec2> rim_;
   CellGrid grid_;
-  CellLists edges_in_;   ///< per cell: edges that may clear a point of it
-  CellLists curves_in_;  ///< per cell: curves through it
+  CellLists edges_in_;  ///< per cell: edges that may clear a point of it
+  // Of a base: what is found once for all covers made over it.
+  Rims own_rims_;
+  std::vector<Vec2> rim_;
 };
 
 }  // namespace clearcut

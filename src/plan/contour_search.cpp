@@ -1,7 +1,11 @@
 #include "plan/contour_search.h"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 #include "plan/contour_skeleton.h"
 #include "plan/contour_tighten.h"
@@ -59,6 +63,12 @@ std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, b
   return own;
 }
 
+/// Trials have nothing to do with one another. What waits for them takes up no other work meanwhile.
+template <typename Work>
+void in_parallel(std::size_t count, const Work& work) {
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+}
+
 /// One component's contest.
 class Search {
  public:
@@ -73,16 +83,15 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  void enter(const std::vector<Pass>& passes, double turn_cost) {
-    const double v = options_.feed.mm_per_s();
-    job_.turn_cost = turn_cost * v * v / options_.machine.acceleration;
-    SkeletonOptions skeleton;
-    skeleton.chord = kChord * job_.radius;
-    if (!options_.outside_in) skeleton.begin = options_.start;
-    skeleton.flexible = kMostFlexible / kVerticesPerRadius * job_.radius * options_.effort;
-    skeleton.hop = lift_time() * options_.feed.mm_per_s();
-    skeleton.legal = [&](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
-    entries_.push_back({Tightener(skeleton_of(passes, skeleton), job_), 0});
+  struct Contestant {
+    std::vector<Pass> passes;
+    double turn_cost = 0;
+  };
+
+  void enter(const std::vector<Contestant>& contestants) {
+    std::vector<std::optional<Entry>> entries(contestants.size());
+    in_parallel(contestants.size(), [&](std::size_t i) { entries[i] = entry_of(contestants[i]); });
+    for (auto& entry : entries) entries_.push_back(*std::move(entry));
   }
 
   struct Winner {
@@ -94,19 +103,25 @@ class Search {
   /// After every round of all the slower half retires; the fastest runs to the end, and others that are as good as
   /// it. No ways when none is proven to clear everything.
   Winner winner() {
+    if (entries_.empty()) return {};
     std::size_t running = entries_.size();
     for (int heat = 0; heat < kHeats; ++heat) {
-      for (std::size_t i = 0; i < running; ++i) run_heat(entries_[i]);
+      in_parallel(running, [&](std::size_t i) { run_heat(entries_[i]); });
       const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(running);
       std::sort(entries_.begin(), end, [](const Entry& a, const Entry& b) { return a.time < b.time; });
       running = std::min(running, std::max(kFinalists, (running + 1) / 2));
     }
-    Winner best;
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const bool promising = i < kFinalists && entries_[i].time < kAsGood * entries_.front().time;
-      if (promising || best.ways.empty()) finish(entries_[i], best);
-    }
-    return best;
+    const auto promising = static_cast<std::size_t>(
+        std::count_if(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(running),
+                      [&](const Entry& entry) { return entry.time < kAsGood * entries_.front().time; }));
+    std::vector<Winner> finished(std::max<std::size_t>(promising, 1));
+    in_parallel(finished.size(), [&](std::size_t i) { finished[i] = finish(entries_[i]); });
+    const auto best = std::min_element(finished.begin(), finished.end(),
+                                       [](const Winner& a, const Winner& b) { return a.time < b.time; });
+    Winner winner = std::move(*best);
+    for (std::size_t i = finished.size(); i < entries_.size() && winner.ways.empty(); ++i)
+      winner = finish(entries_[i]);
+    return winner;
   }
 
  private:
@@ -115,17 +130,31 @@ class Search {
     double time = 0;
   };
 
+  Entry entry_of(const Contestant& contestant) const {
+    const double v = options_.feed.mm_per_s();
+    TightenJob job = job_;
+    job.turn_cost = contestant.turn_cost * v * v / options_.machine.acceleration;
+    SkeletonOptions skeleton;
+    skeleton.chord = kChord * job_.radius;
+    if (!options_.outside_in) skeleton.begin = options_.start;
+    skeleton.flexible = kMostFlexible / kVerticesPerRadius * job_.radius * options_.effort;
+    skeleton.hop = lift_time() * options_.feed.mm_per_s();
+    skeleton.legal = [&](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
+    return {Tightener(skeleton_of(contestant.passes, skeleton), job), 0};
+  }
+
   void run_heat(Entry& entry) const {
     entry.tightener.pull(1);
     entry.time = time_of(paths_of(entry.tightener.skeleton()));
   }
 
-  void finish(Entry& entry, Winner& best) const {
+  /// No ways when they are not proven to clear everything.
+  Winner finish(Entry& entry) const {
     entry.tightener.pull(kFinalRounds);
-    if (!entry.tightener.finish()) return;
+    if (!entry.tightener.finish()) return {};
     auto ways = paths_of(entry.tightener.skeleton());
     const double film = entry.tightener.film(), time = time_of(ways) * (film > 0 ? kFilmHandicap : 1);
-    if (time < best.time) best = {std::move(ways), film, time};
+    return {std::move(ways), film, time};
   }
 
   double lift_time() const {
@@ -191,13 +220,14 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
   const auto trials = std::clamp<std::size_t>(
       static_cast<std::size_t>(kMostVerticesInAll * options.effort / std::max(vertices, 1.0)), 1,
       std::size(kTrials));
-  std::vector<std::vector<Pass>> variants;
-  for (std::size_t k = 0; k < trials; ++k) {
-    job.step = [&, k](const RingNode&, const std::vector<AxisPiece>&) {
+  std::vector<std::vector<Pass>> variants(trials);
+  in_parallel(trials, [&](std::size_t k) {
+    RingJob own = job;
+    own.step = [&, k](const RingNode&, const std::vector<AxisPiece>&) {
       return 2 * job.radius * (large ? kLargeStep : kTrials[k].step);
     };
-    variants.push_back(ring_passes(domains, job, tol));
-  }
+    variants[k] = ring_passes(domains, own, tol);
+  });
   double film = 0;
   int components = 0;
   for (const auto& pass : result.passes) components = std::max(components, pass.component + 1);
@@ -206,10 +236,12 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
     for (const auto& pass : component_of(result.passes, component, false)) where.add(box(pass.path));
     if (where.empty()) continue;
     Search search(options, legal, job.radius, where, bare);
+    std::vector<Search::Contestant> contestants;
     for (std::size_t k = 0; k < trials; ++k) {
-      const auto own = component_of(variants[k], component, !options.wall_on_right);
-      if (!own.empty()) search.enter(own, kTrials[k].turn_cost);
+      auto own = component_of(variants[k], component, !options.wall_on_right);
+      if (!own.empty()) contestants.push_back({std::move(own), kTrials[k].turn_cost});
     }
+    search.enter(contestants);
     const auto winner = search.winner();
     film = std::max(film, winner.ways.empty() ? result.film : winner.film);
     if (!winner.ways.empty()) replace_component(result, component, winner.ways);

@@ -163,7 +163,8 @@ struct Tightener::Impl {
     if (round_ >= kRoughRounds) prove_with(job_.radius - kProvenMargin);
     for (int k = 0; k < rounds && !bands_.empty(); ++k) {
       relax(round_++ == 0 ? kFirstPull : kLaterPull);
-      add_witnesses(cover().holes(job_.matters));
+      const Cover now = cover();
+      add_witnesses(now.holes(job_.matters), now);
       respace();
       list_bands();
     }
@@ -200,12 +201,13 @@ struct Tightener::Impl {
     int stalled = 0;
     for (int k = 0; k < kMendingRounds && stalled < most_stalled; ++k) {
       if (!bands_.empty()) relax(k < kSettlingRounds ? kSettling : kMending);
-      const auto left = cover().holes(job_.matters);
+      const Cover now = cover();
+      const auto left = now.holes(job_.matters);
       if (left.empty()) return true;
       if (bands_.empty()) return false;
       if (left.size() > kStalledAbove && 5 * left.size() > 4 * before) ++stalled;
       before = left.size();
-      add_witnesses(left);
+      add_witnesses(left, now);
       if (left.size() <= kFewHoles) {
         for (const Vec2 p : left) witnesses_.push_back({p});
       }
@@ -248,9 +250,8 @@ struct Tightener::Impl {
   }
 
   /// One witness in the depth of every hole: its rim is as near as can be to the limit.
-  void add_witnesses(const std::vector<Vec2>& rim) {
+  void add_witnesses(const std::vector<Vec2>& rim, const Cover& now) {
     if (rim.empty()) return;
-    const Cover now = cover();
     BoxIndex by_place(kHoleSize * job_.radius), by_witness(kHoleSize * job_.radius);
     for (std::uint32_t i = 0; i < rim.size(); ++i) by_place.add({rim[i], rim[i]}, i);
     std::vector<Vec2> added;
@@ -428,9 +429,9 @@ struct Tightener::Impl {
     if (first.from == first.to || second.from == second.to) return true;
     if (distance(first.from, second.to) < 1e-6 || !job_.legal->holds_line(first.from, second.to))
       return false;
-    Box near = first.box();
-    near.add(second.box());
-    near = near.grown(2 * proven_);
+    Box both = first.box();
+    both.add(second.box());
+    const Box near = both.grown(2 * proven_);
     std::vector<Edge> edges{Edge::line(first.from, second.to)};
     for (const std::uint32_t i : state.index.near(near)) {
       if (state.used[i] && i != arriving && i != leaving && near.overlaps(state.edges[i].box())) {
@@ -440,7 +441,7 @@ struct Tightener::Impl {
     const auto was_cut = [&](Vec2 q) {
       return (distance(first, q) <= proven_ || distance(second, q) <= proven_) && job_.matters(q);
     };
-    return Cover(edges, proven_).holes(was_cut).empty();
+    return !Cover(edges, proven_).has_hole(both.grown(proven_), was_cut);
   }
 
   // --- minimisation
