@@ -7,26 +7,32 @@ namespace clearcut {
 namespace {
 
 // In tool radii:
-constexpr double kStep = 0.1;         // of the traced curve
-constexpr double kTolerance = 0.003;  // of the arcs fitted to it
-constexpr double kCommit = 12;        // length that is taken from the ground at once
+constexpr double kStep = 0.1;   // between looks along walls
+constexpr double kLook = 0.25;  // between looks at an arc before it is taken
+constexpr double kCheck = 0.1;  // between looks at what is taken
+constexpr double kFirst = 0.4;  // length of an arc that is tried first
+constexpr double kShortestArc = 0.02;
+constexpr double kLongestArc = 12;
 constexpr double kAir = 0.3;          // length without contact that ends a cut
 constexpr double kRightTurn = 1.0;    // tightest radius to the right
-constexpr double kUnbend = 0.25;      // most that a step takes from the curvature, times the radius
 constexpr double kLeastCut = 0.05;    // length in contact below which a cut is none
 constexpr double kLeastTurn = 0.02;   // tightest radius off a wall
 constexpr double kOffWall = 0.005;    // off a wall, where cuts are traced
 constexpr double kEnoughWall = 0.03;  // advance along a wall for which no tighter turn is looked for
+constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
-constexpr double kSlack = 0.006;     // contact this far below the limit is at its limit
+constexpr double kAbove = 0.02;      // by which arcs may exceed the limit
+constexpr double kBelow = 0.03;      // by which long arcs may stay below it
+constexpr double kAimed = 0.006;     // contact this near to what was aimed at is good
 constexpr double kTouch = 0.02;      // less contact is none
 constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
 constexpr double kLeaveTurn = 1.6;   // length of that look
+constexpr double kMostTurn = 2.0;    // of one arc
 /// mm. Shorter moves are left out.
 constexpr double kShortest = 1e-4;
 /// Cosine between the direction of travel and a wall met, above which the cut goes on along the wall.
 constexpr double kSlide = 0.5;
-constexpr int kMostSteps = 100000;
+constexpr int kMostArcs = 20000;
 /// Length along a wall met over the distance from it.
 constexpr double kMeetSlope = 8;
 /// Changes between wall and open without cutting, after which a cut ends.
@@ -44,8 +50,7 @@ Tracer::Tracer(Ground& ground, const Walls& walls, const Regions& area, double l
 
 Path Tracer::cut_from(const WallPlace& start, double material_s) {
   path_.clear();
-  points_.clear();
-  run_ = engaged_ = 0;
+  engaged_ = 0;
   place_ = start;
   material_s_ = material_s;
   first_departure_ = -1e300;
@@ -54,10 +59,10 @@ Path Tracer::cut_from(const WallPlace& start, double material_s) {
 
 Path Tracer::cut_on(Vec2 from, Vec2 heading, double curvature) {
   path_.clear();
-  run_ = engaged_ = 0;
+  engaged_ = 0;
   state_ = {from, heading, curvature};
   tightest_ = radius_ / 2;
-  points_ = {{from, heading}};
+  contact_ = 0;
   return run(Next::kTrace);
 }
 
@@ -69,7 +74,6 @@ Path Tracer::run(Next next) {
     idle = engaged_ > before + kLeastCut * radius_ ? 0 : idle + 1;
   }
   if (path_.empty() && engaged_ < kLeastCut * radius_) return {};
-  commit();
   return path_;
 }
 
@@ -111,8 +115,7 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
     if (best - first > kEnoughWall * radius_) break;
   }
   if (best_radius > 0) {
-    leave(best, best_radius);
-    return Next::kTrace;
+    return leave(best, best_radius) ? Next::kTrace : Next::kDone;
   }
   append_wall(first, s_clear);
   return Next::kDone;
@@ -156,114 +159,195 @@ double Tracer::off_wall(double radius) const {
   return std::acos(std::clamp(1 - kOffWall * radius_ / radius, 0.3, 1.0));
 }
 
-void Tracer::leave(double s, double radius) {
+bool Tracer::leave(double s, double radius) {
   const Wall& wall = walls_.wall(place_.wall);
-  append_wall(place_.s, s);
+  if (!append_wall(place_.s, s)) return false;
   const double turn = off_wall(radius);
   const Vec2 from = wall.at(s), center = from + left_of(wall.heading(s)) * radius;
   state_ = {center + rotated(from - center, turn), rotated(wall.heading(s), turn), 1 / radius};
-  append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise));
   place_.s = s;
   if (first_departure_ < -1e299) first_departure_ = s;
   tightest_ = std::min(radius, radius_ / 2);
-  points_ = {{state_.point, state_.heading}};
+  usual_ = radius;
+  contact_ = ground_.contact(state_.point, state_.heading);
+  return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise));
 }
 
-void Tracer::append_wall(double s_from, double s_to) {
-  if (s_to <= s_from) return;
-  commit();
-  for (const Edge& edge : walls_.wall(place_.wall).part(s_from, s_to)) append(edge);
+/// Whether all of it was taken; what would exceed the limit is left out.
+bool Tracer::append_wall(double s_from, double s_to) {
+  if (s_to <= s_from) return true;
+  for (const Edge& edge : walls_.wall(place_.wall).part(s_from, s_to)) {
+    if (!append(edge)) return false;
+  }
+  return true;
 }
 
-void Tracer::append(Edge edge) {
+bool Tracer::append(const Edge& edge) {
+  const double length = distance(edge.from, edge.to) < kShortest ? 0 : edge.length();
+  if (length <= 0) return true;
+  const double within = length_within(edge);
+  if (within < kShortest) return false;
+  take(within < length ? edge.part(0, within / length) : edge);
+  return within >= length;
+}
+
+void Tracer::take(Edge edge) {
   if (!path_.empty()) edge.from = path_.back().to;  // the same point to rounding
-  if (distance(edge.from, edge.to) < kShortest) return;
   ground_.cut(edge);
   path_.push_back(edge);
 }
 
-Tracer::State Tracer::stepped(const State& from, double curvature, double length) const {
-  const double turn = curvature * length;
-  const double chord = std::abs(turn) < 1e-9 ? length : 2 * std::sin(turn / 2) / curvature;
-  return {from.point + rotated(from.heading, turn / 2) * chord, rotated(from.heading, turn), curvature};
+/// Length of the edge up to where the contact is too high.
+double Tracer::length_within(const Edge& edge) const {
+  const double length = edge.length();
+  const int steps = static_cast<int>(length / (kCheck * radius_)) + 1;
+  double good = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    if (ground_.contact(edge.at(t), edge.tangent_at(t)) > limit_ + kAbove) return good * length;
+    good = t;
+  }
+  return length;
 }
 
-/// Contact above the limit after a step at this curvature.
-double Tracer::excess(double curvature) const {
-  const State next = stepped(state_, curvature, std::min(step_, tightest_ / 2));
-  return ground_.contact(next.point, next.heading) - limit_;
+Tracer::State Tracer::after(const Shot& shot, double length) const {
+  const double turn = shot.curvature * length;
+  const double chord = std::abs(turn) < 1e-9 ? length : 2 * std::sin(turn / 2) / shot.curvature;
+  return {state_.point + rotated(state_.heading, turn / 2) * chord, rotated(state_.heading, turn),
+          shot.curvature};
 }
 
-/// The curvature with the contact at its limit, or just below.
-double Tracer::solve_curvature() const {
-  const double left = 1 / tightest_;
-  const double right = std::max(-1 / (kRightTurn * radius_),
-                                state_.curvature - std::max(kUnbend / radius_, state_.curvature / 2));
-  const double length = std::min(step_, tightest_ / 2);
-  double low = std::clamp(state_.curvature, right, left), at_low = excess(low);  // low: contact too high
-  if (at_low <= 0 && at_low > -kSlack) return low;
-  double high = low, at_high = at_low;
-  for (int i = 0; i < 12 && at_low <= 0; ++i) {
-    if (low <= right) return right;
-    high = low;
-    at_high = at_low;
-    low = std::max(right, low + std::max(at_low, -0.5) / length - 0.02 / radius_);
-    at_low = excess(low);
-    if (at_low <= 0 && at_low > -kSlack) return low;
-  }
-  for (int i = 0; i < 12 && at_high > 0; ++i) {
-    if (high >= left) return left;
-    low = high;
-    at_low = at_high;
-    high = std::min(left, high + at_high / length + 0.02 / radius_);
-    at_high = excess(high);
-    if (at_high <= 0 && at_high > -kSlack) return high;
-  }
-  for (int i = 0; i < 12 && at_high <= -kSlack; ++i) {
-    const double share = std::clamp((at_high + kSlack / 2) / (at_high - at_low), 0.1, 0.9);
-    const double middle = high + (low - high) * share;
-    const double at_middle = excess(middle);
-    if (at_middle > 0) {
-      low = middle;
-      at_low = at_middle;
+double Tracer::contact_after(const Shot& shot, double length) const {
+  const State state = after(shot, length);
+  return ground_.contact(state.point, state.heading);
+}
+
+Edge Tracer::edge_of(const Shot& shot) const {
+  const Vec2 to = after(shot, shot.length).point;
+  const double radius = 1 / shot.curvature, sagitta = shot.length * shot.length * shot.curvature / 8;
+  if (std::abs(sagitta) < kShortest) return Edge::line(state_.point, to);
+  return Edge::arc(state_.point, to, state_.point + left_of(state_.heading) * radius,
+                   radius > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
+}
+
+/// The arc of this length at whose end the contact is at the limit, or as near below as turns allow.
+std::optional<Tracer::Shot> Tracer::aim(double length, double guess) const {
+  const double rightmost = std::max(-1 / (kRightTurn * radius_), -kMostTurn / length);
+  const double leftmost = std::min(1 / tightest_, kMostTurn / length);
+  double right = rightmost, left = leftmost;  // too much contact, too little
+  const double slope = length + length * length / (2 * radius_ * std::sin(limit_));
+  Shot shot{std::clamp(guess, right, left), length};
+  std::optional<Shot> best;
+  for (int i = 0; i < 8; ++i) {
+    const double excess = contact_after(shot, length) - limit_;
+    if (excess <= kAimed) best = shot;
+    if (std::abs(excess) <= kAimed) break;
+    if (shot.curvature == (excess > 0 ? leftmost : rightmost)) break;
+    (excess > 0 ? right : left) = shot.curvature;
+    const double next = shot.curvature + excess / slope;
+    if (next > right && next < left) {
+      shot.curvature = next;
+    } else if (excess > 0 ? left == leftmost : right == rightmost) {
+      shot.curvature = excess > 0 ? left : right;
     } else {
-      high = middle;
-      at_high = at_middle;
+      shot.curvature = (right + left) / 2;
     }
   }
-  return high;
+  return best;
+}
+
+/// Whether the contact keeps to its limit all along, and does not stay far below.
+bool Tracer::is_steady(const Shot& shot) const {
+  const int looks = static_cast<int>(shot.length / (kLook * radius_)) + 2;
+  double missing = 0;
+  for (int i = 1; i <= looks; ++i) {
+    const double contact = contact_after(shot, shot.length * i / (looks + 1));
+    if (contact > limit_ + kAbove) return false;
+    missing += std::max(0.0, limit_ - contact) * shot.length / looks;
+  }
+  const double rise = std::max(0.0, limit_ - contact_) * kRise * radius_;
+  return missing <= kBelow * (shot.length + radius_) + rise;
+}
+
+/// The longest arc that was found.
+std::optional<Tracer::Shot> Tracer::shoot() const {
+  std::optional<Shot> best;
+  double good = 0, bad = 2 * kLongestArc * radius_;
+  double length = std::clamp(usual_, kShortestArc * radius_, kFirst * radius_);
+  double guess = state_.curvature;
+  for (int i = 0; i < 12; ++i) {
+    const auto shot = aim(length, guess);
+    if (shot && is_steady(*shot)) {
+      best = shot;
+      guess = shot->curvature;
+      good = length;
+    } else {
+      bad = length;
+    }
+    if (bad < good * 1.4 || good >= kLongestArc * radius_) break;
+    length = good == 0 ? length / 2 : std::min(good * 2, std::sqrt(good * bad));
+    if (length < kShortestArc * radius_) break;
+  }
+  if (best) return best;
+  // Where the contact cannot be kept up: a short arc as far to the right as turns go.
+  return aim(kShortestArc * 4 * radius_, guess);
+}
+
+/// Length of the arc inside the area for cuts.
+double Tracer::length_inside(const Shot& shot) const {
+  const int looks = static_cast<int>(shot.length / (kCheck * radius_)) + 1;
+  double inside = 0;
+  for (int i = 1; i <= looks; ++i) {
+    const double length = shot.length * i / looks;
+    if (area_.contains(after(shot, length).point)) {
+      inside = length;
+      continue;
+    }
+    double outside = length;
+    for (int k = 0; k < 25; ++k) {
+      const double middle = (inside + outside) / 2;
+      (area_.contains(after(shot, middle).point) ? inside : outside) = middle;
+    }
+    return inside;
+  }
+  return shot.length;
 }
 
 Tracer::Next Tracer::trace() {
-  const double length = std::min(step_, tightest_ / 2);
-  double air = 0;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const State next = stepped(state_, solve_curvature(), length);
-    if (!area_.contains(next.point)) return meet_wall(next);
-    const double contact = ground_.contact(next.point, next.heading);
-    if (contact > limit_ + kSlack) return Next::kDone;
-    if (contact > kTouch) {
-      engaged_ += length;
-      air = 0;
-    } else if ((air += length) > kAir * radius_) {
-      const auto tail = static_cast<std::size_t>(air / length) - 1;
-      points_.resize(points_.size() > tail + 1 ? points_.size() - tail : 1, points_.front());
+  air_ = 0;
+  for (int i = 0; i < kMostArcs; ++i) {
+    const auto shot = shoot();
+    if (!shot) return Next::kDone;
+    const double inside = length_inside(*shot);
+    if (inside < shot->length) return meet_wall(*shot, inside);
+    const double gone = go(*shot);
+    if (gone < kShortestArc * radius_ && gone < shot->length) return Next::kDone;
+    if (contact_ > kTouch) {
+      engaged_ += gone;
+      air_ = 0;
+    } else if ((air_ += gone) > kAir * radius_) {
       return Next::kDone;
     }
-    state_ = next;
-    add_point(next.point, next.heading);
   }
   return Next::kDone;
 }
 
-/// Runs up to the wall before `next`, and on along it where it is met at a small angle.
-Tracer::Next Tracer::meet_wall(const State& next) {
-  double inside = 0, outside = 1;
-  for (int i = 0; i < 30; ++i) {
-    const double middle = (inside + outside) / 2;
-    (area_.contains(lerp(state_.point, next.point, middle)) ? inside : outside) = middle;
-  }
-  const Vec2 p = lerp(state_.point, next.point, inside);
+/// Takes the arc up to where its contact is too high; the length taken.
+double Tracer::go(const Shot& shot) {
+  const Edge edge = edge_of(shot);
+  const double within = distance(edge.from, edge.to) < kShortest ? 0 : length_within(edge);
+  if (within < kShortest) return 0;
+  contact_ = contact_after(shot, within);  // before it is cut
+  take(within < shot.length ? edge.part(0, within / shot.length) : edge);
+  state_ = after(shot, within);
+  usual_ = within;
+  return within;
+}
+
+/// Runs up to the wall where the arc leaves the area, and on along it where it is met at a small angle.
+Tracer::Next Tracer::meet_wall(const Shot& shot, double inside) {
+  if (inside > kShortest && go({shot.curvature, inside}) < inside) return Next::kDone;
+  const Vec2 p = state_.point;
   WallPlace met;
   double nearest = 1e300;
   for (std::size_t w = 0; w < walls_.count(); ++w) {
@@ -272,48 +356,16 @@ Tracer::Next Tracer::meet_wall(const State& next) {
     nearest = hit.distance;
     met = {w, hit.s};
   }
-  if (distance(p, points_.back().point) > kShortest)
-    add_point(p, rotated(state_.heading, next.curvature * inside * distance(state_.point, next.point)));
-  if (dot(next.heading, walls_.wall(met.wall).heading(met.s)) < kSlide || !walls_.touches_after(met, radius_))
+  if (dot(state_.heading, walls_.wall(met.wall).heading(met.s)) < kSlide ||
+      !walls_.touches_after(met, radius_))
     return Next::kDone;
   if (met.wall == place_.wall && met.s < place_.s + kLeastCut * radius_ && met.s > place_.s - radius_)
     return Next::kDone;
-  commit();
   met.s += kMeetSlope * nearest;
-  append(Edge::line(p, walls_.wall(met.wall).at(met.s)));
+  if (!append(Edge::line(p, walls_.wall(met.wall).at(met.s)))) return Next::kDone;
   place_ = met;
   material_s_ = met.s;
   return Next::kWall;
-}
-
-void Tracer::add_point(Vec2 p, Vec2 heading) {
-  run_ += distance(points_.back().point, p);
-  points_.push_back({p, heading});
-  if (run_ > kCommit * radius_) commit();
-}
-
-/// Whether the edge stays where the cutter may be.
-bool Tracer::is_legal(const Edge& edge) const {
-  for (const double t : {0.15, 0.3, 0.5, 0.7, 0.85}) {
-    if (!ground_.legal().contains(edge.at(t))) return false;
-  }
-  return true;
-}
-
-/// Fits arcs to the points and takes away what they sweep. Where arcs would run into a wall: straight from
-/// point to point.
-void Tracer::commit() {
-  if (points_.size() > 1) {
-    const Path fitted = fit_biarcs(points_, kTolerance * radius_);
-    if (std::all_of(fitted.begin(), fitted.end(), [&](const Edge& edge) { return is_legal(edge); })) {
-      for (const Edge& edge : fitted) append(edge);
-    } else {
-      for (std::size_t i = 1; i < points_.size(); ++i)
-        append(Edge::line(points_[i - 1].point, points_[i].point));
-    }
-    points_ = {points_.back()};
-  }
-  run_ = 0;
 }
 
 }  // namespace clearcut

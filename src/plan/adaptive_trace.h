@@ -1,7 +1,8 @@
 // Cuts that keep the engagement at its limit: the curve that the cutter's centre has to run on for that.
 #pragma once
 
-#include "plan/adaptive_arcs.h"
+#include <optional>
+
 #include "plan/adaptive_ground.h"
 #include "plan/adaptive_walls.h"
 
@@ -32,24 +33,34 @@ class Tracer {
   };
   enum class Next { kDone, kTrace, kWall };
 
+  /// An arc from the state on, by curvature and length.
+  struct Shot {
+    double curvature = 0;
+    double length = 0;
+  };
+
   Path run(Next next);
   Next follow_wall();
   Next depart(double s_clear, double s_over);
   double latest_departure(double s_clear, double s_over, double radius) const;
   bool can_leave(double s, double radius) const;
   double off_wall(double radius) const;
-  void leave(double s, double radius);
+  bool leave(double s, double radius);
   Next trace();
-  Next meet_wall(const State& next);
-  State stepped(const State& from, double curvature, double length) const;
-  double solve_curvature() const;
-  double excess(double curvature) const;
-  void add_point(Vec2 p, Vec2 heading);
-  bool is_legal(const Edge& edge) const;
-  void commit();
+  Next meet_wall(const Shot& shot, double inside);
+  State after(const Shot& shot, double length) const;
+  Edge edge_of(const Shot& shot) const;
+  double contact_after(const Shot& shot, double length) const;
+  std::optional<Shot> shoot() const;
+  std::optional<Shot> aim(double length, double guess) const;
+  bool is_steady(const Shot& shot) const;
+  double length_inside(const Shot& shot) const;
+  double length_within(const Edge& edge) const;
+  double go(const Shot& shot);
   double wall_contact(double s) const;
-  void append(Edge edge);
-  void append_wall(double s_from, double s_to);
+  bool append(const Edge& edge);
+  void take(Edge edge);
+  bool append_wall(double s_from, double s_to);
 
   Ground& ground_;
   const Walls& walls_;
@@ -58,10 +69,11 @@ class Tracer {
   double limit_;
   double step_;
   Path path_;
-  std::vector<CurvePoint> points_;  ///< of the cut since the last commit
-  double run_ = 0;                  ///< their length
-  double engaged_ = 0;              ///< mm of the cut in contact
+  double engaged_ = 0;  ///< mm of the cut in contact
+  double air_ = 0;      ///< mm since the last contact
   State state_;
+  double contact_ = 0;  ///< at the state
+  double usual_ = 0;    ///< mm, length of the last arc
   WallPlace place_;
   double material_s_ = 0;
   double first_departure_ = 0;
