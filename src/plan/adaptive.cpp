@@ -202,14 +202,17 @@ class AdaptivePlanner {
   bool cut_from(const WallPlace& start) {
     const auto approach = approach_to(start);
     if (!approach) return false;
-    Path cut = tracer_.cut_from(approach->first, start.s);
+    const Path cut = tracer_.cut_from(approach->first, start.s);
     if (cut.empty()) {
       walls_.give_up(start);
       return true;
     }
-    const Vec2 gate = approach->way.back();
-    if (gate != cut.front().from) cut.insert(cut.begin(), Edge::line(gate, cut.front().from));
-    path_.append(cut, approach->way);
+    Path whole = approach->lead;
+    for (const Edge& edge : approach->lead) ground_.cut(edge);
+    const Vec2 gate = whole.empty() ? approach->way.back() : whole.back().to;
+    if (gate != cut.front().from) whole.push_back(Edge::line(gate, cut.front().from));
+    whole.insert(whole.end(), cut.begin(), cut.end());
+    path_.append(whole, approach->way);
     walls_.update(ground_, box(cut).grown(2 * radius_));
     if (walls_.is_start(start) &&
         walls_.count_idle(start, tracer_.first_departure(), kLeastAdvance * radius_) >= kMostIdle) {
@@ -221,6 +224,7 @@ class AdaptivePlanner {
   /// A free way to a gate, from where a short move leads to the first place of a cut.
   struct Approach {
     std::vector<Vec2> way;
+    Path lead;  ///< at the cutting feed, through films
     WallPlace first;
   };
 
@@ -243,7 +247,7 @@ class AdaptivePlanner {
     for (double back = 0; back < kLongestApproach * radius_; back += kMarkPitch * radius_ / 2) {
       const WallPlace first{start.wall, start.s - back};
       if (ground_.touches(point(first), kFree)) continue;
-      if (const auto way = way_to(point(first))) return Approach{*way, first};
+      if (const auto way = way_to(point(first))) return Approach{*way, {}, first};
       break;
     }
     const Vec2 p = point(start), along = wall.heading(start.s);
@@ -252,10 +256,40 @@ class AdaptivePlanner {
         const double aside = share * radius_;
         const Vec2 gate = p - along * (slope * aside) + left_of(along) * aside;
         if (!ground_.legal().contains(gate) || ground_.touches(gate, kFree) || !is_gentle(gate, p)) continue;
-        if (const auto way = way_to(gate)) return Approach{*way, start};
+        if (const auto way = way_to(gate)) return Approach{*way, {}, start};
       }
     }
+    return approach_through_films(start);
+  }
+
+  /// Over what clearing left on the walls behind the start, within the limit.
+  std::optional<Approach> approach_through_films(const WallPlace& start) const {
+    if (path_.empty()) return std::nullopt;
+    for (double back = 0; back < kLongestApproach * radius_; back += kMarkPitch * radius_) {
+      const WallPlace first{start.wall, start.s - back};
+      const double film = walls_.film(first);
+      if (ground_.touches(point(first), film)) continue;
+      const auto way = path_.way_to(point(first), film);
+      if (!way) continue;
+      Approach approach{{}, {}, first};
+      Vec2 at = path_.at();
+      for (const Vec2 station : *way) {
+        if (approach.lead.empty() && ground_.is_free(at, station, kFree)) {
+          approach.way.push_back(station);
+        } else {
+          approach.lead.push_back(Edge::line(at, station));
+        }
+        at = station;
+      }
+      if (is_within(approach.lead)) return approach;
+    }
     return std::nullopt;
+  }
+
+  bool is_within(const Path& path) const {
+    return std::all_of(path.begin(), path.end(), [&](const Edge& edge) {
+      return ground_.length_within(edge, limit_) >= edge.length();
+    });
   }
 
   /// Along the walls wherever they still bear material, the nearest stretch first.

@@ -11,14 +11,4 @@ namespace clearcut {
 /// within `tolerance` mm. The points follow a smooth curve, none twice. Cost O(n log n).
 Path fit_arcs(std::span<const Vec2> points, double tolerance);
 
-/// A point of a smooth curve.
-struct CurvePoint {
-  Vec2 point;
-  Vec2 heading;  ///< unit
-};
-
-/// As few pairs of arcs as reach from the first point to the last: smooth, with every point within
-/// `tolerance` mm. Cost O(n log n).
-Path fit_biarcs(std::span<const CurvePoint> points, double tolerance);
-
 }  // namespace clearcut

@@ -9,6 +9,8 @@ namespace {
 constexpr double kRounding = 2e-4;
 /// Tool radii between the places where a straight way is looked at.
 constexpr double kLookStep = 0.2;
+/// Tool radii between the places where the contact of a cut is looked at.
+constexpr double kCheckStep = 0.1;
 
 Move level_move(const Edge& edge) {
   return {edge, -1, -1, MoveKind::kCut, {}, 0};
@@ -21,6 +23,18 @@ Ground::Ground(const Regions& legal, double tool_radius)
 
 double Ground::contact(Vec2 p, Vec2 heading) const {
   return material_.engagement(p, heading, tool_radius_ - kRounding, -1).angle;
+}
+
+double Ground::length_within(const Edge& edge, double limit) const {
+  const double length = edge.length();
+  const int steps = static_cast<int>(length / (tool_radius_ * kCheckStep)) + 1;
+  double good = 0;
+  for (int i = 1; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    if (contact(edge.at(t), edge.tangent_at(t)) > limit) return good * length;
+    good = t;
+  }
+  return length;
 }
 
 bool Ground::touches(Vec2 p, double film) const {

@@ -19,6 +19,8 @@ class Ground {
 
   /// Angle of the front half circle in material, for a cutter at p that moves along `heading`. Radians.
   double contact(Vec2 p, Vec2 heading) const;
+  /// Length of the edge up to where the contact exceeds `limit`, mm.
+  double length_within(const Edge& edge, double limit) const;
   /// Whether a cutter smaller by `film` mm would touch material at p.
   bool touches(Vec2 p, double film) const;
   /// Whether the straight way is legal and touches nothing thicker than `film` mm.

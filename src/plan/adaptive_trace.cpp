@@ -185,7 +185,7 @@ bool Tracer::append_wall(double s_from, double s_to) {
 bool Tracer::append(const Edge& edge) {
   const double length = distance(edge.from, edge.to) < kShortest ? 0 : edge.length();
   if (length <= 0) return true;
-  const double within = length_within(edge);
+  const double within = ground_.length_within(edge, limit_ + kAbove);
   if (within < kShortest) return false;
   take(within < length ? edge.part(0, within / length) : edge);
   return within >= length;
@@ -195,19 +195,6 @@ void Tracer::take(Edge edge) {
   if (!path_.empty()) edge.from = path_.back().to;  // the same point to rounding
   ground_.cut(edge);
   path_.push_back(edge);
-}
-
-/// Length of the edge up to where the contact is too high.
-double Tracer::length_within(const Edge& edge) const {
-  const double length = edge.length();
-  const int steps = static_cast<int>(length / (kCheck * radius_)) + 1;
-  double good = 0;
-  for (int i = 1; i <= steps; ++i) {
-    const double t = static_cast<double>(i) / steps;
-    if (ground_.contact(edge.at(t), edge.tangent_at(t)) > limit_ + kAbove) return good * length;
-    good = t;
-  }
-  return length;
 }
 
 Tracer::State Tracer::after(const Shot& shot, double length) const {
@@ -335,7 +322,8 @@ Tracer::Next Tracer::trace() {
 /// Takes the arc up to where its contact is too high; the length taken.
 double Tracer::go(const Shot& shot) {
   const Edge edge = edge_of(shot);
-  const double within = distance(edge.from, edge.to) < kShortest ? 0 : length_within(edge);
+  const double within =
+      distance(edge.from, edge.to) < kShortest ? 0 : ground_.length_within(edge, limit_ + kAbove);
   if (within < kShortest) return 0;
   contact_ = contact_after(shot, within);  // before it is cut
   take(within < shot.length ? edge.part(0, within / shot.length) : edge);

@@ -55,7 +55,6 @@ class Tracer {
   std::optional<Shot> aim(double length, double guess) const;
   bool is_steady(const Shot& shot) const;
   double length_inside(const Shot& shot) const;
-  double length_within(const Edge& edge) const;
   double go(const Shot& shot);
   double wall_contact(double s) const;
   bool append(const Edge& edge);

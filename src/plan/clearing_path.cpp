@@ -15,6 +15,11 @@ constexpr double kShortest = 1e-6;
 /// Axis points tried as the first and last of a way.
 constexpr int kMostGates = 3;
 constexpr double kInfinity = 1e300;
+/// Radians by which the spiral may exceed the limit.
+constexpr double kSpiralExcess = 0.015;
+/// By how much a half turn that exceeds it is taken back, and the least that it widens, in tool radii.
+constexpr double kNarrower = 0.97;
+constexpr double kLeastWidening = 0.05;
 
 }  // namespace
 
@@ -145,8 +150,16 @@ void ClearingPath::open(const Disc& disc, double entry_radius, double engagement
   cut_arc(disc.center, disc.center - Vec2{right, 0});
   cut_arc(disc.center, disc.center + Vec2{right, 0});
   while (right < last) {
-    const double reach = std::min(last, widened_circle(left + tool, tool, engagement));
-    const Vec2 to = disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0};
+    double reach = std::min(last, widened_circle(left + tool, tool, engagement));
+    const auto end = [&] { return disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0}; };
+    const auto half_turn = [&] {
+      return Edge::arc(at_, end(), (at_ + end()) / 2.0, Turn::kCounterClockwise);
+    };
+    // The closed form is that of a circle; the half turns that widen it meet a little more.
+    while (ground_.length_within(half_turn(), engagement + kSpiralExcess) < half_turn().length() &&
+           reach > left + kLeastWidening * tool)
+      reach = left + (reach - left) * kNarrower;
+    const Vec2 to = end();
     cut_arc((at_ + to) / 2.0, to);
     left = right;
     right = reach;
