@@ -139,7 +139,7 @@ bool Walls::is_start(const WallPlace& place) const {
 int Walls::count_idle(const WallPlace& start, double s, double least) {
   Marks& marks = marks_[start.wall];
   const std::size_t i = mark_at(start);
-  if (s < marks.left_at[i] + least) ++marks.idle[i];
+  if (s <= marks.left_at[i] + least) ++marks.idle[i];
   marks.left_at[i] = std::max(marks.left_at[i], s);
   return marks.idle[i];
 }
