@@ -58,8 +58,8 @@ std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const Lin
   const int turns = std::max(1, static_cast<int>(std::ceil(drop / per_turn)));
   std::vector<Move> moves;
   for (int i = 0; i < turns; ++i) {
-    append_turn(circle, place.start, place.z_above - drop * i / turns, place.z_above - drop * (i + 1) / turns,
-                options, moves);
+    const double low = i + 1 == turns ? place.z : place.z_above - drop * (i + 1) / turns;
+    append_turn(circle, place.start, place.z_above - drop * i / turns, low, options, moves);
   }
   if (!place.circle_center) append_turn(circle, place.start, place.z, place.z, options, moves);
   return moves;

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "link/entry.h"
 #include "link/lead.h"
+#include "link/moves.h"
 #include "toolpath/legal_area.h"
 
 namespace clearcut {
@@ -169,10 +170,10 @@ class Linker {
   }
 
   void finish() {
-    if (!moves_.empty()) vertical(options_.safe_z, MoveKind::kRapid, {});
+    if (running()) moves_.vertical(options_.safe_z, MoveKind::kRapid, {});
   }
 
-  std::vector<Move> take_moves() { return std::move(moves_); }
+  std::vector<Move> take_moves() { return moves_.take(); }
 
  private:
   struct Choice {
@@ -190,8 +191,8 @@ class Linker {
   double hop_time(Vec2 to, const LayerState& state, const LayerState* above) const {
     const double a = options_.machine.acceleration;
     const double height = hop_height(to, state, above);
-    const double up = travel_time(height - z_, rapid_speed(), a);
-    const double across = travel_time(distance(at_, to), rapid_speed(), a);
+    const double up = travel_time(height - moves_.z(), rapid_speed(), a);
+    const double across = travel_time(distance(moves_.at(), to), rapid_speed(), a);
     const double start_z = approach_z(to, state);
     const double down = travel_time(height - start_z, rapid_speed(), a);
     return up + across + down + (start_z - state.layer().z) / options_.plunge_feed.mm_per_s();
@@ -202,7 +203,8 @@ class Linker {
   double hop_height(Vec2 to, const LayerState& state, const LayerState* above) const {
     const double low = state.layer().z_top + options_.above_material;
     const bool clear = above == nullptr || above->layer().film == 0;
-    return clear && low < options_.safe_z && state.legal().holds_line(at_, to) ? low : options_.safe_z;
+    return clear && low < options_.safe_z && state.legal().holds_line(moves_.at(), to) ? low
+                                                                                       : options_.safe_z;
   }
 
   /// Where a rapid down has to end over `p`.
@@ -220,11 +222,11 @@ class Linker {
   }
 
   Choice choose(const LayerState& state, const LayerState* above) const {
-    if (!running() || (z_ != state.layer().z && state.open())) return first_choice(state);
+    if (!running() || (moves_.z() != state.layer().z && state.open())) return first_choice(state);
     Choice best;
     for (std::size_t i = 0; i < state.layer().passes.size(); ++i) {
       if (!state.available(i)) continue;
-      const double least = state.box(i).distance_to(at_) / options_.feed.mm_per_s();
+      const double least = state.box(i).distance_to(moves_.at()) / options_.feed.mm_per_s();
       if (std::min(least, 0.5) > best.cost) continue;
       const Choice candidate = evaluate(i, state, above);
       if (candidate.cost < best.cost) best = candidate;
@@ -235,10 +237,11 @@ class Linker {
   Choice evaluate(std::size_t i, const LayerState& state, const LayerState* above) const {
     Choice choice;
     choice.pass = i;
-    choice.start = nearest_start(state.pass(i), at_);
+    choice.start = nearest_start(state.pass(i), moves_.at());
     choice.cost = hop_time(choice.start.point, state, above);
-    const double down = distance(at_, choice.start.point) / options_.feed.mm_per_s();
-    if (z_ == state.layer().z && down < choice.cost && state.legal().holds_line(at_, choice.start.point)) {
+    const double down = distance(moves_.at(), choice.start.point) / options_.feed.mm_per_s();
+    if (moves_.z() == state.layer().z && down < choice.cost &&
+        state.legal().holds_line(moves_.at(), choice.start.point)) {
       choice.stay_down = true;
       choice.cost = down;
     }
@@ -315,7 +318,7 @@ class Linker {
     std::optional<Lead> lead;
     if (options_.lead_radius > 0 && runs_along_wall(pass)) {
       lead = lead_for(path, state.layer().legal, options_.lead_radius);
-      if (lead && next.stay_down && !state.legal().holds_line(at_, lead->in.from)) lead.reset();
+      if (lead && next.stay_down && !state.legal().holds_line(moves_.at(), lead->in.from)) lead.reset();
       if (!lead) ++without_lead_;
     }
     if (lead) {
@@ -325,9 +328,9 @@ class Linker {
     const bool on_ring = pass.closed && pass.kinds.empty() && !lead;
     const double along = go_to(next, lead ? Path{lead->in} : path, on_ring, state, above);
     if (along > 0) path = begun_at(path, along);
-    if (lead) cut({lead->in}, {MoveKind::kLeadIn}, state.layer().z);
-    cut(path, pass.kinds, state.layer().z);
-    if (lead) cut({lead->out}, {MoveKind::kLeadOut}, state.layer().z);
+    if (lead) cut({lead->in}, {MoveKind::kLeadIn});
+    cut(path, pass.kinds);
+    if (lead) cut({lead->out}, {MoveKind::kLeadOut});
   }
 
   static bool runs_along_wall(const Pass& pass) {
@@ -352,35 +355,34 @@ class Linker {
     const auto outside = way_out(p, state);
     const Vec2 entry = outside.value_or(p);
     rise_and_cross(entry, running() ? hop_height(entry, state, above) : options_.safe_z);
-    vertical(approach_z(entry, state), MoveKind::kRapid, {});
+    moves_.vertical(approach_z(entry, state), MoveKind::kRapid, {});
     if (!outside)
       return enter_material(path, is_ring ? &path : nullptr, state.pass(next.pass).entry_center, state);
-    vertical(state.layer().z, MoveKind::kPlunge, options_.plunge_feed);
-    line_to(p, MoveKind::kLeadIn, lead_feed());
+    moves_.vertical(state.layer().z, MoveKind::kPlunge, options_.plunge_feed);
+    moves_.line(p, MoveKind::kLeadIn, lead_feed());
     return 0;
   }
 
   void link_to(Vec2 p) {
-    if (p == at_) return;
-    const double depth = z_;
+    if (p == moves_.at()) return;
+    const double depth = moves_.z();
     const MmPerMin feed = options_.link_feed.value_or(options_.feed);
-    if (options_.link_lift > 0) vertical(depth + options_.link_lift, MoveKind::kLink, feed);
-    line_to(p, MoveKind::kLink, feed);
-    vertical(depth, MoveKind::kPlunge, options_.plunge_feed);
+    if (options_.link_lift > 0) moves_.vertical(depth + options_.link_lift, MoveKind::kLink, feed);
+    moves_.line(p, MoveKind::kLink, feed);
+    moves_.vertical(depth, MoveKind::kPlunge, options_.plunge_feed);
   }
 
   /// From a little above the material down into it, as the entry option says. See go_to for what comes back.
   double enter_material(const Path& path, const Path* ring, std::optional<Vec2> center,
                         const LayerState& state) {
-    vertical(std::min(z_, state.layer().z_top + kEntryHeight), MoveKind::kPlunge, options_.plunge_feed);
+    moves_.vertical(std::min(moves_.z(), state.layer().z_top + kEntryHeight), MoveKind::kPlunge,
+                    options_.plunge_feed);
     const Edge first = path.front();
     const Vec2 heading = first.from == first.to ? Vec2{1, 0} : first.tangent_at(0);
-    const EntryPlace place{at_, heading, z_, state.layer().z, center, ring};
+    const EntryPlace place{moves_.at(), heading, moves_.z(), state.layer().z, center, ring};
     const Entry entry = entry_at(place, state.layer().legal, options_);
-    moves_.insert(moves_.end(), entry.moves.begin(), entry.moves.end());
+    moves_.append(entry.moves);
     ++entries_[index_of(entry.kind)];
-    at_ = entry.moves.back().path.to;
-    z_ = state.layer().z;
     return entry.along_ring;
   }
 
@@ -389,26 +391,11 @@ class Linker {
 
   void rise_and_cross(Vec2 to, double height) {
     if (!running()) {
-      at_ = to;
-      z_ = height;
+      moves_ = MoveList(to, height);
       return;
     }
-    vertical(height, MoveKind::kRapid, {});
-    if (at_ == to) return;
-    moves_.push_back({Edge::line(at_, to), z_, z_, MoveKind::kRapid, {}, 0});
-    at_ = to;
-  }
-
-  void vertical(double z, MoveKind kind, MmPerMin feed) {
-    if (z == z_) return;
-    moves_.push_back({Edge::line(at_, at_), z_, z, kind, feed, 0});
-    z_ = z;
-  }
-
-  void line_to(Vec2 p, MoveKind kind, MmPerMin feed) {
-    if (p == at_) return;
-    moves_.push_back({Edge::line(at_, p), z_, z_, kind, feed, 0});
-    at_ = p;
+    moves_.vertical(height, MoveKind::kRapid, {});
+    moves_.line(to, MoveKind::kRapid, {});
   }
 
   Path oriented(const LayerState& state, const Choice& next) const {
@@ -419,14 +406,13 @@ class Linker {
     return back ? reversed(path) : path;
   }
 
-  void cut(const Path& path, const std::vector<MoveKind>& kinds, double z) {
+  void cut(const Path& path, const std::vector<MoveKind>& kinds) {
     for (std::size_t i = 0; i < path.size(); ++i) {
       Edge joined = path[i];
-      if (i == 0) joined.from = at_;           // the same point to rounding
+      if (i == 0) joined.from = moves_.at();   // the same point to rounding
       if (joined.from == joined.to) continue;  // a place where the cutter just fits: plunged into
       const MoveKind kind = kinds.empty() ? MoveKind::kCut : kinds[i];
-      moves_.push_back({joined, z, z, kind, feed_of(kind), 0});
-      at_ = joined.to;
+      moves_.along(joined, kind, feed_of(kind));
     }
   }
 
@@ -436,9 +422,7 @@ class Linker {
   }
 
   const LinkOptions& options_;
-  std::vector<Move> moves_;
-  Vec2 at_;
-  double z_ = 0;
+  MoveList moves_{{}, 0};
   std::array<int, 4> entries_{};  ///< into material, by kind
   int without_lead_ = 0;
 };

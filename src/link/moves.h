@@ -36,6 +36,21 @@ class MoveList {
     z_ = z;
   }
 
+  /// A move at the height it is at; it has to begin there.
+  void along(const Edge& path, MoveKind kind, MmPerMin feed) {
+    moves_.push_back({path, z_, z_, kind, feed, 0});
+    at_ = path.to;
+  }
+
+  /// Moves that begin where it is.
+  void append(const std::vector<Move>& moves) {
+    if (moves.empty()) return;
+    moves_.insert(moves_.end(), moves.begin(), moves.end());
+    at_ = moves.back().path.to;
+    z_ = moves.back().z_to;
+  }
+
+  bool empty() const { return moves_.empty(); }
   std::vector<Move> take() { return std::move(moves_); }
 
  private:

@@ -1,8 +1,11 @@
 // How long a lift takes, for comparing with staying down. Used by the planner alone.
 #pragma once
 
-#include <cmath>
+#include <optional>
+#include <span>
 
+#include "base/units.h"
+#include "toolpath/legal_route.h"
 #include "toolpath/machine.h"
 
 namespace clearcut {
@@ -13,17 +16,16 @@ class Hop {
   Hop(const Machine& machine, MmPerMin feed) : machine_(machine), feed_(feed) {}
 
   /// Seconds to a place `across` mm away.
-  double time(double across) const {
-    return 2 * rapid_time(kLift) + rapid_time(across) + kLift / 3 / (kPlungeShare * feed_.mm_per_s());
-  }
+  double time(double across) const;
+
+  /// Seconds along all ways, each with a hop to a place `across` mm away.
+  double time_of(std::span<const Path> ways, double across) const;
+
+  /// A legal way from a to b at depth, where there is one that is quicker than a hop.
+  std::optional<Path> way_at_depth(Vec2 a, Vec2 b, const LegalRoutes& routes) const;
 
  private:
-  static constexpr double kLift = 10;          ///< mm
-  static constexpr double kPlungeShare = 0.3;  ///< of the feed
-  double rapid_time(double length) const {
-    const double a = machine_.acceleration, v = machine_.rapid.mm_per_s();
-    return length < v * v / a ? 2 * std::sqrt(length / a) : length / v + v / a;
-  }
+  double rapid_time(double length) const;
 
   const Machine& machine_;
   MmPerMin feed_;

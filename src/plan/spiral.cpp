@@ -12,8 +12,6 @@
 #include "plan/mend.h"
 #include "plan/spiral_chains.h"
 #include "plan/spiral_turn.h"
-#include "toolpath/kinematics.h"
-#include "toolpath/legal_route.h"
 
 namespace clearcut {
 namespace {
@@ -146,7 +144,7 @@ class SpiralPlanner {
       }
     }
     if (!mend(result.paths, job_)) return {};
-    result.time = time_of(result.paths);
+    result.time = hop_.time_of(result.paths, 2 * layer_.tool_radius);
     return result;
   }
 
@@ -230,16 +228,6 @@ class SpiralPlanner {
     paths = holes.empty() ? std::move(round) : rounded();
   }
 
-  double time_of(const std::vector<Path>& paths) const {
-    double time = 0;
-    for (const auto& path : paths) {
-      std::vector<Move> moves;
-      for (const auto& edge : path) moves.push_back({edge, 0, 0, MoveKind::kCut, options_.feed, 0});
-      time += kinematic_time(moves, options_.machine).seconds() + hop_.time(2 * layer_.tool_radius);
-    }
-    return time;
-  }
-
   const Region& region_;
   bool from_wall_;
   double first_level_ = 0;
@@ -263,7 +251,6 @@ class Joiner {
         area_({legal}),
         routes_({legal}, area_),
         hop_(options.machine, options.feed),
-        speed_(options.feed.mm_per_s()),
         done_(spirals_.paths.size(), false) {}
 
   std::vector<Path> join() {
@@ -272,7 +259,8 @@ class Joiner {
       const auto next = nearest_ready(joined);
       Path path = begun_near(next, joined);
       done_[next] = true;
-      auto way = joined.empty() ? std::nullopt : way_between(joined.back().back().to, path.front().from);
+      auto way = joined.empty() ? std::nullopt
+                                : hop_.way_at_depth(joined.back().back().to, path.front().from, routes_);
       if (way) {
         append(joined.back(), *way);
         append(joined.back(), path);
@@ -314,19 +302,10 @@ class Joiner {
     return best;
   }
 
-  std::optional<Path> way_between(Vec2 a, Vec2 b) const {
-    const double lift = hop_.time(distance(a, b));
-    if (distance(a, b) / speed_ > lift) return std::nullopt;
-    auto way = routes_.between(a, b);
-    if (!way || length(*way) / speed_ > lift) return std::nullopt;
-    return way;
-  }
-
   Spirals spirals_;
   LegalArea area_;
   LegalRoutes routes_;
   Hop hop_;
-  double speed_;
   std::vector<bool> done_;
 };
 

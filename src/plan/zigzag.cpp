@@ -9,8 +9,6 @@
 #include "plan/hop.h"
 #include "plan/zigzag_cells.h"
 #include "plan/zigzag_order.h"
-#include "toolpath/kinematics.h"
-#include "toolpath/legal_route.h"
 
 namespace clearcut {
 namespace {
@@ -74,7 +72,7 @@ class ZigzagPlanner {
     drafts.resize(std::min(drafts.size(), large ? 1 : kFinalists));
     for (const auto& draft : drafts) {
       auto ways = ways_of(draft);
-      const double time = time_of(ways);
+      const double time = hop_.time_of(ways, 2 * layer_.tool_radius);
       if (time >= best_time) continue;
       best_time = time;
       best = std::move(ways);
@@ -146,25 +144,6 @@ class ZigzagPlanner {
     return way / speed() + turns * speed() / options_.machine.acceleration;
   }
 
-  double time_of(const std::vector<Path>& ways) const {
-    double time = 0;
-    for (const auto& way : ways) {
-      std::vector<Move> moves;
-      for (const auto& edge : way) moves.push_back({edge, 0, 0, MoveKind::kCut, options_.feed, 0});
-      time += kinematic_time(moves, options_.machine).seconds() + hop_.time(2 * layer_.tool_radius);
-    }
-    return time;
-  }
-
-  /// The nearest legal way, where it is quicker than a lift.
-  std::optional<Path> way_between(Vec2 a, Vec2 b) const {
-    const double lift = hop_.time(distance(a, b));
-    if (distance(a, b) / speed() > lift) return std::nullopt;
-    auto way = routes_.between(a, b);
-    if (!way || length(*way) / speed() > lift) return std::nullopt;
-    return way;
-  }
-
   /// Length of the lines of a cell that are cut with the material on the wrong side. Each line but the first, which is
   /// a slot, has the material ahead: above it where the cell is cut upwards.
   double wrong_side_length(const ZigzagCell& cell, int variant) const {
@@ -184,7 +163,7 @@ class ZigzagPlanner {
     OrderQuestion question;
     question.travel = [&](Vec2 from, Vec2 to) {
       const Vec2 a = original(from), b = original(to);
-      const auto way = way_between(a, b);
+      const auto way = hop_.way_at_depth(a, b, routes_);
       return way ? length(*way) / speed() : hop_.time(distance(a, b));
     };
     question.own = [&](const CellVisit& visit) {
@@ -203,7 +182,7 @@ class ZigzagPlanner {
 
   void add_line(Vec2 from, Vec2 to, std::optional<Vec2>& at, std::vector<Path>& ways) const {
     if (at && *at != from) {
-      const auto way = way_between(*at, from);
+      const auto way = hop_.way_at_depth(*at, from, routes_);
       if (!way) {
         if (ways.back().empty()) ways.back() = way_to_wall(*at);
         ways.emplace_back();

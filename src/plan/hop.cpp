@@ -1,0 +1,43 @@
+#include "plan/hop.h"
+
+#include <cmath>
+#include <vector>
+
+#include "toolpath/kinematics.h"
+
+namespace clearcut {
+namespace {
+
+constexpr double kLift = 10;          // mm
+constexpr double kPlungeShare = 0.3;  // of the feed
+
+}  // namespace
+
+double Hop::rapid_time(double length) const {
+  const double a = machine_.acceleration, v = machine_.rapid.mm_per_s();
+  return length < v * v / a ? 2 * std::sqrt(length / a) : length / v + v / a;
+}
+
+double Hop::time(double across) const {
+  return 2 * rapid_time(kLift) + rapid_time(across) + kLift / 3 / (kPlungeShare * feed_.mm_per_s());
+}
+
+double Hop::time_of(std::span<const Path> ways, double across) const {
+  double time = 0;
+  for (const auto& way : ways) {
+    std::vector<Move> moves;
+    for (const auto& edge : way) moves.push_back({edge, 0, 0, MoveKind::kCut, feed_, 0});
+    time += kinematic_time(moves, machine_).seconds() + Hop::time(across);
+  }
+  return time;
+}
+
+std::optional<Path> Hop::way_at_depth(Vec2 a, Vec2 b, const LegalRoutes& routes) const {
+  const double lift = time(distance(a, b)), speed = feed_.mm_per_s();
+  if (distance(a, b) / speed > lift) return std::nullopt;
+  auto way = routes.between(a, b);
+  if (!way || length(*way) / speed > lift) return std::nullopt;
+  return way;
+}
+
+}  // namespace clearcut
