@@ -193,11 +193,11 @@ class SpiralPlanner {
 
   /// Turns are built with the wall on the right; the other sense is their mirror image.
   Path turn_to(const Loop& loop, Vec2 start) const {
-    if (options_.wall_on_right) return spiral_turn(loop, start, tol_);
+    if (options_.wall_on_right) return spiral_turn(loop, start);
     Loop mirrored;
     for (const auto& edge : reversed(loop)) mirrored.push_back(mirror(edge));
     Path turn;
-    for (const auto& edge : spiral_turn(mirrored, mirror(start), tol_)) turn.push_back(mirror(edge));
+    for (const auto& edge : spiral_turn(mirrored, mirror(start))) turn.push_back(mirror(edge));
     return turn;
   }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/units.h"
-#include "geometry/boolean.h"
+#include "plan/contour_index.h"
 
 namespace clearcut {
 namespace {
@@ -15,13 +15,19 @@ namespace {
 constexpr double kBandPiece = kPi / 6;
 /// mm. The turn's ends have to be found this near.
 constexpr double kFound = 1e-3;
-/// mm. A place of the rim this near to the loop is on it.
-constexpr double kOnLoop = 2e-4;
+/// mm. Pieces of the rim whose ends are this near are joined.
+constexpr double kJoined = 1e-6;
+/// mm. Gaps between pieces that are no more than rounding of the loop.
+constexpr double kGap = 2e-4;
+/// Sine. A piece that turns left by less does not lie farther left.
+constexpr double kNoTurn = 1e-9;
+/// Sine of the steepest fall; steeper ones are not even, and end in a gap.
+constexpr double kSteepest = 0.95;
+/// Cells of the index along the fall.
+constexpr double kCells = 64;
 /// The fall may end from this share of its length on, and up to so many mm after it.
 constexpr double kEarliest = 0.6;
 constexpr double kLatest = 1.0;
-/// mm. Chords for the boolean; its arcs come back as arcs.
-constexpr double kChord = 0.005;
 /// Below this change of direction there is no corner.
 constexpr double kNoCorner = 3 * kPi / 180;
 
@@ -51,62 +57,74 @@ Edge through(Vec2 from, Vec2 middle, Vec2 to) {
   return Edge::from_bulge(from, to, -sagitta / half);
 }
 
-/// The loop widened to the left by a distance that falls along it, as overlapping pieces.
-class Band {
+/// A piece of what may bound the loop widened to the left: beside an edge, about a joint, or of the loop itself.
+struct RimPiece {
+  Edge edge;
+  bool on_loop = false;
+};
+
+/// All of them in the order of the loop. What is widened lies on their right.
+class RimPieces {
  public:
-  Band(const Path& around, double widest) : widest_(widest), fall_(kSpiralFall * length(around)) {
-    for (std::size_t i = 0; i < around.size() && way_ < fall_; ++i) {
-      if (i > 0) add_joint(around[i - 1], around[i]);
-      const double left = (fall_ - way_) / around[i].length();
-      add_edge(left < 1 ? around[i].part(0, left) : around[i]);
+  RimPieces(const Path& around, Vec2 start)
+      : widest_(distance(start, around.front().from)),
+        fall_(kSpiralFall * length(around)),
+        ahead_(std::min(widest_ / fall_, kSteepest)),
+        aside_(std::sqrt(1 - ahead_ * ahead_)) {
+    add_joint(start, around.front().from, around.front().tangent_at(0));
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const Edge& edge = around[i];
+      if (i > 0 && way_ < fall_) add_joint(beside(around[i - 1], 1, way_), edge.from, edge.tangent_at(0));
+      const double left = (fall_ - way_) / edge.length();
+      if (left > 0) add_edge(left < 1 ? edge.part(0, left) : edge);
+      if (left < 1) {
+        pieces_.push_back({left > 0 ? edge.part(left, 1) : edge, true});
+        way_ += pieces_.back().edge.length();
+      }
     }
   }
 
-  const std::vector<Loop>& pieces() const { return pieces_; }
+  std::vector<RimPiece> take() { return std::move(pieces_); }
   double fall() const { return fall_; }
 
  private:
   double width_at(double way) const { return widest_ * std::max(0.0, 1 - way / fall_); }
 
+  /// Where the disc about a place of the loop touches the rim: a little ahead, since the next discs are smaller.
+  Vec2 towards_rim(Vec2 heading) const { return left_of(heading) * aside_ + heading * ahead_; }
+
+  /// Left-hand arcs narrower than the band collapse to their centre.
+  Vec2 beside(const Edge& edge, double t, double way) const {
+    const double most = edge.turn == Turn::kCounterClockwise ? edge.radius() : widest_;
+    return edge.at(t) + towards_rim(edge.tangent_at(t)) * std::min(most, width_at(way));
+  }
+
   void add_edge(const Edge& edge) {
     const int count = edge.is_arc() ? static_cast<int>(std::ceil(std::abs(edge.sweep()) / kBandPiece)) : 1;
+    const double begin = way_, whole = edge.length();
+    const auto inner = [&](double t) { return beside(edge, t, begin + t * whole); };
     for (int i = 0; i < count; ++i) {
       const double t0 = static_cast<double>(i) / count, t1 = static_cast<double>(i + 1) / count;
-      add_piece(count == 1 ? edge : edge.part(t0, t1));
+      const Vec2 a = inner(t0), b = inner(t1);
+      if (distance(a, b) < kJoined) continue;
+      pieces_.push_back({edge.is_arc() ? through(a, inner((t0 + t1) / 2), b) : Edge::line(a, b), false});
     }
+    way_ += whole;
   }
 
-  void add_piece(const Edge& edge) {
-    const double begin = way_, end = way_ + edge.length();
-    way_ = end;
-    // Left-hand arcs narrower than the band collapse to their centre.
-    const double most = edge.turn == Turn::kCounterClockwise ? edge.radius() : widest_;
-    const auto inner = [&](double t) {
-      return edge.at(t) + left_of(edge.tangent_at(t)) * std::min(most, width_at(begin + t * (end - begin)));
-    };
-    const Vec2 a = inner(0), b = inner(1);
-    Loop piece{edge};
-    if (distance(edge.to, b) > 1e-9) piece.push_back(Edge::line(edge.to, b));
-    if (distance(a, b) > 1e-9) piece.push_back(edge.is_arc() ? through(b, inner(0.5), a) : Edge::line(b, a));
-    const Vec2 last = piece.back().to;
-    if (distance(last, edge.from) > 1e-9) piece.push_back(Edge::line(last, edge.from));
-    piece.back().to = edge.from;
-    if (piece.size() > 2 || edge.is_arc()) pieces_.push_back(std::move(piece));
-  }
-
-  void add_joint(const Edge& before, const Edge& after) {
-    const double turn = cross(before.tangent_at(1), after.tangent_at(0));
-    const double width = width_at(way_);
-    if (turn > -1e-6 || width < 1e-6) return;
-    const Vec2 east = after.from + Vec2{width, 0}, west = after.from - Vec2{width, 0};
-    pieces_.push_back({Edge::arc(east, west, after.from, Turn::kCounterClockwise),
-                       Edge::arc(west, east, after.from, Turn::kCounterClockwise)});
+  /// Round a corner of the loop that sticks out into the area, from `from` to where the next edge's piece begins.
+  void add_joint(Vec2 from, Vec2 corner, Vec2 heading) {
+    const Vec2 to = corner + towards_rim(heading) * width_at(way_);
+    if (cross(from - corner, to - corner) < 0 && distance(from, to) > kJoined)
+      pieces_.push_back({Edge::arc(from, to, corner, Turn::kClockwise), false});
   }
 
   double widest_;
   double fall_;
+  double ahead_;  ///< sine of the angle at which the rim falls
+  double aside_;
   double way_ = 0;
-  std::vector<Loop> pieces_;
+  std::vector<RimPiece> pieces_;
 };
 
 /// The edge with other ends, near its own: arcs so small that this could turn them round become lines.
@@ -118,26 +136,66 @@ Edge between(const Edge& edge, Vec2 from, Vec2 to) {
   return moved;
 }
 
-/// Arcs shorter than the coarse chords may come out of the boolean turned round: all but a full circle.
-Edge unturned(const Edge& edge) {
-  const bool turned =
-      edge.is_arc() && std::abs(edge.sweep()) > kPi && distance(edge.from, edge.to) < edge.radius() / 10;
-  return turned ? Edge::line(edge.from, edge.to) : edge;
-}
-
-/// Way from the beginning of `path` to the place nearest to p, with the distance from it.
-std::pair<double, double> way_to(const Path& path, Vec2 p) {
-  double way = 0, best_way = 0, best = std::numeric_limits<double>::infinity();
-  for (const auto& edge : path) {
-    const auto near = nearest(edge, p);
-    if (near.distance < best) {
-      best = near.distance;
-      best_way = way + near.t * edge.length();
-    }
-    way += edge.length();
+/// Goes along the pieces and on to the next one wherever another begins to lie farther left: so along the rim.
+class RimWalk {
+ public:
+  RimWalk(std::vector<RimPiece> pieces, double cell) : pieces_(std::move(pieces)), index_(cell) {
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      index_.add(pieces_[i].edge.box().grown(kJoined), static_cast<std::uint32_t>(i));
   }
-  return {best_way, best};
-}
+
+  /// From `start` on the first piece to where the rim reaches the loop; empty where it has a gap.
+  Path to_loop(Vec2 start) const {
+    Path path;
+    std::size_t at = 0;
+    Vec2 from = start;
+    while (!pieces_[at].on_loop) {
+      const auto step = next(at, from);
+      if (!step) return {};
+      if (distance(from, step->point) > kJoined) {
+        path.push_back(between(pieces_[at].edge, from, step->point));
+        from = step->point;
+      }
+      at = step->piece;
+    }
+    return path;
+  }
+
+ private:
+  struct Step {
+    std::size_t piece = 0;
+    Vec2 point;
+    double way = std::numeric_limits<double>::infinity();  ///< along the piece before
+    double left = 0;  ///< how far to the left the next piece turns there, sine
+  };
+
+  /// The first place after `from` on piece `at` where a later one turns left from it, or goes on from its end.
+  std::optional<Step> next(std::size_t at, Vec2 from) const {
+    const Edge& edge = pieces_[at].edge;
+    const double whole = edge.length(), begin = nearest(edge, from).t * whole;
+    Step best;
+    const auto consider = [&](std::size_t piece, Vec2 p) {
+      const auto on = nearest(edge, p);
+      const double way = on.t * whole;
+      if (way < begin - kJoined) return;
+      const auto& other = pieces_[piece].edge;
+      const double left = cross(edge.tangent_at(on.t), other.tangent_at(nearest(other, p).t));
+      const bool goes_on = whole - way < kJoined;
+      if (left < kNoTurn && !goes_on) return;
+      const bool later = way > best.way + kJoined || (way > best.way - kJoined && left <= best.left);
+      if (best.piece == 0 || !later) best = {piece, p, way, left};
+    };
+    for (const std::uint32_t i : index_.near(edge.box().grown(kGap))) {
+      if (i <= at) continue;
+      if (distance(pieces_[i].edge, edge.to) < kGap) consider(i, edge.to);
+      for (const Vec2 p : intersections(edge, pieces_[i].edge)) consider(i, p);
+    }
+    return best.piece > 0 ? std::optional(best) : std::nullopt;
+  }
+
+  std::vector<RimPiece> pieces_;
+  BoxIndex index_;
+};
 
 /// The rest of a path after `way` mm, begun exactly at `start`.
 Path after(const Path& path, double way, Vec2 start) {
@@ -153,25 +211,18 @@ Path after(const Path& path, double way, Vec2 start) {
   return rest;
 }
 
-/// The rim from `start` to where it reaches the loop, then along the loop to its end. Empty when it does so too early or
-/// too late: then something came between.
-Path turn_along(const Loop& rim, Vec2 start, const Path& around, double fall) {
-  const auto first = std::min_element(rim.begin(), rim.end(), [&](const Edge& a, const Edge& b) {
-    return distance(a.from, start) < distance(b.from, start);
-  });
-  if (distance(first->from, start) > kFound) return {};
-  Path turn;
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const Edge edge = unturned(rim[(static_cast<std::size_t>(first - rim.begin()) + i) % rim.size()]);
-    turn.push_back(i == 0 ? between(edge, start, edge.to) : edge);
-    const auto [way, off] = way_to(around, edge.to);
-    if (off > kOnLoop) continue;
-    if (way < kEarliest * fall || way > fall + kLatest) return {};
-    const Path rest = after(around, way, edge.to);
-    turn.insert(turn.end(), rest.begin(), rest.end());
-    return turn;
+/// Way from the beginning of `path` to the place nearest to p.
+double way_to(const Path& path, Vec2 p) {
+  double way = 0, best_way = 0, best = std::numeric_limits<double>::infinity();
+  for (const auto& edge : path) {
+    const auto near = nearest(edge, p);
+    if (near.distance < best) {
+      best = near.distance;
+      best_way = way + near.t * edge.length();
+    }
+    way += edge.length();
   }
-  return {};
+  return best_way;
 }
 
 /// The remaining parts of an edge whose ends corners have taken away.
@@ -258,21 +309,18 @@ Path lap(const Loop& loop, Vec2 start, double share) {
   return share < 1 ? beginning(path, share * length(path)) : path;
 }
 
-Path spiral_turn(const Loop& loop, Vec2 start, const Tolerances& tol) {
+Path spiral_turn(const Loop& loop, Vec2 start) {
   const Path around = lap(loop, start);
-  const Vec2 end = around.front().from;
-  const Band band(around, distance(start, end));
-  Tolerances coarse = tol;
-  coarse.chord = kChord;
-  const bool outer = signed_area(loop) > 0;
-  const Regions widened = resolve_nonzero(band.pieces(), coarse);
-  const Regions bounded{Region::from_valid_loops(outer ? loop : reversed(loop), {})};
-  const Regions rest = outer ? subtract(bounded, widened, coarse) : unite(bounded, widened, coarse);
-  for (const auto& region : rest) {
-    Path turn = turn_along(outer ? region.outer() : reversed(region.outer()), start, around, band.fall());
-    if (!turn.empty()) return turn;
-  }
-  return {};
+  RimPieces pieces(around, start);
+  const double fall = pieces.fall(), cell = std::max(distance(start, around.front().from), fall / kCells);
+  Path turn = RimWalk(pieces.take(), cell).to_loop(start);
+  if (turn.empty()) return {};
+  // Too early or too late: then something came between.
+  const double way = way_to(around, turn.back().to);
+  if (way < kEarliest * fall || way > fall + kLatest) return {};
+  const Path rest = after(around, way, turn.back().to);
+  turn.insert(turn.end(), rest.begin(), rest.end());
+  return turn;
 }
 
 Path with_round_corners(const Path& path, double radius, const std::function<bool(Vec2)>& sharp) {

@@ -3,7 +3,6 @@
 
 #include <functional>
 
-#include "base/tolerances.h"
 #include "geometry/region.h"
 
 namespace clearcut {
@@ -16,12 +15,13 @@ inline constexpr double kSpiralFall = 0.3;
 /// to `start`, where it ends. Its distance from `loop` falls evenly from that of `start` to 0 on the first part of the
 /// way. A turn is nowhere farther from the turn before than their loops are, because both fall at the same place.
 ///
-/// Method  `loop` is widened to the left by discs of that distance (bands for its edges), which is taken out of what the
-///         loop bounds; the rim of what remains is the turn. Edges that vanish on the way in need no care.
+/// Method  Beside each edge of `loop` on the left at that distance, and about each corner that sticks out, runs a piece of
+///         what may bound the loop widened by that distance. The turn goes along them from the first on, and at each
+///         meeting on to the later one: so edges that vanish on the way in need no care.
 /// Error   arcs of changing radius are arcs through three of their places, at most 30 degrees each (0.1 % of the step).
 ///         Empty when the loop cannot be followed; it should then be reached straight, and cut as it is.
-/// Cost    one boolean of the loop's edges.
-Path spiral_turn(const Loop& loop, Vec2 start, const Tolerances& tol);
+/// Cost    O(n log n) in edges.
+Path spiral_turn(const Loop& loop, Vec2 start);
 
 /// The loop from the place nearest to `start` once round, or as far as `share` of its length.
 Path lap(const Loop& loop, Vec2 start, double share = 1);
