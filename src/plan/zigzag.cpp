@@ -166,6 +166,7 @@ class ZigzagPlanner {
       const auto way = hop_.way_at_depth(a, b, routes_);
       return way ? length(*way) / speed() : hop_.time(distance(a, b));
     };
+    question.far_travel = [&](Vec2 from, Vec2 to) { return hop_.time(distance(from, to)); };
     question.own = [&](const CellVisit& visit) {
       return kWrongSide * wrong_side_length(draft.cells[visit.cell], visit.variant) / speed();
     };

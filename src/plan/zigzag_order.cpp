@@ -14,6 +14,9 @@ constexpr int kRounds = 4;
 /// Beyond this many cells the nearest-first order stays.
 constexpr std::size_t kMostImproved = 60;
 
+/// Ways are looked for to so many beginnings of cells near the end of each.
+constexpr std::ptrdiff_t kMostNear = 24;
+
 using Order = std::vector<std::size_t>;
 
 /// All costs, asked for once.
@@ -29,25 +32,49 @@ class Costs {
         own_.push_back(question.own({cell, variant}));
       }
     }
-    travel_.assign(begin_.size() * begin_.size(), -1);
+    near_.resize(begin_.size());
   }
 
   std::size_t cells() const { return count_; }
   double own(std::size_t state) const { return own_[state]; }
   /// States are cell * kCellVariants + variant.
   double travel(std::size_t from, std::size_t to) {
-    double& known = travel_[from * begin_.size() + to];
-    if (known < 0) known = question_.travel(end_[from], begin_[to]);
-    return known;
+    if (near_[from].empty()) find_near(from);
+    for (auto& near : near_[from]) {
+      if (near.state != to) continue;
+      if (near.cost < 0) near.cost = question_.travel(end_[from], begin_[to]);
+      return near.cost;
+    }
+    return question_.far_travel(end_[from], begin_[to]);
   }
 
  private:
+  struct Near {
+    std::size_t state = 0;
+    double away = 0;
+    double cost = -1;  ///< not asked for yet
+  };
+
+  /// The states of other cells that begin nearest to where this one ends.
+  void find_near(std::size_t from) {
+    auto& near = near_[from];
+    for (std::size_t s = 0; s < begin_.size(); ++s) {
+      if (s / kCellVariants != from / kCellVariants)
+        near.push_back({s, norm_squared(begin_[s] - end_[from]), -1});
+    }
+    if (near.size() <= static_cast<std::size_t>(kMostNear)) return;
+    std::nth_element(near.begin(), near.begin() + kMostNear, near.end(), [](const Near& a, const Near& b) {
+      return a.away != b.away ? a.away < b.away : a.state < b.state;
+    });
+    near.resize(static_cast<std::size_t>(kMostNear));
+  }
+
   const OrderQuestion& question_;
   std::size_t count_;
   std::vector<Vec2> begin_;
   std::vector<Vec2> end_;
   std::vector<double> own_;
-  std::vector<double> travel_;
+  std::vector<std::vector<Near>> near_;
 };
 
 CellVisit visit_of(std::size_t state) {

@@ -21,6 +21,8 @@ std::vector<ZigzagLine> cut_lines(const ZigzagCell& cell, int variant);
 struct OrderQuestion {
   /// Cost of going from the end of one cell to the beginning of the next. Any unit.
   std::function<double(Vec2 from, Vec2 to)> travel;
+  /// The same, no less and quicker to ask: for places far apart.
+  std::function<double(Vec2 from, Vec2 to)> far_travel;
   /// Cost that depends on the way a cell is cut alone.
   std::function<double(const CellVisit&)> own;
 };
@@ -30,7 +32,7 @@ struct OrderQuestion {
 /// Method  Up to nine cells: proven best, by dynamic programming over sets [held1962]. More: nearest first, then stretches of up
 ///         to three cells are moved to better places while that pays; the ways of cutting are chosen best for each
 ///         order by dynamic programming along it.
-/// Cost    O(2^n n^2) up to nine cells, O(n^2) a round beyond.
+/// Cost    O(2^n n^2) up to nine cells, O(n^2) a round beyond; `travel` is asked O(n) times, for the nearest places.
 std::vector<CellVisit> order_cells(const std::vector<ZigzagCell>& cells, const OrderQuestion& question);
 
 }  // namespace clearcut

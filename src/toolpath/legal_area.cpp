@@ -69,10 +69,22 @@ Box LegalArea::cell_box(std::size_t cell) const {
   return {low, low + Vec2{cell_, cell_}};
 }
 
+/// From p towards +x to the first cell without edges: only edges in between can make a difference.
 bool LegalArea::contains(Vec2 p) const {
   if (edges_.empty() || !box_.contains(p)) return false;
-  const std::size_t cell = row(p.y) * columns_ + column(p.x);
-  return cells_[cell].empty() ? inside_[cell] == 1 : clearcut::contains(regions_, p);
+  const std::size_t begin = row(p.y) * columns_, end = begin + columns_, first = begin + column(p.x);
+  std::size_t known = first;
+  while (known < end && !cells_[known].empty()) ++known;
+  const bool beside = known == end;
+  const Vec2 q{beside ? box_.max.x + cell_ : cell_box(known).center().x, p.y};
+  int around = beside ? 0 : inside_[known];
+  std::vector<std::size_t> between;
+  for (std::size_t cell = first; cell < known; ++cell)
+    between.insert(between.end(), cells_[cell].begin(), cells_[cell].end());
+  std::sort(between.begin(), between.end());
+  between.erase(std::unique(between.begin(), between.end()), between.end());
+  for (const std::size_t i : between) around += winding(edges_[i], p) - winding(edges_[i], q);
+  return around != 0;
 }
 
 std::size_t LegalArea::column(double x) const {
@@ -90,6 +102,36 @@ std::vector<std::size_t> LegalArea::edges_near(const Box& where) const {
     for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
       for (const std::size_t i : cells_[r * columns_ + c]) {
         if (boxes_[i].overlaps(where)) found.push_back(i);
+      }
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// Row by row, only the cells that the way passes through.
+std::vector<std::size_t> LegalArea::edges_along(Vec2 a, Vec2 b) const {
+  if (a.y > b.y) std::swap(a, b);
+  const Box where = Edge::line(a, b).box().grown(kSlack);
+  std::vector<std::size_t> found;
+  if (edges_.empty() || !box_.overlaps(where)) return found;
+  const Vec2 along = unit(b - a);
+  const auto touches = [&](const Box& box) {
+    const double reach = std::abs(along.x) * box.height() / 2 + std::abs(along.y) * box.width() / 2;
+    return box.overlaps(where) && std::abs(cross(along, box.center() - a)) <= reach + 2 * kSlack;
+  };
+  const auto x_at = [&](double y) {
+    return b.y > a.y ? std::lerp(a.x, b.x, std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0)) : a.x;
+  };
+  for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
+    const double low = box_.min.y + static_cast<double>(r) * cell_ - 2 * kSlack;
+    const bool level = b.y - a.y < cell_;
+    const double x0 = level ? a.x : x_at(low), x1 = level ? b.x : x_at(low + cell_ + 4 * kSlack);
+    const std::size_t last = column(std::max(x0, x1) + kSlack);
+    for (std::size_t c = column(std::min(x0, x1) - kSlack); c <= last; ++c) {
+      for (const std::size_t i : cells_[r * columns_ + c]) {
+        if (touches(boxes_[i])) found.push_back(i);
       }
     }
   }
@@ -121,12 +163,9 @@ bool LegalArea::surely_holds(const Box& where) const {
 
 bool LegalArea::holds_line(Vec2 a, Vec2 b) const {
   if (distance(a, b) <= kSlack) return holds(a) && holds(b);
-  Box where;
-  where.add(a);
-  where.add(b);
   const Edge way = Edge::line(a, b);
   std::vector<double> cuts{0, 1};
-  for (const std::size_t i : edges_near(where.grown(kSlack))) {
+  for (const std::size_t i : edges_along(a, b)) {
     for (const Vec2 p : intersections(way, edges_[i])) cuts.push_back(parameter_on(a, b, p));
   }
   std::sort(cuts.begin(), cuts.end());

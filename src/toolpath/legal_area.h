@@ -28,6 +28,7 @@ class LegalArea {
   void mark_empty_cells();
   Box cell_box(std::size_t cell) const;
   std::vector<std::size_t> edges_near(const Box& where) const;
+  std::vector<std::size_t> edges_along(Vec2 a, Vec2 b) const;
   bool on_boundary(Vec2 p) const;
   std::size_t column(double x) const;
   std::size_t row(double y) const;
