@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/voronoi/wide_arithmetic.h"
+#include "geometry/voronoi/builder.h"
 
 namespace clearcut::voronoi {
 namespace {
@@ -51,17 +51,34 @@ class Maker {
 
   void build() {
     VoronoiBuilder builder;
-    for (const Segment& s : out_.sites.segments) builder.insert_segment(s.from.x, s.from.y, s.to.x, s.to.y);
+    const GridPoint away = distance_from_axes();
+    for (const Segment& s : out_.sites.segments) {
+      builder.insert_segment(s.from.x + away.x, s.from.y + away.y, s.to.x + away.x, s.to.y + away.y);
+    }
     BoostDiagram diagram;
     builder.construct(&diagram);
-    copy_nodes(diagram);
+    copy_nodes(diagram, away);
     copy_edges(diagram);
     copy_cells(diagram);
   }
 
-  void copy_nodes(const BoostDiagram& diagram) {
+  /// Moves the sites as far from both axes as they extend: what the builder decides by relative errors is
+  /// then decided alike everywhere.
+  GridPoint distance_from_axes() const {
+    GridPoint low = out_.sites.segments.front().from, high = low;
+    for (const Segment& s : out_.sites.segments) {
+      low = {std::min({low.x, s.from.x, s.to.x}), std::min({low.y, s.from.y, s.to.y})};
+      high = {std::max({high.x, s.from.x, s.to.x}), std::max({high.y, s.from.y, s.to.y})};
+    }
+    const std::int32_t extent = std::max(high.x - low.x, high.y - low.y);
+    return {extent - low.x, extent - low.y};
+  }
+
+  void copy_nodes(const BoostDiagram& diagram, GridPoint away) {
     out_.nodes.reserve(diagram.num_vertices());
-    for (const auto& v : diagram.vertices()) out_.nodes.push_back({grid().to_mm(v.x(), v.y()), 0});
+    for (const auto& v : diagram.vertices()) {
+      out_.nodes.push_back({grid().to_mm(v.x() - away.x, v.y() - away.y), 0});
+    }
   }
 
   void copy_edges(const BoostDiagram& diagram) {
