@@ -16,8 +16,15 @@ constexpr double kRounding = 1e-7;
 /// this far from all legal places; less is the tip of a sharp corner.
 constexpr double kSlot = 0.1;
 
-/// Share of the fit tolerance that counts in a hole of the cutter's size: less than a program may do there.
-constexpr double kTight = 0.75;
+/// By how much a cutter may be wider than where it goes, as shares of the fit tolerance.
+struct Allowances {
+  double slot;   ///< how far it may come into the far wall while it runs along the near one
+  double hole;   ///< the same where all that is left is shorter than kSlot
+  double point;  ///< how far it may come into all walls around a place
+};
+/// What is asked of every program is less than a planner may do, who may see walls by rounded or simplified
+/// edges. Where nothing fits by that, all of it is asked that fits at all.
+constexpr Allowances kAllowances[] = {{1, 0.75, 0.5}, {1.7, 1.7, 0.85}, {1.9, 1.9, 0.95}};
 
 /// Walls before and after a curve's own that are tried first.
 constexpr int kNeighbours = 3;
@@ -43,22 +50,29 @@ std::vector<Interval> outside(const std::vector<Interval>& intervals, Interval p
 
 LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, const Box& area,
                            const Tolerances& tol)
-    : part_(part), z_(z), reach_(reach), fit_(tol.fit) {
+    : part_(part), z_(z), reach_(reach) {
   std::vector<int> walls;
   part.wall_tree().overlapping(area.grown(reach + part.greatest_lean()), [&](int i) {
     if (part.walls()[i].stands_at(z)) walls.push_back(i);
   });
-  add_wall_curves(walls);
-  add_corner_curves(walls);
-  add_end_curves(walls);
-  add_tight_places();
+  for (const Allowances& allowed : kAllowances) {
+    slot_ = allowed.slot * tol.fit;
+    hole_ = allowed.hole * tol.fit;
+    point_ = allowed.point * tol.fit;
+    add_wall_curves(walls);
+    add_corner_curves(walls);
+    add_end_curves(walls);
+    add_tight_places();
+    if (!found_.empty()) break;
+    tight_.clear();
+  }
   boundary_ = EdgeTree(std::move(found_));
 }
 
 void LegalCenters::add_wall_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     const Wall& wall = part_.walls()[i];
-    for (const Edge& curve : parallel(wall.edge, reach_ + wall.lean(z_), fit_ / 2)) {
+    for (const Edge& curve : parallel(wall.edge, reach_ + wall.lean(z_), point_)) {
       if (curve.from == curve.to) {
         add_fit_point(curve.from);
       } else {
@@ -109,7 +123,7 @@ void LegalCenters::add_end_curves(const std::vector<int>& walls) {
 }
 
 void LegalCenters::add_fit_point(Vec2 p) {
-  if (clearance_over_reach(p) >= -fit_ / 2) found_.push_back(Edge::line(p, p));
+  if (clearance_over_reach(p) >= -point_) found_.push_back(Edge::line(p, p));
 }
 
 void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
@@ -122,7 +136,7 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
     if ((part.second - part.first) * legal.length() > kRounding) add(part);
   }
   if (legal.whole()) return;
-  const TrimmedCurve fitting = legal_parts(curve, wall, fit_);
+  const TrimmedCurve fitting = legal_parts(curve, wall, slot_);
   for (const Interval& part : fitting.parts()) {
     for (const Interval& beyond : outside(legal.parts(), part)) {
       if ((beyond.second - beyond.first) * legal.length() > kSlot) {
@@ -141,7 +155,7 @@ void LegalCenters::add_tight_places() {
     const Vec2 middle = piece.from == piece.to ? piece.from : piece.at(0.5);
     if (piece.from == piece.to || !part_.is_free(middle, z_)) continue;
     if (known.nearest(middle, kSlot + norm(piece.to - piece.from)).edge >= 0) continue;
-    const TrimmedCurve fitting = legal_parts(piece, wall, kTight * fit_);
+    const TrimmedCurve fitting = legal_parts(piece, wall, hole_);
     for (const Interval& part : fitting.parts()) {
       const Edge left = piece.part(part.first, part.second);
       if (left.from != left.to) found_.push_back(left);

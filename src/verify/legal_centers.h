@@ -16,8 +16,8 @@ class LegalCenters {
   LegalCenters(const FinishedPart& part, double z, double reach, const Box& area, const Tolerances& tol);
 
   /// Boundary of the area, unordered: parts of lines and arcs at `reach` from one wall and no nearer to
-  /// another. A stretch where the cutter just fits (to tol.fit) is a curve of its own; a place where it just
-  /// fits is a point.
+  /// another. A stretch where the cutter just fits is a curve of its own; a place where it just
+  /// fits is a point (half of tol.fit into the walls around; up to 0.95 where there is nothing else).
   ///
   /// Every wall gives its parallel curve, every corner of the part its arc; from each, the stretches nearer
   /// than `reach` to another wall are cut away. O(walls * walls near).
@@ -41,7 +41,7 @@ class LegalCenters {
 
   const FinishedPart& part_;
   double z_, reach_;
-  double fit_;  ///< mm; how much wider than a gap the cutter may be
+  double slot_ = 0, hole_ = 0, point_ = 0;  ///< mm; how far the cutter may come into walls where it just fits
   std::vector<Edge> found_;
   std::vector<std::pair<Edge, int>> tight_;  ///< short stretches where the cutter just fits, and their walls
   EdgeTree boundary_;
