@@ -28,6 +28,7 @@ double least_gain(double value) {
 ExchangeSearch::ExchangeSearch(const Moves& moves, const Objective& objective, const Neighbours& neighbours,
                                const Tour& start, std::uint64_t seed)
     : moves_(moves),
+      straight_(moves.has_detours() ? std::make_unique<Straight>(moves.problem()) : nullptr),
       objective_(objective),
       neighbours_(neighbours),
       extra_(moves.problem().closed() ? -1 : moves.problem().size()),
@@ -37,6 +38,19 @@ ExchangeSearch::ExchangeSearch(const Moves& moves, const Objective& objective, c
       path_value_(objective.path_dependent() ? objective.path_value(moves) : nullptr),
       queued_(static_cast<std::size_t>(path_.size())) {
   if (path_value_) path_part_ = path_value_->of(start);
+}
+
+ExchangeSearch::Straight::Straight(const Problem& problem)
+    : without_detours([&] {
+        Problem copy = problem;
+        copy.detour = nullptr;
+        return copy;
+      }()),
+      moves(without_detours) {}
+
+double ExchangeSearch::least_edge(int a, int b) const {
+  if (!straight_ || a == extra_ || b == extra_) return edge(a, b);
+  return objective_.edge(straight_->moves, a, b);
 }
 
 /// An evaluation costs about as much as the path is long.
@@ -167,7 +181,9 @@ double ExchangeSearch::corners_made(int a, int b, int not_a, int not_b) const {
 /// Closes the exchange if that can pay.
 bool ExchangeSearch::try_closing(double balance) {
   const int first = exchange_.t[0], last = exchange_.t[2 * exchange_.count - 1];
-  if (!objective_.path_dependent() && balance - edge(last, first) <= 0) return false;
+  if (!objective_.path_dependent() &&
+      (balance - least_edge(last, first) <= 0 || balance - edge(last, first) <= 0))
+    return false;
   return accept_if_better();
 }
 
@@ -181,7 +197,7 @@ bool ExchangeSearch::extend(int depth, double balance) {
   for (int i = 0; i < candidate_count(loose, breadth); ++i) {
     const int c = candidate(loose, i, breadth);
     if (c == path_.next(loose) || c == path_.previous(loose)) continue;
-    if (prune && balance - edge(loose, c) <= 0) continue;
+    if (prune && (balance - least_edge(loose, c) <= 0 || balance - edge(loose, c) <= 0)) continue;
     for (const int d : {path_.next(c), path_.previous(c)}) {
       if (d == exchange_.t[0] || is_removed(c, d, depth)) continue;
       const double rest = balance - corners_made(loose, c, partner, d);

@@ -46,6 +46,8 @@ class ExchangeSearch {
   bool keeps_rules() const;
   void kick();
   double edge(int a, int b) const;
+  /// No more than edge(a, b), and without a search for a legal detour.
+  double least_edge(int a, int b) const;
   double corner(int a, int b, int c) const;
   double corner_now(int v) const;
   /// Best possible gain from taking out the last removed edge of the exchange.
@@ -57,7 +59,15 @@ class ExchangeSearch {
   void touch(int v);
   void drain(const StopWatch& watch);
 
+  /// The problem as if every straight move were legal.
+  struct Straight {
+    explicit Straight(const Problem& problem);
+    Problem without_detours;
+    Moves moves;
+  };
+
   const Moves& moves_;
+  std::unique_ptr<Straight> straight_;  ///< only with detours
   const Objective& objective_;
   const Neighbours& neighbours_;
   int extra_ = -1;  ///< -1 for closed tours

@@ -193,6 +193,11 @@ Tour nearest_allowed(const Problem& problem, const Moves& moves) {
   return tour;
 }
 
+void sort_best_first(std::vector<std::pair<double, Tour>>& valued) {
+  std::stable_sort(valued.begin(), valued.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
 /// Adds a short tour, or one that keeps precedence, and sorts: best first.
 void add_starts(const Problem& problem, const Objective& objective, const Moves& moves,
                 const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
@@ -205,8 +210,7 @@ void add_starts(const Problem& problem, const Objective& objective, const Moves&
   for (Tour& tour : tours) {
     if (is_valid(problem, tour)) valued.push_back({evaluate(objective, moves, tour), std::move(tour)});
   }
-  std::stable_sort(valued.begin(), valued.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  sort_best_first(valued);
 }
 
 /// Among tours of equal turns or angle the shorter one: a length so light that it never outweighs a turn.
@@ -216,40 +220,95 @@ ObjectivePtr with_tie_break(const Objective& objective, const TourFigures& start
   return weighted_sum({{1.0, borrowed}, {1e-4 / start.length, length_objective()}});
 }
 
-/// Islands search on their own and are compared after each round; their number is fixed, whatever the
-/// threads.
+constexpr int kIslands = 4;  // fixed, whatever the threads
+
+/// Searches that go on their own, side by side.
+class Islands {
+ public:
+  /// Begins at the first of `seeds`, one each; objective and neighbours must outlive it.
+  Islands(const Moves& moves, const Objective& objective, const Neighbours& neighbours,
+          const std::vector<std::pair<double, Tour>>& seeds, std::uint64_t seed) {
+    Random random(seed);
+    for (int i = 0; i < kIslands; ++i) {
+      const Tour& start = seeds[static_cast<std::size_t>(i) % seeds.size()].second;
+      islands_.emplace_back(moves, objective, neighbours, start, random.next());
+    }
+    kicks_ = std::max(20, 1000 / (1 + moves.problem().size() / 100));
+  }
+  void run_round(double enough, const StopWatch& watch) {
+    tbb::parallel_for(0, kIslands, [&](int i) {
+      if (!descended_) islands_[i].descend(watch);
+      islands_[i].run(kicks_, enough, watch);
+    });
+    descended_ = true;
+  }
+  std::vector<Tour> tours() const {
+    std::vector<Tour> tours;
+    for (const ExchangeSearch& island : islands_) tours.push_back(island.tour());
+    return tours;
+  }
+
+ private:
+  std::vector<ExchangeSearch> islands_;
+  long long kicks_ = 0;
+  bool descended_ = false;
+};
+
+/// An objective without what depends on the whole path.
+class LocalPart final : public Objective {
+ public:
+  explicit LocalPart(const Objective& whole) : whole_(whole) {}
+  std::string name() const override { return whole_.name(); }
+  std::string unit() const override { return whole_.unit(); }
+  double edge(const Moves& moves, int a, int b) const override { return whole_.edge(moves, a, b); }
+  double corner(const Moves& moves, int a, int b, int c) const override {
+    return whole_.corner(moves, a, b, c);
+  }
+  Linear linear() const override { return whole_.linear(); }
+
+ private:
+  const Objective& whole_;
+};
+
+/// What depends on the whole path is dear to ask for: where edges and corners count as well, tours that are good
+/// in these alone are found first.
+void add_local_starts(const Objective& objective, const Moves& moves, const Neighbours& neighbours,
+                      const SolveOptions& options, const StopWatch& watch,
+                      std::vector<std::pair<double, Tour>>& valued) {
+  constexpr int kRounds = 25;
+  const Objective::Linear linear = objective.linear();
+  const bool has_local = linear.length > 0 || linear.turns > 0 || linear.angle > 0;
+  if (!objective.path_dependent() || !has_local) return;
+  const LocalPart local(objective);
+  std::vector<std::pair<double, Tour>> seeds;
+  for (const auto& [value, tour] : valued) seeds.push_back({evaluate(local, moves, tour), tour});
+  sort_best_first(seeds);
+  Islands islands(moves, local, neighbours, seeds, options.seed);
+  const StopWatch share(remaining(options.stop, watch, 0.3));
+  for (int round = 0; round < kRounds && !share.over(); ++round) islands.run_round(0, share);
+  for (Tour& tour : islands.tours()) valued.push_back({evaluate(objective, moves, tour), std::move(tour)});
+  sort_best_first(valued);
+}
+
+/// Islands, compared after each round.
 void solve_general(const Problem& problem, const Objective& objective, const Moves& moves,
                    const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
                    std::vector<std::pair<double, Tour>> seeds, Keeper& keeper, Solution& solution) {
-  constexpr int kIslands = 4;
   constexpr int kPatience = 25;
+  const Neighbours neighbours = nearest_neighbours(problem.points, std::min(problem.neighbour_count, 12));
   add_starts(problem, objective, moves, options, watch, bounds, seeds);
   for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
+  add_local_starts(objective, moves, neighbours, options, watch, seeds);
+  for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
   const double enough = enough_value(bounds.below(keeper.value()), options.stop);
-
-  const Neighbours neighbours = nearest_neighbours(problem.points, std::min(problem.neighbour_count, 12));
   const ObjectivePtr sharpened = with_tie_break(objective, figures(moves, keeper.tour()));
-  Random random(options.seed);
-  std::vector<ExchangeSearch> islands;
-  for (int i = 0; i < kIslands; ++i) {
-    const Tour& start = seeds[static_cast<std::size_t>(i) % seeds.size()].second;
-    islands.emplace_back(moves, *sharpened, neighbours, start, random.next());
-  }
-  const long long kicks = std::max(20, 1000 / (1 + problem.size() / 100));
-  const auto look = [&] {
-    for (const ExchangeSearch& island : islands)
-      keeper.offer(island.tour(), evaluate(objective, moves, island.tour()));
-  };
-  int idle = 0;
-  for (;
+  Islands islands(moves, *sharpened, neighbours, seeds, options.seed);
+  for (int idle = 0;
        solution.rounds < options.stop.rounds && idle < kPatience && !watch.over() && keeper.value() > enough;
        ++solution.rounds) {
     const double before = keeper.value();
-    tbb::parallel_for(0, kIslands, [&](int i) {
-      if (solution.rounds == 0) islands[i].descend(watch);
-      islands[i].run(kicks, enough, watch);
-    });
-    look();
+    islands.run_round(enough, watch);
+    for (const Tour& tour : islands.tours()) keeper.offer(tour, evaluate(objective, moves, tour));
     idle = keeper.value() < before ? 0 : idle + 1;
   }
   solution.method = "exchanges, " + std::to_string(kIslands) + " islands";

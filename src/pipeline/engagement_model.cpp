@@ -224,11 +224,19 @@ class Engagement final : public order::Objective {
 
 }  // namespace
 
-std::vector<Vec2> EngagementModel::move_points(int a, int b) const {
+/// Legal ways are dear to ask for and come again and again.
+const std::vector<Vec2>& EngagementModel::bends(int a, int b) {
+  const auto key = (static_cast<unsigned long long>(a) << 32U) | static_cast<unsigned>(b);
+  const auto [known, is_new] = bends_.try_emplace(key);
+  if (is_new) known->second = task_.way(a, b);
+  return known->second;
+}
+
+std::vector<Vec2> EngagementModel::move_points(int a, int b) {
   std::vector<Vec2> points{task_.points[static_cast<std::size_t>(a)]};
   if (task_.way) {
-    const auto bends = task_.way(a, b);
-    points.insert(points.end(), bends.begin(), bends.end());
+    const auto& between = bends(a, b);
+    points.insert(points.end(), between.begin(), between.end());
   }
   points.push_back(task_.points[static_cast<std::size_t>(b)]);
   return points;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "geometry/region.h"
@@ -41,9 +42,11 @@ class EngagementModel {
   virtual void back_to(std::size_t mark) = 0;
 
  private:
-  std::vector<Vec2> move_points(int a, int b) const;
+  const std::vector<Vec2>& bends(int a, int b);
+  std::vector<Vec2> move_points(int a, int b);
 
   EngagementTask task_;
+  std::unordered_map<unsigned long long, std::vector<Vec2>> bends_;
   std::vector<int> last_;
   std::vector<double> engagement_;
   std::vector<std::size_t> marks_;  ///< before the plunge, then before each move
