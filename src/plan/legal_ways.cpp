@@ -13,8 +13,26 @@ namespace {
 constexpr double kSmoothSine = 1e-6;
 /// Above this many corners pairs are not remembered any more.
 constexpr std::size_t kMostRemembered = 6000;
+/// Above this many pairs of a place and a corner they are not remembered either.
+constexpr std::size_t kMostSights = 36'000'000;
 /// Tangents about one arc; where the area is too narrow for them they are halved up to here.
 constexpr int kMostTangents = 512;
+
+/// The answer of `look`, asked for once.
+template <typename Look>
+bool remembered(std::atomic<signed char>& known, Look&& look) {
+  signed char answer = known.load(std::memory_order_relaxed);
+  if (answer == 0) {
+    answer = look() ? 1 : -1;
+    known.store(answer, std::memory_order_relaxed);
+  }
+  return answer > 0;
+}
+
+/// Overflow is no concern here, and std::hypot would take half of all time.
+double fast_norm(Vec2 v) {
+  return std::sqrt(dot(v, v));
+}
 
 bool ordered(Vec2 a, Vec2 b) {
   return a.x < b.x || (a.x == b.x && a.y <= b.y);
@@ -66,14 +84,8 @@ void LegalWays::add_wrap(const Edge& arc) {
 
 bool LegalWays::joined(std::size_t i, std::size_t j) const {
   if (i > j) std::swap(i, j);
-  if (!seen_) return area_.holds_line(corners_[i], corners_[j]);
-  auto& seen = seen_[i * corners_.size() + j];
-  signed char answer = seen.load(std::memory_order_relaxed);
-  if (answer == 0) {
-    answer = area_.holds_line(corners_[i], corners_[j]) ? 1 : -1;
-    seen.store(answer, std::memory_order_relaxed);
-  }
-  return answer > 0;
+  const auto look = [&] { return area_.holds_line(corners_[i], corners_[j]); };
+  return seen_ ? remembered(seen_[i * corners_.size() + j], look) : look();
 }
 
 std::vector<std::size_t> LegalWays::corners_within(Vec2 a, Vec2 b, double reach) const {
@@ -82,26 +94,32 @@ std::vector<std::size_t> LegalWays::corners_within(Vec2 a, Vec2 b, double reach)
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const Vec2 off = corners_[i] - middle;
     if (std::abs(off.x) > reach / 2 || std::abs(off.y) > reach / 2) continue;
-    if (distance(a, corners_[i]) + distance(corners_[i], b) <= reach) found.push_back(i);
+    if (fast_norm(corners_[i] - a) + fast_norm(b - corners_[i]) <= reach) found.push_back(i);
   }
   return found;
 }
 
-/// Dijkstra over the corners inside the ellipse of all points whose way to a and b sums to `reach`.
-std::optional<std::vector<Vec2>> LegalWays::way_within(Vec2 a, Vec2 b, double reach) const {
-  const auto corners = corners_within(a, b, reach);
+/// Dijkstra over the corners inside the ellipse of all points whose way to a and b sums to `reach`; a and b are
+/// known not to see each other.
+std::optional<std::vector<Vec2>> LegalWays::way_within(const End& a, const End& b, double reach) const {
+  const auto corners = corners_within(a.point, b.point, reach);
   const std::size_t count = corners.size();
   constexpr double kFar = std::numeric_limits<double>::infinity();
   // Places 0 .. count - 1 are the corners, `count` is a, count + 1 is b.
-  const auto place = [&](std::size_t i) { return i < count ? corners_[corners[i]] : i == count ? a : b; };
+  const auto place = [&](std::size_t i) {
+    return i < count ? corners_[corners[i]] : i == count ? a.point : b.point;
+  };
   const auto sees = [&](std::size_t i, std::size_t j) {
+    if (i >= count && j >= count) return false;
     if (i < count && j < count) return joined(corners[i], corners[j]);
-    return area_.holds_line(place(i), place(j));
+    return (std::max(i, j) == count ? a : b).sees(corners[std::min(i, j)]);
   };
   std::vector<double> length(count + 2, kFar);
   std::vector<std::size_t> before(count + 2, count);
   std::vector<char> done(count + 2, 0);
   length[count] = 0;
+  std::vector<double> left;  // at least so far to b
+  for (std::size_t i = 0; i < count + 2; ++i) left.push_back(fast_norm(b.point - place(i)));
   for (;;) {
     std::size_t at = count + 2;
     for (std::size_t i = 0; i < count + 2; ++i) {
@@ -111,8 +129,9 @@ std::optional<std::vector<Vec2>> LegalWays::way_within(Vec2 a, Vec2 b, double re
     if (at == count + 1) break;
     done[at] = 1;
     for (std::size_t j = 0; j < count + 2; ++j) {
-      const double on = length[at] + distance(place(at), place(j));
-      if (done[j] || on >= length[j] || on + distance(place(j), b) > reach || !sees(at, j)) continue;
+      if (done[j]) continue;
+      const double on = length[at] + fast_norm(place(j) - place(at));
+      if (on >= length[j] || on + left[j] > reach || !sees(at, j)) continue;
       length[j] = on;
       before[j] = at;
     }
@@ -123,18 +142,44 @@ std::optional<std::vector<Vec2>> LegalWays::way_within(Vec2 a, Vec2 b, double re
   return bends;
 }
 
-std::optional<std::vector<Vec2>> LegalWays::bends(Vec2 a, Vec2 b) const {
-  if (area_.holds_line(a, b)) return std::vector<Vec2>{};
-  if (!ordered(a, b)) {
-    auto back = bends(b, a);
+std::optional<std::vector<Vec2>> LegalWays::bends_between(const End& a, const End& b) const {
+  if (area_.holds_line(a.point, b.point)) return std::vector<Vec2>{};
+  if (!ordered(a.point, b.point)) {
+    auto back = bends_between(b, a);
     if (back) std::reverse(back->begin(), back->end());
     return back;
   }
-  for (double reach = 1.5 * distance(a, b);; reach *= 2) {
-    const bool all = corners_within(a, b, reach).size() == corners_.size();
+  for (double reach = 1.5 * distance(a.point, b.point);; reach *= 2) {
+    const bool all = corners_within(a.point, b.point, reach).size() == corners_.size();
     auto way = way_within(a, b, all ? std::numeric_limits<double>::infinity() : reach);
     if (way || all) return way;
   }
+}
+
+std::optional<std::vector<Vec2>> LegalWays::bends(Vec2 a, Vec2 b) const {
+  const auto end = [&](Vec2 p) {
+    return End{p, [this, p](std::size_t corner) { return area_.holds_line(p, corners_[corner]); }};
+  };
+  return bends_between(end(a), end(b));
+}
+
+LegalWays::Between::Between(const LegalWays& ways, const std::vector<Vec2>& places)
+    : ways_(ways), places_(places) {
+  const std::size_t pairs = places.size() * ways.corners_.size();
+  if (pairs <= kMostSights) seen_ = std::make_unique<std::atomic<signed char>[]>(pairs);
+}
+
+bool LegalWays::Between::sees(std::size_t place, std::size_t corner) const {
+  const auto look = [&] { return ways_.area_.holds_line(places_[place], ways_.corners_[corner]); };
+  return seen_ ? remembered(seen_[place * ways_.corners_.size() + corner], look) : look();
+}
+
+std::optional<std::vector<Vec2>> LegalWays::Between::bends(int a, int b) const {
+  const auto end = [&](int i) {
+    const auto place = static_cast<std::size_t>(i);
+    return End{places_[place], [this, place](std::size_t corner) { return sees(place, corner); }};
+  };
+  return ways_.bends_between(end(a), end(b));
 }
 
 }  // namespace clearcut

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,6 +32,21 @@ class LegalWays {
   /// inside the smallest ellipse about a and b that contains the way (at most twice its size).
   std::optional<std::vector<Vec2>> bends(Vec2 a, Vec2 b) const;
 
+  /// The same for places that are asked about again and again: which corners each of them sees is remembered.
+  /// `ways` and `places` must outlive it. Safe to ask from several threads.
+  class Between {
+   public:
+    Between(const LegalWays& ways, const std::vector<Vec2>& places);
+    std::optional<std::vector<Vec2>> bends(int a, int b) const;
+
+   private:
+    bool sees(std::size_t place, std::size_t corner) const;
+
+    const LegalWays& ways_;
+    const std::vector<Vec2>& places_;
+    std::unique_ptr<std::atomic<signed char>[]> seen_;  ///< by place and corner, as LegalWays::seen_
+  };
+
   /// Largest angle of an arc between two neighbouring tangents, degrees.
   static constexpr double kWrapDegrees = 10;
 
@@ -40,7 +56,14 @@ class LegalWays {
   /// Whether corners i and j see each other; remembered.
   bool joined(std::size_t i, std::size_t j) const;
   std::vector<std::size_t> corners_within(Vec2 a, Vec2 b, double reach) const;
-  std::optional<std::vector<Vec2>> way_within(Vec2 a, Vec2 b, double reach) const;
+  /// Whether a corner is seen from one of the ends of a way.
+  using Sight = std::function<bool(std::size_t corner)>;
+  struct End {
+    Vec2 point;
+    Sight sees;
+  };
+  std::optional<std::vector<Vec2>> bends_between(const End& a, const End& b) const;
+  std::optional<std::vector<Vec2>> way_within(const End& a, const End& b, double reach) const;
 
   LegalArea area_;
   std::vector<Vec2> corners_;

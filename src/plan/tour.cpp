@@ -296,8 +296,9 @@ class AreaPlanner {
     task.points = points;
     task.pitch = pitch();
     task.layer = &work_.layer;
+    const LegalWays::Between between(ways_, points);
     if (!ways_.all_straight())
-      task.way = [&](int a, int b) { return ways_.bends(points[a], points[b]).value_or(Points{}); };
+      task.way = [&](int a, int b) { return between.bends(a, b).value_or(Points{}); };
     Points stops;
     for (const int i : points.size() > 1 ? work_.solve(task) : std::vector<int>{0})
       stops.push_back(points[i]);
