@@ -70,7 +70,7 @@ void Choice::plan_first(const PlanOptions& options) {
   const std::size_t each = std::min(kFirst, attempts_.contest.size());
   in_parallel(steps_.size() * each, thread_count(options), [&](std::size_t i) {
     const std::size_t step = i / each, k = i % each;
-    if (k == 0 || steps_[step].small) plan_into(step, candidates_[step].tries[k]);
+    plan_into(step, candidates_[step].tries[k]);
   });
 }
 
@@ -79,7 +79,7 @@ void Choice::plan_others(const PlanOptions& options) {
   for (std::size_t step = 0; step < steps_.size(); ++step) {
     auto& tries = candidates_[step].tries;
     const StepPlan& known = tries.front().plan;
-    if (known.hole || !known.pocket || known.section.moves.empty() || !steps_[step].small) continue;
+    if (known.hole || !known.pocket || known.section.moves.empty()) continue;
     // Where the cutter has hardly room to move there is nothing to choose.
     if (known.legal_mm2 < steps_[step].tool_radius * steps_[step].tool_radius) continue;
     double best = known.time_s;

@@ -28,7 +28,6 @@ struct ChoiceStep {
   int workingstep = 0;
   double tool_radius = 0;
   MmPerMin feed;
-  bool small = true;  ///< more than the first strategy may be tried
 };
 
 using StepPlanner = std::function<StepPlan(int workingstep, const Attempt& attempt)>;

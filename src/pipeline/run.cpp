@@ -20,10 +20,8 @@
 namespace clearcut {
 namespace {
 
-/// Edges of an outline: above the first, strategies whose time grows faster than the edges are not tried; above
-/// the second, only the first is.
-constexpr std::size_t kMostEdges = 60;
-constexpr std::size_t kMostEdgesAtAll = 120;
+/// Edges of an outline above which only the first strategies are tried: the others would be felt.
+constexpr std::size_t kMostEdges = 2000;
 
 /// mm. What others cleared may hold films up to this thick: no place for rapids.
 constexpr double kFilmOfOthers = 0.01;
@@ -71,9 +69,8 @@ std::vector<ChoiceStep> choice_steps(const Part& part) {
   std::vector<ChoiceStep> steps;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
-    const auto& feature = feature_of(part, step);
-    steps.push_back({feature.name, static_cast<int>(i), tool_of(part, step).radius(),
-                     *step.operation.cutting.feed, edge_count(feature.allowed) <= kMostEdgesAtAll});
+    steps.push_back({feature_of(part, step).name, static_cast<int>(i), tool_of(part, step).radius(),
+                     *step.operation.cutting.feed});
   }
   return steps;
 }

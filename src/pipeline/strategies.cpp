@@ -105,19 +105,6 @@ Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const
                               const Layer& layer) { return plan_tour(layer, grid, solve, tol); });
 }
 
-/// Edges of an outline: the time of spirals grows with their square and would be minutes.
-constexpr std::size_t kMostEdgesOfSpirals = 500;
-
-void refuse_many_edges(const Regions& regions) {
-  const std::size_t edges = edge_count(regions);
-  if (edges > kMostEdgesOfSpirals) {
-    throw InputError("--strategy",
-                     fmt::format("spirals in an outline of {} edges would take too long (at most {}); use "
-                                 "contour or zigzag",
-                                 edges, kMostEdgesOfSpirals));
-  }
-}
-
 Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
   SpiralOptions spiral;
   spiral.wall_on_right = wall_on_right(operation);
@@ -126,7 +113,6 @@ Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, con
   line_distance(attempt.stepover, 1);  // refused before anything is planned
   return once_per_outline(
       [spiral, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
-        refuse_many_edges(layer.target);
         spiral.stepover = line_distance(stepover, 2 * layer.tool_radius);
         return plan_spiral(layer, spiral, tol);
       });
