@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "plan/adaptive_corners.h"
 #include "plan/adaptive_front.h"
 #include "plan/adaptive_trace.h"
 #include "plan/clearing_path.h"
@@ -30,6 +31,11 @@ constexpr int kMostIdle = 3;
 constexpr int kMostEntries = 20;
 /// Tool radii that the centre may run beyond an open side.
 constexpr double kBeyondOpenSides = 0.5;
+/// Tool radii of wall without contact that end a cut while clearing.
+constexpr double kAir = 0.3;
+/// mm. Material thinner than this may stay on walls, and in corners.
+constexpr double kWallFilm = 2e-3;
+constexpr double kCornerFilm = 2e-3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
 constexpr double kRest = 0.004;
 constexpr int kMostRests = 60;
@@ -53,12 +59,23 @@ Regions area_near_target(const Layer& layer, const Tolerances& tol) {
   return intersect(layer.allowed, dilate(layer.target, reach, tol), tol);
 }
 
+/// Walls to cut along, and the cuts that begin there.
+struct Stage {
+  Walls walls;
+  Tracer tracer;
+};
+
+/// Where traced cuts may run: `clearing` beside what a wall pass takes later, `finishing` beside the walls.
+struct InnerAreas {
+  Regions clearing;
+  Regions finishing;
+};
+
 /// The passes of one connected legal area.
 class AdaptivePlanner {
  public:
-  /// `inner`: `legal` less what arcs deviate from the curves they are fitted to.
-  AdaptivePlanner(const Region& legal, const Regions& inner, const Clearance& clearance, const Layer& layer,
-                  double limit)
+  AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
+                  const Layer& layer, double limit)
       : legal_(legal),
         front_(front_area(legal, layer.tool_radius, limit)),
         clearance_(clearance),
@@ -67,9 +84,11 @@ class AdaptivePlanner {
         depth_(layer.z_top - layer.z),
         limit_(limit),
         ground_({legal}, radius_),
-        walls_(front_, legal, kMarkPitch * radius_, film()),
         ways_(clearance.axis(), reach_, 2 * radius_),
-        tracer_(ground_, walls_, inner, limit),
+        clearing_{{front_, legal, kMarkPitch * radius_, film()},
+                  {ground_, clearing_.walls, inner.clearing, limit, kAir * radius_}},
+        finishing_{{legal, kMarkPitch * radius_, kWallFilm},
+                   {ground_, finishing_.walls, inner.finishing, limit, kMergeGap * radius_}},
         path_(ground_, ways_) {}
 
   std::vector<Pass> plan() {
@@ -77,10 +96,12 @@ class AdaptivePlanner {
     for (std::size_t i = 0; i < rooms_.size(); ++i) {
       if (!path_.empty()) finish_pass();
       clear_room(rooms_[i]);
-      cut_fronts([&](Vec2 p) { return nearest_room(p) == i; });
+      cut_fronts(clearing_, [&](Vec2 p) { return nearest_room(p) == i; });
     }
-    cut_fronts([](Vec2) { return true; });
+    cut_fronts(clearing_, [](Vec2) { return true; });
     enter_what_is_left();
+    finish_walls();
+    finish_corners();
     cut_walls();
     cut_rests();
     if (!path_.empty()) finish_pass();
@@ -90,16 +111,17 @@ class AdaptivePlanner {
  private:
   /// What the cuts could not reach is entered from above.
   void enter_what_is_left() {
-    for (int i = 0; i < kMostEntries && !walls_.starts().empty() && !path_.empty(); ++i) {
+    for (int i = 0; i < kMostEntries && !clearing_.walls.starts().empty() && !path_.empty(); ++i) {
       finish_pass();
-      cut_fronts([](Vec2) { return true; });
+      cut_fronts(clearing_, [](Vec2) { return true; });
     }
+    resume_pass();
     for (int i = 0; i < kMostEntries; ++i) {
       const auto room = widest_uncut();
       if (!room) return;
       if (!path_.empty()) finish_pass();
       clear_room(*room);
-      cut_fronts([](Vec2) { return true; });
+      cut_fronts(clearing_, [](Vec2) { return true; });
     }
   }
 
@@ -116,8 +138,8 @@ class AdaptivePlanner {
   void clear_room(const Disc& room) {
     path_.open(room, kEntryCircle * radius_, limit_);
     if (const auto last = path_.last_arc())
-      path_.append(tracer_.cut_on(last->to, last->tangent_at(1), 1 / last->radius()), {});
-    walls_.update(ground_, legal_.box());
+      path_.append(clearing_.tracer.cut_on(last->to, last->tangent_at(1), 1 / last->radius()), {});
+    clearing_.walls.update(ground_, legal_.box());
   }
 
   std::size_t nearest_room(Vec2 p) const {
@@ -167,12 +189,12 @@ class AdaptivePlanner {
   /// Cuts from wall to wall, the nearest start first, until no wall that is wanted touches material. What
   /// cannot be reached now is tried again after everything else.
   template <typename Wanted>
-  void cut_fronts(const Wanted& wanted) {
+  void cut_fronts(Stage& stage, const Wanted& wanted) {
     std::vector<WallPlace> unreached;
     for (bool cut_since = false;;) {
-      auto starts = walls_.starts();
+      auto starts = stage.walls.starts();
       std::erase_if(starts, [&](const WallPlace& start) {
-        return !wanted(point(start)) ||
+        return !wanted(stage.walls.point(start)) ||
                std::find(unreached.begin(), unreached.end(), start) != unreached.end();
       });
       if (starts.empty()) {
@@ -181,8 +203,8 @@ class AdaptivePlanner {
         cut_since = false;
         continue;
       }
-      const WallPlace start = nearest(starts);
-      if (cut_from(start)) {
+      const WallPlace start = nearest(stage, starts);
+      if (cut_from(stage, start)) {
         cut_since = true;
       } else {
         unreached.push_back(start);
@@ -190,21 +212,20 @@ class AdaptivePlanner {
     }
   }
 
-  WallPlace nearest(const std::vector<WallPlace>& starts) const {
+  WallPlace nearest(const Stage& stage, const std::vector<WallPlace>& starts) const {
     const Vec2 at = path_.at();
     return *std::min_element(starts.begin(), starts.end(), [&](const WallPlace& a, const WallPlace& b) {
-      return distance(point(a), at) < distance(point(b), at);
+      return distance(stage.walls.point(a), at) < distance(stage.walls.point(b), at);
     });
   }
 
-  Vec2 point(const WallPlace& place) const { return walls_.wall(place.wall).at(place.s); }
-
-  bool cut_from(const WallPlace& start) {
-    const auto approach = approach_to(start);
+  bool cut_from(Stage& stage, const WallPlace& start) {
+    Walls& walls = stage.walls;
+    const auto approach = approach_to(walls, start);
     if (!approach) return false;
-    const Path cut = tracer_.cut_from(approach->first, start.s);
+    const Path cut = stage.tracer.cut_from(approach->first, start.s);
     if (cut.empty()) {
-      walls_.give_up(start);
+      walls.give_up(start);
       return true;
     }
     Path whole = approach->lead;
@@ -213,10 +234,10 @@ class AdaptivePlanner {
     if (gate != cut.front().from) whole.push_back(Edge::line(gate, cut.front().from));
     whole.insert(whole.end(), cut.begin(), cut.end());
     path_.append(whole, approach->way);
-    walls_.update(ground_, box(cut).grown(2 * radius_));
-    if (walls_.is_start(start) &&
-        walls_.count_idle(start, tracer_.first_departure(), kLeastAdvance * radius_) >= kMostIdle) {
-      walls_.give_up(start);
+    walls.update(ground_, box(cut).grown(2 * radius_));
+    if (walls.is_start(start) &&
+        walls.count_idle(start, stage.tracer.first_departure(), kLeastAdvance * radius_) >= kMostIdle) {
+      walls.give_up(start);
     }
     return true;
   }
@@ -242,34 +263,46 @@ class AdaptivePlanner {
   }
 
   /// Where the wall bears nothing yet; else beside it.
-  std::optional<Approach> approach_to(const WallPlace& start) const {
-    const Wall& wall = walls_.wall(start.wall);
-    for (double back = 0; back < kLongestApproach * radius_; back += kMarkPitch * radius_ / 2) {
+  std::optional<Approach> approach_to(const Walls& walls, const WallPlace& start) const {
+    const double farthest = std::min(kLongestApproach * radius_, walls.from_stop(start));
+    for (double back = 0; back < farthest; back += kMarkPitch * radius_ / 2) {
       const WallPlace first{start.wall, start.s - back};
-      if (ground_.touches(point(first), kFree)) continue;
-      if (const auto way = way_to(point(first))) return Approach{*way, {}, first};
+      if (ground_.touches(walls.point(first), kFree)) continue;
+      if (const auto way = way_to(walls.point(first))) return Approach{*way, {}, first};
       break;
     }
-    const Vec2 p = point(start), along = wall.heading(start.s);
+    for (const double back : {0.0, 0.2, 0.5, 1.0}) {
+      if (back * radius_ > farthest) break;
+      if (const auto approach = approach_from_aside(walls, {start.wall, start.s - back * radius_}))
+        return approach;
+    }
+    return approach_through_films(walls, start);
+  }
+
+  /// Over a gate beside the wall.
+  std::optional<Approach> approach_from_aside(const Walls& walls, const WallPlace& place) const {
+    const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
     for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
       for (const double slope : {0.0, 2.0, 6.0}) {
         const double aside = share * radius_;
         const Vec2 gate = p - along * (slope * aside) + left_of(along) * aside;
-        if (!ground_.legal().contains(gate) || ground_.touches(gate, kFree) || !is_gentle(gate, p)) continue;
-        if (const auto way = way_to(gate)) return Approach{*way, {}, start};
+        if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree) || !is_gentle(gate, p))
+          continue;
+        if (const auto way = way_to(gate)) return Approach{*way, {}, place};
       }
     }
-    return approach_through_films(start);
+    return std::nullopt;
   }
 
   /// Over what clearing left on the walls behind the start, within the limit.
-  std::optional<Approach> approach_through_films(const WallPlace& start) const {
+  std::optional<Approach> approach_through_films(const Walls& walls, const WallPlace& start) const {
     if (path_.empty()) return std::nullopt;
-    for (double back = 0; back < kLongestApproach * radius_; back += kMarkPitch * radius_) {
+    const double farthest = std::min(kLongestApproach * radius_, walls.from_stop(start));
+    for (double back = 0; back < farthest; back += kMarkPitch * radius_) {
       const WallPlace first{start.wall, start.s - back};
-      const double film = walls_.film(first);
-      if (ground_.touches(point(first), film)) continue;
-      const auto way = path_.way_to(point(first), film);
+      const double film = walls.film(first);
+      if (ground_.touches(walls.point(first), film)) continue;
+      const auto way = path_.way_to(walls.point(first), film);
       if (!way) continue;
       Approach approach{{}, {}, first};
       Vec2 at = path_.at();
@@ -292,7 +325,37 @@ class AdaptivePlanner {
     });
   }
 
-  /// Along the walls wherever they still bear material, the nearest stretch first.
+  /// Along the walls within the limit; where they bear more, it is cut like any front.
+  void finish_walls() {
+    if (path_.empty()) return;
+    finishing_.walls.update(ground_, legal_.box());
+    std::vector<WallPlace> stops;
+    for (const Corner& corner : corners_of(finishing_.walls, limit_)) stops.push_back(corner.place);
+    finishing_.walls.set_stops(std::move(stops));
+    for (const WallPlace& place : finishing_.walls.anywhere()) cut_from(finishing_, place);
+    for (auto starts = finishing_.walls.starts(); !starts.empty(); starts = finishing_.walls.starts()) {
+      const WallPlace start = nearest(finishing_, starts);
+      if (!cut_from(finishing_, start)) finishing_.walls.give_up(start);
+    }
+  }
+
+  /// The nearest corner first.
+  void finish_corners() {
+    auto corners = corners_of(finishing_.walls, limit_);
+    while (!corners.empty() && !path_.empty()) {
+      const auto next =
+          std::min_element(corners.begin(), corners.end(), [&](const Corner& a, const Corner& b) {
+            return distance(finishing_.walls.point(a.place), path_.at()) <
+                   distance(finishing_.walls.point(b.place), path_.at());
+          });
+      const Path cuts = corner_cuts(finishing_.walls, *next, ground_, limit_, kCornerFilm);
+      corners.erase(next);
+      if (cuts.empty()) continue;
+      if (const auto way = way_to(cuts.front().from)) append(cuts, *way);
+    }
+  }
+
+  /// Along the walls wherever they still bear material, the nearest stretch first: where the limit cannot be kept.
   void cut_walls() {
     auto stretches = unfinished_walls(legal_, kMarkPitch * radius_, kMergeGap * radius_, ground_);
     while (!stretches.empty()) {
@@ -381,14 +444,20 @@ class AdaptivePlanner {
 
   void finish_pass() { passes_.push_back(path_.take()); }
 
+  /// Takes the last pass back where nothing was begun after it.
+  void resume_pass() {
+    if (!path_.empty() || passes_.empty()) return;
+    path_.resume(std::move(passes_.back()));
+    passes_.pop_back();
+  }
+
   const Region& legal_;
   Region front_;  ///< where it clears; the rest is the wall pass's
   const Clearance& clearance_;
   double radius_, reach_, depth_, limit_;
   Ground ground_;
-  Walls walls_;
   FreeWays ways_;
-  Tracer tracer_;
+  Stage clearing_, finishing_;
   ClearingPath path_;
   std::vector<Disc> rooms_;
   std::vector<Pass> passes_;
@@ -407,15 +476,16 @@ void add_passes(LayerPasses& result, std::vector<Pass> passes) {
 }
 
 /// The areas where traced cuts may run, of each region of `legal`.
-std::vector<Regions> inner_areas(const Regions& legal, const Clearance& clearance, const Layer& layer,
-                                 double limit) {
-  std::vector<Regions> areas(legal.size());
+std::vector<InnerAreas> inner_areas(const Regions& legal, const Clearance& clearance, const Layer& layer,
+                                    double limit) {
+  std::vector<InnerAreas> areas(legal.size());
   for (const Region& region : clearance.inset(layer.tool_radius * (1 + kKeepOff) + layer.wall_stock)) {
     const Vec2 p = region.outer().front().from;
     const auto in = std::find_if(legal.begin(), legal.end(), [&](const Region& r) { return r.contains(p); });
     if (in == legal.end()) continue;
-    areas[static_cast<std::size_t>(in - legal.begin())].push_back(
-        front_area(region, layer.tool_radius, limit));
+    InnerAreas& inner = areas[static_cast<std::size_t>(in - legal.begin())];
+    inner.clearing.push_back(front_area(region, layer.tool_radius, limit));
+    inner.finishing.push_back(region);
   }
   return areas;
 }

@@ -1,5 +1,6 @@
 #include "plan/adaptive_ground.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace clearcut {
@@ -11,6 +12,8 @@ constexpr double kRounding = 2e-4;
 constexpr double kLookStep = 0.2;
 /// Tool radii between the places where the contact of a cut is looked at.
 constexpr double kCheckStep = 0.1;
+/// Radians. No farther than this apart on arcs.
+constexpr double kCheckTurn = 0.15;
 
 Move level_move(const Edge& edge) {
   return {edge, -1, -1, MoveKind::kCut, {}, 0};
@@ -27,7 +30,9 @@ double Ground::contact(Vec2 p, Vec2 heading) const {
 
 double Ground::length_within(const Edge& edge, double limit) const {
   const double length = edge.length();
-  const int steps = static_cast<int>(length / (tool_radius_ * kCheckStep)) + 1;
+  const double by_length = length / (tool_radius_ * kCheckStep),
+               by_turn = std::abs(edge.sweep()) / kCheckTurn;
+  const int steps = static_cast<int>(std::max(by_length, by_turn)) + 1;
   double good = 0;
   for (int i = 1; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;

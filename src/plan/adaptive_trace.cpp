@@ -7,10 +7,10 @@ namespace clearcut {
 namespace {
 
 // In tool radii:
-constexpr double kStep = 0.1;   // between looks along walls
-constexpr double kLook = 0.25;  // between looks at an arc before it is taken
-constexpr double kCheck = 0.1;  // between looks at what is taken
-constexpr double kFirst = 0.4;  // length of an arc that is tried first
+constexpr double kStep = 0.1;    // between looks along walls
+constexpr double kLook = 0.25;   // between looks at an arc before it is taken
+constexpr double kAside = 0.05;  // between looks at where an arc runs
+constexpr double kFirst = 0.4;   // length of an arc that is tried first
 constexpr double kShortestArc = 0.02;
 constexpr double kLongestArc = 12;
 constexpr double kAir = 0.3;          // length without contact that ends a cut
@@ -19,6 +19,7 @@ constexpr double kLeastCut = 0.05;    // length in contact below which a cut is 
 constexpr double kLeastTurn = 0.02;   // tightest radius off a wall
 constexpr double kOffWall = 0.005;    // off a wall, where cuts are traced
 constexpr double kEnoughWall = 0.03;  // advance along a wall for which no tighter turn is looked for
+constexpr double kBeforeStop = 0.7;   // a stop this far ahead is one that cuts end before
 constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
 constexpr double kAbove = 0.02;      // by which arcs may exceed the limit
@@ -33,6 +34,7 @@ constexpr double kShortest = 1e-4;
 /// Cosine between the direction of travel and a wall met, above which the cut goes on along the wall.
 constexpr double kSlide = 0.5;
 constexpr int kMostArcs = 20000;
+constexpr int kCloseLooks = 5;
 /// Length along a wall met over the distance from it.
 constexpr double kMeetSlope = 8;
 /// Changes between wall and open without cutting, after which a cut ends.
@@ -40,12 +42,13 @@ constexpr int kMostIdle = 4;
 
 }  // namespace
 
-Tracer::Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit)
+Tracer::Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, double air)
     : ground_(ground),
       walls_(walls),
       area_(area),
       radius_(ground.tool_radius()),
       limit_(limit),
+      air_along_(air),
       step_(kStep * radius_) {}
 
 Path Tracer::cut_from(const WallPlace& start, double material_s) {
@@ -89,11 +92,12 @@ Tracer::Next Tracer::follow_wall() {
   while (s - first < wall.length() * 0.999) {
     const double next = std::min(s + step_, std::max(s + step_ / 3, wall.edge_end(s)));
     const double contact = std::max(wall_contact(next - 1e-7), wall_contact(next + 1e-7));
+    if (contact > limit_ && walls_.to_stop({place_.wall, s}) < kBeforeStop * radius_) break;
     if (contact > limit_) return depart(s, next);
     if (contact > kTouch) engaged_ += next - s;
     if (ground_.touches(wall.at(next), walls_.film({place_.wall, next}))) {
       cut_until = next;
-    } else if (next - cut_until > kAir * radius_) {
+    } else if (next - cut_until > air_along_) {
       break;
     }
     s = next;
@@ -217,8 +221,9 @@ Edge Tracer::edge_of(const Shot& shot) const {
                    radius > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
 }
 
-/// The arc of this length at whose end the contact is at the limit, or as near below as turns allow.
-std::optional<Tracer::Shot> Tracer::aim(double length, double guess) const {
+/// The arc of this length at whose end, or at the worst of as many places as `looks`, the contact is at the limit, or
+/// as near below as turns allow.
+std::optional<Tracer::Shot> Tracer::aim(double length, double guess, int looks) const {
   const double rightmost = std::max(-1 / (kRightTurn * radius_), -kMostTurn / length);
   const double leftmost = std::min(1 / tightest_, kMostTurn / length);
   double right = rightmost, left = leftmost;  // too much contact, too little
@@ -226,7 +231,9 @@ std::optional<Tracer::Shot> Tracer::aim(double length, double guess) const {
   Shot shot{std::clamp(guess, right, left), length};
   std::optional<Shot> best;
   for (int i = 0; i < 8; ++i) {
-    const double excess = contact_after(shot, length) - limit_;
+    double excess = contact_after(shot, length) - limit_;
+    for (int k = 1; k < looks; ++k)
+      excess = std::max(excess, contact_after(shot, length * k / looks) - limit_);
     if (excess <= kAimed) best = shot;
     if (std::abs(excess) <= kAimed) break;
     if (shot.curvature == (excess > 0 ? leftmost : rightmost)) break;
@@ -263,7 +270,7 @@ std::optional<Tracer::Shot> Tracer::shoot() const {
   double length = std::clamp(usual_, kShortestArc * radius_, kFirst * radius_);
   double guess = state_.curvature;
   for (int i = 0; i < 12; ++i) {
-    const auto shot = aim(length, guess);
+    const auto shot = aim(length, guess, 1);
     if (shot && is_steady(*shot)) {
       best = shot;
       guess = shot->curvature;
@@ -276,13 +283,16 @@ std::optional<Tracer::Shot> Tracer::shoot() const {
     if (length < kShortestArc * radius_) break;
   }
   if (best) return best;
-  // Where the contact cannot be kept up: a short arc as far to the right as turns go.
-  return aim(kShortestArc * 4 * radius_, guess);
+  // Where the contact cannot be kept up, or jumps: short arcs, looked at closely.
+  for (const double share : {8, 2}) {
+    if (const auto shot = aim(share * kShortestArc * radius_, guess, kCloseLooks)) return shot;
+  }
+  return std::nullopt;
 }
 
 /// Length of the arc inside the area for cuts.
 double Tracer::length_inside(const Shot& shot) const {
-  const int looks = static_cast<int>(shot.length / (kCheck * radius_)) + 1;
+  const int looks = static_cast<int>(shot.length / (kAside * radius_)) + 1;
   double inside = 0;
   for (int i = 1; i <= looks; ++i) {
     const double length = shot.length * i / looks;

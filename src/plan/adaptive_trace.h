@@ -12,8 +12,8 @@ namespace clearcut {
 class Tracer {
  public:
   /// `limit`: largest contact, radians. Cuts off the walls stay inside `area`. The tracer takes away what it
-  /// cuts from `ground`.
-  Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit);
+  /// cuts from `ground`. Stretches of wall without contact up to `air` mm are run over.
+  Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, double air);
 
   /// One cut from a place on a wall: along the wall until the contact would exceed the limit, off it on an
   /// arc, on with the contact at its limit, until the cutter meets a wall ahead or runs into the open.
@@ -52,7 +52,7 @@ class Tracer {
   Edge edge_of(const Shot& shot) const;
   double contact_after(const Shot& shot, double length) const;
   std::optional<Shot> shoot() const;
-  std::optional<Shot> aim(double length, double guess) const;
+  std::optional<Shot> aim(double length, double guess, int looks) const;
   bool is_steady(const Shot& shot) const;
   double length_inside(const Shot& shot) const;
   double go(const Shot& shot);
@@ -66,6 +66,7 @@ class Tracer {
   LegalArea area_;
   double radius_;
   double limit_;
+  double air_along_;
   double step_;
   Path path_;
   double engaged_ = 0;  ///< mm of the cut in contact

@@ -98,6 +98,26 @@ double Walls::film(const WallPlace& place) const {
   return marks_[place.wall].films[mark_at(place)];
 }
 
+double Walls::to_stop(const WallPlace& place) const {
+  const double length = walls_[place.wall].length();
+  double least = 1e300;
+  for (const WallPlace& stop : stops_) {
+    const double ahead = stop.s - place.s;
+    if (stop.wall == place.wall) least = std::min(least, ahead - std::floor(ahead / length) * length);
+  }
+  return least;
+}
+
+double Walls::from_stop(const WallPlace& place) const {
+  const double length = walls_[place.wall].length();
+  double least = 1e300;
+  for (const WallPlace& stop : stops_) {
+    const double since = place.s - stop.s;
+    if (stop.wall == place.wall) least = std::min(least, since - std::floor(since / length) * length);
+  }
+  return least;
+}
+
 bool Walls::touches_after(const WallPlace& place, double reach) const {
   const Marks& marks = marks_[place.wall];
   const std::size_t first = mark_at(place);
@@ -126,6 +146,16 @@ std::vector<WallPlace> Walls::starts() const {
       if (marks.touching[i] != 1 && marks.touching[next] == 1)
         places.push_back({w, static_cast<double>(i) * marks.pitch});
     }
+  }
+  return places;
+}
+
+std::vector<WallPlace> Walls::anywhere() const {
+  std::vector<WallPlace> places;
+  for (std::size_t w = 0; w < marks_.size(); ++w) {
+    const auto& touching = marks_[w].touching;
+    if (std::all_of(touching.begin(), touching.end(), [](char one) { return one == 1; }))
+      places.push_back({w, 0});
   }
   return places;
 }

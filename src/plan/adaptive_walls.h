@@ -1,6 +1,7 @@
 // The walls of a layer as ways for the cutter's centre, and which stretches of them still touch material.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "geometry/region.h"
@@ -53,8 +54,16 @@ class Walls {
   /// The walls of `front` with a mark every `pitch` mm or less. Material thinner than `film` mm does not
   /// count, nor some more where the walls of `legal` are farther off: there a wall pass follows.
   Walls(const Region& front, const Region& legal, double pitch, double film);
+  /// All walls of `legal`; material of up to `film` mm stays.
+  Walls(const Region& legal, double pitch, double film) : Walls(legal, legal, pitch, film) {}
 
   const Wall& wall(std::size_t i) const { return walls_[i]; }
+  /// Cuts end on the wall before these places instead of leaving it there, and none begins before and ends after one.
+  void set_stops(std::vector<WallPlace> stops) { stops_ = std::move(stops); }
+  /// mm along the wall to the next stop, and from the last one.
+  double to_stop(const WallPlace& place) const;
+  double from_stop(const WallPlace& place) const;
+  Vec2 point(const WallPlace& place) const { return walls_[place.wall].at(place.s); }
   std::size_t count() const { return walls_.size(); }
   double film(const WallPlace& place) const;
   /// Whether a mark on the next `reach` mm touches material.
@@ -63,6 +72,8 @@ class Walls {
   void update(const Ground& ground, const Box& where);
   /// The last clear mark before each stretch that touches material.
   std::vector<WallPlace> starts() const;
+  /// A place on each wall that touches material all along.
+  std::vector<WallPlace> anywhere() const;
   /// Whether the place, one of starts() before, still is one.
   bool is_start(const WallPlace& place) const;
   /// Notes that a cut left the wall at s and its start as it was; returns how many such cuts from there were
@@ -85,6 +96,7 @@ class Walls {
 
   std::vector<Wall> walls_;
   std::vector<Marks> marks_;
+  std::vector<WallPlace> stops_;
 };
 
 /// The stretches of the walls of `legal` that still bear material, each ready to be run along. Stretches

@@ -201,6 +201,11 @@ std::optional<Edge> ClearingPath::last_arc() const {
   return pass_.path.back();
 }
 
+void ClearingPath::resume(Pass pass) {
+  at_ = pass.path.back().to;
+  pass_ = std::move(pass);
+}
+
 Pass ClearingPath::take() {
   Pass pass = std::exchange(pass_, {});
   pass.reversible = false;

@@ -53,6 +53,8 @@ class ClearingPath {
   Vec2 at() const { return at_; }
   /// The pass built so far; the next one begins empty.
   Pass take();
+  /// Goes on with a pass taken before, when nothing was begun since.
+  void resume(Pass pass);
 
  private:
   void cut_arc(Vec2 center, Vec2 to);
