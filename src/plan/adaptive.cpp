@@ -16,10 +16,14 @@ namespace {
 
 /// Radians. What rounding in the program, arcs fitted to traced curves and the sampling of the contact may add.
 constexpr double kContactMargin = 0.003;
+/// Tool radii that the centre must have to each side where an entry is made later.
+constexpr double kLeastRoom = 0.15;
 /// Radius of the entry circle as a share of the cutter's: below 1 no post is left in its middle.
 constexpr double kEntryCircle = 0.8;
 /// Tool radii between the marks on walls.
 constexpr double kMarkPitch = 0.1;
+/// The same where nothing may stay: what stands between two marks is no thicker than 1/8 of its square.
+constexpr double kFinePitch = 0.06;
 /// Tool radii that clearing keeps off the walls, for what arcs deviate from the curves they are fitted to.
 constexpr double kKeepOff = 0.0035;
 /// Tool radii. A cut begins no farther before the material that it is after.
@@ -34,7 +38,7 @@ constexpr double kBeyondOpenSides = 0.5;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
 /// mm. Material thinner than this may stay on walls, and in corners.
-constexpr double kWallFilm = 2e-3;
+constexpr double kWallFilm = 1.5e-3;
 constexpr double kCornerFilm = 2e-3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
 constexpr double kRest = 0.004;
@@ -87,7 +91,7 @@ class AdaptivePlanner {
         ways_(clearance.axis(), reach_, 2 * radius_),
         clearing_{{front_, legal, kMarkPitch * radius_, film()},
                   {ground_, clearing_.walls, inner.clearing, limit, kAir * radius_}},
-        finishing_{{legal, kMarkPitch * radius_, kWallFilm},
+        finishing_{{legal, kFinePitch * radius_, kWallFilm},
                    {ground_, finishing_.walls, inner.finishing, limit, kMergeGap * radius_}},
         path_(ground_, ways_) {}
 
@@ -130,7 +134,8 @@ class AdaptivePlanner {
     for (const AxisPoint& place : clearance_.axis().points) {
       if (place.clearance < reach_ || (best && place.clearance - reach_ + radius_ <= best->radius)) continue;
       if (ground_.is_removed(place.point) || !front_.contains(place.point)) continue;
-      best = Disc{place.point, front_.boundary_distance(place.point) + radius_};
+      const double wide = front_.boundary_distance(place.point);
+      if (wide > kLeastRoom * radius_) best = Disc{place.point, wide + radius_};
     }
     return best;
   }

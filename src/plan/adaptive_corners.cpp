@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace clearcut {
 namespace {
@@ -19,41 +20,64 @@ constexpr double kShortArc = 0.006;
 /// Radians kept off the limit, for films on the walls.
 constexpr double kMargin = 0.03;
 constexpr int kMostPasses = 40;
+constexpr int kHalvings = 30;
+/// A pass that comes no nearer than by this factor is none.
+constexpr double kLeastGain = 0.98;
+
+/// From u to v, > 0 to the left.
+double angle_between(Vec2 u, Vec2 v) {
+  return std::atan2(cross(u, v), dot(u, v));
+}
+
+/// The least number of (0, most] that holds, where larger ones do; `most` when none does.
+template <typename Holds>
+double least(double most, const Holds& holds) {
+  double low = 0, high = most;
+  for (int i = 0; i < kHalvings; ++i) (holds((low + high) / 2) ? high : low) = (low + high) / 2;
+  return high;
+}
 
 class CornerCuts {
  public:
   CornerCuts(const Wall& wall, const Corner& corner, double limit)
-      : wall_(wall),
-        s_(corner.place.s),
-        turn_(corner.turn),
-        limit_(limit - kMargin),
-        into_(wall.heading(s_ - 1e-6)) {}
+      : wall_(wall), s_(corner.place.s), turn_(corner.turn), limit_(limit - kMargin) {}
 
+  /// The first wall is cut up to a before the corner, the second from b after it.
   Path cuts(double a, double b, double film) {
-    Path path;
     const double farthest = b;
     for (int i = 0; i < kMostPasses && left(a, b) > film; ++i) {
-      const double x = std::min(a, b * std::sin(turn_ - limit_) / std::sin(limit_));
-      const double to_pole = std::atan2(b * std::sin(turn_), x + b * std::cos(turn_));
-      const double leaving = std::max(0.0, to_pole - limit_), chord = (leaving + turn_ - limit_) / 2;
-      const double next = x * std::sin(chord) / std::sin(turn_ - chord);
-      if (next >= b * 0.98) break;
-      const Vec2 from = before(a), gate = before(x), to = after(next);
-      if (!path.empty()) path.push_back(Edge::line(path.back().to, from));
-      if (distance(from, gate) > kNearest / 2) path.push_back(Edge::line(from, gate));
-      path.push_back(tangent_arc(path.empty() ? from : path.back().to, rotated(into_, leaving), to));
+      const double x = least(a, [&](double at) { return seen(at, b) <= limit_; });
+      const Vec2 heading = rotated(wall_.heading(s_ - x), std::max(0.0, seen(x, b) - limit_));
+      const double next = least(b, [&](double to) { return is_within(before(x), heading, to, b); });
+      if (next >= b * kLeastGain) break;
+      if (!path_.empty()) path_.push_back(Edge::line(path_.back().to, before(a)));
+      along(s_ - a, s_ - x);
+      path_.push_back(tangent_arc(path_.empty() ? before(x) : path_.back().to, heading, after(next)));
       a = x;
       b = next;
     }
     // Between the places where it met the second wall, cusps stay there.
-    if (!path.empty())
-      for (const Edge& edge : wall_.part(s_ + b, s_ + farthest)) path.push_back(edge);
-    return path;
+    if (!path_.empty()) along(s_ + b, s_ + farthest);
+    return std::move(path_);
   }
 
  private:
   Vec2 before(double x) const { return wall_.at(s_ - x); }
   Vec2 after(double x) const { return wall_.at(s_ + x); }
+
+  void along(double s_from, double s_to) {
+    if (s_to - s_from < kNearest / 2) return;
+    for (const Edge& edge : wall_.part(s_from, s_to)) path_.push_back(edge);
+  }
+
+  /// Angle from the heading on the first wall to the centre visited last on the second.
+  double seen(double x, double b) const { return angle_between(wall_.heading(s_ - x), after(b) - before(x)); }
+
+  /// Whether the arc to the second wall keeps the limit at its end.
+  bool is_within(Vec2 from, Vec2 heading, double to, double b) const {
+    const double chord = angle_between(heading, after(to) - from);
+    return angle_between(rotated(heading, 2 * chord), after(b) - after(to)) <= limit_;
+  }
 
   /// Thickness of what stays when the centre comes as near as a and b along the walls.
   double left(double a, double b) const {
@@ -69,7 +93,7 @@ class CornerCuts {
 
   const Wall& wall_;
   double s_, turn_, limit_;
-  Vec2 into_;
+  Path path_;
 };
 
 /// Distance from the corner to the first centre on a wall that touches nothing.

@@ -102,7 +102,7 @@ Tracer::Next Tracer::follow_wall() {
     }
     s = next;
   }
-  append_wall(first, std::min(s, cut_until));
+  append_wall(first, std::min(s, cut_until + step_));
   return Next::kDone;
 }
 
