@@ -70,7 +70,7 @@ struct Pull {
   double soft = 0;        ///< stiffness of the first step, 1 / radius
   double tension = 1;     ///< force of the bands
 };
-constexpr Pull kFirstPull{30, 0.3, 0.03, 2};
+constexpr Pull kFirstPull{22, 0.3, 0.03, 2};
 constexpr Pull kLaterPull{10, 0.1, 0.03, 100};
 constexpr Pull kSettling{10, 0.02, 0.2, 2000};
 /// Without tension nothing slides away while the last holes are closed.
