@@ -10,11 +10,14 @@
 #include "post/post.h"
 #include "read/read_part.h"
 #include "support/data.h"
+#include "support/plans.h"
 #include "support/rs274.h"
 
 namespace clearcut {
 namespace {
 
+using test_support::expect_clean;
+using test_support::with_tools;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -42,17 +45,6 @@ Part part_with_hole(double diameter, double depth, FeatureKind kind = FeatureKin
   part.features.push_back(feature);
   part.workplan.push_back({"STEP", "", 0, {}});
   return part;
-}
-
-PlanOptions with_tools(const std::vector<std::string>& tools) {
-  PlanOptions options;
-  for (const auto& tool : tools) options.tools.push_back(parse_tool(tool));
-  return options;
-}
-
-void expect_clean(const PlanResult& result, const std::string& what) {
-  EXPECT_TRUE(result.findings.all.clean) << what;
-  for (const auto& fault : result.findings.faults) ADD_FAILURE() << what << ": " << fault.text;
 }
 
 bool descends_on_a_helix(const Toolpath& toolpath) {

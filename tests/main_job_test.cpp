@@ -12,6 +12,7 @@
 #include "read/read_part.h"
 #include "support/command.h"
 #include "support/data.h"
+#include "support/plans.h"
 #include "support/rs274.h"
 
 namespace clearcut {
@@ -19,21 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using test_support::data_folder;
-
-PlanOptions with_tool(double diameter) {
-  PlanOptions options;
-  options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
-  return options;
-}
-
-void expect_clean(const PlanResult& result, const std::string& what) {
-  EXPECT_TRUE(result.findings.all.clean) << what;
-  EXPECT_LE(result.findings.all.uncut_thickness_mm, 0.01) << what;
-  EXPECT_LE(result.findings.all.gouge_mm, 0.001) << what;
-  EXPECT_EQ(result.findings.all.rapid_in_material, 0) << what;
-  for (const auto& fault : result.findings.faults) ADD_FAILURE() << what << ": " << fault.text;
-  EXPECT_GT(result.findings.all.feed_mm, 0) << what;
-}
+using test_support::expect_clean;
+using test_support::with_tool;
 
 PlanResult plan_outline(const std::string& json, double diameter) {
   const test_support::ScratchFolder folder;

@@ -11,9 +11,13 @@
 #include "part/work_material.h"
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"
+#include "support/plans.h"
 
 namespace clearcut {
 namespace {
+
+using test_support::expect_clean;
+using test_support::with_tools;
 
 Region rectangle(double width, double height) {
   return Region::from_valid_loops(
@@ -30,17 +34,6 @@ Part part_of(Regions target, double depth) {
   part.features.push_back(feature);
   part.workplan.push_back({"STEP", "", 0, {}});
   return part;
-}
-
-PlanOptions with_tools(const std::vector<std::string>& tools) {
-  PlanOptions options;
-  for (const auto& tool : tools) options.tools.push_back(parse_tool(tool));
-  return options;
-}
-
-void expect_clean(const PlanResult& result, const std::string& what) {
-  EXPECT_TRUE(result.findings.all.clean) << what;
-  for (const auto& fault : result.findings.faults) ADD_FAILURE() << what << ": " << fault.text;
 }
 
 std::vector<Move> moves_of(const Toolpath& toolpath) {

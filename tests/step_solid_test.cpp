@@ -20,26 +20,22 @@
 #include "read/read_part.h"
 #include "read/step_solid/apart.h"
 #include "read/step_solid/solid_model.h"
+#include "support/plans.h"
 #include "support/same_regions.h"
 
 namespace clearcut {
 namespace {
 
-using test_support::boundary_gap;
-using ::testing::HasSubstr;
 namespace fs = std::filesystem;
+using test_support::boundary_gap;
+using test_support::with_tool;
+using ::testing::HasSubstr;
 
 #define SKIP_WITHOUT_OPEN_CASCADE() \
   if (!solids_can_be_read()) GTEST_SKIP() << "built without Open CASCADE: STEP solids cannot be read"
 
 fs::path example(const std::string& name) {
   return fs::path(CLEARCUT_SOURCE_DIR) / "examples" / name;
-}
-
-PlanOptions with_tool(double diameter) {
-  PlanOptions options;
-  options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
-  return options;
 }
 
 std::string skipped(const Part& part) {

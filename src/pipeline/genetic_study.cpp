@@ -159,16 +159,6 @@ std::vector<StudyRow> in_order(const RowsOf& rows_of) {
   return all;
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const auto end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 template <class Number>
 Number number(const std::string& text, int line) {
   Number value{};

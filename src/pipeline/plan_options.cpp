@@ -9,21 +9,10 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/format.h"
 
 namespace clearcut {
 namespace {
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == separator) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
 
 std::optional<double> number(std::string_view text) {
   double value = 0;

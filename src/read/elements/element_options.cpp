@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/format.h"
 
 namespace clearcut {
 namespace {
@@ -30,16 +31,6 @@ const Form& form_of(const ElementOption& option) {
 
 std::string place_of(const ElementOption& option) {
   return "--" + option.kind + " " + option.text;
-}
-
-std::vector<std::string> split(const std::string& text, char separator) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const auto end = std::min(text.find(separator, begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
 }
 
 double number(const std::string& text, const std::string& place) {
