@@ -153,12 +153,12 @@ ShopOptions PlanArguments::shop(const JobFile& job) const {
   return own.or_else(job.shop);
 }
 
-std::optional<Toolpath> PlanArguments::earlier(const JobFile& job) const {
+std::optional<Toolpath> PlanArguments::earlier(const JobFile& job, const Machine& machine) const {
   const std::optional<std::string> file = after_      ? after_
                                           : job.after ? std::optional(job.after->string())
                                                       : std::nullopt;
   if (!file) return std::nullopt;
-  return read_gcode(read_file(*file), *file).toolpath;
+  return read_gcode(read_file(*file), *file, home_z(machine)).toolpath;
 }
 
 Part PlanArguments::read() const {
@@ -213,7 +213,7 @@ PlanOptions PlanArguments::options() const {
   options.lead = lead_;
   options.scallop = scallop_;
   options.shop = shop(given);
-  options.earlier = earlier(given);
+  options.earlier = earlier(given, options.machine);
   for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
   options.direction = named(kDirections, direction_, "--direction");
   options.outside_in = named(kOrders, order_, "--order").value_or(false);

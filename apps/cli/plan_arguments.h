@@ -34,7 +34,7 @@ class PlanArguments {
   void add_shop_options(CLI::App& command);
   Machine machine(const std::optional<JobFile>& job) const;
   ShopOptions shop(const JobFile& job) const;
-  std::optional<Toolpath> earlier(const JobFile& job) const;
+  std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
 
   std::string input_;
   std::vector<std::string> tools_;

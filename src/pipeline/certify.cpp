@@ -123,13 +123,13 @@ VerifyOptions verify_options(const PlanOptions& options) {
 
 void certify(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
   result.program = post_with(std::nullopt, planned, result.part, options);
-  result.toolpath = read_gcode(result.program, "program").toolpath;
+  result.toolpath = read_gcode(result.program, "program", home_z(options.machine)).toolpath;
   result.findings = verify(result.part, result.toolpath, verify_options(options));
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
   result.program = post_with(result.findings.all, planned, result.part, options);
-  const auto again = read_gcode(result.program, "program").toolpath;
+  const auto again = read_gcode(result.program, "program", home_z(options.machine)).toolpath;
   CLEARCUT_ASSERT(same_moves(again, result.toolpath));
 }
 

@@ -230,7 +230,7 @@ PlanResult plan(const Part& part, const PlanOptions& options) {
 
 JudgeResult judge(const Part& part, const std::string& program, const std::string& program_name,
                   const PlanOptions& options) {
-  auto read = read_gcode(program, program_name);
+  auto read = read_gcode(program, program_name, home_z(options.machine));
   JudgeResult result;
   result.part = prepare(part, numbered_by(read.toolpath, options));
   keep_stated_stepdowns(result.part, part, options);

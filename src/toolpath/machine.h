@@ -21,4 +21,12 @@ struct Machine {
   std::optional<std::array<std::array<double, 2>, 3>> travel;
 };
 
+/// mm, in workpiece coordinates; taken for the machine's own Z zero where its travel is not known.
+inline constexpr double kUsualHomeZ = 100;
+
+/// mm; the machine's own Z zero is the top of its travel.
+inline double home_z(const Machine& machine) {
+  return machine.travel ? (*machine.travel)[2][1] : kUsualHomeZ;
+}
+
 }  // namespace clearcut

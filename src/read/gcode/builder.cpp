@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/format.h"
 
 namespace clearcut::gcode {
 
@@ -23,8 +24,8 @@ MoveKind guessed_kind(const Move& move, bool rapid) {
 
 }  // namespace
 
-ToolpathBuilder::ToolpathBuilder(std::string file_name, Diagnostics& diagnostics)
-    : file_name_(std::move(file_name)), diagnostics_(diagnostics) {}
+ToolpathBuilder::ToolpathBuilder(std::string file_name, double home_z, Diagnostics& diagnostics)
+    : file_name_(std::move(file_name)), home_z_(home_z), diagnostics_(diagnostics), highest_(home_z) {}
 
 void ToolpathBuilder::begin_section(std::string label, int workingstep) {
   label_ = std::move(label);
@@ -53,14 +54,14 @@ void ToolpathBuilder::arc(const Edge& path, double z_to, MmPerMin feed, int line
 }
 
 void ToolpathBuilder::lift_home(int line) {
-  rapid({std::nullopt, std::nullopt, std::max(highest_, at_[2].value_or(kHomeHeight))}, line);
+  rapid({std::nullopt, std::nullopt, std::max(highest_, at_[2].value_or(home_z_))}, line);
 }
 
 double ToolpathBuilder::known(std::size_t axis, int line) {
   if (!at_[axis]) {
     warn(line, std::string("cuts or counts from a place the program has not stated; ") + "XYZ"[axis] +
-                   " is taken as " + (axis == 2 ? "100 mm" : "0"));
-    at_[axis] = axis == 2 ? kHomeHeight : 0;
+                   " is taken as " + (axis == 2 ? trimmed(home_z_, 3) + " mm" : "0"));
+    at_[axis] = axis == 2 ? home_z_ : 0;
   }
   return *at_[axis];
 }
@@ -75,7 +76,7 @@ void ToolpathBuilder::straight(const Target& target, bool rapid, MmPerMin feed, 
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!from[axis]) from[axis] = target[axis];
   }
-  if (!from[2] && target[2]) from[2] = std::max(kHomeHeight, *target[2]);
+  if (!from[2] && target[2]) from[2] = std::max(home_z_, *target[2]);
   at_ = from;
   const bool placed = from[0] && from[1];
   const bool moves_in_plan =

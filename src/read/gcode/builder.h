@@ -15,9 +15,6 @@ namespace clearcut::gcode {
 /// Values of X, Y, Z; absent where not given. mm, in the frame of the work offset.
 using Target = std::array<std::optional<double>, 3>;
 
-/// Height taken for places above the work whose z is not known from the program: the start, machine home. mm.
-inline constexpr double kHomeHeight = 100;
-
 /// What drives the tool; a change between two feed moves begins a new section.
 struct Drive {
   int tool = 0;
@@ -31,7 +28,8 @@ struct Drive {
 /// begins at its own coordinates.
 class ToolpathBuilder {
  public:
-  ToolpathBuilder(std::string file_name, Diagnostics& diagnostics);
+  /// home_z: mm, height of places above the work that the program does not state: the start, machine home.
+  ToolpathBuilder(std::string file_name, double home_z, Diagnostics& diagnostics);
 
   Drive drive;
 
@@ -65,11 +63,12 @@ class ToolpathBuilder {
   void check_size(int line);
 
   std::string file_name_;
+  double home_z_;
   Diagnostics& diagnostics_;
   std::set<std::string> said_;
   Toolpath toolpath_;
   Target at_;
-  double highest_ = kHomeHeight;
+  double highest_;
   std::string label_;
   int workingstep_ = -1;
   bool new_section_ = true;

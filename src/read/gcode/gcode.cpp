@@ -41,9 +41,9 @@ bool read_words(std::string_view text, const std::string& file_name, gcode::Tool
 
 }  // namespace
 
-Program read_gcode(std::string_view text, const std::string& file_name) {
+Program read_gcode(std::string_view text, const std::string& file_name, double home_z) {
   Program program;
-  gcode::ToolpathBuilder builder(file_name, program.diagnostics);
+  gcode::ToolpathBuilder builder(file_name, home_z, program.diagnostics);
   program.ended =
       gcode::is_klartext(text) ? gcode::read_klartext(text, builder) : read_words(text, file_name, builder);
   if (!program.ended) program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");

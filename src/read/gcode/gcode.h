@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/diagnostics.h"
+#include "toolpath/machine.h"
 #include "toolpath/move.h"
 
 namespace clearcut {
@@ -16,7 +17,8 @@ struct Program {
   bool ended = false;       ///< an end word was seen
 };
 
+/// home_z: mm, height of the places that a program names without stating them: where it starts, the machine's own zero.
 /// Throws InputError("file:line", ...) for text that no controller would take or that cannot be understood.
-Program read_gcode(std::string_view text, const std::string& file_name);
+Program read_gcode(std::string_view text, const std::string& file_name, double home_z = kUsualHomeZ);
 
 }  // namespace clearcut
