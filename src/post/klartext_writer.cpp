@@ -286,7 +286,7 @@ void KlartextWriter::write_arc(const Step& step, MmPerMin feed) {
 }
 
 /// A helix ends where its angle says, which is not on the grid: the difference is kept, so that a run of them
-/// does not drift, and taken back when it exceeds half a step.
+/// does not drift, and taken back when it exceeds a share of a step.
 void KlartextWriter::write_helix(const Step& step, const Ticks& center, MmPerMin feed) {
   const Vec2 middle = in_steps(center), end = in_steps(step.to) - middle;
   const Vec2 start = in_steps(held_.at) + held_.off_grid - middle;

@@ -12,7 +12,7 @@ inline constexpr int kKlartextMmDecimals = 3;
 inline constexpr int kKlartextInchDecimals = 4;
 
 /// How far beside the grid the end of a helix may lie, in steps: its angle is printed, not its end.
-inline constexpr double kKlartextDrift = 0.5;
+inline constexpr double kKlartextDrift = 0.15;
 
 /// `toolpath` has been checked by post().
 std::string write_klartext(const Toolpath& toolpath, const Part& part, const PostOptions& options);
