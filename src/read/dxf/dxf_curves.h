@@ -18,7 +18,7 @@ bool is_curve(std::string_view dxf_type);
 std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& entity);
 
 /// The curve of `entity` under `map` (drawing to mm); `vertices` are the VERTEX entities of a POLYLINE.
-/// Nothing for meshes, tilted entities and splines without control points. Throws InputError "file:line:
+/// Nothing for meshes, tilted entities and splines without points. Throws InputError "file:line:
 /// ..." for damaged entities.
 std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& entity,
                                  std::span<const DxfEntity> vertices, const Affine& map);

@@ -143,7 +143,7 @@ class Collector {
     }
     auto curve = curve_of(document_, entity, followers, map);
     if (!curve) {
-      ++not_read_[std::string(entity.type) + " that is not flat or has no control points"];
+      ++not_read_[std::string(entity.type) + " that is not flat or has no points"];
     } else if (!curve->edges.empty()) {
       group.curves.push_back(std::move(*curve));
     }

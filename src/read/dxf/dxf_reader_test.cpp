@@ -98,6 +98,22 @@ TEST(Dxf, EllipseAndSpline) {
   EXPECT_NEAR(all_area(circle), 100 * kPi, 0.002 * 63);
 }
 
+TEST(Dxf, SplineThroughFitPointsAlone) {
+  std::string points;
+  for (int i = 0; i < 32; ++i) {
+    const Vec2 p = direction_of(2 * kPi * i / 32) * 20;
+    points += " 11 " + std::to_string(p.x) + " 21 " + std::to_string(p.y) + " 31 0";
+  }
+  const Part circle = read(dxf(" 0 SPLINE 8 D1 70 11 71 3 72 0 73 0 74 32" + points));
+  EXPECT_NEAR(all_area(circle), 400 * kPi, 0.002 * 126);
+  // Half a circle by its ends' tangents, and the line between its ends.
+  const Part half = read(dxf(
+      " 0 SPLINE 8 D1 70 8 71 3 74 3 12 0 22 1 32 0 13 0 23 -1 33 0 11 -5 21 0 31 0 11 0 21 5 31 0 11 5 21 0"
+      " 0 LINE 8 D1 10 5 20 0 11 -5 21 0"));
+  EXPECT_NEAR(all_area(half), 12.5 * kPi, 2);
+  EXPECT_NEAR(box(half.features[0].target).max.y, 5, 0.002);
+}
+
 TEST(Dxf, OldPolylineWithBulgesAndSequenceEnd) {
   const Part part = read(
       dxf(" 0 POLYLINE 8 D1 66 1 70 1 0 VERTEX 8 D1 10 0 20 0 42 1 0 VERTEX 8 D1 10 10 20 0 42 1 0 SEQEND"));

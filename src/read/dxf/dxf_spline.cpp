@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "read/dxf/fit_points.h"
 #include "read/outline/curve_fit.h"
 
 namespace clearcut {
@@ -54,16 +55,24 @@ void check(const DxfDocument& document, const DxfEntity& entity, const Spline& s
   }
 }
 
+/// Points of the groups x_code and x_code + 10.
+std::vector<Vec2> points_of(const DxfDocument& document, const DxfEntity& entity, int x_code) {
+  std::vector<Vec2> points;
+  for (const DxfGroup& group : entity.groups) {
+    if (group.code == x_code) points.push_back({document.number(group), 0});
+    if (group.code == x_code + 10 && !points.empty()) points.back().y = document.number(group);
+  }
+  return points;
+}
+
 Spline read_spline(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
   Spline spline;
   spline.degree = document.integer(entity, 71, 3);
-  std::vector<Vec2> points;
+  const std::vector<Vec2> points = points_of(document, entity, 10);
   std::vector<double> weights;
   for (const DxfGroup& group : entity.groups) {
     if (group.code == 40) spline.knots.push_back(document.number(group));
     if (group.code == 41) weights.push_back(document.number(group));
-    if (group.code == 10) points.push_back({document.number(group), 0});
-    if (group.code == 20 && !points.empty()) points.back().y = document.number(group);
   }
   if (!weights.empty() && weights.size() != points.size()) {
     document.fail(entity.line, "SPLINE with " + std::to_string(weights.size()) + " weights for " +
@@ -77,28 +86,50 @@ Spline read_spline(const DxfDocument& document, const DxfEntity& entity, const A
   return spline;
 }
 
-/// Appends the part of knot span k from `from` through half of it.
-void append_half_span(const Spline& spline, int k, double from, Path& path) {
-  const double low = spline.knot(k), width = spline.knot(k + 1) - low;
+void append_piece(const ParametricCurve& curve, Path& path) {
   Path piece;
-  append_fitted([&](double t) { return spline.at(k, low + width * (from + t / 2)); }, kCurveTolerance, piece);
+  append_fitted(curve, kCurveTolerance, piece);
   // Neighbouring spans agree to rounding only.
   if (!path.empty() && !piece.empty()) path.back().to = piece.front().from;
   path.insert(path.end(), piece.begin(), piece.end());
+}
+
+/// In halves: a single span may be a whole loop whose ends lie on each other.
+void append_span(const ParametricCurve& curve, Path& path) {
+  append_piece([&](double t) { return curve(t / 2); }, path);
+  append_piece([&](double t) { return curve(0.5 + t / 2); }, path);
+}
+
+std::optional<Vec2> direction_of_end(const DxfDocument& document, const DxfEntity& entity, int x_code) {
+  const auto given = points_of(document, entity, x_code);
+  if (given.empty() || norm(given.front()) == 0) return std::nullopt;
+  return given.front();
+}
+
+/// Through fit points, where the program that drew it left out the control points that follow from them.
+std::optional<Path> path_through_points(const DxfDocument& document, const DxfEntity& entity,
+                                        const Affine& map) {
+  constexpr int kClosed = 1;
+  FitEnds ends{direction_of_end(document, entity, 12), direction_of_end(document, entity, 13)};
+  ends.closed = document.integer(entity, 70, 0) & kClosed;
+  Path path;
+  for (const FitSpan& span : cubic_through(points_of(document, entity, 11), ends))
+    append_span([&](double t) { return map(span.at(t)); }, path);
+  if (path.empty()) return std::nullopt;
+  return path;
 }
 
 }  // namespace
 
 std::optional<Path> spline_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
   const Spline spline = read_spline(document, entity, map);
-  if (spline.poles.empty()) return std::nullopt;
+  if (spline.poles.empty()) return path_through_points(document, entity, map);
   check(document, entity, spline);
   Path path;
   for (int k = spline.degree; k < static_cast<int>(spline.poles.size()); ++k) {
     if (!(spline.knot(k + 1) > spline.knot(k))) continue;
-    // Halves: a single span may be a whole loop whose ends lie on each other.
-    append_half_span(spline, k, 0, path);
-    append_half_span(spline, k, 0.5, path);
+    const double low = spline.knot(k), width = spline.knot(k + 1) - low;
+    append_span([&](double t) { return spline.at(k, low + width * t); }, path);
   }
   return path;
 }

@@ -1,4 +1,4 @@
-// DXF SPLINE: rational B-splines as lines and arcs.
+// DXF SPLINE: rational B-splines, and cubics through fit points, as lines and arcs.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@
 
 namespace clearcut {
 
-/// The spline under `map`, within kCurveTolerance mm. Nothing when it has no control points.
+/// The spline under `map`, within kCurveTolerance mm. Fit points count where it has no control points;
+/// nothing when it has neither.
 /// Throws  InputError "file:line: ..." when knots and control points do not belong together.
 /// Source  de Boor's algorithm on homogeneous points, knot span by knot span.
 std::optional<Path> spline_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map);
