@@ -37,6 +37,9 @@ constexpr int kMostEntries = 20;
 constexpr double kBeyondOpenSides = 0.5;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
+/// Tool radii of wall that are cut after a corner before the corner itself.
+constexpr double kCornerReach = 0.9;
+constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
 constexpr double kCornerFilm = 2e-3;
@@ -105,7 +108,6 @@ class AdaptivePlanner {
     cut_fronts(clearing_, [](Vec2) { return true; });
     enter_what_is_left();
     finish_walls();
-    finish_corners();
     cut_walls();
     cut_rests();
     if (!path_.empty()) finish_pass();
@@ -330,34 +332,48 @@ class AdaptivePlanner {
     });
   }
 
-  /// Along the walls within the limit; where they bear more, it is cut like any front.
+  /// Along the walls within the limit; where they bear more, it is cut like any front. A corner follows when the walls on
+  /// both sides of it are cut.
   void finish_walls() {
     if (path_.empty()) return;
     finishing_.walls.update(ground_, legal_.box());
+    corners_ = corners_of(finishing_.walls, limit_);
     std::vector<WallPlace> stops;
-    for (const Corner& corner : corners_of(finishing_.walls, limit_)) stops.push_back(corner.place);
+    for (const Corner& corner : corners_) stops.push_back(corner.place);
     finishing_.walls.set_stops(std::move(stops));
     for (const WallPlace& place : finishing_.walls.anywhere()) cut_from(finishing_, place);
     for (auto starts = finishing_.walls.starts(); !starts.empty(); starts = finishing_.walls.starts()) {
       const WallPlace start = nearest(finishing_, starts);
-      if (!cut_from(finishing_, start)) finishing_.walls.give_up(start);
+      const bool after_corner = finishing_.walls.from_stop(start) < kCornerReach * radius_;
+      finishing_.tracer.set_reach(after_corner ? kCornerReach * radius_ : kEndless);
+      if (!cut_from(finishing_, start)) {
+        finishing_.walls.give_up(start);
+      } else if (after_corner) {
+        finish_corner(
+            std::min_element(corners_.begin(), corners_.end(), NearerCorner{finishing_.walls, path_.at()}));
+      }
     }
+    for (std::size_t left = corners_.size(); left > 0; --left)
+      finish_corner(
+          std::min_element(corners_.begin(), corners_.end(), NearerCorner{finishing_.walls, path_.at()}),
+          true);
   }
 
-  /// The nearest corner first.
-  void finish_corners() {
-    auto corners = corners_of(finishing_.walls, limit_);
-    while (!corners.empty() && !path_.empty()) {
-      const auto next =
-          std::min_element(corners.begin(), corners.end(), [&](const Corner& a, const Corner& b) {
-            return distance(finishing_.walls.point(a.place), path_.at()) <
-                   distance(finishing_.walls.point(b.place), path_.at());
-          });
-      const Path cuts = corner_cuts(finishing_.walls, *next, ground_, limit_, kCornerFilm);
-      corners.erase(next);
-      if (cuts.empty()) continue;
-      if (const auto way = way_to(cuts.front().from)) append(cuts, *way);
+  struct NearerCorner {
+    const Walls& walls;
+    Vec2 at;
+    bool operator()(const Corner& a, const Corner& b) const {
+      return distance(walls.point(a.place), at) < distance(walls.point(b.place), at);
     }
+  };
+
+  /// Cuts a corner that is prepared; others wait, or are left at `last`.
+  void finish_corner(std::vector<Corner>::iterator corner, bool last = false) {
+    if (corner == corners_.end()) return;
+    const Path cuts = corner_cuts(finishing_.walls, *corner, ground_, limit_, kCornerFilm);
+    const auto way = cuts.empty() ? std::nullopt : way_to(cuts.front().from);
+    if (way) append(cuts, *way);
+    if (way || last) corners_.erase(corner);
   }
 
   /// Along the walls wherever they still bear material, the nearest stretch first: where the limit cannot be kept.
@@ -465,6 +481,7 @@ class AdaptivePlanner {
   Stage clearing_, finishing_;
   ClearingPath path_;
   std::vector<Disc> rooms_;
+  std::vector<Corner> corners_;  ///< not yet cut
   std::vector<Pass> passes_;
 };
 

@@ -101,6 +101,7 @@ Tracer::Next Tracer::follow_wall() {
       break;
     }
     s = next;
+    if (s - first > reach_) break;
   }
   append_wall(first, std::min(s, cut_until + step_));
   return Next::kDone;

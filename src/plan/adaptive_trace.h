@@ -15,6 +15,8 @@ class Tracer {
   /// cuts from `ground`. Stretches of wall without contact up to `air` mm are run over.
   Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, double air);
 
+  /// From now on cuts follow the wall where they begin no farther than this, mm.
+  void set_reach(double reach) { reach_ = reach; }
   /// One cut from a place on a wall: along the wall until the contact would exceed the limit, off it on an
   /// arc, on with the contact at its limit, until the cutter meets a wall ahead or runs into the open.
   /// Empty when nothing can be cut there within the limit. What it is after begins at `material_s`.
@@ -67,6 +69,7 @@ class Tracer {
   double radius_;
   double limit_;
   double air_along_;
+  double reach_ = 1e300;
   double step_;
   Path path_;
   double engaged_ = 0;  ///< mm of the cut in contact
