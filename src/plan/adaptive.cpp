@@ -93,9 +93,10 @@ class AdaptivePlanner {
         ground_({legal}, radius_),
         ways_(clearance.axis(), reach_, 2 * radius_),
         clearing_{{front_, legal, kMarkPitch * radius_, film()},
-                  {ground_, clearing_.walls, inner.clearing, limit, kAir * radius_}},
-        finishing_{{legal, kFinePitch * radius_, kWallFilm},
-                   {ground_, finishing_.walls, inner.finishing, limit, kMergeGap * radius_}},
+                  {ground_, clearing_.walls, inner.clearing, limit, {kAir * radius_, 0}}},
+        finishing_{
+            {legal, kFinePitch * radius_, kWallFilm},
+            {ground_, finishing_.walls, inner.finishing, limit, {kMergeGap * radius_, kMarkPitch * radius_}}},
         path_(ground_, ways_) {}
 
   std::vector<Pass> plan() {

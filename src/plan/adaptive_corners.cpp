@@ -21,6 +21,9 @@ constexpr double kShortArc = 0.006;
 constexpr double kMargin = 0.03;
 constexpr int kMostPasses = 40;
 constexpr int kHalvings = 30;
+constexpr int kArcLooks = 8;
+/// Radians of turn above the limit from which on arcs back cut, too.
+constexpr double kWideTurn = 0.45;
 /// A pass that comes no nearer than by this factor is none.
 constexpr double kLeastGain = 0.98;
 
@@ -37,64 +40,115 @@ double least(double most, const Holds& holds) {
   return high;
 }
 
+/// Distances from the corner along its first wall, side 0, and its second, side 1.
 class CornerCuts {
  public:
-  CornerCuts(const Wall& wall, const Corner& corner, double limit)
-      : wall_(wall), s_(corner.place.s), turn_(corner.turn), limit_(limit - kMargin) {}
+  CornerCuts(const Wall& wall, const Corner& corner, const LegalArea& legal, double limit)
+      : wall_(wall), legal_(legal), s_(corner.place.s), turn_(corner.turn), limit_(limit - kMargin) {}
 
   /// The first wall is cut up to a before the corner, the second from b after it.
   Path cuts(double a, double b, double film) {
-    const double farthest = b;
-    for (int i = 0; i < kMostPasses && left(a, b) > film; ++i) {
-      const double x = least(a, [&](double at) { return seen(at, b) <= limit_; });
-      const Vec2 heading = rotated(wall_.heading(s_ - x), std::max(0.0, seen(x, b) - limit_));
-      const double next = least(b, [&](double to) { return is_within(before(x), heading, to, b); });
-      if (next >= b * kLeastGain) break;
-      if (!path_.empty()) path_.push_back(Edge::line(path_.back().to, before(a)));
-      along(s_ - a, s_ - x);
-      path_.push_back(tangent_arc(path_.empty() ? before(x) : path_.back().to, heading, after(next)));
-      a = x;
-      b = next;
+    cut_[0] = first_[0] = a;
+    cut_[1] = first_[1] = b;
+    const bool to_and_fro = turn_ - limit_ > kWideTurn;
+    for (int i = 0, side = 0; i < kMostPasses && left() > film; ++i, side = to_and_fro ? 1 - side : 0) {
+      if (!to_and_fro || i == 0) go_along_first();
+      if (!go_across(side)) break;
     }
-    // Between the places where it met the second wall, cusps stay there.
-    if (!path_.empty()) along(s_ + b, s_ + farthest);
+    if (!path_.empty()) clear_cusps();
     return std::move(path_);
   }
 
  private:
-  Vec2 before(double x) const { return wall_.at(s_ - x); }
-  Vec2 after(double x) const { return wall_.at(s_ + x); }
-
-  void along(double s_from, double s_to) {
-    if (s_to - s_from < kNearest / 2) return;
-    for (const Edge& edge : wall_.part(s_from, s_to)) path_.push_back(edge);
+  Vec2 at(int side, double x) const { return wall_.at(side == 0 ? s_ - x : s_ + x); }
+  /// Heading into the corner.
+  Vec2 into(int side, double x) const { return side == 0 ? wall_.heading(s_ - x) : -wall_.heading(s_ + x); }
+  /// Angles are > 0 to the side of the other wall.
+  static Vec2 turned(int side, Vec2 u, double angle) { return rotated(u, side == 0 ? angle : -angle); }
+  static double angle(int side, Vec2 u, Vec2 v) {
+    return side == 0 ? angle_between(u, v) : angle_between(v, u);
   }
 
-  /// Angle from the heading on the first wall to the centre visited last on the second.
-  double seen(double x, double b) const { return angle_between(wall_.heading(s_ - x), after(b) - before(x)); }
-
-  /// Whether the arc to the second wall keeps the limit at its end.
-  bool is_within(Vec2 from, Vec2 heading, double to, double b) const {
-    const double chord = angle_between(heading, after(to) - from);
-    return angle_between(rotated(heading, 2 * chord), after(b) - after(to)) <= limit_;
+  /// Angle from the heading on a wall to the centre visited last on the other one.
+  double seen(int side, double x) const {
+    return angle(side, into(side, x), at(1 - side, cut_[1 - side]) - at(side, x));
   }
 
-  /// Thickness of what stays when the centre comes as near as a and b along the walls.
-  double left(double a, double b) const {
+  /// As near on the first wall as the limit lets.
+  void go_along_first() {
+    if (!path_.empty()) path_.push_back(Edge::line(path_.back().to, at(0, cut_[0])));
+    const double x = least(cut_[0], [&](double to) { return seen(0, to) <= limit_; });
+    if (cut_[0] - x < kNearest / 2) return;
+    for (const Edge& edge : wall_.part(s_ - cut_[0], s_ - x)) path_.push_back(edge);
+    cut_[0] = x;
+  }
+
+  /// On an arc to the other wall, nearer than before.
+  bool go_across(int side) {
+    const int other = 1 - side;
+    const double x = cut_[side];
+    const Vec2 heading = turned(side, into(side, x), std::max(0.0, seen(side, x) - limit_));
+    const double next =
+        least(cut_[other], [&](double to) { return is_within(side, at(side, x), heading, to); });
+    if (next >= cut_[other] * kLeastGain) return false;
+    path_.push_back(tangent_arc(path_.empty() ? at(side, x) : path_.back().to, heading, at(other, next)));
+    cut_[other] = next;
+    return true;
+  }
+
+  /// Whether the arc to the other wall keeps the limit at its end.
+  bool is_within(int side, Vec2 from, Vec2 heading, double to) const {
+    const int other = 1 - side;
+    const double chord = angle(side, heading, at(other, to) - from);
+    return angle(side, turned(side, heading, 2 * chord), at(other, cut_[other]) - at(other, to)) <= limit_;
+  }
+
+  /// Between the places where arcs met a wall, cusps stay on it.
+  void clear_cusps() {
+    if (turn_ - limit_ > kWideTurn) {
+      go_to(at(0, cut_[0]));
+      const Path along = wall_.part(s_ - first_[0], s_ - cut_[0]), back = reversed(along);
+      path_.insert(path_.end(), back.begin(), back.end());
+      // Between walls that curve into the area there is no straight way.
+      if (!legal_.holds_line(path_.back().to, at(1, cut_[1])))
+        path_.insert(path_.end(), along.begin(), along.end());
+    }
+    go_to(at(1, cut_[1]));
+    for (const Edge& edge : wall_.part(s_ + cut_[1], s_ + first_[1])) path_.push_back(edge);
+  }
+
+  void go_to(Vec2 p) {
+    if (distance(path_.back().to, p) > kNearest / 10) path_.push_back(Edge::line(path_.back().to, p));
+  }
+
+  /// Thickness of what stays.
+  double left() const {
+    const double a = cut_[0], b = cut_[1];
     return a * b * std::sin(turn_) / std::sqrt(a * a + b * b + 2 * a * b * std::cos(turn_));
   }
 
   static Edge tangent_arc(Vec2 from, Vec2 heading, Vec2 to) {
     const Vec2 way = to - from, normal = left_of(heading);
     const double aside = dot(normal, way), squared = norm_squared(way);
-    if (squared < kShortArc * kShortArc || aside < 1e-6) return Edge::line(from, to);
-    return Edge::arc(from, to, from + normal * (squared / (2 * aside)), Turn::kCounterClockwise);
+    if (squared < kShortArc * kShortArc || std::abs(aside) < 1e-6) return Edge::line(from, to);
+    return Edge::arc(from, to, from + normal * (squared / (2 * aside)),
+                     aside > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
   }
 
   const Wall& wall_;
+  const LegalArea& legal_;
   double s_, turn_, limit_;
+  double cut_[2] = {}, first_[2] = {};
   Path path_;
 };
+
+bool is_legal(const Edge& edge, const LegalArea& legal) {
+  if (!edge.is_arc()) return legal.holds_line(edge.from, edge.to);
+  for (int i = 0; i <= kArcLooks; ++i) {
+    if (!legal.holds(edge.at(static_cast<double>(i) / kArcLooks))) return false;
+  }
+  return true;
+}
 
 /// Distance from the corner to the first centre on a wall that touches nothing.
 std::optional<double> first_visited(const Wall& wall, double s, double sign, const Ground& ground) {
@@ -127,7 +181,11 @@ Path corner_cuts(const Walls& walls, const Corner& corner, const Ground& ground,
   const auto a = first_visited(wall, corner.place.s, -1, ground),
              b = first_visited(wall, corner.place.s, 1, ground);
   if (!a || !b) return {};
-  return CornerCuts(wall, corner, limit).cuts(*a, *b, film);
+  const Path cuts = CornerCuts(wall, corner, ground.legal(), limit).cuts(*a, *b, film);
+  // Walls that curve much so near to the corner are not what the cuts were found for.
+  const bool legal =
+      std::all_of(cuts.begin(), cuts.end(), [&](const Edge& edge) { return is_legal(edge, ground.legal()); });
+  return legal ? cuts : Path{};
 }
 
 }  // namespace clearcut

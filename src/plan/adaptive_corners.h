@@ -22,7 +22,8 @@ std::vector<Corner> corners_of(const Walls& walls, double limit);
 /// the walls turn. Between two centres visited before, nothing is left but what the corner of their hull shows:
 /// a centre meets the directions between the normals of its two tangents to that hull. So along the first wall
 /// until the line to the last centre on the second wall is `limit` off the heading; from there on an arc that
-/// keeps it so, to the second wall; straight back; and again, each time a fixed share nearer.
+/// keeps it so, to the second wall; back, straight or where the walls turn much on such an arc, too; and again, each
+/// time a fixed share nearer.
 ///
 /// Shape   from the first wall to the second; empty where there is nothing to cut or it was not prepared. Both
 ///         walls have been cut up to near the corner.

@@ -42,13 +42,13 @@ constexpr int kMostIdle = 4;
 
 }  // namespace
 
-Tracer::Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, double air)
+Tracer::Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, AlongWalls along)
     : ground_(ground),
       walls_(walls),
       area_(area),
       radius_(ground.tool_radius()),
       limit_(limit),
-      air_along_(air),
+      along_(along),
       step_(kStep * radius_) {}
 
 Path Tracer::cut_from(const WallPlace& start, double material_s) {
@@ -97,13 +97,13 @@ Tracer::Next Tracer::follow_wall() {
     if (contact > kTouch) engaged_ += next - s;
     if (ground_.touches(wall.at(next), walls_.film({place_.wall, next}))) {
       cut_until = next;
-    } else if (next - cut_until > air_along_) {
+    } else if (next - cut_until > along_.air) {
       break;
     }
     s = next;
     if (s - first > reach_) break;
   }
-  append_wall(first, std::min(s, cut_until + step_));
+  append_wall(first, std::min(s, cut_until + along_.overrun));
   return Next::kDone;
 }
 

@@ -8,12 +8,18 @@
 
 namespace clearcut {
 
+/// How cuts follow walls.
+struct AlongWalls {
+  double air = 0;      ///< mm without contact that end a cut
+  double overrun = 0;  ///< mm past the last contact
+};
+
 /// Traces cuts with the material on the right of the direction of travel.
 class Tracer {
  public:
   /// `limit`: largest contact, radians. Cuts off the walls stay inside `area`. The tracer takes away what it
-  /// cuts from `ground`. Stretches of wall without contact up to `air` mm are run over.
-  Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, double air);
+  /// cuts from `ground`.
+  Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, AlongWalls along);
 
   /// From now on cuts follow the wall where they begin no farther than this, mm.
   void set_reach(double reach) { reach_ = reach; }
@@ -68,7 +74,7 @@ class Tracer {
   LegalArea area_;
   double radius_;
   double limit_;
-  double air_along_;
+  AlongWalls along_;
   double reach_ = 1e300;
   double step_;
   Path path_;
