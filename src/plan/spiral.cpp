@@ -28,6 +28,8 @@ constexpr double kCorner = 0.6;
 constexpr double kSharpReach = 2.5;
 /// Distance of turns over the radius at the edge of a face: the first runs so far inside.
 constexpr double kInsideEdge = 0.6;
+/// Radii. Arcs of turns are looked at in places so far apart.
+constexpr double kLegalPitch = 0.25;
 /// Radii. Ridges shorter than this are not followed.
 constexpr double kLeastRidge = 1;
 /// mm. What is mended overlaps by about this where not even a film may stay.
@@ -191,8 +193,25 @@ class SpiralPlanner {
     return path;
   }
 
-  /// Turns are built with the wall on the right; the other sense is their mirror image.
+  /// Empty where the turn would run into something that does not belong to the loop, as islands that met it.
   Path turn_to(const Loop& loop, Vec2 start) const {
+    Path turn = turn_inside(loop, start);
+    return std::all_of(turn.begin(), turn.end(), [this](const Edge& edge) { return is_legal(edge); })
+               ? turn
+               : Path{};
+  }
+
+  bool is_legal(const Edge& edge) const {
+    if (!edge.is_arc()) return legal_.holds_line(edge.from, edge.to);
+    const int count = 1 + static_cast<int>(edge.length() / (kLegalPitch * layer_.tool_radius));
+    for (int i = 0; i <= count; ++i) {
+      if (!legal_.holds(edge.at(static_cast<double>(i) / count))) return false;
+    }
+    return true;
+  }
+
+  /// Turns are built with the wall on the right; the other sense is their mirror image.
+  Path turn_inside(const Loop& loop, Vec2 start) const {
     if (options_.wall_on_right) return spiral_turn(loop, start);
     Loop mirrored;
     for (const auto& edge : reversed(loop)) mirrored.push_back(mirror(edge));
