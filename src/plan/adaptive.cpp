@@ -34,7 +34,7 @@ constexpr int kMostIdle = 3;
 /// Entries for what the cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
 /// Tool radii that the centre may run beyond an open side.
-constexpr double kBeyondOpenSides = 0.5;
+constexpr double kBeyondOpenSides = 0.95;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
 /// Tool radii of wall that are cut after a corner before the corner itself.
@@ -90,16 +90,18 @@ class AdaptivePlanner {
         reach_(layer.tool_radius + layer.wall_stock),
         depth_(layer.z_top - layer.z),
         limit_(limit),
-        ground_({legal}, radius_),
+        ground_({legal}, radius_, layer.stock),
         ways_(clearance.axis(), reach_, 2 * radius_),
         clearing_{{front_, legal, kMarkPitch * radius_, film()},
                   {ground_, clearing_.walls, inner.clearing, limit, {kAir * radius_, 0}}},
         finishing_{
             {legal, kFinePitch * radius_, kWallFilm},
             {ground_, finishing_.walls, inner.finishing, limit, {kMergeGap * radius_, kMarkPitch * radius_}}},
-        path_(ground_, ways_) {}
+        path_(ground_, ways_),
+        open_(layer.stock && has_open_side(layer)) {}
 
   std::vector<Pass> plan() {
+    if (open_) cut_from_outside();
     rooms_ = choose_rooms();
     for (std::size_t i = 0; i < rooms_.size(); ++i) {
       if (!path_.empty()) finish_pass();
@@ -116,6 +118,12 @@ class AdaptivePlanner {
   }
 
  private:
+  /// In at open sides, as far as that leads.
+  void cut_from_outside() {
+    clearing_.walls.update(ground_, legal_.box());
+    cut_fronts(clearing_, [](Vec2) { return true; });
+  }
+
   /// What the cuts could not reach is entered from above.
   void enter_what_is_left() {
     for (int i = 0; i < kMostEntries && !clearing_.walls.starts().empty() && !path_.empty(); ++i) {
@@ -168,6 +176,7 @@ class AdaptivePlanner {
     std::vector<Disc> rooms;
     for (const AxisPoint& center : clearance_.centers()) {
       if (center.clearance < reach_ || !front_.contains(center.point)) continue;
+      if (ground_.is_removed(center.point)) continue;
       const Disc disc{center.point, front_.boundary_distance(center.point) + radius_};
       if (rooms.empty() || (is_worth_entry(disc) && is_fresh(disc, rooms))) rooms.push_back(disc);
     }
@@ -481,6 +490,7 @@ class AdaptivePlanner {
   FreeWays ways_;
   Stage clearing_, finishing_;
   ClearingPath path_;
+  bool open_;  ///< something beside the target is free
   std::vector<Disc> rooms_;
   std::vector<Corner> corners_;  ///< not yet cut
   std::vector<Pass> passes_;

@@ -21,8 +21,8 @@ Move level_move(const Edge& edge) {
 
 }  // namespace
 
-Ground::Ground(const Regions& legal, double tool_radius)
-    : legal_(legal), tool_radius_(tool_radius), material_(std::nullopt, 0, {tool_radius}) {}
+Ground::Ground(const Regions& legal, double tool_radius, const std::optional<Box>& stock)
+    : legal_(legal), tool_radius_(tool_radius), material_(stock, 0, {tool_radius}) {}
 
 double Ground::contact(Vec2 p, Vec2 heading) const {
   return material_.engagement(p, heading, tool_radius_ - kRounding, -1).angle;

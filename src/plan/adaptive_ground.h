@@ -11,8 +11,8 @@ namespace clearcut {
 /// The material of one layer seen by one cutter, in plan view. Exact: see Material.
 class Ground {
  public:
-  /// `legal`: where the cutter's centre may be.
-  Ground(const Regions& legal, double tool_radius);
+  /// `legal`: where the cutter's centre may be. `stock`: beside it there is nothing; absent: no end.
+  Ground(const Regions& legal, double tool_radius, const std::optional<Box>& stock);
 
   double tool_radius() const { return tool_radius_; }
   const LegalArea& legal() const { return legal_; }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/tolerances.h"
+#include "geometry/box.h"
 #include "geometry/region.h"
 #include "part/part.h"
 #include "toolpath/pass.h"
@@ -20,6 +22,7 @@ struct Layer {
   double wall_stock = 0;   ///< stock to leave on walls and the round of the cutter's corners, mm
   double reserve =
       0;  ///< mm; of wall_stock, what only rounding of the program asks for: exact fits need not keep it
+  std::optional<Box> stock;  ///< plan view; beside it there is nothing. Absent: material without end
   /// Rapids of what is cut later come down through here: not even a film far thinner than tol.uncut may stay.
   bool bare = false;
 };
