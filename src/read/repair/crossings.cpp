@@ -63,32 +63,32 @@ std::vector<Loop> outlines_by_winding(const std::vector<Loop>& loops) {
 }
 
 /// One compound of several loops, or one loop that crosses itself.
-std::vector<Loop> resolve_compound(const std::vector<Loop>& loops, const RepairOptions& options,
+std::vector<Loop> resolve_compound(const std::vector<Loop>& loops, bool nonzero, const RepairOptions& options,
                                    Diagnostics& diagnostics) {
   const auto met = meetings_of(loops, options);
   const auto crossing = std::find_if(met.begin(), met.end(), is_harmful);
-  if (crossing == met.end()) return loops.size() == 1 ? loops : outlines_by_winding(loops);
+  if (crossing == met.end()) return nonzero && loops.size() > 1 ? outlines_by_winding(loops) : loops;
   diagnostics.repair(options.where + " at " + place_text(crossing->at),
                      "a filled path that crosses itself was resolved by its fill rule");
-  return loops_of(resolve_nonzero(loops, options.tol));
+  return loops_of(nonzero ? resolve_nonzero(loops, options.tol) : resolve_even_odd(loops, options.tol));
 }
 
 }  // namespace
 
 std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairOptions& options,
                                        Diagnostics& diagnostics) {
-  std::map<int, std::vector<RawLoop>> compounds;
+  std::map<Compound, std::vector<RawLoop>> compounds;
   std::vector<RawLoop> out;
   for (RawLoop& loop : loops) {
-    if (loop.nonzero_group < 0) {
-      out.push_back(std::move(loop));
+    if (loop.compound) {
+      compounds[*loop.compound].push_back(std::move(loop));
     } else {
-      compounds[loop.nonzero_group].push_back(std::move(loop));
+      out.push_back(std::move(loop));
     }
   }
-  for (const auto& [group, members] : compounds) {
-    for (Loop& loop : resolve_compound(bare(members), options, diagnostics)) {
-      out.push_back({std::move(loop), members.front().source, -1});
+  for (const auto& [compound, members] : compounds) {
+    for (Loop& loop : resolve_compound(bare(members), compound.nonzero, options, diagnostics)) {
+      out.push_back({std::move(loop), members.front().source, {}});
     }
   }
   return out;
@@ -150,7 +150,7 @@ std::vector<RawLoop> resolve_each(std::vector<RawLoop> loops, const std::vector<
                          "an outline (" + loops[i].source + ") that touches itself was split into " +
                              std::to_string(parts.size()));
     }
-    for (Loop& part : parts) out.push_back({std::move(part), loops[i].source, -1});
+    for (Loop& part : parts) out.push_back({std::move(part), loops[i].source, {}});
   }
   return out;
 }
@@ -220,7 +220,7 @@ class PairResolver {
     }
     const auto groups = grouped(involved);
     for (Loop& loop : is_one_level(groups) ? cut_out(groups) : folded(groups)) {
-      out.push_back({std::move(loop), source(*involved.begin()), -1});
+      out.push_back({std::move(loop), source(*involved.begin()), {}});
     }
     return out;
   }

@@ -8,7 +8,7 @@
 
 namespace clearcut {
 
-/// Loops of SVG compounds under the winding rule become loops under the even-odd rule.
+/// Loops of compounds, which may cross each other, become loops under the even-odd rule that do not.
 std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairOptions& options,
                                        Diagnostics& diagnostics);
 

@@ -178,7 +178,7 @@ class Joiner {
     auto& path = curve.edges;
     path.erase(std::remove_if(path.begin(), path.end(), [](const Edge& e) { return e.from == e.to; }),
                path.end());
-    if (path.size() >= 2) loops_.push_back({std::move(path), std::move(curve.source), curve.nonzero_group});
+    if (path.size() >= 2) loops_.push_back({std::move(path), std::move(curve.source), curve.compound});
   }
 
   void chain(const std::vector<RawCurve>& curves) {
@@ -197,7 +197,7 @@ class Joiner {
               std::vector<bool>& used) {
     RawCurve whole;
     whole.source = curves[start].source;
-    whole.nonzero_group = curves[start].nonzero_group;
+    whole.compound = curves[start].compound;
     int entered = 2 * static_cast<int>(start);
     while (!used[static_cast<std::size_t>(entered / 2)]) {
       const auto i = static_cast<std::size_t>(entered / 2);

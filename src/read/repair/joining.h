@@ -12,7 +12,7 @@ namespace clearcut {
 struct RawLoop {
   Loop loop;
   std::string source;
-  int nonzero_group = -1;
+  std::optional<Compound> compound = {};
 };
 
 /// Joins ends at most tol.join_gap apart, nearest first, and closes what the file calls closed. Where more

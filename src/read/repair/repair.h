@@ -1,6 +1,7 @@
 // From curves as a file holds them to valid regions: the one repair of every reader.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,20 @@
 
 namespace clearcut {
 
+/// Curves filled together are an area of their own, whatever they cross (SVG paths).
+struct Compound {
+  int number = 0;
+  bool nonzero = true;  ///< by the winding rule; else even-odd
+  friend auto operator<=>(const Compound&, const Compound&) = default;
+};
+
 /// A curve as a reader found it. Nothing is promised: ends may miss each other, edges may have no length,
 /// centers may be wrong, numbers may be infinite.
 struct RawCurve {
   Path edges;
   bool closed = false;  ///< the file says that the last end meets the first start
   std::string source;   ///< "line 120", "outer": for messages
-  /// Curves of one compound with a winding rule are areas of their own (SVG paths); -1: none, even-odd.
-  int nonzero_group = -1;
+  std::optional<Compound> compound = {};
 };
 
 /// mm. Coordinates beyond this (1 km) are taken for a mistake and refused.

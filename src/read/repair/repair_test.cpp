@@ -17,16 +17,16 @@ namespace {
 using ::testing::HasSubstr;
 
 RawCurve closed(std::vector<Vec2> points) {
-  return {loop_from_points(points), true, "outline", -1};
+  return {loop_from_points(points), true, "outline", {}};
 }
 RawCurve square(double x, double y, double side) {
   return closed({{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}});
 }
 RawCurve circle(Vec2 center, double radius) {
-  return {full_circle(center, radius), true, "circle", -1};
+  return {full_circle(center, radius), true, "circle", {}};
 }
 RawCurve open(std::vector<Vec2> points) {
-  RawCurve curve{{}, false, "line", -1};
+  RawCurve curve{{}, false, "line", {}};
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     curve.edges.push_back(Edge::line(points[i], points[i + 1]));
   return curve;
@@ -108,7 +108,7 @@ TEST(Repair, OpenCurvesAreLeftOutWhenAskedForAndReported) {
 }
 
 TEST(Repair, ArcEndsStayWhereLinesCanMove) {
-  RawCurve arc{{Edge::arc({10, 0}, {0, 10}, {0, 0}, Turn::kCounterClockwise)}, false, "arc", -1};
+  RawCurve arc{{Edge::arc({10, 0}, {0, 10}, {0, 0}, Turn::kCounterClockwise)}, false, "arc", {}};
   const Repaired result = repaired({arc, open({{0, 10.005}, {0, 0}, {10.004, 0}})});
   ASSERT_EQ(result.regions.size(), 1u);
   for (const Edge& edge : result.regions[0].outer()) {
@@ -126,7 +126,7 @@ TEST(Repair, ArcsWithInconsistentRadiiGetOneCenterOrAreRefused) {
         {Edge::arc({10, 0}, {-10, 0}, center, Turn::kCounterClockwise), Edge::line({-10, 0}, {10, 0})},
         true,
         "arc",
-        -1};
+        {}};
   };
   const Repaired result = repaired({with_center({0.002, 0})});
   EXPECT_EQ(result.count(Severity::kRepair, "radii"), 1);
@@ -200,7 +200,7 @@ TEST(Repair, ALineThatLeansIntoATangentArcEndsWhereTheyCross) {
                      Edge::line({10, 4}, {0, 4}), Edge::line({0, 4}, {0, left})},
                     true,
                     "bite",
-                    -1};
+                    {}};
   };
   EXPECT_TRUE(repaired({bitten(-0.05)}).said.empty());
   const Repaired result = repaired({bitten(0.05)});
@@ -308,7 +308,7 @@ TEST(Repair, RandomLoopsGiveValidRegionsOrARefusal) {
         const double bulge = random.below(3) == 0 ? random.between(-0.4, 0.4) : 0;
         vertices.push_back({center + direction_of(2 * kPi * i / n) * random.between(5, 25), bulge});
       }
-      curves.push_back({loop_from_bulges(vertices), true, "loop", -1});
+      curves.push_back({loop_from_bulges(vertices), true, "loop", {}});
     }
     try {
       const Repaired result = repaired(curves);

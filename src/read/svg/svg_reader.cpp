@@ -140,7 +140,7 @@ class SvgCollector {
     if (is_defining(name)) return;
     Inherited own = outer;
     inherit(node, name, own);
-    if (!own.style.shown) {
+    if (!own.style.shown || !own.style.seen) {
       ++hidden_[std::string(name)];
     } else if (name == "svg" && is_root) {
       take_children(node, own, depth);
@@ -195,7 +195,8 @@ class SvgCollector {
 
   /// Style, transform, layer and depth of this element on top of what is around it.
   void inherit(const pugi::xml_node& node, std::string_view name, Inherited& own) const {
-    for (const char* property : {"fill", "stroke", "fill-rule", "visibility", "display"}) {
+    for (const char* property : {"fill", "stroke", "fill-rule", "fill-opacity", "stroke-opacity", "opacity",
+                                 "visibility", "display"}) {
       own.style.set(property, attribute(node, property));
     }
     sheet_.apply(name, attribute(node, "id"), attribute(node, "class"), own.style);
@@ -242,8 +243,8 @@ class SvgCollector {
 
   void take_shape(const pugi::xml_node& node, const Inherited& own) {
     const std::string name(local_name(node));
-    const bool filled = own.style.fill != "none" && name != "line";
-    const bool stroked = own.style.stroke != "none";
+    const bool filled = own.style.fills() && name != "line";
+    const bool stroked = own.style.strokes();
     if (!own.style.visible || (!filled && !stroked)) {
       ++hidden_[name];
       return;
@@ -262,7 +263,8 @@ class SvgCollector {
     SvgPathData data = svg_shape(node, own.view, own.map);
     if (!data.error.empty()) throw InputError(place(node), data.error + "; correct it");
     if (!filled) ++stroke_only_;
-    const int nonzero = filled && own.style.fill_rule != "evenodd" ? compounds_++ : -1;
+    std::optional<Compound> compound;
+    if (filled) compound = Compound{compounds_++, own.style.fill_rule != "evenodd"};
     for (SvgSubpath& subpath : data.subpaths) {
       RawCurve curve;
       curve.edges = std::move(subpath.edges);
@@ -270,7 +272,7 @@ class SvgCollector {
       curve.source = std::string(local_name(node));
       const std::string_view id = attribute(node, "id");
       if (!id.empty()) curve.source += " " + printable(id);
-      curve.nonzero_group = nonzero;
+      curve.compound = compound;
       group.curves.push_back(std::move(curve));
     }
   }

@@ -113,6 +113,29 @@ TEST(Svg, FillRules) {
   EXPECT_NEAR(area_of("<path " + other_way + "/><rect x='12' y='12' width='6' height='6'/>"), 1236, 1e-9);
 }
 
+TEST(Svg, FilledPathsThatCrossThemselvesFollowTheirFillRule) {
+  std::string star = "<polygon points='";
+  for (int i = 0; i < 5; ++i) {
+    const Vec2 p = Vec2{50, 40} + direction_of(kPi / 2 + 4 * kPi * i / 5) * 20;
+    star += std::to_string(p.x) + "," + std::to_string(p.y) + " ";
+  }
+  // A pentagram of radius R covers 1.12257 R^2; the pentagon inside it has the radius R / 2.61803.
+  const double whole = 1.122570 * 400, pentagon = 2.377641 * 400 / 6.854102;
+  EXPECT_NEAR(area_of(star + "'/>"), whole, 1e-3);
+  EXPECT_NEAR(area_of(star + "' fill-rule='evenodd'/>"), whole - pentagon, 1e-3);
+  EXPECT_NEAR(area_of("<path fill-rule='evenodd' d='M10 10h20v20h-20zM20 20h20v20h-20z'/>"), 600, 1e-6);
+}
+
+TEST(Svg, WhatIsWhollyTransparentIsNoOutline) {
+  const std::string seen = "<rect x='10' y='10' width='10' height='10'/>";
+  for (const char* hidden : {"fill='white' fill-opacity='0'", "style='opacity:0.0;display:inline'",
+                             "fill='transparent'", "fill='none' stroke='red' stroke-opacity='0%'"}) {
+    EXPECT_NEAR(area_of("<rect width='50' height='40' " + std::string(hidden) + "/>" + seen), 100, 1e-9)
+        << hidden;
+  }
+  EXPECT_NEAR(area_of("<rect width='5' height='4' fill-opacity='0' stroke='red'/>"), 20, 1e-9);
+}
+
 TEST(Svg, TransformsNest) {
   EXPECT_NEAR(area_of("<g transform='scale(2)'><g transform='translate(5 5) rotate(30)'><rect width='5' "
                       "height='4'/></g></g>"),

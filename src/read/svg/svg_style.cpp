@@ -65,6 +65,13 @@ std::string hex_color(double r, double g, double b) {
   return out;
 }
 
+/// "0", "0.0", "0%".
+bool is_zero(std::string_view number) {
+  SvgScanner scanner(number);
+  const auto value = scanner.number();
+  return value && *value <= 0;
+}
+
 constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kNames{{{"black", "#000000"},
                                                                                 {"white", "#ffffff"},
                                                                                 {"red", "#ff0000"},
@@ -93,6 +100,9 @@ void SvgStyle::set(std::string_view property, std::string_view value) {
   if (property == "fill") fill = small(value);
   if (property == "stroke") stroke = small(value);
   if (property == "fill-rule") fill_rule = small(value);
+  if (property == "fill-opacity") fill_seen = !is_zero(value);
+  if (property == "stroke-opacity") stroke_seen = !is_zero(value);
+  if (property == "opacity") seen = !is_zero(value);
   if (property == "visibility") visible = value == "visible";
   if (property == "display") shown = value != "none";
 }

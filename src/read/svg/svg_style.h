@@ -13,9 +13,14 @@ struct SvgStyle {
   std::string fill = "black";
   std::string stroke = "none";
   std::string fill_rule = "nonzero";
-  bool visible = true;  ///< visibility; inherited
-  bool shown = true;    ///< display; an element that is not shown hides all within
+  bool fill_seen = true;    ///< its opacity is above 0
+  bool stroke_seen = true;  ///< the same
+  bool visible = true;      ///< visibility; inherited
+  bool shown = true;        ///< display; an element that is not shown hides all within
+  bool seen = true;         ///< opacity above 0; the same
 
+  bool fills() const { return fill_seen && fill != "none" && fill != "transparent"; }
+  bool strokes() const { return stroke_seen && stroke != "none" && stroke != "transparent"; }
   void set(std::string_view property, std::string_view value);
 };
 
