@@ -8,6 +8,8 @@ namespace {
 
 /// mm. Thinner contact is rounding.
 constexpr double kRounding = 2e-4;
+/// Radians. Less of the circle in material is rounding.
+constexpr double kTouch = 1e-6;
 /// Tool radii between the places where a straight way is looked at.
 constexpr double kLookStep = 0.2;
 /// Tool radii between the places where the contact of a cut is looked at.
@@ -43,8 +45,20 @@ double Ground::length_within(const Edge& edge, double limit) const {
 }
 
 bool Ground::touches(Vec2 p, double film) const {
+  return touched(p, film).has_value();
+}
+
+std::optional<Vec2> Ground::touched(Vec2 p, double film) const {
   const double radius = tool_radius_ - film;
-  return material_.circle_in_material(p, radius, -1).measure() > 1e-6;
+  const AngleSet left = material_.circle_in_material(p, radius, -1);
+  AngleInterval widest;
+  double sum = 0;
+  for (const AngleInterval& item : left.intervals()) {
+    sum += item.width();
+    if (item.width() > widest.width()) widest = item;
+  }
+  if (sum <= kTouch) return std::nullopt;
+  return p + direction_of((widest.from + widest.to) / 2) * radius;
 }
 
 bool Ground::is_free(Vec2 a, Vec2 b, double film) const {

@@ -1,6 +1,7 @@
 // What an adaptive pass cuts into: the material of one layer and where the cutter's centre may be.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "stock/material.h"
@@ -23,6 +24,8 @@ class Ground {
   double length_within(const Edge& edge, double limit) const;
   /// Whether a cutter smaller by `film` mm would touch material at p.
   bool touches(Vec2 p, double film) const;
+  /// The same, with a point of that material.
+  std::optional<Vec2> touched(Vec2 p, double film) const;
   /// Whether the straight way is legal and touches nothing thicker than `film` mm.
   bool is_free(Vec2 a, Vec2 b, double film) const;
   /// Whether nothing stands at p any more.

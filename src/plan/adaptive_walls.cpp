@@ -83,6 +83,7 @@ void Walls::add(const Loop& loop, const Region& legal, double pitch, double film
     marks.films.push_back(film + kWallShare * legal.boundary_distance(marks.points.back()));
   }
   marks.touching.assign(marks.points.size(), 1);
+  marks.touched.resize(marks.points.size());
   marks.left_at.assign(marks.points.size(), -1e300);
   marks.idle.assign(marks.points.size(), 0);
   marks_.push_back(std::move(marks));
@@ -131,8 +132,10 @@ bool Walls::touches_after(const WallPlace& place, double reach) const {
 void Walls::update(const Ground& ground, const Box& where) {
   for (Marks& marks : marks_) {
     for (std::size_t i = 0; i < marks.points.size(); ++i) {
-      if (marks.touching[i] == 1 && where.contains(marks.points[i]))
-        marks.touching[i] = ground.touches(marks.points[i], marks.films[i]) ? 1 : 0;
+      if (marks.touching[i] != 1 || !where.contains(marks.points[i])) continue;
+      if (marks.touched[i] && !ground.is_removed(*marks.touched[i])) continue;
+      marks.touched[i] = ground.touched(marks.points[i], marks.films[i]);
+      marks.touching[i] = marks.touched[i] ? 1 : 0;
     }
   }
 }

@@ -1,6 +1,7 @@
 // The walls of a layer as ways for the cutter's centre, and which stretches of them still touch material.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,7 +89,8 @@ class Walls {
     std::vector<Vec2> points;
     std::vector<double> films;
     std::vector<char> touching;
-    std::vector<double> left_at;  ///< where the last cut from each mark left the wall
+    std::vector<std::optional<Vec2>> touched;  ///< material that each mark touched when it was looked at
+    std::vector<double> left_at;               ///< where the last cut from each mark left the wall
     std::vector<int> idle;
   };
   void add(const Loop& loop, const Region& legal, double pitch, double film);

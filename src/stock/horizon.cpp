@@ -65,42 +65,43 @@ void Horizon::remove_beyond(Vec2 normal, double q) {
   look();
 }
 
+// A bound of the swept part that all of what is left keeps is not looked at further.
+
 void Horizon::remove_line(const SweptLine& line) {
   const Vec2 rest = rest_center_ - line.from;
-  const double rest_forward = dot(rest, line.along);
-  if (rest_forward <= -rest_radius_ || rest_forward >= line.length + rest_radius_ ||
-      std::abs(cross(line.along, rest)) >= line.radius + rest_radius_)
+  const double forward = dot(rest, line.along), aside = cross(line.along, rest);
+  if (forward <= -rest_radius_ || forward >= line.length + rest_radius_ ||
+      std::abs(aside) >= line.radius + rest_radius_)
     return;
-  const Vec2 w = center_ - line.from;
-  const double forward = dot(w, line.along), aside = cross(line.along, w);
-  const Vec2 left = left_of(line.along);
+  const Vec2 w = center_ - line.from, left = left_of(line.along);
+  const double along = dot(w, line.along), beside = cross(line.along, w);
   Spans outside;
-  add_beyond(left, (line.radius - aside) / radius_, outside);
-  add_beyond(-left, (line.radius + aside) / radius_, outside);
-  add_beyond(-line.along, forward / radius_, outside);
-  add_beyond(line.along, (line.length - forward) / radius_, outside);
+  if (aside + rest_radius_ > line.radius) add_beyond(left, (line.radius - beside) / radius_, outside);
+  if (aside - rest_radius_ < -line.radius) add_beyond(-left, (line.radius + beside) / radius_, outside);
+  if (forward < rest_radius_) add_beyond(-line.along, along / radius_, outside);
+  if (forward + rest_radius_ > line.length) add_beyond(line.along, (line.length - along) / radius_, outside);
   keep(outside);
 }
 
 void Horizon::remove_arc(const SweptArc& arc) {
   const Vec2 rest = rest_center_ - arc.center;
-  if (dot(arc.before, rest) >= rest_radius_ || dot(arc.after, rest) >= rest_radius_) return;
+  const double before = dot(arc.before, rest), after = dot(arc.after, rest);
+  if (before >= rest_radius_ || after >= rest_radius_) return;
   const double outer = arc.ring + arc.radius, inner = arc.ring - arc.radius;
   const double away_from_rest = std::sqrt(norm_squared(rest));
   if (away_from_rest - rest_radius_ >= outer || away_from_rest + rest_radius_ <= inner) return;
   const Vec2 w = center_ - arc.center;
-  const double squared = norm_squared(w), d = std::sqrt(squared);
-  const double twice = 2 * d * radius_;
+  const double squared = norm_squared(w), d = std::sqrt(squared), twice = 2 * d * radius_;
   const auto cosine_at = [&](double rho) {
     const double numerator = rho * rho - squared - radius_ * radius_;
     return twice > 0 ? numerator / twice : (numerator > 0 ? 2.0 : -2.0);
   };
   const Vec2 away = d > 0 ? w / d : Vec2{1, 0};
   Spans outside;
-  add_beyond(away, cosine_at(outer), outside);
-  if (inner > 0) add_beyond(-away, -cosine_at(inner), outside);
-  add_beyond(arc.before, -dot(arc.before, w) / radius_, outside);
-  add_beyond(arc.after, -dot(arc.after, w) / radius_, outside);
+  if (away_from_rest + rest_radius_ > outer) add_beyond(away, cosine_at(outer), outside);
+  if (inner > 0 && away_from_rest - rest_radius_ < inner) add_beyond(-away, -cosine_at(inner), outside);
+  if (before > -rest_radius_) add_beyond(arc.before, -dot(arc.before, w) / radius_, outside);
+  if (after > -rest_radius_) add_beyond(arc.after, -dot(arc.after, w) / radius_, outside);
   keep(outside);
 }
 
@@ -168,6 +169,7 @@ void Horizon::Spans::merge() {
 /// Keeps what lies in one of the spans.
 void Horizon::keep(Spans& spans) {
   if (spans.all || count_ == 0) return;
+  if (spans.count == 0) return clear();
   spans.merge();
   Span old[kCapacity];
   const int old_count = count_;
