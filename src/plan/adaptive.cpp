@@ -43,6 +43,8 @@ constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
 constexpr double kCornerFilm = 2e-3;
+/// Gates beside a wall to which a way is looked for.
+constexpr int kMostGates = 3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
 constexpr double kRest = 0.004;
 constexpr int kMostRests = 60;
@@ -299,6 +301,7 @@ class AdaptivePlanner {
   /// Over a gate beside the wall.
   std::optional<Approach> approach_from_aside(const Walls& walls, const WallPlace& place) const {
     const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
+    int tries = kMostGates;
     for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
       for (const double slope : {0.0, 2.0, 6.0}) {
         const double aside = share * radius_;
@@ -306,6 +309,7 @@ class AdaptivePlanner {
         if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree) || !is_gentle(gate, p))
           continue;
         if (const auto way = way_to(gate)) return Approach{*way, {}, place};
+        if (--tries == 0) return std::nullopt;
       }
     }
     return std::nullopt;

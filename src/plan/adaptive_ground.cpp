@@ -64,6 +64,10 @@ std::optional<Vec2> Ground::touched(Vec2 p, double film) const {
 bool Ground::is_free(Vec2 a, Vec2 b, double film) const {
   if (!legal_.holds_line(a, b)) return false;
   const int steps = static_cast<int>(distance(a, b) / (tool_radius_ * kLookStep)) + 1;
+  // Most ways that are not free are seen at once by where the centre would run.
+  for (int i = steps; i >= 0; --i) {
+    if (!is_removed(lerp(a, b, static_cast<double>(i) / steps))) return false;
+  }
   for (int i = 0; i <= steps; ++i) {
     if (touches(lerp(a, b, static_cast<double>(i) / steps), film)) return false;
   }

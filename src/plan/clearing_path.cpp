@@ -25,7 +25,7 @@ constexpr double kLeastWidening = 0.05;
 
 FreeWays::FreeWays(const MedialAxis& axis, double least, double pitch) {
   for (const AxisPoint& point : axis.points) nodes_.push_back(point.point);
-  neighbours_.resize(nodes_.size());
+  steps_.resize(nodes_.size());
   for (const AxisEdge& edge : axis.edges) {
     const AxisPoint *a = &axis.points[static_cast<std::size_t>(edge.a)],
                     *b = &axis.points[static_cast<std::size_t>(edge.b)];
@@ -45,20 +45,22 @@ FreeWays::FreeWays(const MedialAxis& axis, double least, double pitch) {
 
 int FreeWays::add_node(Vec2 p) {
   nodes_.push_back(p);
-  neighbours_.emplace_back();
+  steps_.emplace_back();
   return static_cast<int>(nodes_.size()) - 1;
 }
 
 void FreeWays::join(int a, int b) {
-  neighbours_[static_cast<std::size_t>(a)].push_back(b);
-  neighbours_[static_cast<std::size_t>(b)].push_back(a);
+  steps_[static_cast<std::size_t>(a)].push_back({b});
+  steps_[static_cast<std::size_t>(b)].push_back({a});
 }
 
 std::optional<std::vector<Vec2>> FreeWays::find(Vec2 from, Vec2 to, const Ground& ground, double film) const {
   if (ground.is_free(from, to, film)) return std::vector<Vec2>{to};
   if (const auto corner = one_corner(from, to, ground, film)) return std::vector<Vec2>{*corner, to};
-  const auto sources = nearest_free(from, ground, film), targets = nearest_free(to, ground, film);
-  if (sources.empty() || targets.empty()) return std::nullopt;
+  const auto& sources = sources_of(from, ground, film);
+  if (sources.empty()) return std::nullopt;
+  const auto targets = nearest_free(to, ground, film);
+  if (targets.empty()) return std::nullopt;
   const auto stations = shortest(sources, targets, from, to, ground, film);
   if (stations.empty()) return std::nullopt;
   // Straighten: from each station to the farthest that can be seen.
@@ -89,10 +91,23 @@ std::optional<Vec2> FreeWays::one_corner(Vec2 from, Vec2 to, const Ground& groun
   return std::nullopt;
 }
 
+const std::vector<int>& FreeWays::sources_of(Vec2 from, const Ground& ground, double film) const {
+  if (sources_.from != from || sources_.film != film)
+    sources_ = {from, film, nearest_free(from, ground, film)};
+  return sources_.nodes;
+}
+
+bool FreeWays::is_free(const Step& step, Vec2 from, Vec2 to, const Ground& ground, double film) {
+  if (film >= step.free_beyond) return true;
+  if (!ground.is_free(from, to, film)) return false;
+  step.free_beyond = film;
+  return true;
+}
+
 std::vector<int> FreeWays::nearest_free(Vec2 p, const Ground& ground, double film) const {
   std::vector<std::pair<double, int>> by_distance;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (!neighbours_[i].empty()) by_distance.push_back({distance(nodes_[i], p), static_cast<int>(i)});
+    if (!steps_[i].empty()) by_distance.push_back({distance(nodes_[i], p), static_cast<int>(i)});
   }
   std::sort(by_distance.begin(), by_distance.end());
   std::vector<int> found;
@@ -126,9 +141,11 @@ std::vector<Vec2> FreeWays::shortest(const std::vector<int>& sources, const std:
       best = spent + distance(at(node), to);
       end = node;
     }
-    for (const int next : neighbours_[static_cast<std::size_t>(node)]) {
+    for (const Step& step : steps_[static_cast<std::size_t>(node)]) {
+      const int next = step.to;
       const double sum = spent + distance(at(node), at(next));
-      if (sum >= cost[static_cast<std::size_t>(next)] || !ground.is_free(at(node), at(next), film)) continue;
+      if (sum >= cost[static_cast<std::size_t>(next)] || !is_free(step, at(node), at(next), ground, film))
+        continue;
       cost[static_cast<std::size_t>(next)] = sum;
       before[static_cast<std::size_t>(next)] = node;
       open.push({sum, next});

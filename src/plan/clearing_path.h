@@ -30,7 +30,21 @@ class FreeWays {
                              Vec2 to, const Ground& ground, double film) const;
 
   std::vector<Vec2> nodes_;
-  std::vector<std::vector<int>> neighbours_;
+  struct Step {
+    int to = 0;
+    /// mm; thinnest film beyond which the step was found free. What is free once stays free.
+    mutable double free_beyond = 1e300;
+  };
+  static bool is_free(const Step& step, Vec2 from, Vec2 to, const Ground& ground, double film);
+  /// The last place where a way began, for the next one from there.
+  struct Sources {
+    Vec2 from;
+    double film = -1;
+    std::vector<int> nodes;
+  };
+  const std::vector<int>& sources_of(Vec2 from, const Ground& ground, double film) const;
+  std::vector<std::vector<Step>> steps_;
+  mutable Sources sources_;
 };
 
 /// Builds one pass.
