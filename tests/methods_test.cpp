@@ -2,9 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+
 #include "base/file.h"
 #include "geometry/boolean.h"
 #include "pipeline/method_study.h"
+#include "pipeline/run.h"
 #include "pipeline/tool_sets.h"
 #include "read/read_part.h"
 #include "support/command.h"
@@ -59,6 +63,49 @@ TEST(Methods, ToolsAreDrivenByTheirSpeeds) {
   const CuttingData data = driven(tool, 36.6, 0.05);
   EXPECT_NEAR(*data.spindle_rpm, 1165.0, 0.1);
   EXPECT_NEAR(data.feed->mm_per_min(), 174.8, 0.05);
+}
+
+/// Every subset of the cutters that leaves no more than the smallest, planned as one job with rest machining.
+double fastest_by_trial(const Part& part, const std::vector<Tool>& tools, double tool_change_s,
+                        PlanOptions options) {
+  const auto planned = [&](const std::vector<Tool>& of) {
+    options.tools = of;
+    return plan(part, options).findings.all;
+  };
+  options.shop.rest = true;
+  const double corners = planned({tools.front()}).unreachable_mm2;
+  double best = std::numeric_limits<double>::infinity();
+  for (unsigned subset = 1; subset < (1U << tools.size()); ++subset) {
+    std::vector<Tool> chosen;
+    for (std::size_t i = tools.size(); i-- > 0;) {
+      if ((subset >> i & 1U) != 0) chosen.push_back(tools[i]);
+    }
+    const auto figures = planned(chosen);
+    if (!figures.clean || figures.unreachable_mm2 > corners + 0.1) continue;
+    best = std::min(best, figures.time_s + tool_change_s * (static_cast<double>(chosen.size()) - 1));
+  }
+  return best;
+}
+
+TEST(Methods, NoSubsetOfTheCuttersIsFasterThanTheBestSequence) {
+  const ScratchFolder folder;
+  const char* sharp = "name sharp\ndepth 4\n140 90\n90 90\n140 90\n90 90\n";
+  const char* round = "name round\ndepth 4\n100 90 12\n60 90 12\n100 90 12\n60 90 12\n";
+  for (const char* outline : {sharp, round}) {
+    const Part part = read_part(folder.file("part.edges", outline), {});
+    std::vector<Tool> tools(4);
+    for (std::size_t i = 0; i < tools.size(); ++i) tools[i].diameter = std::array{4.0, 8.0, 14.0, 20.0}[i];
+    PlanOptions options;
+    options.tools = tools;
+    options.strategy = "lom-corrected";
+    ToolSpeeds speeds;
+    speeds.tool_change_s = 5;
+    const auto sequence = fastest_sequence(part, speeds, options);
+    ASSERT_TRUE(sequence) << outline;
+    const double by_trial = fastest_by_trial(part, tools, speeds.tool_change_s, options);
+    EXPECT_LE(sequence->time_s, by_trial * 1.02) << outline;
+    EXPECT_GE(sequence->time_s, by_trial * 0.98) << outline;
+  }
 }
 
 TEST(Methods, ToolTableNamesTheFastestAndWhatDoesNotFit) {

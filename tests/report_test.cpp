@@ -5,6 +5,8 @@
 #include <cstdlib>
 
 #include "base/file.h"
+#include "base/units.h"
+#include "pipeline/run.h"
 #include "report/html.h"
 #include "report/sample_job.h"
 #include "report/svg.h"
@@ -73,6 +75,36 @@ TEST(Page, PlaysInABrowser) {
   const std::string clock =
       std::to_string(seconds / 60) + ":" + (seconds % 60 < 10 ? "0" : "") + std::to_string(seconds % 60);
   EXPECT_THAT(at_fault, HasSubstr("\">" + clock + " / ")) << "clock";
+}
+
+/// A fixed step of 0.9 D leaves twelve rests in a star: the page colours at its end what the certificate counts.
+TEST(Page, ColoursWhatIsLeft) {
+  if (!installed("chromium")) GTEST_SKIP() << "chromium is absent; install the package chromium";
+  std::vector<Vec2> corners;
+  for (int i = 0; i < 12; ++i) corners.push_back(direction_of(kPi * i / 6) * (i % 2 == 0 ? 50 : 28.8675));
+  Part part;
+  part.name = part.source_file = "star";
+  Feature feature;
+  feature.name = "star";
+  feature.target = feature.allowed = {Region::from_valid_loops(loop_from_points(corners), {})};
+  feature.floor_z = -2;
+  part.features = {feature};
+  part.workplan.push_back({});
+  PlanOptions options;
+  options.tools = {parse_tool("endmill:8")};
+  options.strategy = "fixed";
+  const auto result = plan(part, options);
+  ASSERT_FALSE(result.findings.all.clean);
+  const auto page = [&](const char* moment) {
+    return document_in_browser(
+        html(result.part, result.toolpath, result.findings, {Machine{}, result.program}), moment);
+  };
+  const std::string at_end = page("#t=1e9"), left = "data-left-mm2=\"";
+  const auto found = at_end.find(left);
+  ASSERT_NE(found, std::string::npos);
+  const double shown = std::stod(at_end.substr(found + left.size()));
+  EXPECT_NEAR(shown, result.findings.all.uncut_mm2, 0.25 * result.findings.all.uncut_mm2);
+  EXPECT_EQ(page("#t=1").find(left), std::string::npos) << "nothing is left before the end";
 }
 
 }  // namespace

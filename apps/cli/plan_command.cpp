@@ -53,7 +53,7 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
   add(command.html, [&] {
     return html(result.part, result.toolpath, result.findings, {options.machine, result.program});
   });
-  add(command.result, [&] { return result_file(result.toolpath, {result.part.name, std::nullopt}); });
+  add(command.result, [&] { return result_file(result.toolpath, {result.part.name, result.contours}); });
   return files;
 }
 

@@ -168,7 +168,8 @@ std::vector<Regions> Clearance::insets(const std::vector<double>& ascending) con
 
 std::vector<Path> Clearance::fit_lines(double d, double reserve) const {
   const double least = d - reserve - kFitShare * impl_->tol.fit;
-  return voronoi::fit_lines(impl_->axis, impl_->diagram, least, d + kMargin, kStubFactor * impl_->tol.fit);
+  return voronoi::fit_lines(impl_->axis, impl_->diagram, {least, d - reserve, d + kMargin},
+                            kStubFactor * impl_->tol.fit);
 }
 
 const MedialAxis& Clearance::axis() const {

@@ -102,11 +102,28 @@ void describe(Section& section, int workingstep, const Part& part) {
   section.coolant = step.operation.cutting.coolant;
 }
 
+/// Distances of the contours from the walls, ascending; of contour-parallel passes only.
+std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
+  constexpr double kSame = 1e-6;
+  std::vector<double> levels;
+  for (const LayerPasses& layer : layers) {
+    if (layer.strategy != "contour") continue;
+    for (const Pass& pass : layer.passes) {
+      if (pass.closed) levels.push_back(pass.offset);
+    }
+  }
+  std::sort(levels.begin(), levels.end());
+  const auto same = [](double a, double b) { return b - a < kSame; };
+  levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
+  return levels;
+}
+
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
                   const PlanOptions& options) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
   Section section = link_layers(passes, link_options(part, step, entry, options), options.tol);
   describe(section, workingstep, part);
+  section.contours = contour_levels(passes);
   return section;
 }
 

@@ -206,6 +206,14 @@ void keep_stated_stepdowns(Part& prepared, const Part& part, const PlanOptions& 
   }
 }
 
+std::vector<ContourLevels> contours_of(const Toolpath& toolpath) {
+  std::vector<ContourLevels> contours;
+  for (const Section& section : toolpath.sections) {
+    if (!section.contours.empty()) contours.push_back({section.label, section.contours});
+  }
+  return contours;
+}
+
 }  // namespace
 
 PlanResult plan(const Part& part, const PlanOptions& options) {
@@ -224,6 +232,7 @@ PlanResult plan(const Part& part, const PlanOptions& options) {
   } while (retry_unclean(choice, result));
   sign(result, toolpath, options);
   report_notes(choice, result.part);
+  result.contours = contours_of(toolpath);
   result.contests = choice.contests();
   return result;
 }

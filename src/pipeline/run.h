@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "pipeline/plan_options.h"
+#include "report/result.h"
 #include "toolpath/contest.h"
 #include "toolpath/findings.h"
 #include "toolpath/move.h"
@@ -16,6 +17,7 @@ struct PlanResult {
   std::string program;  ///< text for the controller
   Toolpath toolpath;    ///< read back from `program`
   Findings findings;    ///< of `toolpath`
+  std::vector<ContourLevels> contours;  ///< of each section planned by contours
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 

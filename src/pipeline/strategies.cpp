@@ -29,7 +29,8 @@ constexpr ContourMethod kContourMethods[] = {
     {"contour", "contours as wide as the cutter allows, rests cut locally", "widest", ResidualRule::kOurs},
     {"lom", "published: step 2 R kappa from the smallest angle", "lom", ResidualRule::kNone},
     {"rho", "published: step 2 R rho, overlap of 1 mm in the corner", "rho", ResidualRule::kNone},
-    {"second", "published: rho of the second smallest angle", "second", ResidualRule::kNone},
+    {"second", "published: rho of the second smallest angle, passages along the smallest", "second",
+     ResidualRule::kPassages},
     {"lom-corrected", "ours: the widest step between contours that leaves nothing", "lom-corrected",
      ResidualRule::kNone},
     {"rho-corrected", "ours: the same with the overlap of rho", "rho-corrected", ResidualRule::kNone},
@@ -140,7 +141,9 @@ const std::vector<std::string>& contour_method_names() {
 
 std::optional<StepRule> published_rule(const std::string& strategy) {
   const auto* method = contour_method(strategy);
-  if (!method || method->residuals != ResidualRule::kNone) return std::nullopt;
+  const bool steps_alone = method != nullptr && (method->residuals == ResidualRule::kNone ||
+                                                 method->residuals == ResidualRule::kPassages);
+  if (!steps_alone) return std::nullopt;
   return parse_step_rule(method->stepover);
 }
 

@@ -84,13 +84,13 @@ ToolRun run_of(const Candidate& candidate, const Part& part, PlanOptions options
   return run;
 }
 
-std::string name_of_run(const ToolRun& run) {
-  return fmt::format("{} {}", name_of(run.tool.kind), trimmed(run.tool.diameter, 3));
+std::string name_of_tool(const Tool& tool) {
+  return fmt::format("{} {}", name_of(tool.kind), trimmed(tool.diameter, 3));
 }
 
 std::vector<std::string> cells(const ToolRun& run, bool fastest) {
-  if (!run.fits) return {name_of_run(run), "does not fit"};
-  return {name_of_run(run) + (fastest ? " *" : ""),
+  if (!run.fits) return {name_of_tool(run.tool), "does not fit"};
+  return {name_of_tool(run.tool) + (fastest ? " *" : ""),
           std::to_string(run.tool.teeth),
           fmt::format("{:.0f}", run.spindle_rpm),
           fmt::format("{:.0f}", run.feed_mm_per_min),
@@ -106,6 +106,15 @@ struct Sequence {
   std::vector<std::size_t> tools;
   double time_s = 0;
 };
+
+/// Share of a cutter's radius squared by which the area of corners out of its reach may be estimated wrong.
+constexpr double kCornerError = 0.01;
+
+/// Whether a cutter leaves no more than the smallest one alone.
+bool may_end(const ToolRun& run, const ToolRun& smallest) {
+  const double error = kCornerError * run.tool.radius() * run.tool.radius();
+  return run.clean && smallest.clean && run.unreachable_mm2 <= smallest.unreachable_mm2 + error;
+}
 
 /// Time of `then` on what `first` leaves, with its own speeds; none where that cannot be cut clean.
 std::optional<double> rest_time(const Candidate& first, const Candidate& then, const Part& part,
@@ -125,10 +134,10 @@ std::optional<double> rest_time(const Candidate& first, const Candidate& then, c
   }
 }
 
-/// The fastest way to end with the smallest cutter; `all` and `runs` run from the smallest up.
-std::optional<Sequence> fastest_sequence(const std::vector<Candidate>& all, const std::vector<ToolRun>& runs,
-                                         const Part& part, const ToolSpeeds& speeds,
-                                         const PlanOptions& options) {
+/// The fastest way to end with each cutter; `all` and `runs` run from the smallest up.
+std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate>& all,
+                                                     const std::vector<ToolRun>& runs, const Part& part,
+                                                     const ToolSpeeds& speeds, const PlanOptions& options) {
   std::vector<std::optional<Sequence>> best(all.size());
   for (std::size_t i = all.size(); i-- > 0;) {
     if (runs[i].clean) best[i] = Sequence{{i}, runs[i].time_s};
@@ -142,12 +151,26 @@ std::optional<Sequence> fastest_sequence(const std::vector<Candidate>& all, cons
       best[i]->tools.push_back(i);
     }
   }
-  return best.empty() ? std::nullopt : best.front();
+  return best;
 }
 
-std::string text_of(const Sequence& sequence, const std::vector<ToolRun>& runs) {
+std::optional<ToolSequence> fastest_of(const std::vector<ToolRun>& runs, const Part& part,
+                                       const ToolSpeeds& speeds, const PlanOptions& options) {
+  const auto to_each = fastest_to_each(candidates_of(part, speeds, options), runs, part, speeds, options);
+  const Sequence* best = nullptr;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!to_each[i] || !may_end(runs[i], runs.front())) continue;
+    if (best == nullptr || to_each[i]->time_s < best->time_s) best = &*to_each[i];
+  }
+  if (best == nullptr) return std::nullopt;
+  ToolSequence sequence{{}, best->time_s};
+  for (const std::size_t i : best->tools) sequence.tools.push_back(runs[i].tool);
+  return sequence;
+}
+
+std::string text_of(const ToolSequence& sequence) {
   std::string names;
-  for (const std::size_t i : sequence.tools) names += (names.empty() ? "" : ", then ") + name_of_run(runs[i]);
+  for (const Tool& tool : sequence.tools) names += (names.empty() ? "" : ", then ") + name_of_tool(tool);
   return names;
 }
 
@@ -174,6 +197,11 @@ std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const
   return runs;
 }
 
+std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
+                                             const PlanOptions& options) {
+  return fastest_of(run_tools(part, speeds, options), part, speeds, options);
+}
+
 TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
   const auto runs = run_tools(part, speeds, options);
   TextTable table;
@@ -190,11 +218,11 @@ TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptio
   const ToolRun* best = fastest_clean(runs);
   for (const auto& run : runs) table.add(cells(run, &run == best));
   table.notes.push_back("* fastest alone; corners: out of its reach, left for a smaller one");
-  const auto sequence = fastest_sequence(candidates_of(part, speeds, options), runs, part, speeds, options);
+  const auto sequence = fastest_of(runs, part, speeds, options);
   if (sequence) {
-    table.notes.push_back(
-        fmt::format("fastest sequence that ends with the smallest, {:.0f} s a tool change: {}: {:.2f} s",
-                    speeds.tool_change_s, text_of(*sequence, runs), sequence->time_s));
+    table.notes.push_back(fmt::format(
+        "fastest sequence that leaves no more than the smallest, {:.0f} s a tool change: {}: {:.2f} s",
+        speeds.tool_change_s, text_of(*sequence), sequence->time_s));
   }
   return table;
 }

@@ -45,8 +45,19 @@ struct ToolRun {
 /// Cost one plan each.
 std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
 
-/// The table, with the fastest clean cutter marked and the fastest sequence of cutters that ends with the smallest: each
-/// one cuts what larger ones cannot reach, which depends on the one before it alone. Cost a plan for every two tools.
+/// Cutters one after the other, largest first.
+struct ToolSequence {
+  std::vector<Tool> tools;
+  double time_s = 0;  ///< kinematic, with the changes between them
+};
+
+/// The fastest sequence that leaves no more than the smallest cutter alone would; none where that cannot be cut clean.
+/// Each one cuts what larger ones cannot reach, which depends on the one before it alone: a shortest way over pairs.
+/// Cost a plan for every two tools.
+std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
+                                             const PlanOptions& options);
+
+/// The table, with the fastest clean cutter marked and the fastest sequence under it.
 TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
 
 }  // namespace clearcut

@@ -44,7 +44,8 @@ enum class ResidualRule {
   kPwid,   ///< the same with the kite of pair-wise interference detection (Park et al.); plan/corner_loop.h
   kSingleLoops,  ///< the same with one tangent loop (Choy and Chan)
   kDoubleLoops,  ///< the same with two
-  kBisectors     ///< along the whole bisector of every such corner (Lin)
+  kBisectors,    ///< along the whole bisector of every such corner (Lin)
+  kPassages  ///< passages from each contour to the next along the bisector of a single smallest angle (CPO-rho 3.2)
 };
 
 struct ContourOptions {
@@ -89,5 +90,7 @@ double passage_length(double step, double alpha);
 double smallest_angle(const Region& contour);
 /// Smallest after leaving out one single smallest (CPO-rho 3.2).
 double second_smallest_angle(const Region& contour);
+/// Where that single smallest is; none where several are equal.
+std::optional<Vec2> single_smallest_corner(const Region& contour);
 
 }  // namespace clearcut

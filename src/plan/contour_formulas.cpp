@@ -17,19 +17,30 @@ double interior_angle(const Edge& before, const Edge& after) {
   return kPi - std::atan2(cross(in, out), dot(in, out));
 }
 
-void add_angles(const Loop& loop, std::vector<double>& angles) {
+struct Corner {
+  double angle = kPi;
+  Vec2 at;
+};
+
+void add_corners(const Loop& loop, std::vector<Corner>& corners) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const double angle = interior_angle(loop[i], loop[(i + 1) % loop.size()]);
-    if (angle < kSmooth) angles.push_back(angle);
+    if (angle < kSmooth) corners.push_back({angle, loop[i].to});
   }
 }
 
-std::vector<double> sorted_corner_angles(const Region& contour) {
-  std::vector<double> angles;
-  add_angles(contour.outer(), angles);
-  for (const auto& island : contour.islands()) add_angles(island, angles);
-  std::sort(angles.begin(), angles.end());
-  return angles;
+/// Sharpest first.
+std::vector<Corner> sorted_corners(const Region& contour) {
+  std::vector<Corner> corners;
+  add_corners(contour.outer(), corners);
+  for (const auto& island : contour.islands()) add_corners(island, corners);
+  std::stable_sort(corners.begin(), corners.end(),
+                   [](const Corner& a, const Corner& b) { return a.angle < b.angle; });
+  return corners;
+}
+
+bool first_is_single(const std::vector<Corner>& sorted) {
+  return !sorted.empty() && (sorted.size() == 1 || sorted[1].angle - sorted[0].angle > kSameAngle);
 }
 
 }  // namespace
@@ -51,15 +62,19 @@ double passage_length(double step, double alpha) {
 }
 
 double smallest_angle(const Region& contour) {
-  const auto angles = sorted_corner_angles(contour);
-  return angles.empty() ? kPi : angles.front();
+  const auto corners = sorted_corners(contour);
+  return corners.empty() ? kPi : corners.front().angle;
 }
 
 double second_smallest_angle(const Region& contour) {
-  const auto angles = sorted_corner_angles(contour);
-  if (angles.empty()) return kPi;
-  if (angles.size() == 1) return kPi;
-  return angles[1] - angles[0] > kSameAngle ? angles[1] : angles[0];
+  const auto corners = sorted_corners(contour);
+  if (corners.size() < 2) return kPi;
+  return first_is_single(corners) ? corners[1].angle : corners[0].angle;
+}
+
+std::optional<Vec2> single_smallest_corner(const Region& contour) {
+  const auto corners = sorted_corners(contour);
+  return first_is_single(corners) ? std::optional(corners.front().at) : std::nullopt;
 }
 
 }  // namespace clearcut

@@ -88,6 +88,7 @@ class PassBuilder {
     if (job_.residuals == ResidualRule::kOurs || loop_of(job_.residuals)) {
       add_residuals(nodes, domain.region);
     }
+    if (job_.residuals == ResidualRule::kPassages) add_passages(nodes, domain.region);
     if (job_.residuals == ResidualRule::kBisectors && !nodes.empty()) add_bisectors(domain, nodes);
   }
 
@@ -205,6 +206,26 @@ class PassBuilder {
     pass.component = component_of_[node];
     pass.offset = passes_[static_cast<std::size_t>(pass.parent)].offset;
     passes_.push_back(std::move(pass));
+  }
+
+  /// CPO-rho 3.2: the passage from a contour's corner to the next contour, along the bisector, clears what the step
+  /// leaves there.
+  void add_passages(const std::vector<RingNode>& nodes, const Region& domain) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (nodes[i].children.empty()) continue;
+      const auto corner = single_smallest_corner(nodes[i].contour);
+      if (!corner) continue;
+      std::size_t edge = 0;
+      const Vec2 next = nearest_on(passes_[ring_at_root(nodes[i], *corner)].path, *corner, edge).point;
+      const Path path{Edge::line(next, *corner)};
+      if (next == *corner || !stays_clear(path, domain, job_.first_level)) continue;
+      Pass pass;
+      pass.path = path;
+      pass.parent = nearest_ring(i, *corner);
+      pass.component = component_of_[i];
+      pass.offset = passes_[static_cast<std::size_t>(pass.parent)].offset;
+      passes_.push_back(std::move(pass));
+    }
   }
 
   /// Lin et al.: along the bisector of every corner that the step leaves material in, from the ring at the

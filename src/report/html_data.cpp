@@ -7,6 +7,7 @@
 #include "report/job_view.h"
 #include "report/palette.h"
 #include "report/plan_picture.h"
+#include "report/reach.h"
 #include "report/svg_writer.h"
 #include "toolpath/kinematics.h"
 
@@ -139,6 +140,18 @@ Json tool_json(const Tool& tool) {
   return json;
 }
 
+/// Where the cutter's centre may be at the floor, and its width: what is left within reach can be coloured.
+void write_reach(const Job& job, int feature, Json& json) {
+  const Reach reach = reach_of(job, feature);
+  PathData centers, lines;
+  centers.add(reach.centers);
+  for (const Path& line : reach.fit_lines) {
+    for (const Edge& edge : line) lines.add(edge);
+  }
+  for (const Vec2 point : reach.fit_points) lines.add(point);
+  json["reach"] = {{"centers", centers.text()}, {"lines", lines.text()}, {"d", number(reach.diameter)}};
+}
+
 Json feature_json(const Job& job, int feature) {
   const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
   PathData path;
@@ -160,6 +173,7 @@ Json feature_json(const Job& job, int feature) {
   json["left"] = number(left);
   json["gouge"] = number(gouge);
   json["clean"] = findings.empty() ? Json(nullptr) : Json(clean);
+  if (!clean) write_reach(job, feature, json);
   return json;
 }
 

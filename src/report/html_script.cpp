@@ -249,6 +249,47 @@ const outlines = job.features.map(feature => new Path2D(feature.path));
 const TRAIL = 500;
 let marked = null;
 
+/** Where the cutter of a feature that is not clean could be, over its floor. */
+function reachOf(feature) {
+  const canvas = newCanvas(), c = canvas.getContext('2d');
+  toWorld(c, 1);
+  c.clip(new Path2D(feature.path), 'evenodd');
+  c.lineWidth = feature.reach.d; c.lineJoin = c.lineCap = 'round';
+  const centers = new Path2D(feature.reach.centers);
+  c.fill(centers, 'evenodd'); c.stroke(centers); c.stroke(new Path2D(feature.reach.lines));
+  return c.getImageData(0, 0, width, height).data;
+}
+
+/** Red where something is left within reach: how the program ends. A rest thinner than a pixel is not seen. */
+let rests = null;
+function restsAtTheEnd() {
+  if (rests) return rests;
+  rests = newCanvas();
+  const c = rests.getContext('2d'), left = heightContext.getImageData(0, 0, width, height).data;
+  let pixels = 0;
+  const picture = c.createImageData(width, height), red = [1, 3, 5].map(k => parseInt(css('bad').trim().slice(k, k + 2), 16));
+  for (const feature of job.features.filter(feature => feature.reach)) {
+    const reach = reachOf(feature), floor = Math.round(255 * (feature.floor - job.bottom) / depth) + 1;
+    for (let k = 0; k < left.length; k += 4) {
+      if (reach[k + 3] < 255 || left[k + 3] < 255 || left[k] <= floor) continue;
+      picture.data.set([...red, 255], k);
+      ++pixels;
+    }
+  }
+  c.putImageData(picture, 0, 0);
+  overlay.dataset.leftMm2 = fixed(pixels / scale / scale, 1);
+  return rests;
+}
+
+/** What is left in red, and the places of all faults. */
+function drawRests(c, k, px) {
+  c.save();
+  c.setTransform(k, 0, 0, k, 0, 0);
+  c.drawImage(restsAtTheEnd(), 0, 0);
+  c.restore();
+  for (const fault of job.faults) if (fault.x !== null && fault.y !== null) drawMark(c, px, fault);
+}
+
 function drawOverlay() {
   const ratio = window.devicePixelRatio || 1, k = overlay.clientWidth * ratio / width;
   overlay.width = Math.max(1, Math.round(width * k)); overlay.height = Math.max(1, Math.round(height * k));
@@ -265,9 +306,10 @@ function drawOverlay() {
   }
   for (const outline of outlines) c.stroke(outline);
   c.restore();
+  if (at.time >= total && !job.clean) drawRests(c, k, px);
   if (by('path').checked) drawTrail(c, px);
   drawTool(c, px);
-  if (marked) drawMark(c, px);
+  if (marked) drawMark(c, px, marked);
 }
 
 function drawTrail(c, px) {
@@ -300,10 +342,10 @@ function drawTool(c, px) {
   c.stroke();
 }
 
-function drawMark(c, px) {
+function drawMark(c, px, place) {
   for (const [color, w] of [['#fff', 6], [css('bad'), 3]]) {
     c.beginPath();
-    c.arc(marked.x, marked.y, 12 * px, 0, 2 * Math.PI);
+    c.arc(place.x, place.y, 12 * px, 0, 2 * Math.PI);
     c.lineWidth = w * px; c.strokeStyle = color;
     c.stroke();
   }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "report/text.h"
 
 namespace clearcut {
@@ -44,11 +47,30 @@ double append_section(const Section& section, std::string& text) {
   return total;
 }
 
+/// "7.2000", or all of them where they differ.
+std::string steps_of(const std::vector<double>& from_wall) {
+  std::vector<std::string> steps;
+  for (std::size_t i = 1; i < from_wall.size(); ++i) {
+    steps.push_back(fixed(from_wall[i] - from_wall[i - 1], kDecimals));
+  }
+  const bool one = std::adjacent_find(steps.begin(), steps.end(), std::not_equal_to<>()) == steps.end();
+  return fmt::format("{}", fmt::join(steps.begin(), one ? steps.begin() + 1 : steps.end(), " "));
+}
+
+std::string contour_lines(const ContourLevels& contours) {
+  std::vector<std::string> levels;
+  for (const double level : contours.from_wall) levels.push_back(fixed(level, kDecimals));
+  const std::string name = ascii(contours.feature);
+  std::string text = fmt::format("# {} contours at {}\n", name, fmt::join(levels, " "));
+  if (levels.size() > 1) text += fmt::format("# {} offset step {}\n", name, steps_of(contours.from_wall));
+  return text;
+}
+
 }  // namespace
 
 std::string result_file(const Toolpath& toolpath, const ResultInfo& info) {
   std::string text = "# " + ascii(info.name) + "\n# x_i y_i x_f y_f [x_c y_c G02|G03], mm\n";
-  if (info.offset_step) text += "# offset step " + fixed(*info.offset_step, kDecimals) + "\n";
+  for (const ContourLevels& contours : info.contours) text += contour_lines(contours);
   double total = 0;
   for (const Section& section : toolpath.sections) total += append_section(section, text);
   return text + "# total length " + fixed(total, kDecimals) + "\n";

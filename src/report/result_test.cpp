@@ -21,13 +21,19 @@ TEST(ResultFile, TriangleOfThePaperHasItsFirstContour) {
   // SPEC G3: first contour (8.6603, 5.0) - (71.3259, 5.0) of the triangle with edge 79.9861, R = 5.
   sample::Moves m({8.660254, 5}, 0);
   m.to(MoveKind::kCut, {71.325846, 5}, 0);
-  EXPECT_EQ(result_file(one_section(m.moves), {"triangle80", 7.01}),
+  EXPECT_EQ(result_file(one_section(m.moves), {"triangle80", {{"P", {5, 12.01, 19.02}}}}),
             "# triangle80\n"
             "# x_i y_i x_f y_f [x_c y_c G02|G03], mm\n"
-            "# offset step 7.0100\n"
+            "# P contours at 5.0000 12.0100 19.0200\n"
+            "# P offset step 7.0100\n"
             "# P tool 1 z 0.0000\n"
             "8.6603 5.0000 71.3258 5.0000\n"
             "# total length 62.6656\n");
+}
+
+TEST(ResultFile, NamesEveryStepWhereTheyDiffer) {
+  EXPECT_THAT(result_file({}, {"a", {{"P", {4, 10, 17.5}}, {"Q", {4}}}}),
+              HasSubstr("# P offset step 6.0000 7.5000\n# Q contours at 4.0000\n# total"));
 }
 
 TEST(ResultFile, HoldsEveryFeedMoveInPlanAndTheirLength) {

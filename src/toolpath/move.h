@@ -40,6 +40,8 @@ struct Section {
   bool coolant = false;
   std::vector<Move> moves;           ///< joined end to start, except that the first may begin anywhere
   std::vector<std::string> notes{};  ///< what was asked for and could not be done; not part of the program
+  /// mm from the walls, ascending: where contours of offset outlines run; not part of the program.
+  std::vector<double> contours{};
 };
 
 /// What the machine will do. A value; the waist between planning and everything that reads it.

@@ -16,6 +16,10 @@ std::size_t index(int i) {
 /// mm. Curves that part by less are merged.
 constexpr double kSameCurve = 1e-6;
 constexpr double kTiny = 0.01;
+/// mm of the axis per mm of clearance in the sharpest corner that is told from a slot: 8 degrees.
+constexpr double kSteepest = 14.3;
+/// mm. Rounding of clearances.
+constexpr double kRounding = 1e-7;
 /// mm. Where the cutter fits no farther than this from one place, it fits in a point: what it could clear by
 /// moving there is half as thick as what may be left.
 constexpr double kPoint = 0.005;
@@ -23,8 +27,8 @@ constexpr double kPoint = 0.005;
 /// The axis cut to a band of clearances, as a graph of its own.
 class Band {
  public:
-  Band(const Axis& axis, const Diagram& diagram, double low, double high)
-      : axis_(axis), d_(diagram), low_(low), high_(high) {
+  Band(const Axis& axis, const Diagram& diagram, const FitBand& band)
+      : axis_(axis), d_(diagram), low_(band.low), radius_(band.radius), high_(band.high) {
     for (std::size_t i = 0; i < axis.graph.edges.size(); ++i) add_edge(static_cast<int>(i));
   }
 
@@ -149,7 +153,22 @@ class Band {
     std::vector<std::pair<std::size_t, bool>> parts;  ///< with their direction
     int first = 0, last = 0;
     double length = 0;
+    double roomy = 0;  ///< length where the cutter fits with nothing to spare or more
   };
+
+  /// A dead end that is the foot of a corner or the mouth of a wider place: there is room for a little less than the
+  /// cutter, for a short way.
+  bool is_foot(const Chain& chain, double stub) const {
+    return chain.length < stub && chain.roomy <= std::max(kPoint, kSteepest * (high_ - radius_));
+  }
+
+  /// Share of a part that is as wide as the cutter, its clearance taken to be linear.
+  double roomy_share(const Part& part) const {
+    const auto [low, high] = std::minmax(places_[index(part.a)].clearance, places_[index(part.b)].clearance);
+    const double least = radius_ - kRounding;
+    if (low >= least) return 1;
+    return high <= least ? 0 : (high - least) / (high - low);
+  }
 
   /// Parts from one end, fork or start of a ring to the next.
   Chain chain_from(std::size_t part, bool forward) const {
@@ -158,7 +177,9 @@ class Band {
     for (;;) {
       chain.parts.emplace_back(part, forward);
       chain.last = end(part, forward);
-      chain.length += norm(places_[index(parts_[part].a)].point - places_[index(parts_[part].b)].point);
+      const double length = norm(places_[index(parts_[part].a)].point - places_[index(parts_[part].b)].point);
+      chain.length += length;
+      chain.roomy += length * roomy_share(parts_[part]);
       if (chain.last == chain.first || degree(chain.last) != 2) return chain;
       const auto& parts = places_[index(chain.last)].parts;
       const auto next = std::find_if(parts.begin(), parts.end(),
@@ -178,7 +199,7 @@ class Band {
       for (const bool forward : {true, false}) {
         if (!is_dead_end(start(i, forward))) continue;
         Chain chain = chain_from(i, forward);
-        if (degree(chain.last) > 2 && chain.length < stub) at_fork[chain.last].push_back(std::move(chain));
+        if (degree(chain.last) > 2 && is_foot(chain, stub)) at_fork[chain.last].push_back(std::move(chain));
       }
     }
     for (auto& [fork, stubs] : at_fork) {
@@ -198,7 +219,7 @@ class Band {
     const bool dead_first = is_dead_end(chain.first), dead_last = is_dead_end(chain.last);
     for (const auto& [i, along] : chain.parts) parts_[i].used = true;
     const bool mouth = (from_region && dead_last) || (to_region && dead_first);
-    if (mouth && chain.length < stub) return;
+    if (mouth && is_foot(chain, stub)) return;
     Path path;
     for (const auto& [i, along] : chain.parts) {
       append(path, curve(places_[index(start(i, along))].point, places_[index(end(i, along))].point,
@@ -258,7 +279,7 @@ class Band {
 
   const Axis& axis_;
   const Diagram& d_;
-  double low_, high_;
+  double low_, radius_, high_;
   std::vector<Place> places_;
   std::vector<Part> parts_;
   std::map<int, int> place_of_;
@@ -266,8 +287,8 @@ class Band {
 
 }  // namespace
 
-std::vector<Path> fit_lines(const Axis& axis, const Diagram& diagram, double low, double high, double stub) {
-  return Band(axis, diagram, low, high).run(stub);
+std::vector<Path> fit_lines(const Axis& axis, const Diagram& diagram, const FitBand& band, double stub) {
+  return Band(axis, diagram, band).run(stub);
 }
 
 }  // namespace clearcut::voronoi
