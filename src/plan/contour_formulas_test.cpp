@@ -79,6 +79,45 @@ TEST(StepRule, ReadsWhatTheCommandLineAccepts) {
     EXPECT_THROW(parse_step_rule(bad), InputError) << bad;
 }
 
+/// An isosceles triangle: one angle of 20 degrees at the origin, two of 80.
+Region wedge() {
+  const double half = radians(10);
+  const Vec2 corners[] = {{0, 0}, direction_of(-half) * 100, direction_of(half) * 100};
+  return Region::from_valid_loops(loop_from_points(corners), {});
+}
+
+TEST(SecondAngle, LeavesASingleSmallestOneToThePassages) {
+  EXPECT_NEAR(second_smallest_angle(wedge()), radians(80), 1e-9);
+  EXPECT_EQ(single_smallest_corner(wedge()), (Vec2{0, 0}));
+  const Vec2 square[] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  EXPECT_FALSE(single_smallest_corner(Region::from_valid_loops(loop_from_points(square), {})));
+}
+
+TEST(SecondAngle, PassagesRunAlongTheBisectorFromContourToContour) {
+  Layer layer;
+  layer.z = -1;
+  layer.tool_radius = 2;
+  layer.allowed = layer.target = {wedge()};
+  ContourOptions options;
+  options.step = parse_step_rule("second");
+  options.residuals = ResidualRule::kPassages;
+  const double step = 2 * layer.tool_radius * rho(radians(80), layer.tool_radius);
+  int rings = 0, passages = 0;
+  for (const Pass& pass : plan_contour(layer, options, {}).passes) {
+    if (pass.closed) {
+      ++rings;
+      continue;
+    }
+    ++passages;
+    ASSERT_EQ(pass.path.size(), 1u);
+    EXPECT_NEAR(length(pass.path), passage_length(step, radians(20)), 1e-6);
+    EXPECT_NEAR(pass.path[0].from.y, 0, 1e-6);
+    EXPECT_NEAR(pass.path[0].to.y, 0, 1e-6);
+  }
+  EXPECT_GE(rings, 3);
+  EXPECT_EQ(passages, rings - 1);
+}
+
 TEST(LayerHeights, StepsDownAndEndsOnTheFloor) {
   EXPECT_EQ(layer_heights(0, -2, 5), std::vector<double>({-2}));
   EXPECT_EQ(layer_heights(0, -12, 5), std::vector<double>({-5, -10, -12}));
