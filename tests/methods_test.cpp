@@ -94,7 +94,10 @@ TEST(Methods, NoSubsetOfTheCuttersIsFasterThanTheBestSequence) {
   for (const char* outline : {sharp, round}) {
     const Part part = read_part(folder.file("part.edges", outline), {});
     std::vector<Tool> tools(4);
-    for (std::size_t i = 0; i < tools.size(); ++i) tools[i].diameter = std::array{4.0, 8.0, 14.0, 20.0}[i];
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+      tools[i].diameter = std::array{4.0, 8.0, 14.0, 20.0}[i];
+      tools[i].number = static_cast<int>(i) + 1;
+    }
     PlanOptions options;
     options.tools = tools;
     options.strategy = "lom-corrected";
