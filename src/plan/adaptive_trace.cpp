@@ -20,6 +20,8 @@ constexpr double kLeastTurn = 0.02;   // tightest radius off a wall
 constexpr double kOffWall = 0.005;    // off a wall, where cuts are traced
 constexpr double kEnoughWall = 0.03;  // advance along a wall for which no tighter turn is looked for
 constexpr double kBeforeStop = 0.7;   // a stop this far ahead is one that cuts end before
+constexpr double kShortWall = 0.2;    // of wall that a cut ends before rather than follow
+constexpr double kThick = 0.15;       // before a stop: thicker material is cut like elsewhere
 constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
 constexpr double kAbove = 0.02;      // by which arcs may exceed the limit
@@ -92,7 +94,9 @@ Tracer::Next Tracer::follow_wall() {
   while (s - first < wall.length() * 0.999) {
     const double next = std::min(s + step_, std::max(s + step_ / 3, wall.edge_end(s)));
     const double contact = std::max(wall_contact(next - 1e-7), wall_contact(next + 1e-7));
-    if (contact > limit_ && walls_.to_stop({place_.wall, s}) < kBeforeStop * radius_) break;
+    if (contact > limit_ && walls_.to_stop({place_.wall, s}) < kBeforeStop * radius_ &&
+        !ground_.touches(wall.at(next), kThick * radius_))
+      break;
     if (contact > limit_) return depart(s, next);
     if (contact > kTouch) engaged_ += next - s;
     if (ground_.touches(wall.at(next), walls_.film({place_.wall, next}))) {
@@ -167,15 +171,34 @@ double Tracer::off_wall(double radius) const {
 bool Tracer::leave(double s, double radius) {
   const Wall& wall = walls_.wall(place_.wall);
   if (!append_wall(place_.s, s)) return false;
-  const double turn = off_wall(radius);
-  const Vec2 from = wall.at(s), center = from + left_of(wall.heading(s)) * radius;
-  state_ = {center + rotated(from - center, turn), rotated(wall.heading(s), turn), 1 / radius};
+  const Vec2 from = wall.at(s), heading = wall.heading(s);
   place_.s = s;
   if (first_departure_ < -1e299) first_departure_ = s;
   tightest_ = std::min(radius, radius_ / 2);
   usual_ = radius;
+  state_ = {from, heading, 1 / radius};
+  contact_ = limit_;
+  if (const auto shot = shoot(); shot && leaves_wall(*shot)) return go(*shot) > 0;
+  const double turn = off_wall(radius);
+  const Vec2 center = from + left_of(heading) * radius;
+  state_ = {center + rotated(from - center, turn), rotated(heading, turn), 1 / radius};
   contact_ = ground_.contact(state_.point, state_.heading);
   return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise));
+}
+
+/// Whether an arc aimed from the wall on gets off it, and in good part keeps its limit.
+bool Tracer::leaves_wall(const Shot& shot) const {
+  if (shot.curvature <= 0) return false;
+  const double off = off_wall(1 / shot.curvature) / shot.curvature;
+  if (off > shot.length / 2) return false;
+  for (const double share : {0.15, 0.5, 1.0}) {
+    if (!ground_.legal().contains(after(shot, share * off).point)) return false;
+  }
+  const int looks = static_cast<int>((shot.length - off) / (kAside * radius_)) + 1;
+  for (int i = 0; i <= looks; ++i) {
+    if (!area_.contains(after(shot, off + (shot.length - off) * i / looks).point)) return false;
+  }
+  return ground_.length_within(edge_of(shot), limit_ + kAbove) > 2 * off;
 }
 
 /// Whether all of it was taken; what would exceed the limit is left out.
@@ -356,7 +379,7 @@ Tracer::Next Tracer::meet_wall(const Shot& shot, double inside) {
     met = {w, hit.s};
   }
   if (dot(state_.heading, walls_.wall(met.wall).heading(met.s)) < kSlide ||
-      !walls_.touches_after(met, radius_))
+      !walls_.touches_after({met.wall, met.s + kShortWall * radius_}, radius_))
     return Next::kDone;
   if (met.wall == place_.wall && met.s < place_.s + kLeastCut * radius_ && met.s > place_.s - radius_)
     return Next::kDone;

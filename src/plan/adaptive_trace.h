@@ -54,6 +54,7 @@ class Tracer {
   bool can_leave(double s, double radius) const;
   double off_wall(double radius) const;
   bool leave(double s, double radius);
+  bool leaves_wall(const Shot& shot) const;
   Next trace();
   Next meet_wall(const Shot& shot, double inside);
   State after(const Shot& shot, double length) const;
