@@ -34,7 +34,7 @@ constexpr int kMostIdle = 3;
 /// Entries for what the cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
 /// Tool radii that the centre may run beyond an open side.
-constexpr double kBeyondOpenSides = 0.95;
+constexpr double kBeyondOpenSides = 1.01;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
 /// Tool radii of wall that are cut after a corner before the corner itself.
@@ -437,7 +437,9 @@ class AdaptivePlanner {
       const auto holes = Cover(all_cuts(), radius_ + kRest).holes([&](Vec2 p) { return is_reachable(p); });
       const int before = left;
       for (const Vec2 hole : holes) {
-        if (left > 0 && !ground_.is_removed(hole) && cut_rest(nearest_legal(hole))) --left;
+        if (left <= 0 || ground_.is_removed(hole)) continue;
+        const Vec2 p = nearest_legal(hole);
+        if (cut_rest(p) || enter_rest(p)) --left;
       }
       if (left == before) return;
     }
@@ -471,6 +473,20 @@ class AdaptivePlanner {
         const auto way = way_to(gate);
         if (!way) continue;
         append({Edge::line(gate, p)}, *way);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// What no free way leads to is entered from above.
+  bool enter_rest(Vec2 p) {
+    for (const double reach : {0.5, 0.2, 0.05}) {
+      for (int i = 0; i < 8; ++i) {
+        const Vec2 from = p + direction_of(kPi / 4 * i) * (reach * radius_);
+        if (!ground_.legal().holds_line(from, p)) continue;
+        if (!path_.empty()) finish_pass();
+        append({Edge::line(from, p)}, {});
         return true;
       }
     }
