@@ -190,7 +190,7 @@ TEST(Solve, LatticesReachTheirProvenOptima) {
     const Solution turns = solve(problem, *turns_objective(), rounds(1));
     EXPECT_EQ(turns.turns, row.open_turns);
     EXPECT_EQ(turns.gap, 0);
-    EXPECT_LT(turns.seconds, row.columns == 10 ? 0.1 : 5.0);
+    EXPECT_LT(turns.seconds, row.columns == 10 ? 0.52 : 11.23) << "the shortest times of Tour table 6.6";
     const Solution angle = solve(problem, *angle_objective(), rounds(1));
     EXPECT_NEAR(angle.angle_deg, row.open_angle, 1e-6);
     EXPECT_EQ(angle.gap, 0);

@@ -5,6 +5,8 @@
 
 #include "base/format.h"
 #include "base/units.h"
+#include "read/outline/b_spline.h"
+#include "read/outline/curve_fit.h"
 
 namespace clearcut::stepnc {
 
@@ -125,6 +127,58 @@ Path line_path(const Node& curve, const Node& base) {
   return a == b ? Path{} : Path{Edge::line(a, b)};
 }
 
+Path ellipse_path(const Node& curve, Context& context) {
+  const Frame frame = frame_of(curve.ref(1));
+  if (!is_planar(frame))
+    curve.fail("the ellipse is tilted out of the plane; only plane outlines can be milled");
+  const double a = curve.needed_length(2, "first semi-axis"), b = curve.needed_length(3, "second semi-axis");
+  if (a <= 0 || b <= 0) curve.fail("a semi-axis is not above zero; correct it");
+  const PlanarMap map = planar_map(frame);
+  const Vec2 center = plan(frame.origin);
+  Path path;
+  append_elliptical(center, map.point({a, 0}) - center, map.point({0, b}) - center, 0, 2 * kPi,
+                    kCurveTolerance, path);
+  context.note("an ellipse or a spline; lines and arcs within 2 um stand for it", curve);
+  return path;
+}
+
+/// Knots of a BEZIER_CURVE: its pieces one after the other; else of a B_SPLINE_CURVE_WITH_KNOTS.
+std::vector<double> knots_of(const Node& curve, int degree, std::size_t poles) {
+  std::vector<double> knots;
+  const auto add = [&](double times, double value) {
+    if (!(times >= 1) || times > degree + 1) curve.fail("a knot's multiplicity is out of range; correct it");
+    knots.insert(knots.end(), static_cast<std::size_t>(times), value);
+  };
+  if (curve.is("BEZIER_CURVE")) {
+    const std::size_t pieces = degree > 0 ? (poles - 1) / static_cast<std::size_t>(degree) : 0;
+    for (std::size_t i = 0; i <= pieces; ++i)
+      add(i == 0 || i == pieces ? degree + 1 : degree, static_cast<double>(i));
+    return knots;
+  }
+  const auto times = curve.numbers(6), values = curve.numbers(7);
+  if (times.size() != values.size())
+    curve.fail("its knots and their multiplicities differ in number; correct it");
+  for (std::size_t i = 0; i < values.size(); ++i) add(times[i], values[i]);
+  return knots;
+}
+
+Path spline_path(const Node& curve, Context& context) {
+  const std::vector<Node> points = curve.refs(2);
+  context.spend(points.size(), curve);
+  const double degree = curve.needed_number(1, "degree");
+  BSpline spline;
+  spline.degree = degree >= 1 && degree < 100 ? static_cast<int>(degree) : 0;
+  for (const Node& point : points) spline.poles.push_back({plan(location_of(point)), 1});
+  if (spline.degree > 0 && !spline.poles.empty())
+    spline.knots = knots_of(curve, spline.degree, spline.poles.size());
+  if (const std::string fault = fault_of(spline); !fault.empty())
+    curve.fail("a spline with " + fault + "; correct it");
+  Path path;
+  append_spline(spline, kCurveTolerance, path);
+  context.note("an ellipse or a spline; lines and arcs within 2 um stand for it", curve);
+  return path;
+}
+
 /// Joins `next` to `path`, whose end it should begin at.
 void append_joined(Path& path, Path next, const Node& node, Context& context) {
   if (path.empty() || next.empty()) {
@@ -175,6 +229,8 @@ Path path_at(const Node& curve, Context& context, int depth) {
   if (curve.is("POLYLINE")) return polyline_path(curve, context);
   if (curve.is("COMPOSITE_CURVE")) return composite_path(curve, context, depth);
   if (curve.is("CIRCLE")) return full_circle(circle_of(curve), 0, true);
+  if (curve.is("ELLIPSE")) return ellipse_path(curve, context);
+  if (curve.is_any("B_SPLINE_CURVE_WITH_KNOTS", "BEZIER_CURVE")) return spline_path(curve, context);
   if (curve.is("TRIMMED_CURVE")) {
     const Node base = curve.needed_ref(1, "basis curve");
     if (base.is("CIRCLE")) return arc_path(curve, base, context);
@@ -182,7 +238,8 @@ Path path_at(const Node& curve, Context& context, int depth) {
     base.fail("only lines and circles can be trimmed here; write the outline with lines and arcs");
   }
   curve.fail(
-      "not a curve that can be read (polyline, trimmed line or circle, composite); write it with lines and "
+      "not a curve that can be read (polyline, trimmed line or circle, ellipse, spline, composite); write it "
+      "with lines and "
       "arcs");
 }
 

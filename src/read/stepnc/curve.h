@@ -6,7 +6,8 @@
 
 namespace clearcut::stepnc {
 
-/// POLYLINE, TRIMMED_CURVE of LINE or CIRCLE, COMPOSITE_CURVE (nested), CIRCLE: in plan, in the frame the
+/// POLYLINE, TRIMMED_CURVE of LINE or CIRCLE, COMPOSITE_CURVE (nested), CIRCLE, and within kCurveTolerance ELLIPSE,
+/// B_SPLINE_CURVE_WITH_KNOTS and BEZIER_CURVE: in plan, in the frame the
 /// curve is given in; the z of points is not used. Edges are joined exactly: gaps up to tol.join_gap are
 /// closed and reported. Throws InputError for larger gaps and other curves.
 Path curve_path(const Node& curve, Context& context);

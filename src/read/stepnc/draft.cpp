@@ -77,9 +77,25 @@ void read_pocket_walls(const Node& feature, Draft& draft, Context& context) {
     context.note("floor fillets (planar_radius) are left to the cutter's own corner radius", feature);
 }
 
+/// A corner that a fillet between walls would round.
+bool has_sharp_corner(const Loop& loop) {
+  constexpr double kSharp = 0.02;  // sine of the turn
+  const double side = signed_area(loop) > 0 ? 1 : -1;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Edge& next = loop[(i + 1) % loop.size()];
+    if (side * cross(loop[i].tangent_at(1), next.tangent_at(0)) > kSharp) return true;
+  }
+  return false;
+}
+
 void read_closed_pocket(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
   read_pocket_walls(feature, draft, context);
   read_boundary(feature.needed_ref(10, "feature boundary"), frame, draft, context);
+  if (feature.length(9).value_or(0) > 0 && has_sharp_corner(draft.boundary))
+    context.warn(
+        "corners stay as the profile draws them: fillets between walls (orthogonal_radius) are not added to "
+        "it",
+        feature);
   read_bosses(feature, 5, frame, draft, context);
 }
 

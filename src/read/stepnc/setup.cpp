@@ -57,11 +57,24 @@ Node main_workplan(Context& context) {
   plans.front().fail("the workplans contain one another in a circle; correct them");
 }
 
+/// Files of other kinds state units; who writes them here may have meant inches.
+void warn_of_units(Context& context) {
+  for (const P21Entity& entity : context.file.entities) {
+    if (entity.records == 1) continue;
+    const Node unit(context.file, entity);
+    if (unit.keyword().find("CONVERSION_BASED_UNIT") != std::string::npos &&
+        unit.keyword().find("LENGTH_UNIT") != std::string::npos)
+      context.warn(
+          "this unit is not used: lengths of ISO 14649 programs are mm; convert them if they are not", unit);
+  }
+}
+
 }  // namespace
 
 Program read_program(Context& context) {
   Program program;
   const std::vector<Node> projects = nodes_called(context.file, "PROJECT");
+  warn_of_units(context);
   if (projects.size() > 1) context.warn("more than one project; only the first is carried out", projects[1]);
   const bool has_plan = !projects.empty() && !projects[0].unset(1);
   if (!projects.empty()) {
@@ -74,6 +87,10 @@ Program read_program(Context& context) {
   const Node plan = has_plan ? projects[0].needed_ref(1, "main workplan") : main_workplan(context);
   if (!has_plan) context.note("no project names its main workplan; this one is carried out", plan);
   Collector(program, context).collect(plan, 0);
+  const std::vector<Node> elements = plan.refs(1);
+  if (program.workingsteps.empty() && !elements.empty())
+    plan.fail("none of its elements is carried out: " + elements[0].label() +
+              " is no machining workingstep and no workplan; there is nothing to make");
   if (program.workingsteps.empty())
     plan.fail("the workplan holds no machining workingstep; there is nothing to make");
   for (const Node& step : program.workingsteps) {

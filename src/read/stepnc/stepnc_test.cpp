@@ -7,11 +7,13 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/units.h"
 
 namespace clearcut {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 /// A program on a block x 0..100, y 0..80, z -20..0 with one workingstep (#10) on the feature #20, 5 mm deep,
@@ -180,6 +182,66 @@ TEST(StepNc, CompositeOutlineOfPolylinesAndTrimmedCircles) {
   const Part part = p.read();
   expect_box(part.features[0].target, 20, 70, 30, 50);
   EXPECT_NEAR(area(part.features[0].target), 800 + kPi * 50, 1e-9);
+}
+
+double area_of(const std::string& curve) {
+  const Part part = Program()
+                        .with(27, "GENERAL_CLOSED_PROFILE(#28,#70)")
+                        .with(70, curve)
+                        .with(71, "CARTESIAN_POINT('',(-30.,-15.,0.))")
+                        .with(72, "CARTESIAN_POINT('',(-30.,25.,0.))")
+                        .with(73, "CARTESIAN_POINT('',(30.,25.,0.))")
+                        .with(74, "CARTESIAN_POINT('',(30.,-15.,0.))")
+                        .with(80, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#82)")
+                        .with(81, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#83)")
+                        .with(82,
+                              "B_SPLINE_CURVE_WITH_KNOTS('',3,(#71,#72,#73,#74),.UNSPECIFIED.,.F.,.F.,(4,4),"
+                              "(0.,1.),.UNSPECIFIED.)")
+                        .with(83, "POLYLINE('',(#74,#71))")
+                        .with(84, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#85)")
+                        .with(85, "BEZIER_CURVE('',3,(#71,#72,#73,#74),.UNSPECIFIED.,.F.,.F.)")
+                        .read();
+  return area(part.features.at(0).target);
+}
+
+TEST(StepNc, EllipsesAndSplinesBecomeLinesAndArcs) {
+  EXPECT_NEAR(area_of("ELLIPSE('',#21,20.,10.)"), 200 * kPi, 0.2);
+  // A cubic over a base of 60 with its handles 40 high: 0.6 of base times handles.
+  EXPECT_NEAR(area_of("COMPOSITE_CURVE('',(#80,#81),.F.)"), 1440, 0.2);
+  EXPECT_NEAR(area_of("COMPOSITE_CURVE('',(#84,#81),.F.)"), 1440, 0.2);
+}
+
+TEST(StepNc, SplinesThatDoNotFitTogetherAreRefusedByName) {
+  const auto error = [](const std::string& curve) {
+    return Program()
+        .with(27, "GENERAL_CLOSED_PROFILE(#28,#70)")
+        .with(70, curve)
+        .with(71, "CARTESIAN_POINT('',(-30.,-15.,0.))")
+        .error();
+  };
+  EXPECT_THAT(error("B_SPLINE_CURVE_WITH_KNOTS('',3,(#71,#71),.U.,.F.,.F.,(4,4),(0.,1.),.U.)"),
+              HasSubstr("#70 B_SPLINE_CURVE_WITH_KNOTS: a spline with 8 knots for 2 control points"));
+  EXPECT_THAT(error("B_SPLINE_CURVE_WITH_KNOTS('',3,(#71,#71),.U.,.F.,.F.,(4),(0.,1.),.U.)"),
+              HasSubstr("differ in number"));
+  EXPECT_THAT(error("B_SPLINE_CURVE_WITH_KNOTS('',3,(#71,#71),.U.,.F.,.F.,(99999,4),(0.,1.),.U.)"),
+              HasSubstr("multiplicity"));
+  EXPECT_THAT(error("BEZIER_CURVE('',0,(#71,#71),.U.,.F.,.F.)"), HasSubstr("degree 0"));
+  EXPECT_THAT(error("BEZIER_CURVE('',3,(),.U.,.F.,.F.)"), HasSubstr("0 control points"));
+  EXPECT_THAT(error("ELLIPSE('',#21,20.,0.)"), HasSubstr("semi-axis"));
+}
+
+TEST(StepNc, WhatIsNotUsedIsSaid) {
+  const std::string radius = "CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),$,#26,$,#62,#27)";
+  EXPECT_THAT(all_diagnostics(Program().feature(radius).read()),
+              HasSubstr("corners stay as the profile draws"));
+  EXPECT_THAT(all_diagnostics(Program().feature(radius).with(27, "CIRCULAR_CLOSED_PROFILE(#28,#62)").read()),
+              Not(HasSubstr("corners stay")));
+  EXPECT_THAT(
+      all_diagnostics(
+          Program().with(90, "(CONVERSION_BASED_UNIT('INCH',#91)LENGTH_UNIT()NAMED_UNIT(#92))").read()),
+      HasSubstr("lengths of ISO 14649 programs are mm"));
+  EXPECT_THAT(Program().with(2, "WORKPLAN('MAIN',(#11),$,#4,$)").with(11, "PARALLEL('P',(#10),$)").error(),
+              HasSubstr("#11 PARALLEL is no machining workingstep"));
 }
 
 TEST(StepNc, TrimPointsOffTheirCircleKeepTheRadius) {
