@@ -43,6 +43,8 @@ constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
 constexpr double kCornerFilm = 2e-3;
+/// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
+constexpr double kCornerFree = 3e-3;
 /// Gates beside a wall to which a way is looked for.
 constexpr int kMostGates = 3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
@@ -385,7 +387,7 @@ class AdaptivePlanner {
   void finish_corner(std::vector<Corner>::iterator corner, bool last = false) {
     if (corner == corners_.end()) return;
     const Path cuts = corner_cuts(finishing_.walls, *corner, ground_, limit_, kCornerFilm);
-    const auto way = cuts.empty() ? std::nullopt : way_to(cuts.front().from);
+    const auto way = cuts.empty() ? std::nullopt : path_.way_to(cuts.front().from, kCornerFree);
     if (way) append(cuts, *way);
     if (way || last) corners_.erase(corner);
   }

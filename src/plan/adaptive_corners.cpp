@@ -17,8 +17,15 @@ constexpr double kPrepared = 0.7;
 constexpr double kFarther = 1.25;
 /// mm. Shorter arcs are lines.
 constexpr double kShortArc = 0.006;
-/// Radians kept off the limit, for films on the walls.
+/// Radians kept off the limit; and those more that are kept off it farther from the corner than kFar tool radii, for
+/// films on the walls: the first that is enough.
 constexpr double kMargin = 0.03;
+constexpr double kMargins[] = {0, 0.05, 0.12, 0.22};
+constexpr double kFar = 0.1;
+/// Radians that are no excess.
+constexpr double kAbove = 0.02;
+/// mm. Shorter cuts are not looked at again.
+constexpr double kTiny = 0.05;
 constexpr int kMostPasses = 40;
 constexpr int kHalvings = 30;
 constexpr int kArcLooks = 8;
@@ -43,19 +50,30 @@ double least(double most, const Holds& holds) {
 /// Distances from the corner along its first wall, side 0, and its second, side 1.
 class CornerCuts {
  public:
-  CornerCuts(const Wall& wall, const Corner& corner, const LegalArea& legal, double limit)
-      : wall_(wall), legal_(legal), s_(corner.place.s), turn_(corner.turn), limit_(limit - kMargin) {}
+  /// `margin` radians are kept off the limit farther than `far` from the corner, less nearer to it.
+  CornerCuts(const Wall& wall, const Corner& corner, const LegalArea& legal, double limit, double margin,
+             double far)
+      : wall_(wall),
+        legal_(legal),
+        s_(corner.place.s),
+        turn_(corner.turn),
+        whole_(limit - kMargin),
+        limit_(whole_),
+        margin_(margin),
+        far_(far) {}
 
   /// The first wall is cut up to a before the corner, the second from b after it.
   Path cuts(double a, double b, double film) {
     cut_[0] = first_[0] = a;
     cut_[1] = first_[1] = b;
-    const bool to_and_fro = turn_ - limit_ > kWideTurn;
+    const bool to_and_fro = turn_ - whole_ > kWideTurn;
     for (int i = 0, side = 0; i < kMostPasses && left() > film; ++i, side = to_and_fro ? 1 - side : 0) {
+      limit_ = whole_ - margin_ * std::min(1.0, std::max(cut_[0], cut_[1]) / far_);
       if (!to_and_fro || i == 0) go_along_first();
       if (!go_across(side)) break;
     }
-    if (!path_.empty()) clear_cusps();
+    if (path_.empty() || left() > film) return {};
+    clear_cusps();
     return std::move(path_);
   }
 
@@ -105,7 +123,7 @@ class CornerCuts {
 
   /// Between the places where arcs met a wall, cusps stay on it.
   void clear_cusps() {
-    if (turn_ - limit_ > kWideTurn) {
+    if (turn_ - whole_ > kWideTurn) {
       go_to(at(0, cut_[0]));
       const Path along = wall_.part(s_ - first_[0], s_ - cut_[0]), back = reversed(along);
       path_.insert(path_.end(), back.begin(), back.end());
@@ -137,7 +155,7 @@ class CornerCuts {
 
   const Wall& wall_;
   const LegalArea& legal_;
-  double s_, turn_, limit_;
+  double s_, turn_, whole_, limit_, margin_, far_;
   double cut_[2] = {}, first_[2] = {};
   Path path_;
 };
@@ -176,16 +194,23 @@ std::vector<Corner> corners_of(const Walls& walls, double limit) {
   return corners;
 }
 
-Path corner_cuts(const Walls& walls, const Corner& corner, const Ground& ground, double limit, double film) {
+Path corner_cuts(const Walls& walls, const Corner& corner, Ground& ground, double limit, double film) {
   const Wall& wall = walls.wall(corner.place.wall);
   const auto a = first_visited(wall, corner.place.s, -1, ground),
              b = first_visited(wall, corner.place.s, 1, ground);
   if (!a || !b) return {};
-  const Path cuts = CornerCuts(wall, corner, ground.legal(), limit).cuts(*a, *b, film);
-  // Walls that curve much so near to the corner are not what the cuts were found for.
-  const bool legal =
-      std::all_of(cuts.begin(), cuts.end(), [&](const Edge& edge) { return is_legal(edge, ground.legal()); });
-  return legal ? cuts : Path{};
+  Path cuts;
+  for (const double margin : kMargins) {
+    Path found = CornerCuts(wall, corner, ground.legal(), limit, margin, kFar * ground.tool_radius())
+                     .cuts(*a, *b, film);
+    // Walls that curve much so near to the corner are not what the cuts were found for.
+    const bool legal = std::all_of(found.begin(), found.end(),
+                                   [&](const Edge& edge) { return is_legal(edge, ground.legal()); });
+    if (!legal || found.empty()) continue;
+    if (cuts.empty()) cuts = found;
+    if (ground.keeps_limit(found, limit + kAbove, kTiny)) return found;
+  }
+  return cuts;
 }
 
 }  // namespace clearcut

@@ -28,6 +28,6 @@ std::vector<Corner> corners_of(const Walls& walls, double limit);
 /// Shape   from the first wall to the second; empty where there is nothing to cut or it was not prepared. Both
 ///         walls have been cut up to near the corner.
 /// Error   what is left in the corner is at most `film` mm thick.
-Path corner_cuts(const Walls& walls, const Corner& corner, const Ground& ground, double limit, double film);
+Path corner_cuts(const Walls& walls, const Corner& corner, Ground& ground, double limit, double film);
 
 }  // namespace clearcut

@@ -74,6 +74,18 @@ bool Ground::is_free(Vec2 a, Vec2 b, double film) const {
   return true;
 }
 
+bool Ground::keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny) {
+  const std::size_t before = material_.sweeps();
+  bool kept = true;
+  for (const Edge& edge : cuts) {
+    kept = edge.length() < tiny || length_within(edge, limit) >= edge.length();
+    if (!kept) break;
+    cut(edge);
+  }
+  material_.forget_beyond(before);
+  return kept;
+}
+
 void Ground::cut(const Edge& edge) {
   material_.add(level_move(edge), tool_radius_);
 }

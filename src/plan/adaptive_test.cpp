@@ -10,6 +10,7 @@
 #include "geometry/clearance.h"
 #include "plan/adaptive_cut.h"
 #include "plan/contour_cover.h"
+#include "stock/material.h"
 
 namespace clearcut {
 namespace {
@@ -117,6 +118,56 @@ TEST(Adaptive, ContactKeepsTheLimitOnARaster) {
   }
   EXPECT_GT(whole, 300);
   EXPECT_LT(over, 0.02 * whole);
+}
+
+Layer polygon_layer(const std::vector<Vec2>& corners) {
+  Layer layer = square_layer(1);
+  layer.allowed = layer.target = {Region::from_valid_loops(loop_from_points(corners), {})};
+  return layer;
+}
+
+/// Length of the passes, after the entries, with more contact than `limit`. Looked at closely, also in the corners.
+double length_above(const LayerPasses& planned, double limit) {
+  Material material(std::nullopt, 0, {kTool});
+  double above = 0;
+  for (const Pass& pass : planned.passes) {
+    for (std::size_t i = 0; i < pass.path.size(); ++i) {
+      const Move move{pass.path[i], -1, -1, MoveKind::kCut, {}, 0};
+      const int steps = static_cast<int>(move.path.length() / 0.1) + 3;
+      for (int k = 1; k <= steps && i >= 2; ++k) {
+        const double t = static_cast<double>(k) / steps;
+        if (material.engagement(move, t, kTool - 1e-3).angle > limit) above += move.path.length() / steps;
+      }
+      material.add(move, kTool);
+    }
+  }
+  return above;
+}
+
+TEST(Adaptive, ContactKeepsTheLimitInCornersToo) {
+  const std::vector<std::vector<Vec2>> shapes{{{0, 0}, {40, 0}, {40, 40}, {0, 40}},
+                                              {{0, 0}, {60, 0}, {30, 52}},
+                                              {{0, 0}, {50, 0}, {50, 20}, {20, 20}, {20, 50}, {0, 50}}};
+  for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
+    for (const double degrees : {53.0, 78.0}) {
+      AdaptiveOptions options;
+      options.engagement = Radians::of_degrees(degrees);
+      const auto planned = plan_adaptive(polygon_layer(shapes[shape]), options, {});
+      EXPECT_LT(length_above(planned, Radians::of_degrees(degrees + 2).radians()), 0.3)
+          << shape << " " << degrees;
+    }
+  }
+}
+
+TEST(Adaptive, BesideTheStockItComesInFromOutside) {
+  Layer layer = square_layer(40);
+  layer.stock = Box{{0, 0}, {40, 40}};
+  layer.allowed = {Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{-100, 0}, {40, 0}, {40, 40}, {-100, 40}}), {})};
+  const auto planned = plan_adaptive(layer, {}, {});
+  ASSERT_FALSE(planned.passes.empty());
+  EXPECT_FALSE(planned.passes.front().entry_center);
+  EXPECT_LT(planned.passes.front().path.front().from.x, -kTool + 0.01);
 }
 
 TEST(Adaptive, ClearsRandomPolygons) {
