@@ -32,7 +32,7 @@ struct Example {
   std::optional<double> stepdown;   ///< mm
 };
 
-constexpr Example kBracket{"bracket.dxf", "bracket", "endmill:6", 2};
+constexpr Example kBracket{"bracket.dxf", "bracket", "endmill:6", 2.5};
 constexpr Example kExamples[] = {kBracket,
                                  {"bracket.toml", "bracket_job", std::nullopt, std::nullopt},
                                  {"fishhead.p21", "fishhead", std::nullopt, 50},
