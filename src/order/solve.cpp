@@ -227,13 +227,14 @@ class Islands {
  public:
   /// Begins at the first of `seeds`, one each; objective and neighbours must outlive it.
   Islands(const Moves& moves, const Objective& objective, const Neighbours& neighbours,
-          const std::vector<std::pair<double, Tour>>& seeds, std::uint64_t seed) {
-    Random random(seed);
+          const std::vector<std::pair<double, Tour>>& seeds, const SolveOptions& options) {
+    Random random(options.seed);
     for (int i = 0; i < kIslands; ++i) {
       const Tour& start = seeds[static_cast<std::size_t>(i) % seeds.size()].second;
       islands_.emplace_back(moves, objective, neighbours, start, random.next());
     }
-    kicks_ = std::max(20, 1000 / (1 + moves.problem().size() / 100));
+    const double effort = std::min(1.0, 2 * options.stop.planned_seconds());
+    kicks_ = std::max(20, static_cast<int>(1000 * effort) / (1 + moves.problem().size() / 100));
   }
   void run_round(double enough, const StopWatch& watch) {
     tbb::parallel_for(0, kIslands, [&](int i) {
@@ -283,7 +284,7 @@ void add_local_starts(const Objective& objective, const Moves& moves, const Neig
   std::vector<std::pair<double, Tour>> seeds;
   for (const auto& [value, tour] : valued) seeds.push_back({evaluate(local, moves, tour), tour});
   sort_best_first(seeds);
-  Islands islands(moves, local, neighbours, seeds, options.seed);
+  Islands islands(moves, local, neighbours, seeds, options);
   const StopWatch share(remaining(options.stop, watch, 0.3));
   for (int round = 0; round < kRounds && !share.over(); ++round) islands.run_round(0, share);
   for (Tour& tour : islands.tours()) valued.push_back({evaluate(objective, moves, tour), std::move(tour)});
@@ -302,7 +303,7 @@ void solve_general(const Problem& problem, const Objective& objective, const Mov
   for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
   const double enough = enough_value(bounds.below(keeper.value()), options.stop);
   const ObjectivePtr sharpened = with_tie_break(objective, figures(moves, keeper.tour()));
-  Islands islands(moves, *sharpened, neighbours, seeds, options.seed);
+  Islands islands(moves, *sharpened, neighbours, seeds, options);
   for (int idle = 0;
        solution.rounds < options.stop.rounds && idle < kPatience && !watch.over() && keeper.value() > enough;
        ++solution.rounds) {

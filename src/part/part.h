@@ -103,6 +103,7 @@ struct Part {
   std::vector<Tool> tools;
   std::vector<Feature> features;
   std::vector<Workingstep> workplan;       ///< in order of cutting
+  bool order_free = false;                 ///< steps that do not meet may be cut in any order
   std::vector<PredrilledHole> predrilled;  ///< as deep as any feature they lie in
   Diagnostics diagnostics;
 

@@ -11,6 +11,7 @@
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
 #include "pipeline/prepare.h"
+#include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
 #include "plan/walls.h"
@@ -133,6 +134,7 @@ Toolpath toolpath_of(const Choice& choice, const Part& part, const PlanOptions& 
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (!choice.section(i).moves.empty()) toolpath.sections.push_back(choice.section(i));
   }
+  if (part.order_free) toolpath.sections = in_short_order(std::move(toolpath.sections), part);
   slow_down_slots(toolpath, part, options);
   return toolpath;
 }

@@ -122,6 +122,7 @@ void add_features(Part& part, std::vector<Feature> features) {
     part.workplan.push_back(std::move(step));
     part.features.push_back(std::move(feature));
   }
+  part.order_free = true;  // as drawn is as it happened to be drawn
 }
 
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options) {
