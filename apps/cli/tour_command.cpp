@@ -58,8 +58,9 @@ void add_tour_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("tour", "Order points: a TSPLIB file or a lattice such as 10x10");
   auto state = std::make_shared<TourCommand>();
   command->add_option("INPUT", state->input, "TSPLIB file (EUC_2D) or COLUMNSxROWS")->required();
-  command->add_option("--objective", state->options.objective,
-                      "length, turns, angle, time, or weights 1:length,20:turns");
+  command->add_option(
+      "--objective", state->options.objective,
+      "length, turns, angle, time, engagement, engagement-exact, or weights 1:length,20:turns");
   auto* open = command->add_flag("--open", state->open, "An open path with free ends (default for lattices)");
   command->add_flag("--closed", state->closed, "A closed tour (default for files)")->excludes(open);
   command->add_option("--time", state->options.time_s, "Longest search, s")->check(CLI::PositiveNumber);
@@ -68,6 +69,14 @@ void add_tour_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--feed", state->options.feed, "Feed for the objective time, mm/min")
       ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--diameter", state->options.diameter,
+                   "Of the cutter for engagement, mm (default: two pitches of the points)")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--engagement", state->options.engagement_percent,
+                   "Wanted share of the cutter's leading half in material, percent (50)")
+      ->check(CLI::Range(0.0, 100.0));
   command->add_option("--solver", state->options.solver,
                       "modern, or published: the genetic algorithm of the text");
   add_genetic_options(*command, state->options);

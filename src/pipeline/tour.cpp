@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -9,7 +11,9 @@
 #include "base/format.h"
 #include "geometry/box.h"
 #include "order/lattice.h"
+#include "order/neighbours.h"
 #include "order/tsplib.h"
+#include "pipeline/engagement_model.h"
 #include "pipeline/tour_solver.h"
 
 namespace clearcut {
@@ -20,10 +24,9 @@ order::ObjectivePtr single_objective(const std::string& name, double feed) {
   if (name == "turns") return order::turns_objective();
   if (name == "angle") return order::angle_objective();
   if (name == "time") return order::time_objective(feed);
-  throw InputError("--objective",
-                   fmt::format("'{}' is unknown; use length, turns, angle, time, or weights such as "
-                               "1:length,20:turns",
-                               name));
+  throw InputError("--objective", fmt::format("'{}' is unknown; use length, turns, angle, time, engagement, "
+                                              "engagement-exact, or weights such as 1:length,20:turns",
+                                              name));
 }
 
 order::Problem problem_of(const std::string& input, const TourOptions& options) {
@@ -52,12 +55,60 @@ order::Solution solve_published(const order::Problem& problem, const order::Obje
   return order::solve_genetic(problem, objective, genetic);
 }
 
+/// mm between a point and its nearest: the median; 1 where there is none.
+double pitch_of(const order::Problem& problem) {
+  if (problem.size() < 2) return 1;
+  const auto near = order::nearest_neighbours(problem.points, 1);
+  std::vector<double> steps;
+  for (int v = 0; v < problem.size(); ++v)
+    steps.push_back(order::straight_distance(problem, v, near.of(v)[0]));
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle > 0 ? *middle : 1;
+}
+
+/// Of the cutter, over which a block may reach: the raster has about eleven pixels to a radius.
+constexpr double kMostRadii = 800;
+
+/// A cutter in a block that reaches a radius beyond the points, as if they were the centres of a rectangular pocket.
+EngagementTask engagement_task(const order::Problem& problem, const TourOptions& options) {
+  EngagementTask task;
+  task.points = problem.points;
+  task.radius = options.diameter.value_or(2 * pitch_of(problem)) / 2;
+  Box block;
+  for (const Vec2 p : problem.points) block.add(p);
+  block = block.grown(task.radius);
+  if (block.width() > kMostRadii * task.radius || block.height() > kMostRadii * task.radius) {
+    throw InputError(
+        "--diameter",
+        fmt::format("{} mm is too small for points that reach over {} mm; engagement needs a "
+                    "cutter of at least {} mm here",
+                    trimmed(2 * task.radius, 4), trimmed(std::max(block.width(), block.height()), 3),
+                    trimmed(2 * std::max(block.width(), block.height()) / kMostRadii, 4)));
+  }
+  const Vec2 corners[] = {block.min, {block.max.x, block.min.y}, block.max, {block.min.x, block.max.y}};
+  task.target = {Region::from_valid_loops(loop_from_points(corners), {})};
+  return task;
+}
+
+order::ObjectivePtr objective_of(const order::Problem& problem, const TourOptions& options) {
+  return objective_from(options.objective, [&](const std::string& name) {
+    const double target = options.engagement_percent / 100;
+    const auto task = [&] { return engagement_task(problem, options); };
+    if (name == "engagement")
+      return engagement_objective(target, [given = task()] { return raster_engagement(given); });
+    if (name == "engagement-exact")
+      return engagement_objective(target, [given = task()] { return exact_engagement(given); });
+    return single_objective(name, options.feed);
+  });
+}
+
 }  // namespace
 
 TourResult solve_tour(const std::string& input, const TourOptions& options) {
-  const auto objective = objective_named(options.objective, options.feed);
   TourResult result;
   result.problem = problem_of(input, options);
+  const auto objective = objective_of(result.problem, options);
   result.objective = options.objective;
   if (options.solver == "published") {
     const bool is_lattice = order::parse_lattice(input).has_value();

@@ -10,14 +10,17 @@
 namespace clearcut {
 
 struct TourOptions {
-  std::string objective = "length";  ///< length, turns, angle, time, or weights "0.5:length,20:turns"
-  std::optional<bool> closed;        ///< default: TSPLIB files closed, lattices open
+  /// length, turns, angle, time, engagement, engagement-exact, or weights "0.5:length,20:turns"
+  std::string objective = "length";
+  std::optional<bool> closed;  ///< default: TSPLIB files closed, lattices open
   double time_s = 10;
   std::uint64_t seed = 1;
-  int threads = 0;                        ///< 0: all cores
-  double feed = 1000;                     ///< mm/min, for the objective time
-  std::string solver = "modern";          ///< or "published": the text's genetic algorithm
-  order::GeneticOptions genetic;          ///< of the published solver; seed and time come from here above
+  int threads = 0;                 ///< 0: all cores
+  double feed = 1000;              ///< mm/min, for the objective time
+  std::optional<double> diameter;  ///< mm, of the cutter for engagement; default: two pitches of the points
+  double engagement_percent = 50;  ///< wanted share of the leading half circle in material
+  std::string solver = "modern";   ///< or "published": the text's genetic algorithm
+  order::GeneticOptions genetic;   ///< of the published solver; seed and time come from here above
   std::optional<int> genetic_neighbours;  ///< default as the text: lattices 24, files all points (5.3.2)
 };
 
