@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 #include "order/lattice.h"
 #include "order/solve.h"
@@ -58,21 +60,16 @@ void add_lattice(TextTable& table, const std::string& size, const std::string& m
 
 constexpr double kEndMill = 10;  // mm
 constexpr double kEngagementShare = 0.5;
+/// Of the search; objectives of the whole path are dear to ask.
+constexpr long long kLocalRounds = 30, kPathRounds = 5;
 
-/// Collects what the planner asks of its optimiser instead of answering well.
-std::vector<TourTask> published_tasks(const Layer& layer, double pitch, const TourSolver& answer) {
-  std::vector<TourTask> tasks;
+/// Hands the grids of a layer, made as published, to `answer`.
+void ask_published(const Layer& layer, double pitch, const TourSolver& answer) {
   TourGridOptions grid;
   grid.published = true;
   grid.pitch = pitch;
   grid.pitch_in_mm = true;
-  plan_tour(layer, grid,
-            [&](const TourTask& task) {
-              tasks.push_back(task);
-              return answer(task);
-            },
-            {});
-  return tasks;
+  plan_tour(layer, grid, answer, {});
 }
 
 struct Sum {
@@ -96,7 +93,7 @@ order::Problem problem_of(const TourTask& task) {
 /// Length, turns and angle of the published grid of a layer in the order that the objective asks for.
 Sum grid_figures(const Layer& layer, double pitch, const order::Objective& objective) {
   Sum sum;
-  published_tasks(layer, pitch, [&](const TourTask& task) {
+  ask_published(layer, pitch, [&](const TourTask& task) {
     const auto solution = solved(problem_of(task), objective, 1, 1);
     sum += {solution.length, solution.angle_deg, solution.turns};
     return solution.tour;
@@ -150,36 +147,83 @@ order::ObjectivePtr seeded(const char* kind) {
   return order::weighted_sum({{weight, main}, {1, order::length_objective()}});
 }
 
-/// POCKET or face of the fishhead that the text's figures come nearest to: the layer with the grid of about as
-/// many points as its shortest path has steps.
-TourTask feature_task(double pitch, double radius, const std::string& name, Layer& layer) {
+/// The grid of a feature of the fishhead as the text would make it; of several the largest. Handed to `use`, since
+/// its legal ways can be asked for no longer than that.
+void with_grid(const std::string& feature_name, double pitch,
+               const std::function<void(const TourTask&)>& use) {
   PlanOptions options;
   options.stepdown = 2;
   const Part part = prepare(fishhead(false, {}), options);
   for (const auto& step : part.workplan) {
     const auto& feature = part.features[static_cast<std::size_t>(step.feature)];
-    if (feature.name != name) continue;
-    layer = layers_of(feature, step.operation, radius, {}).front();
+    if (feature.name != feature_name) continue;
+    Layer layer = layers_of(feature, step.operation, kEndMill / 2, {}).front();
     layer.allowed = layer.target;
-    layer.tool_radius = radius;
-    const auto tasks = published_tasks(layer, pitch, [](const TourTask& task) {
+    layer.tool_radius = kEndMill / 2;
+    std::size_t largest = 0;
+    const auto as_they_come = [](const TourTask& task) {
       std::vector<int> order(task.points.size());
-      for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+      std::iota(order.begin(), order.end(), 0);
       return order;
+    };
+    ask_published(layer, pitch, [&](const TourTask& task) {
+      largest = std::max(largest, task.points.size());
+      return as_they_come(task);
     });
-    const auto largest = std::max_element(tasks.begin(), tasks.end(), [](const auto& a, const auto& b) {
-      return a.points.size() < b.points.size();
+    ask_published(layer, pitch, [&](const TourTask& task) {
+      if (task.points.size() == largest) use(task);
+      return as_they_come(task);
     });
-    TourTask task = *largest;
-    task.layer = &layer;
-    task.way = {};
-    return task;
+    return;
   }
-  return {};
+}
+
+/// Percent above the least.
+std::string over(double value, double least) {
+  return least > 0 ? fmt::format("{:.1f}", 100 * (value / least - 1)) : "";
 }
 
 EngagementTask engagement_task(const TourTask& task) {
   return {task.points, task.way, task.layer->target, task.layer->tool_radius};
+}
+
+void add_printed(TextTable& table, const char* objective, double length, int turns) {
+  table.add({"printed", "", objective, fmt::format("{:.0f}", length), over(length, 2937),
+             std::to_string(turns), over(turns, 41), "", "", ""});
+}
+
+double mean_deviation(const TourTask& task, const order::Tour& tour) {
+  double sum = 0;
+  const auto shares = raster_engagement(engagement_task(task))->along(tour);
+  for (const double share : shares) sum += std::abs(share - kEngagementShare);
+  return sum / static_cast<double>(std::max<std::size_t>(shares.size(), 1));
+}
+
+/// A grid's tours for one objective at a time and for all at once.
+void add_objectives(TextTable& table, const char* feature, const TourTask& task) {
+  const auto problem = problem_of(task);
+  const auto length = order::length_objective(), turns = order::turns_objective();
+  const auto engagement =
+      engagement_objective(kEngagementShare, [&] { return raster_engagement(engagement_task(task)); });
+  const std::pair<const char*, order::ObjectivePtr> objectives[] = {
+      {"length", length},
+      {"turns", turns},
+      {"engagement 50 %", engagement},
+      {"all three", order::weighted_sum({{1, length}, {20, turns}, {0.1, engagement}})}};
+  double least_length = 0;
+  int least_turns = 0;
+  for (const auto& [name, objective] : objectives) {
+    const auto solution =
+        solved(problem, *objective, 1, objective->path_dependent() ? kPathRounds : kLocalRounds);
+    if (objective == length) least_length = solution.length;
+    if (objective == turns) least_turns = solution.turns;
+    const bool knows_turns = least_turns > 0;
+    table.add({feature, std::to_string(task.points.size()), name, fmt::format("{:.0f}", solution.length),
+               over(solution.length, least_length), std::to_string(solution.turns),
+               knows_turns ? over(solution.turns, least_turns) : "",
+               fmt::format("{:.3f}", mean_deviation(task, solution.tour)),
+               fmt::format("{:.0f}", solution.bound), fmt::format("{:.2f}", 100 * solution.gap)});
+  }
 }
 
 std::array<double, 10> histogram(const std::vector<double>& shares) {
@@ -260,45 +304,26 @@ TextTable fishhead_table() {
 
 TextTable objectives_table() {
   TextTable table;
-  table.title = "Tour table 6.4: the fishhead's second face, grid of 5 mm, 10 mm end mill";
-  table.columns = {{"objective", Align::kLeft},
-                   {"length, printed"},
-                   {"ours"},
-                   {"turns, printed"},
-                   {"ours"},
+  table.title = "Tour table 6.4: the fishhead's features, grid of 5 mm, 10 mm end mill, legal ways only";
+  table.columns = {{"feature", Align::kLeft},
+                   {"points"},
+                   {"objective", Align::kLeft},
+                   {"length"},
+                   {"over least %"},
+                   {"turns"},
+                   {"over least %"},
                    {"deviation"},
                    {"bound"},
                    {"gap %"}};
-  Layer layer;
-  const TourTask task = feature_task(5, kEndMill / 2, "PLANAR_FACE2", layer);
-  if (task.points.empty()) return table;
-  const auto problem = problem_of(task);
-  const auto engagement =
-      engagement_objective(kEngagementShare, [&] { return raster_engagement(engagement_task(task)); });
-  const std::tuple<const char*, order::ObjectivePtr, const char*, const char*> rows[] = {
-      {"length", order::length_objective(), "2937", "185"},
-      {"turns", order::turns_objective(), "3615", "41"},
-      {"engagement 50 %", engagement, "3999", "260"},
-      {"length and turns",
-       order::weighted_sum({{1, order::length_objective()}, {10, order::turns_objective()}}), "", ""},
-      {"all three",
-       order::weighted_sum(
-           {{1, order::length_objective()}, {20, order::turns_objective()}, {0.1, engagement}}),
-       "3012", "42"}};
-  for (const auto& [name, objective, length, turns] : rows) {
-    const auto solution = solved(problem, *objective, 1);
-    double deviation = 0;
-    const auto shares = raster_engagement(engagement_task(task))->along(solution.tour);
-    for (const double share : shares)
-      deviation += std::abs(share - kEngagementShare) / static_cast<double>(shares.size());
-    table.add({name, length, fmt::format("{:.0f}", solution.length), turns, std::to_string(solution.turns),
-               fmt::format("{:.3f}", deviation), fmt::format("{:.0f}", solution.bound),
-               fmt::format("{:.2f}", 100 * solution.gap)});
+  add_printed(table, "length", 2937, 185);
+  add_printed(table, "turns", 3615, 41);
+  add_printed(table, "engagement 50 %", 3999, 260);
+  add_printed(table, "all three", 3012, 42);
+  for (const char* feature : {"PLANAR_FACE2", "POCKET3"}) {
+    with_grid(feature, 5, [&](const TourTask& task) { add_objectives(table, feature, task); });
   }
   table.notes.push_back(
-      fmt::format("{} points; deviation: mean |engagement - 50 %|, raster model; the text does "
-                  "not name its feature or its grid",
-                  task.points.size()));
+      "deviation: mean |engagement - 50 %|, raster model; the text does not name its feature or its grid");
   return table;
 }
 
@@ -308,16 +333,15 @@ TextTable engagement_table() {
       "Tour figure 6-15: percent of the moves by mean engagement, POCKET3, 10 mm end mill, grid of 2.5 mm";
   table.columns = {{"target"}, {"model", Align::kLeft}, {"mean %"}};
   for (int bin = 0; bin < 10; ++bin) table.columns.push_back({fmt::format("{}-{}", 10 * bin, 10 * bin + 10)});
-  Layer layer;
-  const TourTask task = feature_task(2.5, kEndMill / 2, "POCKET3", layer);
-  if (task.points.empty()) return table;
-  for (int target = 20; target <= 100; target += 20) {
-    const auto objective =
-        engagement_objective(target / 100.0, [&] { return raster_engagement(engagement_task(task)); });
-    const auto solution = solved(problem_of(task), *objective, 1);
-    add_histogram(table, target, "raster", raster_engagement(engagement_task(task))->along(solution.tour));
-    add_histogram(table, target, "exact", exact_engagement(engagement_task(task))->along(solution.tour));
-  }
+  with_grid("POCKET3", 2.5, [&](const TourTask& task) {
+    for (int target = 20; target <= 100; target += 20) {
+      const auto objective =
+          engagement_objective(target / 100.0, [&] { return raster_engagement(engagement_task(task)); });
+      const auto solution = solved(problem_of(task), *objective, 1);
+      add_histogram(table, target, "raster", raster_engagement(engagement_task(task))->along(solution.tour));
+      add_histogram(table, target, "exact", exact_engagement(engagement_task(task))->along(solution.tour));
+    }
+  });
   table.notes.push_back("optimised by the raster model, then measured by both; a slot is 100 %");
   return table;
 }
