@@ -11,6 +11,7 @@
 #include "part/work_material.h"
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"
+#include "read/read_part.h"
 #include "support/plans.h"
 
 namespace clearcut {
@@ -207,6 +208,19 @@ TEST(Rest, RandomPocketsAreCleanWithTwoTools) {
         {0, 0}, {size, random.between(-5, 5)}, {size * 0.9, size}, {size * 0.5, size * 0.7}, {0, size}};
     const auto result = plan(part_of({Region::from_valid_loops(loop_from_points(corners), {})}, 3), options);
     expect_clean(result, "seed " + std::to_string(seed));
+  }
+}
+
+/// What the widest cutters leave in corners is cut before the pockets under it, also where rest machining is not asked for.
+TEST(Rest, SeveralCuttersChosenBySizeLeaveNothingOverWhatLiesUnder) {
+  const Part part = read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
+  for (const bool rest : {false, true}) {
+    PlanOptions options;
+    for (const char* tool : {"facemill:40", "endmill:20", "endmill:10", "endmill:6", "endmill:4"})
+      options.tools.push_back(parse_tool(tool));
+    options.strategy = "zigzag";
+    options.shop.rest = rest;
+    for (const auto& fault : plan(part, options).findings.faults) ADD_FAILURE() << fault.text;
   }
 }
 

@@ -36,7 +36,7 @@ std::string fault_of(const Part& part, const PlanOptions& options) {
 
 class EveryStrategy : public testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(Filling, EveryStrategy, testing::Values("zigzag", "spiral"),
+INSTANTIATE_TEST_SUITE_P(Filling, EveryStrategy, testing::Values("zigzag", "spiral", "contour"),
                          [](const auto& strategy) { return strategy.param; });
 
 TEST_P(EveryStrategy, ClearsEveryDataShapeWithEveryCutter) {

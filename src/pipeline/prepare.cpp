@@ -215,7 +215,7 @@ Part prepare(Part part, const PlanOptions& options) {
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, part.tools.at(static_cast<std::size_t>(step.operation.tool)), options);
-  if (options.shop.rest.value_or(false)) add_rest_steps(part, options);
+  if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options);
   if (options.shop.finish) add_finishing_steps(part, options);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/boolean.h"
 #include "part/round_hole.h"
 #include "pipeline/prepare.h"
 
@@ -80,24 +81,60 @@ void leave_stock(Operation& operation, const ShopOptions& shop) {
   if (*shop.finish != "walls") operation.allowance_floor += shop.finish_stock_floor.value_or(kFloorStock);
 }
 
+Workingstep rest_step(const Workingstep& step, int mill, const Tool& tool) {
+  Workingstep rest = step;
+  rest.name += "_rest_T" + std::to_string(tool.number);
+  rest.operation.name = rest.name;
+  rest.operation.tool = mill;
+  rest.operation.rest = true;
+  return rest;
+}
+
+/// Position in the workplan of the first later step on a feature that lies under that of `step`: what `step` leaves would
+/// stand over it.
+std::optional<std::size_t> first_step_under(const Part& part, const Workingstep& step,
+                                            const Tolerances& tol) {
+  const Feature& feature = feature_of(part, step);
+  bool later = false;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const Feature& other = feature_of(part, part.workplan[i]);
+    if (later && other.floor_z < feature.floor_z && !intersect(other.target, feature.target, tol).empty())
+      return i;
+    later = later || part.workplan[i].feature == step.feature;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 void add_rest_steps(Part& part, const PlanOptions& options) {
-  const auto steps = last_milling_steps(part);
-  for (const int mill : mills_of(part.tools)) {
-    const Tool& tool = part.tools[static_cast<std::size_t>(mill)];
-    for (const Workingstep& step : steps) {
-      const bool fits =
-          tool.diameter <= largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
-      if (!fits || !is_preceded_by_wider(part, step, tool)) continue;
-      Workingstep rest = step;
-      rest.name += "_rest_T" + std::to_string(tool.number);
-      rest.operation.name = rest.name;
-      rest.operation.tool = mill;
-      rest.operation.rest = true;
-      part.workplan.push_back(std::move(rest));
+  const bool everywhere = options.shop.rest.value_or(false);
+  std::vector<std::vector<Workingstep>> before(part.workplan.size());
+  std::vector<std::pair<int, Workingstep>> at_end;  // by mill, widest first
+  const auto mills = mills_of(part.tools);
+  for (const Workingstep& step : last_milling_steps(part)) {
+    const auto under = first_step_under(part, step, options.tol);
+    if (!everywhere && (!under || feature_of(part, step).wall_slope.radians() != 0)) continue;
+    const double fits = largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
+    for (std::size_t i = 0; i < mills.size(); ++i) {
+      const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
+      if (tool.diameter > fits || !is_preceded_by_wider(part, step, tool)) continue;
+      if (under) {
+        before[*under].push_back(rest_step(step, mills[i], tool));
+      } else {
+        at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], tool));
+      }
     }
   }
+  std::stable_sort(at_end.begin(), at_end.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Workingstep> all;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    all.insert(all.end(), before[i].begin(), before[i].end());
+    all.push_back(part.workplan[i]);
+  }
+  for (const auto& [mill, step] : at_end) all.push_back(step);
+  part.workplan = std::move(all);
 }
 
 void add_finishing_steps(Part& part, const PlanOptions& options) {

@@ -5,8 +5,9 @@
 
 namespace clearcut {
 
-/// For every milled feature one step more for each smaller mill of the part, on what is left, after all steps there are,
-/// tool by tool.
+/// For milled features one step more for each smaller mill of the part, on what is left: for all where rest machining is
+/// asked for, else for those under which others lie, since what stands there would stand in their way. Such steps come
+/// before the first step underneath, the others after all steps there are, tool by tool.
 void add_rest_steps(Part& part, const PlanOptions& options);
 
 /// For every milled feature the finishing steps asked for, after all others, which leave stock for them: the floor with
