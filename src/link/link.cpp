@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "link/entry.h"
 #include "link/lead.h"
 #include "link/moves.h"
@@ -19,6 +20,11 @@ namespace {
 constexpr double kEntryHeight = 0.2;
 /// mm. A cutter may be this much wider than a predrilled hole.
 constexpr double kHoleSlack = 0.001;
+
+/// mm. Nearer to the boundary of the legal area the cutter is at the wall.
+constexpr double kAtWall = 0.05;
+/// In which that is looked for.
+constexpr int kDirections = 16;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -201,7 +207,8 @@ class Linker {
   /// Rapids may cross just over the layer where the cutter stays within the pocket all along the way; in the
   /// layer above it has cut everything there. From a lower layer it could meet what that left.
   double hop_height(Vec2 to, const LayerState& state, const LayerState* above) const {
-    const double low = state.layer().z_top + options_.above_material;
+    const double top = std::max(state.layer().z_top, state.layer().wall_top.value_or(state.layer().z_top));
+    const double low = top + options_.above_material;
     const bool clear = above == nullptr || above->layer().film == 0;
     return clear && low < options_.safe_z && state.legal().holds_line(moves_.at(), to) ? low
                                                                                        : options_.safe_z;
@@ -209,7 +216,18 @@ class Linker {
 
   /// Where a rapid down has to end over `p`.
   double approach_z(Vec2 p, const LayerState& state) const {
-    return (in_air(p) ? state.layer().z : state.layer().z_top) + options_.above_material;
+    if (in_air(p)) return state.layer().z + options_.above_material;
+    const auto wall_top = state.layer().wall_top;
+    const double top =
+        wall_top && is_at_wall(p, state) ? std::max(*wall_top, state.layer().z_top) : state.layer().z_top;
+    return top + options_.above_material;
+  }
+
+  static bool is_at_wall(Vec2 p, const LayerState& state) {
+    for (int i = 0; i < kDirections; ++i) {
+      if (!state.legal().contains(p + direction_of(2 * kPi * i / kDirections) * kAtWall)) return true;
+    }
+    return false;
   }
 
   /// Beside the stock, or in a predrilled hole.

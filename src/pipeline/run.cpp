@@ -55,6 +55,7 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
     std::vector<LayerPasses> passes;
     for (const auto& layer : work.layers) {
       passes.push_back(layer.walls_only ? plan_walls(layer.layer, options.tol) : strategy(layer.layer));
+      passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
       add_size(plan, layer.layer, passes.back());
       plan.pocket = plan.pocket && !layer.rest;

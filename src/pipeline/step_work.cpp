@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/boolean.h"
+#include "geometry/clearance.h"
 #include "pipeline/holes.h"
 #include "pipeline/left_over.h"
 #include "plan/layers.h"
@@ -98,12 +99,29 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
   return out;
 }
 
+/// mm. Walls of features above that are no farther from one's own may stand in a rapid's way by rounding alone.
+constexpr double kFlush = 0.03;
+
+/// Top of the features above that do not reach beyond the walls of this one all round.
+std::optional<double> top_of_flush_walls(const Part& part, const Feature& feature, const Tolerances& tol) {
+  std::optional<double> top;
+  const Regions around = dilate(feature.target, kFlush, tol);
+  for (const Feature& other : part.features) {
+    const bool above = &other != &feature && other.floor_z > feature.floor_z && other.top_z > feature.top_z;
+    if (!above || !box(other.target).overlaps(box(feature.target))) continue;
+    if (intersect(other.target, feature.target, tol).empty()) continue;
+    if (!subtract(around, other.allowed, tol).empty()) top = std::max(top.value_or(other.top_z), other.top_z);
+  }
+  return top;
+}
+
 }  // namespace
 
 std::vector<StepWork> step_works(const Part& part, const PlanOptions& options) {
   std::vector<StepWork> works;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    StepWork work{static_cast<int>(i), {}, {}};
+    StepWork work{static_cast<int>(i), {}, {}, {}};
+    work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), options.tol);
     const auto standing = standing_layers(part, part.workplan[i], options);
     work.hole = hole_step(standing, work.workingstep, part, options);
     work.layers = layers_left(standing, work.workingstep, part, options);

@@ -20,8 +20,9 @@ struct LayerLeft {
 /// One workingstep, ready for any strategy.
 struct StepWork {
   int workingstep = 0;
-  std::vector<LayerLeft> layers;  ///< over which something still stands, from the top down
-  std::optional<Section> hole;    ///< where it is made as a round hole, whatever the strategy
+  std::vector<LayerLeft> layers;   ///< over which something still stands, from the top down
+  std::optional<Section> hole;     ///< where it is made as a round hole, whatever the strategy
+  std::optional<double> wall_top;  ///< height of walls above that stand as near as its own
 };
 
 /// The work of every workingstep of a prepared part, in the order of the workplan. Cost O(layers) booleans a step.

@@ -33,6 +33,8 @@ struct LayerPasses {
   Regions target;               ///< material to remove in this layer, plan view
   double film = 0;              ///< mm; uncut films up to this far from what was cut may stay between passes
   std::vector<Pass> passes;
+  /// Up to where walls stand above z_top, no farther away than those of the layer; absent: nothing stands there.
+  std::optional<double> wall_top;
   bool outside_in = false;    ///< rings come before those they surround
   std::optional<Vec2> start;  ///< where cutting should begin, or as near as the first pass comes
   std::string strategy;       ///< which strategy ran
