@@ -67,7 +67,10 @@ class AreaBuilder {
     for (const auto& allowed : layer_.allowed) {
       const Clearance clearance(allowed, tol_);
       const auto legal = safe_inset(clearance, allowed, first, tol_);
-      const auto deep = clearance.inset(first + layer_.tool_radius - (bare_ ? kBareMargin : 0));
+      // Coarse digits of the program may move either pass.
+      const double coarse = layer_.reserve > 0 ? 2 * layer_.reserve + tol_.gouge : 0;
+      const auto deep =
+          clearance.inset(first + layer_.tool_radius - std::max(bare_ ? kBareMargin : 0, coarse));
       const auto begin = area_.components.size();
       for (const auto& region : legal) area_.components.push_back({region, {}, -1});
       share_out(closed_ ? deep : target_within(deep), begin);
