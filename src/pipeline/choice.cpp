@@ -24,8 +24,6 @@ double least_way(const std::string& strategy, const StepPlan& known, double radi
   const double reached = known.legal_mm2 + kBeyondRim * radius * known.legal_rim_mm;
   const double plain = reached / (2 * radius);
   if (strategy == "spiral") return plain + kSpiralFall * known.legal_rim_mm / 2;
-  // Grids are followed by passes along the walls.
-  if (strategy == "tour") return known.legal_mm2 / (2 * radius) + known.legal_rim_mm;
   if (strategy == "adaptive") {
     return reached / (radius * (1 - std::cos(AdaptiveOptions{}.engagement.radians())));
   }
