@@ -74,7 +74,6 @@ class Horizon {
   const Vec2 center_;
   const double radius_;
   const Vec2 ahead_;
-  Part part_;
   int count_ = 1;
   Span items_[kCapacity];
   // Everything left lies within rest_radius_ of rest_center_.
