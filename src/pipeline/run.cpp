@@ -22,7 +22,7 @@ namespace clearcut {
 namespace {
 
 /// Edges of an outline above which only the first strategies are tried: the others would be felt.
-constexpr std::size_t kMostEdges = 2000;
+constexpr std::size_t kMostEdges = 150;
 
 /// mm. What others cleared may hold films up to this thick: no place for rapids.
 constexpr double kFilmOfOthers = 0.01;
