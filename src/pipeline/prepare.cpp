@@ -114,7 +114,8 @@ double widest_over(const Regions& target, const Region& allowed, const Tolerance
     if (p.clearance > widest && contains(target, p.point)) widest = p.clearance;
   }
   for (const Region& region : target) {
-    for (const AxisPoint& p : Clearance(region, tol).centers()) {
+    const Clearance own(region, tol);
+    for (const AxisPoint& p : own.centers()) {
       if (allowed.contains(p.point)) widest = std::max(widest, allowed.boundary_distance(p.point));
     }
   }

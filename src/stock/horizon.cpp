@@ -29,10 +29,7 @@ double sine_of(double cosine) {
 }  // namespace
 
 Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
-    : center_(center),
-      radius_(radius),
-      ahead_(ahead / std::sqrt(norm_squared(ahead))),
-      looked_{-9, 9} {
+    : center_(center), radius_(radius), ahead_(ahead / std::sqrt(norm_squared(ahead))), looked_{-9, 9} {
   items_[0] = part == Part::kFront ? Span{-1, 1} : Span{-2, 2};
   look();
 }
