@@ -44,6 +44,7 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
   operation.allowance_side += reserve;
   operation.allowance_floor += reserve;
   const Tool& tool = tool_of(part, step);
+  const bool bare = is_bare(part, feature);
   auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius);
   for (auto& layer : layers) {
     layer.reserve = reserve;
@@ -52,7 +53,7 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
     // It stands in the outline at the top: between leaning walls there is less.
     if (feature.wall_slope.radians() != 0) standing = intersect(standing, layer.allowed, options.tol);
     if (standing.empty() || has_open_side(feature)) layer.target = standing;
-    layer.bare = is_bare(part, feature);
+    layer.bare = bare;
   }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
   return layers;
@@ -105,12 +106,14 @@ constexpr double kFlush = 0.03;
 /// Top of the features above that do not reach beyond the walls of this one all round.
 std::optional<double> top_of_flush_walls(const Part& part, const Feature& feature, const Tolerances& tol) {
   std::optional<double> top;
-  const Regions around = dilate(feature.target, kFlush, tol);
+  std::optional<Regions> around;  // made for the first that asks: few features lie under others
   for (const Feature& other : part.features) {
     const bool above = &other != &feature && other.floor_z > feature.floor_z && other.top_z > feature.top_z;
     if (!above || !box(other.target).overlaps(box(feature.target))) continue;
     if (intersect(other.target, feature.target, tol).empty()) continue;
-    if (!subtract(around, other.allowed, tol).empty()) top = std::max(top.value_or(other.top_z), other.top_z);
+    if (!around) around = dilate(feature.target, kFlush, tol);
+    if (!subtract(*around, other.allowed, tol).empty())
+      top = std::max(top.value_or(other.top_z), other.top_z);
   }
   return top;
 }
