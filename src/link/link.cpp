@@ -11,6 +11,7 @@
 #include "link/entry.h"
 #include "link/lead.h"
 #include "link/moves.h"
+#include "toolpath/kinematics.h"
 #include "toolpath/legal_area.h"
 
 namespace clearcut {
@@ -67,13 +68,6 @@ Start nearest_start(const Pass& pass, Vec2 p) {
     best = {on.point, i, on.t, false};
   }
   return best;
-}
-
-/// Seconds from standstill to standstill over `length` at no more than `speed` mm/s.
-double travel_time(double length, double speed, double acceleration) {
-  if (length <= 0) return 0;
-  const double full = speed * speed / acceleration;
-  return length < full ? 2 * std::sqrt(length / acceleration) : length / speed + speed / acceleration;
 }
 
 /// Which passes have to come before a pass.

@@ -9,7 +9,7 @@
 
 #include "plan/contour_skeleton.h"
 #include "plan/contour_tighten.h"
-#include "toolpath/kinematics.h"
+#include "plan/hop.h"
 
 namespace clearcut {
 namespace {
@@ -45,8 +45,8 @@ constexpr std::size_t kFinalists = 2;
 constexpr double kAsGood = 1.01;
 /// A plan that leaves a film has to be this much faster than one that does not.
 constexpr double kFilmHandicap = 1.005;
-/// mm. Height of a lift and its plunge, for comparing with staying down.
-constexpr double kLift = 10;
+/// mm. How far a lift crosses, for comparing with staying down.
+constexpr double kAcross = 10;
 
 /// The passes of one component, numbered anew and in the sense asked for, without lines on which the cutter
 /// just fits.
@@ -73,7 +73,7 @@ void in_parallel(std::size_t count, const Work& work) {
 class Search {
  public:
   Search(const ContourOptions& options, const LegalArea& legal, double radius, const Box& where, bool bare)
-      : options_(options), legal_(legal) {
+      : options_(options), legal_(legal), hop_(options.machine, options.feed) {
     job_.bare = bare;
     job_.radius = radius;
     job_.legal = &legal;
@@ -138,14 +138,14 @@ class Search {
     skeleton.chord = kChord * job_.radius;
     if (!options_.outside_in) skeleton.begin = options_.start;
     skeleton.flexible = kMostFlexible / kVerticesPerRadius * job_.radius * options_.effort;
-    skeleton.hop = lift_time() * options_.feed.mm_per_s();
+    skeleton.hop = hop_.time(kAcross) * options_.feed.mm_per_s();
     skeleton.legal = [&](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
     return {Tightener(skeleton_of(contestant.passes, skeleton), job), 0};
   }
 
   void run_heat(Entry& entry) const {
     entry.tightener.pull(1);
-    entry.time = time_of(paths_of(entry.tightener.skeleton()));
+    entry.time = hop_.time_of(paths_of(entry.tightener.skeleton()), kAcross);
   }
 
   /// No ways when they are not proven to clear everything.
@@ -153,28 +153,14 @@ class Search {
     entry.tightener.pull(kFinalRounds);
     if (!entry.tightener.finish()) return {};
     auto ways = paths_of(entry.tightener.skeleton());
-    const double film = entry.tightener.film(), time = time_of(ways) * (film > 0 ? kFilmHandicap : 1);
+    const double film = entry.tightener.film(),
+                 time = hop_.time_of(ways, kAcross) * (film > 0 ? kFilmHandicap : 1);
     return {std::move(ways), film, time};
-  }
-
-  double lift_time() const {
-    const double a = options_.machine.acceleration, v = options_.machine.rapid.mm_per_s();
-    return 3 * std::min(2 * std::sqrt(kLift / a), kLift / v + v / a) +
-           kLift / 3 / (0.3 * options_.feed.mm_per_s());
-  }
-
-  double time_of(const std::vector<Path>& paths) const {
-    double time = 0;
-    for (const auto& path : paths) {
-      std::vector<Move> moves;
-      for (const auto& edge : path) moves.push_back({edge, 0, 0, MoveKind::kCut, options_.feed, 0});
-      time += kinematic_time(moves, options_.machine).seconds() + lift_time();
-    }
-    return time;
   }
 
   const ContourOptions& options_;
   const LegalArea& legal_;
+  Hop hop_;
   TightenJob job_;
   std::vector<Entry> entries_;
 };

@@ -1,6 +1,5 @@
 #include "plan/hop.h"
 
-#include <cmath>
 #include <vector>
 
 #include "toolpath/kinematics.h"
@@ -14,8 +13,7 @@ constexpr double kPlungeShare = 0.3;  // of the feed
 }  // namespace
 
 double Hop::rapid_time(double length) const {
-  const double a = machine_.acceleration, v = machine_.rapid.mm_per_s();
-  return length < v * v / a ? 2 * std::sqrt(length / a) : length / v + v / a;
+  return travel_time(length, machine_.rapid.mm_per_s(), machine_.acceleration);
 }
 
 double Hop::time(double across) const {

@@ -99,4 +99,10 @@ Seconds naive_time(const Move& move, const Machine& machine) {
   return Seconds::of(move.length() / speed);
 }
 
+double travel_time(double length, double speed, double acceleration) {
+  if (length <= 0) return 0;
+  const double full = speed * speed / acceleration;
+  return length < full ? 2 * std::sqrt(length / acceleration) : length / speed + speed / acceleration;
+}
+
 }  // namespace clearcut

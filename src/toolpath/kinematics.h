@@ -22,6 +22,9 @@ std::vector<Seconds> move_times(std::span<const Move> moves, const Machine& mach
 /// Sum of move_times.
 Seconds kinematic_time(std::span<const Move> moves, const Machine& machine);
 
+/// Seconds from standstill to standstill over `length` mm at no more than `speed` mm/s.
+double travel_time(double length, double speed, double acceleration);
+
 /// Length / programmed speed, as most programs estimate it.
 Seconds naive_time(const Move& move, const Machine& machine);
 
