@@ -47,17 +47,11 @@ void Horizon::remove_disc(Vec2 at, double disc) {
 }
 
 void Horizon::remove_beyond(Vec2 normal, double q) {
-  if (q >= 1) return;
-  if (q <= -1) return clear();
-  const double sine = sine_of(q);
-  const Vec2 n = seen(normal);
-  const double from = pseudo_angle(turned_to(n, q, -sine)), to = pseudo_angle(turned_to(n, q, sine));
-  if (from <= to) {
-    remove_span(from, to);
-  } else {
-    remove_span(-3, to);
-    remove_span(from, 3);
-  }
+  Spans inside;
+  add_beyond(normal, q, inside);
+  if (inside.all) return clear();
+  if (inside.count == 0) return;
+  for (int i = 0; i < inside.count; ++i) remove_span(inside.items[i].from, inside.items[i].to);
   look();
 }
 

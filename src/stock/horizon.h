@@ -70,7 +70,7 @@ class Horizon {
   void append(Span span);
   void look();
 
-  static constexpr int kCapacity = 48;
+  static constexpr int kCapacity = AngleSet::kCapacity;
   const Vec2 center_;
   const double radius_;
   const Vec2 ahead_;
