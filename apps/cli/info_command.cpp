@@ -51,8 +51,7 @@ void print_part(const Part& part) {
   }
   for (const auto& feature : part.features) print_feature(feature, Tolerances{});
   for (const auto& step : part.workplan) {
-    print_line(
-        fmt::format("step {} -> {}", step.name, part.features[static_cast<std::size_t>(step.feature)].name));
+    print_line(fmt::format("step {} -> {}", step.name, feature_of(part, step).name));
   }
 }
 

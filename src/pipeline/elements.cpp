@@ -69,8 +69,8 @@ Regions legal_of(const Region& target, double tool_radius, const Tolerances& tol
 
 std::vector<LayerPasses> passes_of(const grid::ElementVisit& visit, const Part& part, const Workingstep& step,
                                    const Tolerances& tol) {
-  const auto& feature = part.features[static_cast<std::size_t>(step.feature)];
-  const double radius = part.tools[static_cast<std::size_t>(step.operation.tool)].radius();
+  const auto& feature = feature_of(part, step);
+  const double radius = tool_of(part, step).radius();
   const Regions legal = legal_of(feature.target.front(), radius, tol);
   std::vector<LayerPasses> layers;
   double top = feature.top_z;

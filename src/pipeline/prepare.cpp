@@ -17,12 +17,11 @@
 namespace clearcut {
 namespace {
 
-constexpr double kDefaultFeed = 1000;         // mm/min
-constexpr double kPlungeShare = 0.3;          // of the cutting feed
-constexpr double kRampShare = 0.5;            // of the cutting feed
-constexpr double kDefaultCuttingSpeed = 100;  // m/min at the circumference
-constexpr double kFaceMillStepdown = 2;       // mm
-constexpr double kUnpeckedDiameters = 3;      // depth of a hole / diameter of the drill
+constexpr double kDefaultFeed = 1000;     // mm/min
+constexpr double kPlungeShare = 0.3;      // of the cutting feed
+constexpr double kRampShare = 0.5;        // of the cutting feed
+constexpr double kFaceMillStepdown = 2;   // mm
+constexpr double kUnpeckedDiameters = 3;  // depth of a hole / diameter of the drill
 
 void number_tools(std::vector<Tool>& tools) {
   std::set<int> taken;
@@ -44,7 +43,7 @@ void number_tools(std::vector<Tool>& tools) {
 double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
   double largest = 0;
   for (const auto& step : part.workplan) {
-    const auto& feature = part.features[static_cast<std::size_t>(step.feature)];
+    const auto& feature = feature_of(part, step);
     largest = std::max(largest, largest_fitting_diameter(feature, tol));
   }
   return largest;
@@ -93,8 +92,7 @@ void choose_tools(Part& part, const PlanOptions& options) {
     number_tools(part.tools);
     const auto used = used_before(part.tools, options);
     for (auto& step : part.workplan) {
-      step.operation.tool =
-          tool_for(part.features[static_cast<std::size_t>(step.feature)], part.tools, used, options.tol);
+      step.operation.tool = tool_for(feature_of(part, step), part.tools, used, options.tol);
     }
   }
   if (part.tools.empty()) {
@@ -214,14 +212,13 @@ Part prepare(Part part, const PlanOptions& options) {
   if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
   choose_tools(part, options);
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
-  for (auto& step : part.workplan)
-    apply_options(step.operation, part.tools.at(static_cast<std::size_t>(step.operation.tool)), options);
+  for (auto& step : part.workplan) apply_options(step.operation, tool_of(part, step), options);
   if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options);
   if (options.shop.finish) add_finishing_steps(part, options);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {
-    const auto& tool = part.tools.at(static_cast<std::size_t>(step.operation.tool));
-    const auto& feature = part.features.at(static_cast<std::size_t>(step.feature));
+    const auto& tool = tool_of(part, step);
+    const auto& feature = feature_of(part, step);
     for (auto& text : apply_defaults(step.operation, tool, feature, options.machine)) {
       text += " (T" + std::to_string(tool.number) + ")";
       if (std::find(noted.begin(), noted.end(), text) == noted.end()) noted.push_back(text);

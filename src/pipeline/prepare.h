@@ -5,6 +5,9 @@
 
 namespace clearcut {
 
+/// m/min at the circumference.
+constexpr double kDefaultCuttingSpeed = 100;
+
 /// The part with the user's options applied and every absent value filled in:
 ///   tool       from the options, else from the file; none at all is an InputError that names the largest
 ///   that fits stepdown   option, operation, else half the diameter (face mills: 2 mm) feed       option,

@@ -81,20 +81,11 @@ struct Sum {
   }
 };
 
-order::Problem problem_of(const TourTask& task) {
-  order::Problem problem;
-  problem.name = "grid";
-  problem.points = task.points;
-  problem.shape = order::Shape::kOpenPath;
-  problem.detour = task.way;
-  return problem;
-}
-
 /// Length, turns and angle of the published grid of a layer in the order that the objective asks for.
 Sum grid_figures(const Layer& layer, double pitch, const order::Objective& objective) {
   Sum sum;
   ask_published(layer, pitch, [&](const TourTask& task) {
-    const auto solution = solved(problem_of(task), objective, 1, 1);
+    const auto solution = solved(grid_problem(task), objective, 1, 1);
     sum += {solution.length, solution.angle_deg, solution.turns};
     return solution.tour;
   });
@@ -117,9 +108,8 @@ Job fishhead_figures(const Reading& reading, const order::Objective& objective) 
   const Part part = prepare(fishhead(false, {}), options);
   Job job;
   for (const auto& step : part.workplan) {
-    const double radius = part.tools[static_cast<std::size_t>(step.operation.tool)].radius();
-    auto layers =
-        layers_of(part.features[static_cast<std::size_t>(step.feature)], step.operation, radius, {});
+    const double radius = tool_of(part, step).radius();
+    auto layers = layers_of(feature_of(part, step), step.operation, radius, {});
     if (layers.empty()) continue;
     const double pitch = radius > kEndMill ? reading.face_pitch : reading.pocket_pitch;
     // All layers have the same outline, so the same tour serves them all. Open sides: the target's own outline,
@@ -155,7 +145,7 @@ void with_grid(const std::string& feature_name, double pitch,
   options.stepdown = 2;
   const Part part = prepare(fishhead(false, {}), options);
   for (const auto& step : part.workplan) {
-    const auto& feature = part.features[static_cast<std::size_t>(step.feature)];
+    const auto& feature = feature_of(part, step);
     if (feature.name != feature_name) continue;
     Layer layer = layers_of(feature, step.operation, kEndMill / 2, {}).front();
     layer.allowed = layer.target;
@@ -201,7 +191,7 @@ double mean_deviation(const TourTask& task, const order::Tour& tour) {
 
 /// A grid's tours for one objective at a time and for all at once.
 void add_objectives(TextTable& table, const char* feature, const TourTask& task) {
-  const auto problem = problem_of(task);
+  const auto problem = grid_problem(task);
   const auto length = order::length_objective(), turns = order::turns_objective();
   const auto engagement =
       engagement_objective(kEngagementShare, [&] { return raster_engagement(engagement_task(task)); });
@@ -337,7 +327,7 @@ TextTable engagement_table() {
     for (int target = 20; target <= 100; target += 20) {
       const auto objective =
           engagement_objective(target / 100.0, [&] { return raster_engagement(engagement_task(task)); });
-      const auto solution = solved(problem_of(task), *objective, 1);
+      const auto solution = solved(grid_problem(task), *objective, 1);
       add_histogram(table, target, "raster", raster_engagement(engagement_task(task))->along(solution.tour));
       add_histogram(table, target, "exact", exact_engagement(engagement_task(task))->along(solution.tour));
     }

@@ -8,12 +8,11 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "pipeline/compare.h"
+#include "pipeline/prepare.h"
 #include "pipeline/run.h"
 
 namespace clearcut {
 namespace {
-
-constexpr double kDefaultCuttingSpeed = 100;  // m/min, as in prepare()
 
 /// A tool and what is asked of it.
 struct Candidate {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/format.h"
 #include "order/solve.h"
 #include "pipeline/engagement_model.h"
 
@@ -87,14 +88,11 @@ order::ObjectivePtr layer_objective(const std::string& name, const TourTask& tas
 order::ObjectivePtr objective_from(const std::string& text, const ObjectiveMaker& make) {
   if (text.find(':') == std::string::npos) return make(text);
   std::vector<std::pair<double, order::ObjectivePtr>> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const auto end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
+  for (const std::string& part : split(text, ',')) {
     const auto colon = part.find(':');
     if (colon == std::string::npos)
       throw InputError("--objective", fmt::format("'{}' lacks its weight", part));
     parts.emplace_back(weight_of(part.substr(0, colon)), make(part.substr(colon + 1)));
-    begin = end + 1;
   }
   return order::weighted_sum(std::move(parts));
 }
@@ -103,13 +101,17 @@ order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed
   return std::make_shared<MachineTime>(machine, feed);
 }
 
+order::Problem grid_problem(const TourTask& task) {
+  order::Problem problem;
+  problem.name = "grid";
+  problem.points = task.points;
+  problem.shape = order::Shape::kOpenPath;
+  problem.detour = task.way;
+  return problem;
+}
+
 TourSolver tour_solver(const PlanOptions& options, MmPerMin feed) {
   return [options, feed](const TourTask& task) {
-    order::Problem problem;
-    problem.name = "grid";
-    problem.points = task.points;
-    problem.shape = order::Shape::kOpenPath;
-    problem.detour = task.way;
     const auto objective = objective_from(options.objective, [&](const std::string& name) {
       return layer_objective(name, task, options, feed);
     });
@@ -119,7 +121,7 @@ TourSolver tour_solver(const PlanOptions& options, MmPerMin feed) {
     solve.stop.effort = options.time_s.value_or(kEffort);
     solve.stop.seconds = options.time_s.value_or(std::numeric_limits<double>::infinity());
     if (!options.time_s) solve.stop.rounds = kRounds;
-    return order::solve(problem, *objective, solve).tour;
+    return order::solve(grid_problem(task), *objective, solve).tour;
   };
 }
 

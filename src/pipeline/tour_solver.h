@@ -5,6 +5,7 @@
 #include <string>
 
 #include "order/objective.h"
+#include "order/problem.h"
 #include "pipeline/plan_options.h"
 #include "plan/tour.h"
 
@@ -20,6 +21,9 @@ order::ObjectivePtr objective_from(const std::string& text, const ObjectiveMaker
 /// the junction (Grbl's rule, see kinematic_time) and speeding up again loses. As exact as kinematic_time
 /// where moves are long enough to reach the feed, and priced from the few moves that an exchange touches.
 order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed);
+
+/// An open path through the points of a grid, along its legal ways.
+order::Problem grid_problem(const TourTask& task);
 
 /// Orders grids by options.objective. Without options.time_s the same points give the same order, however
 /// busy the machine.

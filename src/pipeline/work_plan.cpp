@@ -112,6 +112,7 @@ void add_rest_steps(Part& part, const PlanOptions& options) {
   std::vector<std::vector<Workingstep>> before(part.workplan.size());
   std::vector<std::pair<int, Workingstep>> at_end;  // by mill, widest first
   const auto mills = mills_of(part.tools);
+  if (mills.size() < 2) return;
   for (const Workingstep& step : last_milling_steps(part)) {
     const auto under = first_step_under(part, step, options.tol);
     if (!everywhere && (!under || feature_of(part, step).wall_slope.radians() != 0)) continue;

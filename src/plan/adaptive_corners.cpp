@@ -186,7 +186,7 @@ std::vector<Corner> corners_of(const Walls& walls, double limit) {
     for (std::size_t e = 0; e < loop.size(); ++e) {
       const Vec2 before = loop[(e + loop.size() - 1) % loop.size()].tangent_at(1),
                  after = loop[e].tangent_at(0);
-      const double turn = std::atan2(cross(before, after), dot(before, after));
+      const double turn = angle_between(before, after);
       if (turn > limit) corners.push_back({{w, s}, turn});
       s += loop[e].length();
     }

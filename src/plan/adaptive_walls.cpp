@@ -99,22 +99,12 @@ double Walls::film(const WallPlace& place) const {
   return marks_[place.wall].films[mark_at(place)];
 }
 
-double Walls::to_stop(const WallPlace& place) const {
+double Walls::to_nearest_stop(const WallPlace& place, double sense) const {
   const double length = walls_[place.wall].length();
   double least = 1e300;
   for (const WallPlace& stop : stops_) {
-    const double ahead = stop.s - place.s;
-    if (stop.wall == place.wall) least = std::min(least, ahead - std::floor(ahead / length) * length);
-  }
-  return least;
-}
-
-double Walls::from_stop(const WallPlace& place) const {
-  const double length = walls_[place.wall].length();
-  double least = 1e300;
-  for (const WallPlace& stop : stops_) {
-    const double since = place.s - stop.s;
-    if (stop.wall == place.wall) least = std::min(least, since - std::floor(since / length) * length);
+    const double gap = sense * (stop.s - place.s);
+    if (stop.wall == place.wall) least = std::min(least, gap - std::floor(gap / length) * length);
   }
   return least;
 }

@@ -62,8 +62,8 @@ class Walls {
   /// Cuts end on the wall before these places instead of leaving it there, and none begins before and ends after one.
   void set_stops(std::vector<WallPlace> stops) { stops_ = std::move(stops); }
   /// mm along the wall to the next stop, and from the last one.
-  double to_stop(const WallPlace& place) const;
-  double from_stop(const WallPlace& place) const;
+  double to_stop(const WallPlace& place) const { return to_nearest_stop(place, 1); }
+  double from_stop(const WallPlace& place) const { return to_nearest_stop(place, -1); }
   Vec2 point(const WallPlace& place) const { return walls_[place.wall].at(place.s); }
   std::size_t count() const { return walls_.size(); }
   double film(const WallPlace& place) const;
@@ -84,6 +84,8 @@ class Walls {
   void give_up(const WallPlace& place);
 
  private:
+  /// `sense`: 1 along the wall, -1 back.
+  double to_nearest_stop(const WallPlace& place, double sense) const;
   struct Marks {
     double pitch = 1;
     std::vector<Vec2> points;

@@ -6,6 +6,12 @@
 namespace clearcut {
 namespace {
 
+/// Ascending, each number once.
+void keep_once(std::vector<std::size_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 double parameter_on(Vec2 a, Vec2 b, Vec2 p) {
   return dot(p - a, b - a) / norm_squared(b - a);
 }
@@ -81,8 +87,7 @@ bool LegalArea::contains(Vec2 p) const {
   std::vector<std::size_t> between;
   for (std::size_t cell = first; cell < known; ++cell)
     between.insert(between.end(), cells_[cell].begin(), cells_[cell].end());
-  std::sort(between.begin(), between.end());
-  between.erase(std::unique(between.begin(), between.end()), between.end());
+  keep_once(between);
   for (const std::size_t i : between) around += winding(edges_[i], p) - winding(edges_[i], q);
   return around != 0;
 }
@@ -105,8 +110,7 @@ std::vector<std::size_t> LegalArea::edges_near(const Box& where) const {
       }
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  keep_once(found);
   return found;
 }
 
@@ -135,8 +139,7 @@ std::vector<std::size_t> LegalArea::edges_along(Vec2 a, Vec2 b) const {
       }
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  keep_once(found);
   return found;
 }
 
