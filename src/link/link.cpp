@@ -252,7 +252,7 @@ class Linker {
     choice.start = nearest_start(state.pass(i), moves_.at());
     choice.cost = hop_time(choice.start.point, state, above);
     const double down = distance(moves_.at(), choice.start.point) / options_.feed.mm_per_s();
-    if (moves_.z() == state.layer().z && down < choice.cost &&
+    if (state.pass(i).may_cut_to_start && moves_.z() == state.layer().z && down < choice.cost &&
         state.legal().holds_line(moves_.at(), choice.start.point)) {
       choice.stay_down = true;
       choice.cost = down;
@@ -364,7 +364,8 @@ class Linker {
       link_to(p);
       return 0;
     }
-    const auto outside = way_out(p, state);
+    const bool straight = state.pass(next.pass).may_cut_to_start || in_air(p);
+    const auto outside = straight ? way_out(p, state) : std::nullopt;
     const Vec2 entry = outside.value_or(p);
     rise_and_cross(entry, running() ? hop_height(entry, state, above) : options_.safe_z);
     moves_.vertical(approach_z(entry, state), MoveKind::kRapid, {});

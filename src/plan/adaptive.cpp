@@ -551,6 +551,7 @@ void add_fit_lines(LayerPasses& result, const std::vector<Path>& lines) {
     pass.path = line;
     pass.closed = line.size() > 1 && line.front().from == line.back().to;
     pass.component = static_cast<int>(result.passes.size());
+    pass.may_cut_to_start = false;
     result.passes.push_back(std::move(pass));
     result.fit_lines.push_back(line);
   }

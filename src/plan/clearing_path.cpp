@@ -226,6 +226,7 @@ void ClearingPath::resume(Pass pass) {
 Pass ClearingPath::take() {
   Pass pass = std::exchange(pass_, {});
   pass.reversible = false;
+  pass.may_cut_to_start = false;
   return pass;
 }
 

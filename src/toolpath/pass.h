@@ -22,6 +22,9 @@ struct Pass {
   std::vector<MoveKind> kinds;
   /// The path begins by circling this point once: a helix about it may lead down to the path's start.
   std::optional<Vec2> entry_center;
+  /// Whether the cutter may come straight to its start at depth, from another pass or from beside the stock, cutting what
+  /// is in between. If not it is entered from above, or begins where nothing stands.
+  bool may_cut_to_start = true;
 };
 
 /// All passes of one layer of one feature with what linking needs to know.
