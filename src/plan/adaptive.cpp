@@ -29,8 +29,8 @@ constexpr double kKeepOff = 0.0035;
 /// Tool radii. A cut begins no farther before the material that it is after.
 constexpr double kLongestApproach = 1.5;
 /// Tool radii. A start from which so many cuts advance less along the wall is given up.
-constexpr double kLeastAdvance = 0.01;
-constexpr int kMostIdle = 3;
+constexpr double kLeastAdvance = 0.03;
+constexpr int kMostIdle = 1;
 /// Entries for what the cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
 /// Tool radii that the centre may run beyond an open side.
@@ -155,11 +155,39 @@ class AdaptivePlanner {
     return best;
   }
 
+  /// A spiral in the room, and on round it. A last thin turn of the spiral would waste most of a round; it is needed only
+  /// where no cut leads on without it.
   void clear_room(const Disc& room) {
     path_.open(room, kEntryCircle * radius_, limit_);
-    if (const auto last = path_.last_arc())
-      path_.append(clearing_.tracer.cut_on(last->to, last->tangent_at(1), 1 / last->radius()), {});
+    const Walls walls = clearing_.walls;
+    const std::size_t spiral = ground_.cuts();
+    Path round = go_round();
+    if (!leads_on()) {
+      ground_.forget_beyond(spiral);
+      clearing_.walls = walls;
+      path_.widen_to_rim(room, limit_);
+      round = go_round();
+    }
+    path_.append(round, {});
+  }
+
+  /// On from the last turn of the spiral.
+  Path go_round() {
+    const auto last = path_.last_arc();
+    Path round = last ? clearing_.tracer.cut_on(last->to, last->tangent_at(1), 1 / last->radius()) : Path{};
     clearing_.walls.update(ground_, legal_.box());
+    return round;
+  }
+
+  /// Whether a cut can be made from a wall.
+  bool leads_on() {
+    const std::size_t before = ground_.cuts();
+    const auto starts = clearing_.walls.starts();
+    return std::any_of(starts.begin(), starts.end(), [&](const WallPlace& start) {
+      const Path cut = clearing_.tracer.cut_from(start, start.s);
+      ground_.forget_beyond(before);
+      return length(cut) > radius_;
+    });
   }
 
   std::size_t nearest_room(Vec2 p) const {

@@ -32,6 +32,9 @@ class Ground {
   bool is_removed(Vec2 p) const { return material_.is_removed(p, -1); }
   /// Takes away what the cutter sweeps along `edge`.
   void cut(const Edge& edge);
+  /// Cuts so far; and back to as many.
+  std::size_t cuts() const { return material_.sweeps(); }
+  void forget_beyond(std::size_t cuts) { material_.forget_beyond(cuts); }
   /// Whether all cuts longer than `tiny` mm, one after the other, keep the contact at most at `limit`. The ground stays
   /// as it is.
   bool keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny);

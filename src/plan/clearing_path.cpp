@@ -15,6 +15,8 @@ constexpr double kShortest = 1e-6;
 /// Axis points tried as the first and last of a way.
 constexpr int kMostGates = 3;
 constexpr double kInfinity = 1e300;
+/// Halvings that bring a corner of a way near to the straight way past it.
+constexpr int kPulls = 4;
 /// Radians by which the spiral may exceed the limit.
 constexpr double kSpiralExcess = 0.015;
 /// By how much a half turn that exceeds it is taken back, and the least that it widens, in tool radii.
@@ -76,7 +78,24 @@ std::optional<std::vector<Vec2>> FreeWays::find(Vec2 from, Vec2 to, const Ground
     way.push_back(at = stations[farthest]);
     next = farthest + 1;
   }
+  pull_taut(way, from, ground, film);
   return way;
+}
+
+/// Moves every corner towards the straight way past it, as far as both legs stay free.
+void FreeWays::pull_taut(std::vector<Vec2>& way, Vec2 from, const Ground& ground, double film) {
+  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
+    const Vec2 before = i == 0 ? from : way[i - 1], after = way[i + 1];
+    const Vec2 straight = nearest(Edge::line(before, after), way[i]).point;
+    double good = 1, bad = 0;
+    for (int k = 0; k < kPulls; ++k) {
+      const double share = (good + bad) / 2;
+      const Vec2 corner = lerp(straight, way[i], share);
+      const bool free = ground.is_free(before, corner, film) && ground.is_free(corner, after, film);
+      (free ? good : bad) = share;
+    }
+    way[i] = lerp(straight, way[i], good);
+  }
 }
 
 /// A point beside the middle of the straight way over which the way is free.
@@ -159,28 +178,40 @@ std::vector<Vec2> FreeWays::shortest(const std::vector<int>& sources, const std:
 }
 
 void ClearingPath::open(const Disc& disc, double entry_radius, double engagement) {
-  const double tool = ground_.tool_radius(), last = disc.radius - tool;
-  double right = std::min(entry_radius, last), left = right;
-  at_ = disc.center + Vec2{right, 0};
-  if (last <= kShortest) return;
+  const double first = std::min(entry_radius, disc.radius - ground_.tool_radius());
+  at_ = disc.center + Vec2{first, 0};
+  if (first <= kShortest) return;
   pass_.entry_center = disc.center;
-  cut_arc(disc.center, disc.center - Vec2{right, 0});
-  cut_arc(disc.center, disc.center + Vec2{right, 0});
-  while (right < last) {
-    double reach = std::min(last, widened_circle(left + tool, tool, engagement));
-    const auto end = [&] { return disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0}; };
-    const auto half_turn = [&] {
-      return Edge::arc(at_, end(), (at_ + end()) / 2.0, Turn::kCounterClockwise);
-    };
-    // The closed form is that of a circle; the half turns that widen it meet a little more.
-    while (ground_.length_within(half_turn(), engagement + kSpiralExcess) < half_turn().length() &&
-           reach > left + kLeastWidening * tool)
-      reach = left + (reach - left) * kNarrower;
-    const Vec2 to = end();
-    cut_arc((at_ + to) / 2.0, to);
-    left = right;
-    right = reach;
+  spiral_ = {first, first};
+  cut_arc(disc.center, disc.center - Vec2{first, 0});
+  cut_arc(disc.center, disc.center + Vec2{first, 0});
+  while (widen(disc, engagement, Turns::kFull)) {
   }
+}
+
+void ClearingPath::widen_to_rim(const Disc& disc, double engagement) {
+  while (widen(disc, engagement, Turns::kAny)) {
+  }
+}
+
+/// One more half turn; whether there was one.
+bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
+  const double tool = ground_.tool_radius(), last = disc.radius - tool;
+  const auto [left, right] = spiral_;
+  if (right >= last) return false;
+  const double most = widened_circle(left + tool, tool, engagement);
+  if (most >= last && turns == Turns::kFull) return false;
+  double reach = std::min(last, most);
+  const auto end = [&] { return disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0}; };
+  const auto half_turn = [&] { return Edge::arc(at_, end(), (at_ + end()) / 2.0, Turn::kCounterClockwise); };
+  // The closed form is that of a circle; the half turns that widen it meet a little more.
+  while (ground_.length_within(half_turn(), engagement + kSpiralExcess) < half_turn().length() &&
+         reach > left + kLeastWidening * tool)
+    reach = left + (reach - left) * kNarrower;
+  const Vec2 to = end();
+  cut_arc((at_ + to) / 2.0, to);
+  spiral_ = {right, reach};
+  return true;
 }
 
 void ClearingPath::append(const Path& cut, const std::vector<Vec2>& link) {

@@ -25,6 +25,7 @@ class FreeWays {
   int add_node(Vec2 p);
   void join(int a, int b);
   static std::optional<Vec2> one_corner(Vec2 from, Vec2 to, const Ground& ground, double film);
+  static void pull_taut(std::vector<Vec2>& way, Vec2 from, const Ground& ground, double film);
   std::vector<int> nearest_free(Vec2 p, const Ground& ground, double film) const;
   std::vector<Vec2> shortest(const std::vector<int>& sources, const std::vector<int>& targets, Vec2 from,
                              Vec2 to, const Ground& ground, double film) const;
@@ -52,9 +53,11 @@ class ClearingPath {
  public:
   ClearingPath(Ground& ground, const FreeWays& ways) : ground_(ground), ways_(ways) {}
 
-  /// Begins a pass with a circle of `entry_radius` about the disc's centre and widens it in half turns until
-  /// it touches the disc's rim; no turn takes more than `engagement`.
+  /// Begins a pass with a circle of `entry_radius` about the disc's centre and widens it in half turns as long as they
+  /// stay inside the disc and take all that `engagement` lets them.
   void open(const Disc& disc, double entry_radius, double engagement);
+  /// Goes on, right after open(), until the disc's rim is touched all round: the last turns are thinner.
+  void widen_to_rim(const Disc& disc, double engagement);
   /// Goes over the points of `link` to the start of `cut` and appends it; a pass begins with its first cut.
   void append(const Path& cut, const std::vector<Vec2>& link);
   std::optional<std::vector<Vec2>> way_to(Vec2 p, double film) const {
@@ -71,6 +74,8 @@ class ClearingPath {
   void resume(Pass pass);
 
  private:
+  enum class Turns { kFull, kAny };
+  bool widen(const Disc& disc, double engagement, Turns turns);
   void cut_arc(Vec2 center, Vec2 to);
   void link_line(Vec2 to);
 
@@ -78,6 +83,11 @@ class ClearingPath {
   const FreeWays& ways_;
   Pass pass_;
   Vec2 at_;
+  /// Distances of the spiral's last two ends from its centre, mm.
+  struct Ends {
+    double left = 0;
+    double right = 0;
+  } spiral_;
 };
 
 }  // namespace clearcut
