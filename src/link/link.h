@@ -12,8 +12,10 @@
 namespace clearcut {
 
 struct LinkOptions {
-  double tool_radius = 0;     ///< mm
-  double safe_z = 10;         ///< where rapids cross the work, absolute
+  double tool_radius = 0;  ///< mm
+  double safe_z = 10;      ///< absolute; where the section begins and ends
+  double cross_z =
+      10;  ///< where rapids cross between its passes, over all that stands; no higher than safe_z
   double above_material = 1;  ///< mm over the material where a rapid down ends and the plunge begins
   CutDirection direction = CutDirection::kClimb;
   bool spindle_clockwise = true;
@@ -42,17 +44,18 @@ struct LinkOptions {
 /// Leads     passes along walls of closed pockets begin and end with a quarter circle that touches them, where
 ///           one of lead_radius or, failing that, down to a quarter of it lies in the legal area. What could not
 ///           be done as asked is told in section.notes.
-/// Order     inside-out within each connected legal area (rings before the ring that surrounds them), nearest
-/// first. Links     down at depth where the straight way or a way along the legal boundary stays in the legal
-/// area and is
-///           quicker than lifting, else up to safe_z; a rapid never touches material: it comes down to
-///           `above_material` over the layer's top, or outside the stock, or into what earlier layers
-///           cleared.
+/// Order     rings before the ring that surrounds them; a place before what is under it. Layer by layer, always what
+///           is reached soonest; the same over all layers, which cuts one area after the other to the bottom; and
+///           both improved (link/short_order.h): the fastest of these, the first where it makes no difference.
+/// Links     down at depth where the straight way stays in the legal area and is quicker than lifting, else by rapids
+///           just over the layer where that way is legal and nothing stands in it, else at cross_z. A rapid never
+///           touches material: it comes down to `above_material` over the layer's top, or outside the stock, or
+///           into what earlier layers cleared.
 /// Direction region loops as oriented are climb for a clockwise spindle; passes that are not reversible keep
-/// theirs. Shape     section.moves begins at safe_z over the first pass and ends at safe_z; empty when no
-/// layer has a pass.
+///           theirs.
+/// Shape     section.moves begins at safe_z over the first pass and ends at safe_z; empty when no layer has a pass.
 ///           Label, workingstep and tool number are left to the caller.
-/// Cost      O(passes^2 + links * edges near them).
+/// Cost      O(passes^2 + links * edges near them), and the order's.
 Section link_layers(const std::vector<LayerPasses>& layers, const LinkOptions& options,
                     const Tolerances& tol);
 

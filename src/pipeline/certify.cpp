@@ -64,6 +64,18 @@ std::string post_with(const std::optional<Figures>& verdict, const Toolpath& too
   return post(toolpath, part, post_options);
 }
 
+/// mm over all that stands, where nothing is said.
+constexpr double kCrossing = 2;
+/// mm. The least of what is said, likewise.
+constexpr double kLeastCrossing = 1;
+
+/// Where rapids of a step cross: its retract plane, over all that stands.
+double crossing_z(const Part& part, const Operation& operation) {
+  const double top = part.top_z();
+  const double asked = operation.retract_z.value_or(top + kCrossing);
+  return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
+}
+
 }  // namespace
 
 LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind entry,
@@ -72,6 +84,7 @@ LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind en
   LinkOptions link;
   link.tool_radius = tool_of(part, step).radius();
   link.safe_z = part.safe_z();
+  link.cross_z = crossing_z(part, operation);
   link.direction = *operation.direction;
   link.spindle_clockwise = operation.cutting.spindle_clockwise;
   link.feed = *operation.cutting.feed;

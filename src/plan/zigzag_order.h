@@ -27,12 +27,7 @@ struct OrderQuestion {
   std::function<double(const CellVisit&)> own;
 };
 
-/// All cells once, cheap in sum.
-///
-/// Method  Up to nine cells: proven best, by dynamic programming over sets [held1962]. More: nearest first, then stretches of up
-///         to three cells are moved to better places while that pays; the ways of cutting are chosen best for each
-///         order by dynamic programming along it.
-/// Cost    O(2^n n^2) up to nine cells, O(n^2) a round beyond; `travel` is asked O(n) times, for the nearest places.
+/// All cells once, cheap in sum; method and cost: toolpath/visit_order.h.
 std::vector<CellVisit> order_cells(const std::vector<ZigzagCell>& cells, const OrderQuestion& question);
 
 }  // namespace clearcut

@@ -1,0 +1,334 @@
+#include "link/linker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "link/entry.h"
+#include "toolpath/kinematics.h"
+
+namespace clearcut {
+namespace {
+
+/// mm over the material where ramps and helices begin.
+constexpr double kEntryHeight = 0.2;
+/// mm. A cutter may be this much wider than a predrilled hole.
+constexpr double kHoleSlack = 0.001;
+
+/// mm. Nearer to the boundary of the legal area the cutter is at the wall.
+constexpr double kAtWall = 0.05;
+/// In which that is looked for.
+constexpr int kDirections = 16;
+
+/// Seconds by which going down beside the material is preferred to going down into it.
+constexpr double kAirWorth = 1e6;
+
+std::size_t index_of(EntryKind kind) {
+  return static_cast<std::size_t>(kind);
+}
+
+bool runs_along_wall(const Pass& pass) {
+  return pass.closed && pass.parent < 0 && pass.kinds.empty() && !pass.entry_center;
+}
+
+}  // namespace
+
+void Linker::cut_nearest_first() {
+  while (!progress_.finished()) {
+    const Choice next = choose();
+    CLEARCUT_ASSERT(next.item < work_.items().size());
+    cut_pass(next);
+  }
+}
+
+void Linker::cut_in_order(const std::vector<Task>& tasks) {
+  for (const Task& task : tasks) {
+    CLEARCUT_ASSERT(progress_.available(task.item));
+    const Pass& pass = work_.pass(task.item);
+    cut_pass(evaluate(task.item, task.start ? *task.start : nearest_start(pass, moves_.at())));
+  }
+}
+
+std::vector<std::string> Linker::notes() const {
+  std::vector<std::string> notes;
+  const auto tell = [&](int times, const std::string& what) {
+    if (times > 0)
+      notes.push_back(what + " (" + std::to_string(times) + (times == 1 ? " place)" : " places)"));
+  };
+  const auto other = [&](EntryKind kind) { return options_.entry != kind ? entries_[index_of(kind)] : 0; };
+  tell(other(EntryKind::kRamp), "the entry asked for does not fit; ramped along the pass");
+  tell(other(EntryKind::kZigzagRamp), "the entry asked for does not fit; ramped to and fro");
+  tell(other(EntryKind::kPlunge), options_.may_plunge
+                                      ? "the entry asked for does not fit; plunged"
+                                      : "no ramp fits and the cutter may not plunge; plunged");
+  tell(without_lead_, "no lead fits at the wall");
+  return notes;
+}
+
+std::vector<Move> Linker::take_moves() {
+  if (running()) moves_.vertical(options_.safe_z, MoveKind::kRapid, {});
+  return moves_.take();
+}
+
+double Linker::rapid_time(double length) const {
+  return travel_time(length, options_.machine.rapid.mm_per_s(), options_.machine.acceleration);
+}
+
+/// Seconds to lift, cross and come down again.
+double Linker::hop_time(const CutterAt& from, Vec2 to, std::size_t item, double height) const {
+  const double up = rapid_time(height - from.z), across = rapid_time(distance(from.at, to));
+  const double start_z = approach_z(to, item);
+  const double down = rapid_time(height - start_z);
+  return up + across + down + (start_z - layer(item).layer().z) / options_.plunge_feed.mm_per_s();
+}
+
+double Linker::travel(const CutterAt& from, std::size_t item, Vec2 begin, bool low) const {
+  const double height = low ? hop_height(from, begin, item) : options_.cross_z;
+  const double hop = hop_time(from, begin, item, height);
+  const double down = distance(from.at, begin) / options_.feed.mm_per_s();
+  const bool may_stay =
+      low && work_.pass(item).may_cut_to_start && from.z == layer(item).layer().z && down < hop;
+  return may_stay && layer(item).legal().holds_line(from.at, begin) ? down : hop;
+}
+
+/// Whether the straight way at the depth of the pass is legal and nothing of higher layers stands in it.
+bool Linker::is_clear(std::size_t item, Vec2 a, Vec2 b) const {
+  return layer(item).legal().holds_line(a, b) && progress_.clear_above(work_.items()[item].layer, a, b);
+}
+
+/// Rapids may cross just over the layer where the cutter stays within the pocket all along the way; in the
+/// layer above it has cut everything there. From a lower layer it could meet what that left.
+double Linker::hop_height(const CutterAt& from, Vec2 to, std::size_t item) const {
+  const LayerPasses& passes = layer(item).layer();
+  const std::size_t index = work_.items()[item].layer;
+  const double top = std::max({passes.z_top, passes.wall_top.value_or(passes.z_top), from.z});
+  const double low = top + options_.above_material;
+  const bool clear = index == 0 || work_.layer(index - 1).layer().film == 0;
+  return clear && low < options_.cross_z && is_clear(item, from.at, to) ? low : options_.cross_z;
+}
+
+/// Where a rapid down has to end over `p`.
+double Linker::approach_z(Vec2 p, std::size_t item) const {
+  const LayerPasses& passes = layer(item).layer();
+  if (in_air(p)) return passes.z + options_.above_material;
+  const double top =
+      passes.wall_top && is_at_wall(p, item) ? std::max(*passes.wall_top, passes.z_top) : passes.z_top;
+  return top + options_.above_material;
+}
+
+bool Linker::is_at_wall(Vec2 p, std::size_t item) const {
+  for (int i = 0; i < kDirections; ++i) {
+    if (!layer(item).legal().contains(p + direction_of(2 * kPi * i / kDirections) * kAtWall)) return true;
+  }
+  return false;
+}
+
+/// Beside the stock, or in a predrilled hole.
+bool Linker::in_air(Vec2 p) const {
+  if (options_.stock && options_.stock->distance_to(p) >= options_.tool_radius) return true;
+  return std::any_of(options_.predrilled.begin(), options_.predrilled.end(), [&](const PredrilledHole& hole) {
+    return distance(p, hole.center) + options_.tool_radius <= hole.diameter / 2 + kHoleSlack;
+  });
+}
+
+Linker::Choice Linker::choose() const {
+  const auto& items = work_.items();
+  std::size_t first = 0;
+  while (first < items.size() && !progress_.available(first)) ++first;
+  if (!running() || (layer(first).open() && !is_at_depth_of(first))) return first_choice();
+  Choice best;
+  for (std::size_t i = first; i < items.size(); ++i) {
+    if (!progress_.available(i)) continue;
+    const double least = items[i].path.distance_to(moves_.at()) / options_.feed.mm_per_s();
+    if (std::min(least, 0.5) > best.cost) continue;
+    const Choice candidate = evaluate(i, nearest_start(work_.pass(i), moves_.at()));
+    if (candidate.cost < best.cost) best = candidate;
+  }
+  return best;
+}
+
+Linker::Choice Linker::evaluate(std::size_t item, const PassStart& start) const {
+  Choice choice;
+  choice.item = item;
+  choice.start = start;
+  if (!running()) return choice;
+  choice.cost = hop_time(here(), start.point, item, hop_height(here(), start.point, item));
+  const double down = distance(moves_.at(), start.point) / options_.feed.mm_per_s();
+  const bool may_stay = work_.pass(item).may_cut_to_start && is_at_depth_of(item) && down < choice.cost;
+  if (may_stay && is_clear(item, moves_.at(), start.point)) {
+    choice.stay_down = true;
+    choice.cost = down;
+  }
+  return choice;
+}
+
+/// The first pass of all, or of an open layer: from the air if there is any beside it.
+Linker::Choice Linker::first_choice() const {
+  Choice first;
+  for (std::size_t i = 0; i < work_.items().size(); ++i) {
+    if (!progress_.available(i)) continue;
+    const Pass& pass = work_.pass(i);
+    Choice candidate;
+    candidate.item = i;
+    candidate.start = {pass.path.front().from, 0, 0, false};
+    candidate.cost = -pass.offset;  // farthest from the wall
+    if (const auto wanted = layer(i).layer().start) {
+      candidate.start = nearest_start(pass, *wanted);
+      candidate.cost = distance(candidate.start.point, *wanted);
+    }
+    if (layer(i).open() && find_air_entry(i)) candidate.cost -= kAirWorth;
+    if (candidate.cost < first.cost) first = candidate;
+  }
+  if (first.item < work_.items().size() && layer(first.item).open() && work_.pass(first.item).closed) {
+    if (const auto entry = find_air_entry(first.item)) first.start = entry->start;
+  }
+  return first;
+}
+
+std::optional<Linker::AirEntry> Linker::find_air_entry(std::size_t item) const {
+  const Path& path = work_.pass(item).path;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    for (const double t : {0.5, 0.0}) {
+      const PassStart start{path[i].at(t), i, t, false};
+      if (const auto outside = way_out(start.point, item)) return AirEntry{start, *outside};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The nearest predrilled hole from which a straight legal move leads to p.
+std::optional<Vec2> Linker::way_from_hole(Vec2 p, std::size_t item) const {
+  std::optional<Vec2> best;
+  for (const PredrilledHole& hole : options_.predrilled) {
+    if (!in_air(hole.center) || (best && distance(p, hole.center) >= distance(p, *best))) continue;
+    if (is_clear(item, hole.center, p)) best = hole.center;
+  }
+  return best;
+}
+
+/// A point beside the stock or in a predrilled hole from which a straight legal move leads to p.
+std::optional<Vec2> Linker::way_out(Vec2 p, std::size_t item) const {
+  if (in_air(p)) return p;
+  if (const auto hole = way_from_hole(p, item)) return hole;
+  if (!options_.stock || !layer(item).open()) return std::nullopt;
+  const Box beyond = options_.stock->grown(options_.tool_radius + options_.above_material);
+  const Vec2 outs[] = {{beyond.min.x, p.y}, {beyond.max.x, p.y}, {p.x, beyond.min.y}, {p.x, beyond.max.y}};
+  std::optional<Vec2> best;
+  for (const Vec2 out : outs) {
+    if (best && distance(p, out) >= distance(p, *best)) continue;
+    if (is_clear(item, out, p)) best = out;
+  }
+  return best;
+}
+
+void Linker::cut_pass(Choice next) {
+  if (!next.stay_down && layer(next.item).open()) start_from_air(next);
+  const Pass& pass = work_.pass(next.item);
+  Path path = oriented(next);
+  const PassStart start = next.start;
+  const auto lead = lead_for_pass(path, next);
+  if (lead) {
+    path = begun_at(path, lead->along);
+    next.start.point = lead->in.from;
+  }
+  const bool on_ring = pass.closed && pass.kinds.empty() && !lead;
+  const double along = go_to(next, lead ? Path{lead->in} : path, on_ring);
+  if (along > 0) path = begun_at(path, along);
+  if (lead) cut({lead->in}, {MoveKind::kLeadIn});
+  cut(path, pass.kinds);
+  if (lead) cut({lead->out}, {MoveKind::kLeadOut});
+  cuts_.push_back({next.item, start, next.start.point, moves_.at(), next.stay_down});
+  progress_.mark_done(next.item);
+}
+
+std::optional<Lead> Linker::lead_for_pass(const Path& path, const Choice& next) {
+  if (options_.lead_radius <= 0 || !runs_along_wall(work_.pass(next.item))) return std::nullopt;
+  const LayerWork& where = layer(next.item);
+  auto lead = lead_for(path, where.layer().legal, options_.lead_radius);
+  if (lead && next.stay_down && !where.legal().holds_line(moves_.at(), lead->in.from)) lead.reset();
+  if (!lead) ++without_lead_;
+  return lead;
+}
+
+/// A ring that is entered anew begins where air leads to it, if it does anywhere.
+void Linker::start_from_air(Choice& next) const {
+  const Pass& pass = work_.pass(next.item);
+  if (!pass.closed || !pass.kinds.empty() || way_out(next.start.point, next.item)) return;
+  if (const auto entry = find_air_entry(next.item)) next.start = entry->start;
+}
+
+/// To the beginning of `path` at depth; mm along it where the depth is reached, if it is a ring that was ramped along.
+double Linker::go_to(const Choice& next, const Path& path, bool is_ring) {
+  const Vec2 p = next.start.point;
+  if (next.stay_down) {
+    link_to(p);
+    return 0;
+  }
+  const bool straight = work_.pass(next.item).may_cut_to_start || in_air(p);
+  const auto outside = straight ? way_out(p, next.item) : std::nullopt;
+  const Vec2 entry = outside.value_or(p);
+  rise_and_cross(entry, running() ? hop_height(here(), entry, next.item) : options_.safe_z);
+  moves_.vertical(approach_z(entry, next.item), MoveKind::kRapid, {});
+  if (!outside) return enter_material(path, is_ring ? &path : nullptr, next.item);
+  moves_.vertical(layer(next.item).layer().z, MoveKind::kPlunge, options_.plunge_feed);
+  moves_.line(p, MoveKind::kLeadIn, lead_feed());
+  return 0;
+}
+
+void Linker::link_to(Vec2 p) {
+  if (p == moves_.at()) return;
+  const double depth = moves_.z();
+  const MmPerMin feed = options_.link_feed.value_or(options_.feed);
+  if (options_.link_lift > 0) moves_.vertical(depth + options_.link_lift, MoveKind::kLink, feed);
+  moves_.line(p, MoveKind::kLink, feed);
+  moves_.vertical(depth, MoveKind::kPlunge, options_.plunge_feed);
+}
+
+/// From a little above the material down into it, as the entry option says. See go_to for what comes back.
+double Linker::enter_material(const Path& path, const Path* ring, std::size_t item) {
+  const LayerPasses& passes = layer(item).layer();
+  moves_.vertical(std::min(moves_.z(), passes.z_top + kEntryHeight), MoveKind::kPlunge, options_.plunge_feed);
+  const Edge first = path.front();
+  const Vec2 heading = first.from == first.to ? Vec2{1, 0} : first.tangent_at(0);
+  const EntryPlace place{moves_.at(), heading, moves_.z(), passes.z, work_.pass(item).entry_center, ring};
+  const Entry entry = entry_at(place, passes.legal, options_);
+  moves_.append(entry.moves);
+  ++entries_[index_of(entry.kind)];
+  return entry.along_ring;
+}
+
+void Linker::rise_and_cross(Vec2 to, double height) {
+  if (!running()) {
+    moves_ = MoveList(to, height);
+    return;
+  }
+  moves_.vertical(height, MoveKind::kRapid, {});
+  moves_.line(to, MoveKind::kRapid, {});
+}
+
+Path Linker::oriented(const Choice& next) const {
+  const Pass& pass = work_.pass(next.item);
+  Path path = pass.closed ? rotated_to(pass.path, next.start) : pass.path;
+  const bool climbs = (options_.direction == CutDirection::kClimb) == options_.spindle_clockwise;
+  const bool turned = layer(next.item).turned_round(work_.items()[next.item].pass);
+  const bool back = pass.closed ? climbs == turned : next.start.backwards;
+  return back ? reversed(path) : path;
+}
+
+void Linker::cut(const Path& path, const std::vector<MoveKind>& kinds) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    Edge joined = path[i];
+    if (i == 0) joined.from = moves_.at();   // the same point to rounding
+    if (joined.from == joined.to) continue;  // a place where the cutter just fits: plunged into
+    const MoveKind kind = kinds.empty() ? MoveKind::kCut : kinds[i];
+    moves_.along(joined, kind, feed_of(kind));
+  }
+}
+
+MmPerMin Linker::feed_of(MoveKind kind) const {
+  if (kind == MoveKind::kLink) return options_.link_feed.value_or(options_.machine.rapid);
+  return kind == MoveKind::kLeadIn || kind == MoveKind::kLeadOut ? lead_feed() : options_.feed;
+}
+
+}  // namespace clearcut

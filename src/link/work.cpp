@@ -1,0 +1,150 @@
+#include "link/work.h"
+
+#include <algorithm>
+
+namespace clearcut {
+namespace {
+
+/// Of the tool's radius: how far from a pass its entry or lead may sweep.
+constexpr double kBeside = 3;
+/// More pairs of edges than this are not looked at: the passes are taken to be near each other.
+constexpr std::size_t kMostPairs = 10000;
+/// More passes than this are not compared with each other: the time would be felt.
+constexpr std::size_t kMostMixed = 2000;
+
+bool reaches_out(const LayerPasses& layer, const LegalArea& legal, double tool_radius) {
+  const Box target = box(layer.target);
+  if (target.empty()) return false;
+  const Box inner = target.grown(-tool_radius / 2);
+  return !inner.contains(legal.box().min) || !inner.contains(legal.box().max);
+}
+
+/// Whether what the cutter sweeps along both may meet; may say so though it does not.
+bool sweeps_meet(const Path& a, const Path& b, double tool_radius) {
+  if (a.size() * b.size() > kMostPairs) return true;
+  std::vector<Box> boxes;
+  for (const Edge& edge : b) boxes.push_back(edge.box().grown(tool_radius));
+  return std::any_of(a.begin(), a.end(), [&](const Edge& edge) {
+    const Box swept = edge.box().grown(tool_radius);
+    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& other) { return swept.overlaps(other); });
+  });
+}
+
+}  // namespace
+
+LayerWork::LayerWork(const LayerPasses& layer, double tool_radius)
+    : layer_(&layer), legal_(layer.legal), open_(reaches_out(layer, legal_, tool_radius)) {}
+
+bool LayerWork::turned_round(std::size_t pass) const {
+  return open_ && layer_->passes[pass].closed && signed_area(layer_->passes[pass].path) > 0;
+}
+
+int LayerWork::later_of_tree_edge(std::size_t pass) const {
+  const int parent = layer_->passes[pass].parent;
+  if (parent < 0) return -1;
+  const bool outer_first = layer_->outside_in || turned_round(static_cast<std::size_t>(parent));
+  return outer_first ? static_cast<int>(pass) : parent;
+}
+
+int LayerWork::part_around(Vec2 p) const {
+  const Regions& legal = layer_->legal;
+  for (std::size_t i = 0; i < legal.size(); ++i) {
+    if (legal[i].contains(p) || legal[i].boundary_distance(p) <= LegalArea::kSlack)
+      return static_cast<int>(i);
+  }
+  return -1;
+}
+
+Work::Work(const std::vector<LayerPasses>& layers, double tool_radius) : tool_radius_(tool_radius) {
+  for (const LayerPasses& layer : layers) layers_.emplace_back(layer, tool_radius);
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    for (std::size_t p = 0; p < layers[l].passes.size(); ++p) {
+      const Box path = box(layers[l].passes[p].path);
+      items_.push_back({l, p, path, path.grown(tool_radius)});
+    }
+  }
+  before_.resize(items_.size());
+  after_.resize(items_.size());
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    if (items_[i].pass == 0) add_rings(i);
+  }
+  layers_may_mix_ = items_.size() <= kMostMixed;
+  if (layers_may_mix_) add_depths();
+}
+
+void Work::add(std::size_t before, std::size_t after) {
+  before_[after].push_back(before);
+  after_[before].push_back(after);
+}
+
+/// Of the layer whose first pass is item `first`.
+void Work::add_rings(std::size_t first) {
+  const LayerWork& layer = layer_of(first);
+  for (std::size_t p = 0; p < layer.layer().passes.size(); ++p) {
+    const int later = layer.later_of_tree_edge(p);
+    if (later < 0) continue;
+    const auto parent = static_cast<std::size_t>(layer.layer().passes[p].parent);
+    const bool parent_waits = static_cast<std::size_t>(later) == parent;
+    add(first + (parent_waits ? p : parent), first + (parent_waits ? parent : p));
+  }
+}
+
+void Work::add_depths() {
+  for (std::size_t i = 0; i < items_.size(); ++i) {
+    for (std::size_t k = 0; k < i && items_[k].layer < items_[i].layer; ++k) {
+      if (is_above(k, i)) add(k, i);
+    }
+  }
+}
+
+/// Entries and leads stay in the connected part of the legal area in which they begin, and beside their pass.
+bool Work::is_above(std::size_t high, std::size_t low) const {
+  if (!items_[high].swept.overlaps(items_[low].path.grown(kBeside * tool_radius_))) return false;
+  const LayerWork& layer = layer_of(high);
+  if (layer.parts() < 2) return true;
+  const int part = layer.part_around(pass(high).path.front().from);
+  if (part < 0 || part == layer.part_around(pass(low).path.front().from)) return true;
+  return sweeps_meet(pass(high).path, pass(low).path, tool_radius_);
+}
+
+bool Work::has_one_order() const {
+  for (std::size_t i = 1; i < items_.size(); ++i) {
+    if (std::find(before_[i].begin(), before_[i].end(), i - 1) == before_[i].end()) return false;
+  }
+  return true;
+}
+
+Progress::Progress(const Work& work, Layers layers)
+    : work_(work),
+      layers_(layers),
+      done_(work.items().size(), false),
+      waiting_for_(work.items().size()),
+      left_(work.items().size()) {
+  for (std::size_t i = 0; i < left_; ++i) waiting_for_[i] = work.before(i).size();
+}
+
+bool Progress::available(std::size_t item) const {
+  if (done_[item] || waiting_for_[item] > 0) return false;
+  return layers_ == Layers::kMixed || work_.items()[item].layer == work_.items()[first_undone_].layer;
+}
+
+void Progress::mark_done(std::size_t item) {
+  done_[item] = true;
+  --left_;
+  for (const std::size_t later : work_.after(item)) --waiting_for_[later];
+  while (first_undone_ < done_.size() && done_[first_undone_]) ++first_undone_;
+}
+
+bool Progress::clear_above(std::size_t layer, Vec2 a, Vec2 b) const {
+  if (finished()) return true;
+  Box way{a, a};
+  way.add(b);
+  const Box swept = way.grown(work_.tool_radius());
+  const auto& items = work_.items();
+  for (std::size_t i = first_undone_; i < items.size() && items[i].layer < layer; ++i) {
+    if (!done_[i] && items[i].swept.overlaps(swept)) return false;
+  }
+  return true;
+}
+
+}  // namespace clearcut
