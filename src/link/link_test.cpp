@@ -68,7 +68,7 @@ TEST(Link, AreasApartAreEachCutToTheBottom) {
 TEST(Link, AreasWhoseSweepsMeetAreCutLayerByLayer) {
   // 16 mm apart with 8 mm of radius: the cutter in one pocket reaches over the other.
   std::vector<LayerPasses> layers = layers_of_pockets({{0, 0}, {20, 0}}, 3);
-  const Work work(layers, 9);
+  const Work work(layers, 9.5);
   for (std::size_t i = 2; i < work.items().size(); ++i) EXPECT_EQ(work.before(i).size(), i / 2 * 2);
   EXPECT_FALSE(Progress(work, Progress::Layers::kMixed).available(2));
 }

@@ -22,6 +22,8 @@ constexpr std::size_t kMostImproved = 1000;
 constexpr std::size_t kLongestMoved = 3;
 /// What is cheaper by less is rounding.
 constexpr double kGain = 1e-9;
+/// All costs between so many ways are remembered.
+constexpr std::size_t kMostKnown = 512;
 /// Ways are looked for to so many beginnings near the end of each.
 constexpr std::ptrdiff_t kMostNear = 24;
 
@@ -40,6 +42,7 @@ class Costs {
     }
     first_.push_back(steps_.size());
     near_.resize(steps_.size());
+    if (states() <= kMostKnown) known_.assign(states() * states(), -1);
   }
 
   std::size_t visits() const { return question_.visits.size(); }
@@ -50,13 +53,10 @@ class Costs {
   double own(std::size_t state) const { return way(state).own; }
 
   double travel(std::size_t from, std::size_t to) {
-    if (near_[from].empty()) find_near(from);
-    for (auto& near : near_[from]) {
-      if (near.state != to) continue;
-      if (near.cost < 0) near.cost = question_.travel(steps_[from], steps_[to]);
-      return near.cost;
-    }
-    return question_.far_travel(steps_[from], steps_[to]);
+    if (known_.empty()) return asked(from, to);
+    double& known = known_[from * states() + to];
+    if (known < 0) known = asked(from, to);
+    return known;
   }
 
  private:
@@ -65,6 +65,16 @@ class Costs {
     double away = 0;
     double cost = -1;  ///< not asked for yet
   };
+
+  double asked(std::size_t from, std::size_t to) {
+    if (near_[from].empty()) find_near(from);
+    for (auto& near : near_[from]) {
+      if (near.state != to) continue;
+      if (near.cost < 0) near.cost = question_.travel(steps_[from], steps_[to]);
+      return near.cost;
+    }
+    return question_.far_travel(steps_[from], steps_[to]);
+  }
 
   const VisitWay& way(std::size_t state) const {
     return question_.visits[steps_[state].visit].ways[steps_[state].way];
@@ -88,6 +98,7 @@ class Costs {
   std::vector<VisitStep> steps_;
   std::vector<std::size_t> first_;
   std::vector<std::vector<Near>> near_;
+  std::vector<double> known_;  ///< from each state to each; below 0: not asked for yet
 };
 
 /// What has to come before and after each visit.
