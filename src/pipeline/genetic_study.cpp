@@ -159,13 +159,39 @@ std::vector<StudyRow> in_order(const RowsOf& rows_of) {
   return all;
 }
 
+/// A finite number of at least `least`.
 template <class Number>
-Number number(const std::string& text, int line) {
+Number number(const std::string& text, int line, Number least) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw InputError(fmt::format("CSV:{}", line), fmt::format("'{}' is no number; begin a new file", text));
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (!whole || !(value >= least && value <= std::numeric_limits<Number>::max()))
+    throw InputError(fmt::format("CSV:{}", line),
+                     fmt::format("'{}' is not a number that a study writes; begin a new file", text));
   return value;
+}
+
+/// Lines without the carriage returns of some editors. What is no study is never taken for one, and so never
+/// written over.
+std::vector<std::string> lines_of_csv(const std::string& csv) {
+  std::vector<std::string> lines = split(csv, '\n');
+  for (std::string& line : lines)
+    if (line.ends_with('\r')) line.pop_back();
+  if (!lines.empty() && lines.front() != kHeader)
+    throw InputError("CSV:1", "is not the first line of a study; give the file of a study, or a new name");
+  return lines;
+}
+
+StudyRow row_of(const std::vector<std::string>& values, int level, int line) {
+  StudyRow row{.level = level, .run = number(values[0], line, 1)};
+  row.generation = number(values[1], line, 0LL);
+  row.best = number(values[2], line, 0.0);
+  row.mean = number(values[3], line, 0.0);
+  row.worst = number(values[4], line, 0.0);
+  row.fitness = number(values[5], line, 0.0);
+  if (!values[6].empty()) row.improved = number(values[6], line, 0.0);
+  if (!values[7].empty()) row.seconds = number(values[7], line, 0.0);
+  return row;
 }
 
 /// The complete runs of an earlier file; an unfinished one (a file cut short) is left out.
@@ -176,7 +202,7 @@ RowsOf rows_of_csv(const GeneticStudy& study, std::uint64_t seed, const std::str
   for (std::size_t i = 0; i < study.levels.size(); ++i)
     level_of[settings_text(study, study.levels[i], seed)] = static_cast<int>(i);
   int line = 0;
-  for (const std::string& text : split(csv, '\n')) {
+  for (const std::string& text : lines_of_csv(csv)) {
     if (++line == 1 || text.empty()) continue;
     const auto cells = split(text, ',');
     if (cells.size() != kSettings + 8) continue;  // cut short
@@ -186,16 +212,13 @@ RowsOf rows_of_csv(const GeneticStudy& study, std::uint64_t seed, const std::str
     if (level == level_of.end())
       throw InputError(fmt::format("CSV:{}", line),
                        "comes from another study or other settings; begin a new file");
-    const std::vector<std::string> values(cells.begin() + kSettings, cells.end());
-    StudyRow row{.level = level->second, .run = number<int>(values[0], line)};
-    row.generation = number<long long>(values[1], line);
-    row.best = number<double>(values[2], line);
-    row.mean = number<double>(values[3], line);
-    row.worst = number<double>(values[4], line);
-    row.fitness = number<double>(values[5], line);
-    if (!values[6].empty()) row.improved = number<double>(values[6], line);
-    if (!values[7].empty()) row.seconds = number<double>(values[7], line);
-    rows_of[{row.level, row.run}].push_back(row);
+    const StudyRow row = row_of({cells.begin() + kSettings, cells.end()}, level->second, line);
+    std::vector<StudyRow>& run = rows_of[{row.level, row.run}];
+    if (!run.empty() && row.generation <= run.back().generation)
+      throw InputError(fmt::format("CSV:{}", line),
+                       fmt::format("generation {} of run {} comes twice or out of order; begin a new file",
+                                   row.generation, row.run));
+    run.push_back(row);
   }
   std::erase_if(rows_of, [&](const auto& entry) {
     const auto& level = study.levels[static_cast<std::size_t>(entry.first.first)];

@@ -76,6 +76,30 @@ TEST(GeneticStudy, RefusesRowsOfOtherSettings) {
   EXPECT_THROW(csv_of("selection", options, csv), InputError);
 }
 
+/// A file that is no study, or was changed by hand, is refused rather than written over or counted twice.
+TEST(GeneticStudy, RefusesWhatNoStudyWrote) {
+  const GeneticStudyOptions options = small();
+  const std::string csv = csv_of("spread", options);
+  EXPECT_THROW(csv_of("spread", options, "a letter to somebody\n"), InputError);
+  const std::string header = csv.substr(0, csv.find('\n') + 1);
+  EXPECT_THROW(csv_of("spread", options, csv + csv.substr(header.size())), InputError);
+  const std::string row = csv.substr(header.size(), csv.find('\n', header.size()) - header.size());
+  for (const char* value : {"nan", "inf", "-1", "1e999", "x", ""}) {
+    std::string bad = row;
+    const auto end = bad.rfind(",,");
+    bad.replace(bad.rfind(',', end - 1) + 1, end - bad.rfind(',', end - 1) - 1, value);
+    EXPECT_THROW(csv_of("spread", options, header + bad + "\n"), InputError) << bad;
+  }
+}
+
+TEST(GeneticStudy, TakesLineEndsOfOtherSystems) {
+  const GeneticStudyOptions options = small();
+  const std::string csv = csv_of("spread", options);
+  std::string other;
+  for (const char c : csv) other += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(csv_of("spread", options, other), csv);
+}
+
 TEST(GeneticStudy, RowsAreWhatTheySay) {
   GeneticStudyOptions options = small();
   const GeneticStudy study = genetic_study("population", options);
