@@ -181,10 +181,22 @@ class Joiner {
     if (path.size() >= 2) loops_.push_back({std::move(path), std::move(curve.source), curve.compound});
   }
 
-  void chain(const std::vector<RawCurve>& curves) {
+  std::vector<int> matched(const std::vector<RawCurve>& curves) const {
+    return Matching(Ends{curves}, options_.tol.join_gap, options_.where).run();
+  }
+
+  /// Where ends stay open, edges that run along each other may be why.
+  void chain(std::vector<RawCurve> curves) {
     if (curves.empty()) return;
+    std::vector<int> mate = matched(curves);
+    if (std::count(mate.begin(), mate.end(), kUnmatched) > 0) {
+      auto apart = without_overlaps(curves, loops_, options_.tol.join_gap, options_.where, diagnostics_);
+      if (apart) {
+        curves = std::move(*apart);
+        mate = matched(curves);
+      }
+    }
     const Ends ends{curves};
-    const std::vector<int> mate = Matching(ends, options_.tol.join_gap, options_.where).run();
     std::vector<bool> used(curves.size(), false);
     refuse_or_skip_open(ends, mate, used);
     for (std::size_t i = 0; i < curves.size(); ++i) {

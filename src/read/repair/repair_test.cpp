@@ -155,6 +155,61 @@ TEST(Repair, DuplicatesCountOnce) {
   EXPECT_EQ(loops.count(Severity::kRepair, "drawn twice"), 1);
 }
 
+/// A square of loose sides, of which the lower is drawn in pieces that overlap.
+std::vector<RawCurve> square_with_base(const std::vector<std::vector<Vec2>>& base) {
+  std::vector<RawCurve> curves{open({{60, 0}, {60, 40}}), open({{60, 40}, {0, 40}}), open({{0, 40}, {0, 0}})};
+  for (const auto& piece : base) curves.push_back(open(piece));
+  return curves;
+}
+
+TEST(Repair, CurvesThatRunAlongEachOtherCountOnce) {
+  const std::vector<std::vector<std::vector<Vec2>>> bases{
+      {{{0, 0}, {60, 0}}, {{20, 0}, {60, 0}}},                       // a piece again, to the corner
+      {{{60, 0}, {0, 0}}, {{20, 0}, {30, 0}}},                       // a piece again, in the middle
+      {{{0, 0}, {40, 0}}, {{30, 0}, {60, 0}}},                       // two that overlap in part
+      {{{0, 0}, {40, 0}}, {{60, 0}, {30, 0}}, {{10, 0}, {50, 0}}},   // and a third over both
+      {{{0, 0}, {25, 0}}, {{20, 0}, {45, 0}}, {{40, 0}, {60, 0}}}};  // three in a row
+  for (const auto& base : bases) {
+    const Repaired result = repaired(square_with_base(base));
+    ASSERT_EQ(result.regions.size(), 1U);
+    EXPECT_DOUBLE_EQ(area(result.regions), 2400);
+    EXPECT_EQ(result.regions[0].outer().size(), 4U);
+    EXPECT_GE(result.count(Severity::kRepair, "run along each other"), 1);
+  }
+}
+
+TEST(Repair, ArcsThatRunAlongEachOtherCountOnce) {
+  const Vec2 center{0, 0};
+  const auto arc = [&](double from, double to) {
+    return RawCurve{{Edge::arc(Vec2{10 * std::cos(from), 10 * std::sin(from)},
+                               Vec2{10 * std::cos(to), 10 * std::sin(to)}, center, Turn::kCounterClockwise)},
+                    false,
+                    "arc",
+                    {}};
+  };
+  const Repaired result = repaired({arc(0, 2), arc(1.5, kPi), open({{-10, 0}, {10, 0}})});
+  EXPECT_NEAR(area(result.regions), 50 * kPi, 1e-6);
+  EXPECT_EQ(result.count(Severity::kRepair, "run along each other"), 1);
+}
+
+TEST(Repair, APieceOfAnOutlineDrawnAgainIsDropped) {
+  const Repaired result = repaired({square(0, 0, 50), open({{10, 0}, {30, 0}})});
+  EXPECT_DOUBLE_EQ(area(result.regions), 2500);
+  EXPECT_EQ(result.count(Severity::kRepair, "run along each other"), 1);
+}
+
+/// Pockets that share part of a wall, each drawn whole, are left as drawn; what leads on alone is still open.
+TEST(Repair, OnlyEdgesWithAnOpenEndGiveWay) {
+  const Repaired result =
+      repaired({open({{0, 0}, {10, 0}}), open({{10, 0}, {10, 20}}), open({{10, 20}, {0, 20}}),
+                open({{0, 20}, {0, 0}}), open({{10, 5}, {20, 5}}), open({{20, 5}, {20, 15}}),
+                open({{20, 15}, {10, 15}}), open({{10, 15}, {10, 5}})});
+  EXPECT_NEAR(area(result.regions), 300, 1e-9);
+  EXPECT_EQ(result.count(Severity::kRepair, "run along"), 0);
+  EXPECT_THAT(refusal(square_with_base({{{0, 0}, {60, 0}}, {{20, 0}, {20, 10}}})), HasSubstr("open at"));
+  EXPECT_THAT(refusal(square_with_base({{{0, 0}, {60, 0}}, {{20, 0.5}, {60, 0.5}}})), HasSubstr("open at"));
+}
+
 TEST(Repair, NestingAlternatesToAnyDepth) {
   std::vector<RawCurve> curves;
   double expected = 0;
