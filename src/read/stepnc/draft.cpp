@@ -22,12 +22,10 @@ double depth_of(const Node& feature) {
   return frame.origin.z;
 }
 
-Frame placement_of(const Node& feature) {
-  const Frame frame = frame_of(feature.ref(3));
-  if (!is_upright(frame))
-    feature.fail(
+void check_upright(const Member& member) {
+  if (!is_upright(member.placement))
+    member.feature.fail(
         "its placement is tilted; only features seen from above (+Z) can be machined in this set-up");
-  return frame;
 }
 
 void check_slope(const Node& node, double slope) {
@@ -187,15 +185,46 @@ void read_step(const Node& feature, const Frame& frame, Draft& draft, Context& c
   read_bosses(feature, 7, frame, draft, context);
 }
 
+/// mm across at the floor of a tapered hole; nothing for an upright one.
+std::optional<double> floor_diameter(const Node& feature, double diameter, double depth, Context& context) {
+  const auto taper = feature.ref(6);
+  if (!taper) return std::nullopt;
+  if (taper->is("DIAMETER_TAPER")) return taper->needed_length(0, "final diameter");
+  if (!taper->is("ANGLE_TAPER"))
+    taper->fail("not a taper that can be read; give a DIAMETER_TAPER or an ANGLE_TAPER");
+  const double lean = context.lean(taper->needed_number(0, "angle"));
+  return diameter - 2 * depth * std::tan(lean);
+}
+
+/// A hole that narrows is a round pocket with leaning walls.
+void read_taper(const Node& feature, double diameter, Draft& draft, Context& context) {
+  const double depth = -draft.depth_z;
+  const auto floor = floor_diameter(feature, diameter, depth, context);
+  if (!floor || std::abs(*floor - diameter) < 1e-9) return;
+  if (*floor > diameter)
+    feature.fail("the hole widens downwards and cannot be milled from above; correct the taper");
+  if (*floor <= 0 || depth <= 0)
+    feature.fail("its taper comes to a point above the floor; correct the taper or the depth");
+  draft.kind = FeatureKind::kClosedPocket;
+  draft.wall_slope = Radians::of(std::atan((diameter - *floor) / 2 / depth));
+  draft.hole_diameter.reset();
+}
+
+void read_hole_bottom(const Node& feature, Draft& draft, Context& context) {
+  const auto bottom = feature.ref(7);
+  if (!bottom) return context.note("no bottom condition; the hole is blind", feature);
+  draft.through = bottom->is("THROUGH_BOTTOM_CONDITION");
+  if (bottom->is_any("CONICAL_HOLE_BOTTOM", "SPHERICAL_HOLE_BOTTOM", "FLAT_WITH_RADIUS_HOLE_BOTTOM"))
+    context.note("the form of its bottom is left to the tool, whose tip goes down to the depth", *bottom);
+}
+
 void read_round_hole(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
   draft.kind = FeatureKind::kRoundHole;
   const double diameter = feature.needed_length(5, "diameter");
   if (diameter <= 0) feature.fail("the diameter is not above zero; correct it");
   draft.hole_diameter = diameter;
-  if (!feature.unset(6)) feature.fail("a tapered hole cannot be machined yet");
-  const auto bottom = feature.ref(7);
-  draft.through = bottom && bottom->is("THROUGH_BOTTOM_CONDITION");
-  if (!bottom) context.note("no bottom condition; the hole is blind", feature);
+  read_taper(feature, diameter, draft, context);
+  read_hole_bottom(feature, draft, context);
   const Vec2 c{frame.origin.x, frame.origin.y};
   const Vec2 r{diameter / 2, 0};
   draft.boundary = {Edge::arc(c + r, c - r, c, Turn::kCounterClockwise),
@@ -218,6 +247,34 @@ void read_outside_profile(const Node& feature, const Frame& frame, std::size_t a
   context.note("everything of the stock outside the profile is removed", feature);
 }
 
+struct Refusal {
+  std::string_view keyword;
+  const char* reason;
+};
+constexpr Refusal kRefusals[] = {
+    {"CHAMFER",
+     "an edge is broken with a chamfering cutter along it, which is not planned; deburr it by hand or add a "
+     "V-cutter pass"},
+    {"EDGE_ROUND",
+     "an edge is rounded with a form cutter along it, which is not planned; round it by hand or add the "
+     "pass"},
+    {"THREAD", "threads are not cut; drill the core hole here and tap it elsewhere"},
+    {"CATALOGUE_THREAD", "threads are not cut; drill the core hole here and tap it elsewhere"},
+    {"DEFINED_THREAD", "threads are not cut; drill the core hole here and tap it elsewhere"},
+    {"ROUNDED_END", "its wall is round from the side and is no 2.5-D feature; write it as a pocket or step"},
+    {"SPHERICAL_CAP", "a ball is no 2.5-D feature; it needs free-form milling"},
+    {"TOOLPATH_FEATURE", "it is only a path; write what is to be removed as a pocket, face, slot or step"},
+    {"REGION_PROJECTION", "it is a free-form surface; write flat parts of it as pockets or faces"},
+    {"GENERAL_FREEFORM", "it is a free-form surface; write flat parts of it as pockets or faces"}};
+
+[[noreturn]] void refuse(const Node& feature) {
+  for (const Refusal& refusal : kRefusals)
+    if (feature.is(refusal.keyword)) feature.fail(refusal.reason);
+  feature.fail(
+      "features of this kind cannot be machined yet; write it as pockets, faces, slots, steps or round "
+      "holes");
+}
+
 void read_kind(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
   if (feature.is("CLOSED_POCKET")) return read_closed_pocket(feature, frame, draft, context);
   if (feature.is("OPEN_POCKET")) return read_open_pocket(feature, frame, draft, context);
@@ -228,22 +285,21 @@ void read_kind(const Node& feature, const Frame& frame, Draft& draft, Context& c
   if (feature.is("GENERAL_OUTSIDE_PROFILE")) return read_outside_profile(feature, frame, 6, draft, context);
   if (feature.is_any("CIRCULAR_CLOSED_SHAPE_PROFILE", "RECTANGULAR_CLOSED_SHAPE_PROFILE"))
     return read_outside_profile(feature, frame, 8, draft, context);
-  feature.fail("features of this kind cannot be machined yet");
+  refuse(feature);
 }
 
 }  // namespace
 
-Draft draft_feature(const Node& feature, Context& context) {
+Draft draft_feature(const Member& member, Context& context) {
+  const Node& feature = member.feature;
   Draft draft(feature);
-  draft.name = feature.text(0);
-  const bool known = feature.is_any("CLOSED_POCKET", "OPEN_POCKET", "PLANAR_FACE", "SLOT", "STEP",
-                                    "ROUND_HOLE", "GENERAL_OUTSIDE_PROFILE", "CIRCULAR_CLOSED_SHAPE_PROFILE",
-                                    "RECTANGULAR_CLOSED_SHAPE_PROFILE");
-  if (!known) feature.fail("features of this kind cannot be machined yet");
-  const Frame frame = placement_of(feature);
-  draft.placement_z = frame.origin.z;
+  draft.name = member.name;
+  if (!is_simple_feature(feature)) refuse(feature);
+  check_upright(member);
+  draft.placement = member.placement;
+  draft.placement_z = member.placement.origin.z;
   draft.depth_z = depth_of(feature);
-  read_kind(feature, frame, draft, context);
+  read_kind(feature, member.placement, draft, context);
   return draft;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "part/part.h"
+#include "read/stepnc/members.h"
 #include "read/stepnc/profile.h"
 
 namespace clearcut::stepnc {
@@ -14,6 +15,7 @@ struct Draft {
 
   Node node;
   std::string name;
+  Frame placement;  ///< in the workpiece
   FeatureKind kind = FeatureKind::kClosedPocket;
 
   double placement_z = 0;
@@ -34,7 +36,7 @@ struct Draft {
   bool ends_given = false;
 };
 
-/// Reads a feature entity. Throws InputError naming it for what is missing, tilted, or not machinable yet.
-Draft draft_feature(const Node& feature, Context& context);
+/// Reads a feature at its place. Throws InputError naming it for what is missing, tilted, or not machinable yet.
+Draft draft_feature(const Member& member, Context& context);
 
 }  // namespace clearcut::stepnc

@@ -206,6 +206,10 @@ constexpr AnglePlace kAngles[] = {{"PLUNGE_RAMP", 1},
                                   {"SQUARE_U_PROFILE", 3},
                                   {"SQUARE_U_PROFILE", 5},
                                   {"CONICAL_HOLE_BOTTOM", 0},
+                                  {"ANGLE_TAPER", 0},
+                                  {"CIRCULAR_PATTERN", 5},
+                                  {"CIRCULAR_PATTERN", 10},
+                                  {"CIRCULAR_OFFSET", 0},
                                   {"MILLING_TOOL_DIMENSION", 1},
                                   {"TOOL_DIMENSION", 1}};
 constexpr double kFastestSpindle = 1000;  // 1/s: 60 000 rpm

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "read/stepnc/parts.h"
 
 namespace clearcut::stepnc {
 
@@ -303,11 +304,6 @@ void read_depths(const Node& node, const Tool& tool, Operation& operation, Conte
   if (!side) operation.allowance_floor = allowance(node, 15);
 }
 
-/// Drilling and reaming have no approach, strategy and depths of cut.
-bool goes_straight_down(const Operation& operation) {
-  return operation.kind == OperationKind::kDrilling || operation.kind == OperationKind::kReaming;
-}
-
 void check_cutter(const Node& node, const Operation& operation, const Tool& tool) {
   const bool drill = tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
   if (goes_straight_down(operation)) {
@@ -319,7 +315,7 @@ void check_cutter(const Node& node, const Operation& operation, const Tool& tool
 
 }  // namespace
 
-Operation read_operation(const Node& node, double feature_z, const Tools& tools, Context& context) {
+Operation read_operation(const Node& node, const Tools& tools, Context& context) {
   Operation operation;
   operation.kind = operation_kind(node);
   operation.name = node.text(2);
@@ -335,7 +331,7 @@ Operation read_operation(const Node& node, double feature_z, const Tools& tools,
     read_strategy(node, operation, context);
   }
   read_cutting(node, tool_node, tool, tools, operation, context);
-  if (const auto retract = node.length(3)) operation.retract_z = feature_z + *retract;
+  if (const auto retract = node.length(3)) operation.retract_z = *retract;
   if (operation.entry == EntryKind::kPlunge && !tool.center_cutting) {
     context.note("plunging is asked for with a face mill; the planner chooses the entry", node);
     operation.entry.reset();

@@ -26,8 +26,7 @@ class Tools {
   std::map<std::uint64_t, int> by_entity_;
 };
 
-/// An operation on a feature whose top (placement) is `feature_z`.
-/// Throws InputError for operations that cannot be machined yet and for missing tools.
-Operation read_operation(const Node& operation, double feature_z, const Tools& tools, Context& context);
+/// An operation; its retract_z is above the top of the feature. Throws InputError for operations that cannot be machined yet and for missing tools.
+Operation read_operation(const Node& operation, const Tools& tools, Context& context);
 
 }  // namespace clearcut::stepnc

@@ -12,6 +12,8 @@ struct Vec3 {
   double x = 0;
   double y = 0;
   double z = 0;
+
+  friend constexpr bool operator==(Vec3, Vec3) = default;
 };
 
 /// A right-handed frame; the default is the identity.

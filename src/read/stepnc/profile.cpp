@@ -145,7 +145,12 @@ CrossSection cross_section(const Node& profile, Context& context) {
     section.width = positive_length(profile, 1, "width");
     section.rounded_below = section.width / 2;
   } else {
-    profile.fail("a slot of this cross-section has no flat floor and cannot be machined yet");
+    profile.fail(
+        profile.is("TEE_PROFILE")
+            ? "the undercut of a T slot needs a T-slot cutter, which is not planned; write its neck as a "
+              "slot with SQUARE_U_PROFILE"
+            : "a slot of this cross-section has no flat floor and cannot be machined yet; write its upright "
+              "part as a slot with SQUARE_U_PROFILE");
   }
   return section;
 }

@@ -260,11 +260,14 @@ Loop disc(Vec2 center, double radius) {
           Edge::arc(center - r, center + r, center, Turn::kCounterClockwise)};
 }
 
+bool is_closed_course(const Path& course, const Context& context) {
+  return distance(course.front().from, course.back().to) <= context.tol.join_gap;
+}
+
 /// The course, prolonged at open ends so that the slot leaves the stock.
 Path prolonged_course(const Draft& draft, const Box& stock, Context& context) {
   Path course = draft.course;
-  const bool closed = distance(course.front().from, course.back().to) <= context.tol.join_gap;
-  if (closed) return course;
+  if (is_closed_course(course, context)) return course;
   const double extra = draft.width + 2;
   const auto open = [&](int end, Vec2 at) {
     const bool at_edge = !stock.grown(-context.tol.join_gap).contains(at);
@@ -286,8 +289,8 @@ Path prolonged_course(const Draft& draft, const Box& stock, Context& context) {
   return course;
 }
 
-Regions slot_regions(const Draft& draft, const Box& stock, Context& context) {
-  const Path course = prolonged_course(draft, stock, context);
+/// The band that a slot of `course` takes.
+Regions slot_regions(const Draft& draft, const Path& course, Context& context) {
   context.spend(course.size(), draft.node);
   std::vector<Loop> pieces;
   for (const Edge& edge : course) pieces.push_back(widened(edge, draft.width / 2, draft));
@@ -306,7 +309,8 @@ Regions slot_regions(const Draft& draft, const Box& stock, Context& context) {
 
 /// B of the head comment, without bosses taken off. `whole_stock` where nothing bounds the feature.
 Regions boundary_regions(const Draft& draft, const Box& stock, Context& context) {
-  if (draft.kind == FeatureKind::kSlot) return slot_regions(draft, stock, context);
+  if (draft.kind == FeatureKind::kSlot)
+    return slot_regions(draft, prolonged_course(draft, stock, context), context);
   if (!draft.wall.empty())
     return valid_regions(snapped(OpenSide(draft, stock).closed(context), stock, context.tol), draft, context);
   return valid_regions(snapped(draft.boundary, stock, context.tol), draft, context);
@@ -359,6 +363,13 @@ FeatureRegions closed_regions(const Draft& draft, const std::optional<Stock>& st
   return {cut, cut};
 }
 
+/// A slot with a wall at either end, or that runs in a circle.
+bool is_closed_slot(const Draft& draft, const Context& context) {
+  if (draft.kind != FeatureKind::kSlot) return false;
+  const bool walls = draft.ends_given && draft.ends[0] != SlotEnd::kOpen && draft.ends[1] != SlotEnd::kOpen;
+  return walls || is_closed_course(draft.course, context);
+}
+
 }  // namespace
 
 std::optional<Box> plan_of_drafts(const std::vector<Draft>& drafts) {
@@ -377,6 +388,10 @@ FeatureRegions feature_regions(const Draft& draft_in, const std::optional<Stock>
   Draft draft = draft_in;
   draft.boundary = placed_boundary(draft_in, stock, context);
   const bool closed = draft.kind == FeatureKind::kClosedPocket || draft.kind == FeatureKind::kRoundHole;
+  if (!stock && is_closed_slot(draft, context)) {
+    const Regions band = slot_regions(draft, draft.course, context);
+    return {band, band};
+  }
   if (!closed && !stock)
     draft.node.fail(
         "its open sides need the size of the stock; give the WORKPIECE a BLOCK as bounding geometry");

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "read/stepnc/operation.h"
+#include "read/stepnc/parts.h"
 #include "read/stepnc/regions.h"
 #include "read/stepnc/setup.h"
 
@@ -48,28 +49,40 @@ class Reader {
 
  private:
   void draft_features();
+  void draft_members(const Node& feature, const std::vector<Member>& members);
+  std::size_t draft_index(const Member& member);
   void choose_depth_reading();
   void derive_stock();
   void check_clearance();
   void make_features();
   void make_feature(std::size_t draft);
+  void report_left_out(const std::vector<std::size_t>& drafts);
   void make_workingsteps(const Tools& tools);
   void make_workingstep(const Node& step, const Tools& tools);
+  std::vector<std::size_t> sound_drafts(const Node& feature) const;
+  void check_part(const Draft& draft, const Node& step, const Operation& operation) const;
   void drop_unused_features();
   void set_tops();
   double floor_of(const Draft& draft) const;
   std::string unique_name(const Draft& draft);
   void leave_out(const Node& step, const InputError& error);
+  std::string within_file(const InputError& error) const;  ///< its text, for messages that name the file
   Feature& feature_of(const Workingstep& step) {
     return part_.features[static_cast<std::size_t>(step.feature)];
+  }
+  const Feature& feature_of_draft(std::size_t draft) const {
+    return part_.features[static_cast<std::size_t>(feature_of_draft_[draft])];
   }
 
   Context context_;
   Program program_;
   Part part_;
-  std::vector<Draft> drafts_;                      // of the features in order of first use
-  std::map<std::uint64_t, std::size_t> draft_of_;  // feature entity -> drafts_
+  std::vector<Draft> drafts_;  // of simple features, in order of first use
+  /// Feature entity -> drafts_: one, or the members of a pattern or compound.
+  std::map<std::uint64_t, std::vector<std::size_t>> drafts_of_;
+  std::multimap<std::uint64_t, std::size_t> drafts_by_entity_;  // simple feature entity -> drafts_
   std::map<std::uint64_t, InputError> bad_features_;
+  std::map<std::size_t, InputError> bad_drafts_;
   std::vector<int> feature_of_draft_;  // -> Part::features, -1 when it failed
   std::set<std::string> names_;
   std::map<std::string, int> copies_;  // of a name after the first
@@ -79,16 +92,46 @@ class Reader {
 
 /// Reads the feature of every workingstep once; what fails is remembered for its workingsteps.
 void Reader::draft_features() {
+  const Members members(context_);
   for (const Node& step : program_.workingsteps) {
     const auto feature = step.sound_ref(2);
-    if (!feature || draft_of_.count(feature->id()) || bad_features_.count(feature->id())) continue;
+    if (!feature || drafts_of_.count(feature->id()) || bad_features_.count(feature->id())) continue;
     try {
-      drafts_.push_back(draft_feature(*feature, context_));
-      draft_of_[feature->id()] = drafts_.size() - 1;
+      draft_members(*feature, members.of(*feature));
     } catch (const InputError& error) {
       bad_features_.emplace(feature->id(), error);
     }
   }
+}
+
+/// Members that cannot be read are left out, unless none can.
+void Reader::draft_members(const Node& feature, const std::vector<Member>& members) {
+  std::vector<std::size_t> drafts;
+  std::vector<InputError> errors;
+  for (const Member& member : members) {
+    try {
+      drafts.push_back(draft_index(member));
+    } catch (const InputError& error) {
+      errors.push_back(error);
+    }
+  }
+  if (drafts.empty()) throw errors.front();
+  for (const InputError& error : errors)
+    context_.diagnostics.skip(context_.file.place(feature.line()),
+                              "a part of " + feature.label() + " is left out: " + within_file(error));
+  drafts_of_[feature.id()] = std::move(drafts);
+}
+
+/// The same feature in the same place, alone and as the element of a compound, is one.
+std::size_t Reader::draft_index(const Member& member) {
+  const auto same = drafts_by_entity_.equal_range(member.feature.id());
+  for (auto it = same.first; it != same.second; ++it) {
+    const Frame& there = drafts_[it->second].placement;
+    if (there.origin == member.placement.origin && there.x == member.placement.x) return it->second;
+  }
+  drafts_.push_back(draft_feature(member, context_));
+  drafts_by_entity_.emplace(member.feature.id(), drafts_.size() - 1);
+  return drafts_.size() - 1;
 }
 
 double Reader::floor_of(const Draft& draft) const {
@@ -169,9 +212,20 @@ void Reader::make_features() {
     try {
       make_feature(i);
     } catch (const InputError& error) {
-      bad_features_.emplace(drafts_[i].node.id(), error);
+      bad_drafts_.emplace(i, error);
     }
   }
+  for (const auto& [feature, drafts] : drafts_of_) report_left_out(drafts);
+}
+
+/// Members that nothing can be made of, of a feature of which the rest is made.
+void Reader::report_left_out(const std::vector<std::size_t>& drafts) {
+  const auto is_bad = [&](std::size_t draft) { return bad_drafts_.count(draft) > 0; };
+  if (std::all_of(drafts.begin(), drafts.end(), is_bad)) return;
+  for (const std::size_t draft : drafts)
+    if (is_bad(draft))
+      context_.diagnostics.skip(context_.file.place(drafts_[draft].node.line()),
+                                "a part is left out: " + within_file(bad_drafts_.at(draft)));
 }
 
 void Reader::make_feature(std::size_t index) {
@@ -200,14 +254,18 @@ void Reader::make_feature(std::size_t index) {
   part_.features.push_back(std::move(feature));
 }
 
-void Reader::leave_out(const Node& step, const InputError& error) {
-  if (!first_error_) first_error_ = error;
+std::string Reader::within_file(const InputError& error) const {
   std::string reason = error.what();
   const std::string prefix = context_.file.name + ":";
   if (reason.rfind(prefix, 0) == 0) reason.replace(0, prefix.size(), "line ");
-  context_.diagnostics.skip(
-      context_.file.place(step.line()),
-      "workingstep #" + std::to_string(step.id()) + " '" + step.text(0) + "' is left out: " + reason);
+  return reason;
+}
+
+void Reader::leave_out(const Node& step, const InputError& error) {
+  if (!first_error_) first_error_ = error;
+  context_.diagnostics.skip(context_.file.place(step.line()), "workingstep #" + std::to_string(step.id()) +
+                                                                  " '" + step.text(0) +
+                                                                  "' is left out: " + within_file(error));
 }
 
 void Reader::make_workingsteps(const Tools& tools) {
@@ -225,26 +283,45 @@ void Reader::make_workingsteps(const Tools& tools) {
                            " workingsteps can be machined)");
 }
 
-void Reader::make_workingstep(const Node& step, const Tools& tools) {
-  const Node feature = step.needed_ref(2, "feature");
+/// Of a pattern or compound: what could be made of it.
+std::vector<std::size_t> Reader::sound_drafts(const Node& feature) const {
   const auto bad = bad_features_.find(feature.id());
   if (bad != bad_features_.end()) throw bad->second;
-  const std::size_t index = draft_of_.at(feature.id());
-  const Draft& draft = drafts_[index];
-  Workingstep result;
-  result.name = step.text(0);
-  result.source = "#" + std::to_string(step.id());
-  result.feature = feature_of_draft_[index];
-  result.operation =
-      read_operation(step.needed_ref(3, "operation"), feature_of(result).top_z, tools, context_);
-  const ToolKind kind = part_.tools[static_cast<std::size_t>(result.operation.tool)].kind;
+  const std::vector<std::size_t>& all = drafts_of_.at(feature.id());
+  std::vector<std::size_t> sound;
+  for (const std::size_t draft : all)
+    if (!bad_drafts_.count(draft)) sound.push_back(draft);
+  if (sound.empty()) throw bad_drafts_.at(all.front());
+  return sound;
+}
+
+void Reader::make_workingstep(const Node& step, const Tools& tools) {
+  const Node feature = step.needed_ref(2, "feature");
+  const std::vector<std::size_t> drafts = sound_drafts(feature);
+  const Node node = step.needed_ref(3, "operation");
+  Operation operation = read_operation(node, tools, context_);
+  std::vector<const Draft*> parts;
+  for (const std::size_t draft : drafts) parts.push_back(&drafts_[draft]);
+  const std::vector<std::size_t> chosen =
+      parts_for(parts, node, operation, part_.tools[static_cast<std::size_t>(operation.tool)]);
+  if (operation.retract_z) {
+    double top = -kFar;
+    for (const std::size_t draft : drafts) top = std::max(top, feature_of_draft(draft).top_z);
+    *operation.retract_z += top;
+  }
+  for (const std::size_t i : chosen) check_part(drafts_[drafts[i]], step, operation);
+  for (const std::size_t i : chosen)
+    part_.workplan.push_back(
+        {step.text(0), "#" + std::to_string(step.id()), feature_of_draft_[drafts[i]], operation});
+}
+
+void Reader::check_part(const Draft& draft, const Node& step, const Operation& operation) const {
+  const ToolKind kind = part_.tools[static_cast<std::size_t>(operation.tool)].kind;
   if (draft.raised_floor > 0 && kind == ToolKind::kBallEndMill)
     step.fail("a rounded bottom cannot be machined yet");
-  const bool drills =
-      result.operation.kind == OperationKind::kDrilling || result.operation.kind == OperationKind::kReaming;
-  if (drills && !feature_of(result).hole_diameter)
-    step.fail("drilling is for round holes; correct the operation");
-  part_.workplan.push_back(std::move(result));
+  if (goes_straight_down(operation) && !draft.hole_diameter)
+    step.fail(draft.node.is("ROUND_HOLE") ? "a tapered hole is milled, not drilled; give a milling operation"
+                                          : "drilling is for round holes; correct the operation");
 }
 
 /// Features whose workingsteps were all left out (and reported) are no part of the job.
