@@ -39,9 +39,8 @@ double rounding_of(const PostOptions& options);
 ///
 /// Shape   one OPERATION comment per section; sections are joined over the safe height.
 /// Error   rounding_of(options); arcs are checked after rounding, from the previous printed point.
-///         decimals; arcs are checked after rounding, from the previous printed point.
-/// Throws  InputError for an unknown dialect, a number that is not finite or beyond 1 km, a feed move without
-/// feed. Cost    linear.
+/// Throws  InputError for an unknown dialect, a number that is not finite or beyond 1 km, a feed move without feed.
+/// Cost    linear.
 std::string post(const Toolpath& toolpath, const Part& part, const PostOptions& options);
 
 }  // namespace clearcut
