@@ -10,8 +10,11 @@
 #include "base/file.h"
 #include "base/units.h"
 #include "geometry/boolean.h"
+#include "order/tsplib.h"
 #include "post/outline_writer.h"
+#include "read/gcode/gcode.h"
 #include "read/job/job_file.h"
+#include "read/job/machine_file.h"
 #include "read/outline/outline_reader.h"
 #include "read/read_part.h"
 #include "read/repair/meetings.h"
@@ -286,12 +289,14 @@ TEST(Corpus, EveryFileIsReadOrRefused) {
 TEST(Corpus, EveryJobAndToolLibraryIsReadOrRefused) {
   const fs::path corpus = fs::path(CLEARCUT_SOURCE_DIR) / "tests" / "corpus";
   int read = 0, refused = 0;
-  for (const std::string kind : {"job", "tools"}) {
+  for (const std::string kind : {"job", "tools", "machine"}) {
     ASSERT_TRUE(fs::is_directory(corpus / kind)) << kind;
     for (const auto& entry : fs::directory_iterator(corpus / kind)) {
       try {
         if (kind == "job") {
           read_job(entry.path());
+        } else if (kind == "machine") {
+          read_machine(entry.path());
         } else {
           read_tool_library(entry.path(), {});
         }
@@ -303,6 +308,34 @@ TEST(Corpus, EveryJobAndToolLibraryIsReadOrRefused) {
     }
   }
   EXPECT_GE(read, 7);
+  EXPECT_GE(refused, 8);
+}
+
+/// The same for points and tours, and for Klartext without its first line.
+TEST(Corpus, EveryTourAndKlartextIsReadOrRefused) {
+  const fs::path corpus = fs::path(CLEARCUT_SOURCE_DIR) / "tests" / "corpus";
+  int read = 0, refused = 0;
+  for (const std::string kind : {"tsplib", "klartext"}) {
+    ASSERT_TRUE(fs::is_directory(corpus / kind)) << kind;
+    for (const auto& entry : fs::directory_iterator(corpus / kind)) {
+      const std::string text = read_file(entry.path().string());
+      const std::string name = entry.path().string();
+      try {
+        if (kind == "klartext") {
+          read_gcode(text.starts_with("0") ? text : "0 BEGIN PGM A MM\n" + text, name);
+        } else if (name.ends_with(".tour")) {
+          order::read_tsplib_tour(text, name, 6);
+        } else {
+          order::read_tsplib(text, name);
+        }
+        ++read;
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << name;
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GE(read, 4);
   EXPECT_GE(refused, 8);
 }
 
