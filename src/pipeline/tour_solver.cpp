@@ -16,7 +16,7 @@ namespace clearcut {
 namespace {
 
 /// Seconds of one core for a population, and rounds, where nobody says how long to search.
-constexpr double kEffort = 0.5;
+constexpr double kEffort = 0.1;
 constexpr long long kRounds = 2;
 
 class MachineTime final : public order::Objective {
@@ -24,7 +24,8 @@ class MachineTime final : public order::Objective {
   MachineTime(const Machine& machine, MmPerMin feed)
       : speed_(feed.mm_per_min() / 60),
         acceleration_(machine.acceleration),
-        deviation_(machine.junction_deviation) {}
+        deviation_(machine.junction_deviation),
+        lost_square_(lost_at(0)) {}
   std::string name() const override { return "time"; }
   std::string unit() const override { return "s"; }
   double edge(const order::Moves& moves, int a, int b) const override {
@@ -36,9 +37,12 @@ class MachineTime final : public order::Objective {
   }
   double corner(const order::Moves& moves, int a, int b, int c) const override {
     const auto [in, out] = moves.directions(a, b, c);
+    const double along = dot(in, out);
+    if (along > 0 && cross(in, out) == 0) return 0;  // most corners of grids are straight on or square
     const double lengths = norm_squared(in) * norm_squared(out);
-    if (!order::is_turn(in, out) || lengths == 0) return 0;
-    return lost_at(dot(in, out) / std::sqrt(lengths));
+    if (lengths == 0) return 0;
+    if (along == 0) return lost_square_;
+    return order::is_turn(in, out) ? lost_at(along / std::sqrt(lengths)) : 0;
   }
   Linear linear() const override { return {.length = 1 / speed_, .exact = false}; }
 
@@ -51,6 +55,7 @@ class MachineTime final : public order::Objective {
     return (speed_ - junction) * (speed_ - junction) / (acceleration_ * speed_);
   }
   double speed_, acceleration_, deviation_;
+  double lost_square_;  ///< in a corner of 90 degrees
 };
 
 double weight_of(const std::string& text) {

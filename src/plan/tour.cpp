@@ -9,9 +9,10 @@
 #include "base/error.h"
 #include "geometry/clearance.h"
 #include "geometry/line_path.h"
-#include "plan/contour.h"
+#include "plan/clearing_area.h"
 #include "plan/contour_cover.h"
 #include "plan/legal_ways.h"
+#include "plan/step_rule.h"
 
 namespace clearcut {
 namespace {
@@ -51,11 +52,13 @@ Lattice published_lattice(const Box& box, double pitch) {
   return {box.min, pitch, steps_in(box.width(), pitch) + 1, steps_in(box.height(), pitch) + 1};
 }
 
-/// Stretched down so that the wider side is met at both ends, in the middle of the other.
+/// Stretched down so that the wider side is met at both ends, in the middle of the other. Of a box far smaller than the
+/// pitch only the middle is met.
 Lattice fitted_lattice(const Box& box, double largest) {
   const double wide = std::max(box.width(), box.height());
-  const double pitch = wide / std::max(1.0, std::ceil(wide / largest - 1e-9));
-  Lattice lattice = published_lattice(box, pitch > 0 ? pitch : largest);
+  const bool stretched = wide > largest / 2;
+  Lattice lattice =
+      published_lattice(box, stretched ? wide / std::max(1.0, std::ceil(wide / largest - 1e-9)) : largest);
   const auto centred = [&](double low, double extent, int count) {
     return low + (extent - (count - 1) * lattice.pitch) / 2;
   };
@@ -90,10 +93,11 @@ struct Work {
   const TourSolver& solve;
   const Tolerances& tol;
   std::vector<Edge> walls;  ///< the passes along the walls
-  Cover walls_cover;
   LegalArea target;
+  bool pocket = true;  ///< closed all round
 
   double radius() const { return layer.tool_radius; }
+  double pitch() const { return options.pitch * (options.pitch_in_mm ? 1 : 2 * radius()); }
 };
 
 /// A way under construction in one legal area: points joined by straight legal moves.
@@ -122,12 +126,16 @@ class Route {
       follow({p});
       return;
     }
+    std::vector<std::pair<double, std::size_t>> least;  // cost at least so much, by move
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+      least.emplace_back(extra(points_[i], p, points_[i + 1], beside), i);
+    std::sort(least.begin(), least.end());
     std::size_t best = 0;
     Points best_way;
     double best_cost = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    for (const auto& [at_least, i] : least) {
+      if (at_least >= best_cost) break;
       const Vec2 a = points_[i], b = points_[i + 1];
-      if (extra(a, p, b, beside) >= best_cost) continue;
       const Points way = detour(a, p, b, beside);
       if (way.empty()) continue;
       const double cost = length_through(a, way, b) - distance(a, b);
@@ -178,22 +186,23 @@ class Route {
   Points points_;
 };
 
-/// Which points of a lattice are visited: those well inside, and those that clear what no other does.
+/// Which points of a lattice are visited: those well inside what the walls' passes leave, and those that clear of it what
+/// no other does.
 class GridChoice {
  public:
-  GridChoice(const Work& work, const Lattice& lattice, const LegalArea& legal)
-      : work_(work),
-        lattice_(lattice),
+  GridChoice(const Lattice& lattice, const LegalArea& legal, const LegalArea& rest, double radius)
+      : lattice_(lattice),
         legal_(legal),
+        rest_(rest),
+        radius_(radius),
         chosen_(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(lattice.rows), 0) {}
 
   void choose(const LegalArea& inside) {
     each([&](int column, int row, Vec2 p) {
-      if (inside.holds(p) && is_needed(p, [](Vec2) { return true; })) chosen(column, row) = 1;
+      if (inside.contains(p) && legal_.holds(p)) chosen(column, row) = 1;
     });
     each([&](int column, int row, Vec2 p) {
-      const auto left_by_others = [&](Vec2 q) { return !is_cleared(q, column, row); };
-      if (!chosen(column, row) && legal_.holds(p) && is_needed(p, left_by_others)) chosen(column, row) = 1;
+      if (!chosen(column, row) && legal_.holds(p) && is_needed(p, column, row)) chosen(column, row) = 1;
     });
   }
 
@@ -220,16 +229,13 @@ class GridChoice {
   }
   char& chosen(int column, int row) { return chosen_[index(column, row)]; }
 
-  /// Whether a cutter at p clears something of the target that the walls' passes leave and `others` too.
-  template <typename Others>
-  bool is_needed(Vec2 p, Others&& others) const {
-    const auto needs = [&](Vec2 q) {
-      return work_.target.contains(q) && !work_.walls_cover.holds(q) && legal_.contains(q) && others(q);
-    };
+  /// Whether a cutter at p clears something of the rest that chosen points leave.
+  bool is_needed(Vec2 p, int column, int row) const {
+    const auto needs = [&](Vec2 q) { return rest_.contains(q) && !is_cleared(q, column, row); };
     if (needs(p)) return true;
     for (const double share : kProbes) {
       for (int i = 0; i < kProbeDirections; ++i) {
-        if (needs(p + direction_of(2 * kPi * i / kProbeDirections) * (share * work_.radius()))) return true;
+        if (needs(p + direction_of(2 * kPi * i / kProbeDirections) * (share * radius_))) return true;
       }
     }
     return false;
@@ -241,26 +247,28 @@ class GridChoice {
     for (int r = std::max(0, row - kAround); r <= std::min(lattice_.rows - 1, row + kAround); ++r) {
       for (int c = std::max(0, column - kAround); c <= std::min(lattice_.columns - 1, column + kAround);
            ++c) {
-        if (chosen_[index(c, r)] && distance(lattice_.at(c, r), q) <= work_.radius()) return true;
+        if (chosen_[index(c, r)] && distance(lattice_.at(c, r), q) <= radius_) return true;
       }
     }
     return false;
   }
 
-  const Work& work_;
   const Lattice& lattice_;
   const LegalArea& legal_;
+  const LegalArea& rest_;
+  double radius_;
   std::vector<char> chosen_;
 };
 
 /// Everything about one connected legal area of a layer.
 class AreaPlanner {
  public:
-  AreaPlanner(const Region& legal, const Work& work)
-      : legal_(legal), work_(work), ways_({legal}), route_(ways_) {}
+  AreaPlanner(const ClearingComponent& component, const Work& work)
+      : legal_(component.legal), rest_(component.rest), work_(work), ways_({legal_}), route_(ways_) {}
 
   /// The way through the grid and whatever else must be visited; empty when nothing must.
   Path plan() {
+    if (rest_.empty() && !work_.options.published) return {};
     follow(grid());
     for (int round = 0; !work_.options.published && round < kMendings; ++round) {
       const Points left = holes();
@@ -271,30 +279,37 @@ class AreaPlanner {
   }
 
  private:
-  double pitch() const { return work_.options.pitch * (work_.options.pitch_in_mm ? 1 : 2 * work_.radius()); }
-
   Points grid() const {
-    if (work_.options.published) return points_in(published_lattice(legal_.box(), pitch()), ways_.area());
-    const Regions inside = inset(legal_, margin(), work_.tol);
-    const Box core = inside.empty() ? legal_.box() : box(inside);
-    const Lattice lattice = filling(fitted_lattice(core, pitch()), legal_.box());
-    GridChoice choice(work_, lattice, ways_.area());
+    if (work_.options.published)
+      return points_in(published_lattice(legal_.box(), work_.pitch()), ways_.area());
+    const Regions inside = well_inside();
+    const Lattice lattice = filling(fitted_lattice(box(inside.empty() ? rest_ : inside), work_.pitch()),
+                                    box(rest_).grown(work_.radius()));
+    const LegalArea rest(rest_);
+    GridChoice choice(lattice, ways_.area(), rest, work_.radius());
     choice.choose(LegalArea(inside));
     return choice.points();
   }
 
-  /// From the pass along a wall to the first row: then a place between them half a pitch from the nearest
-  /// points of the row is just within a radius of those.
-  double margin() const {
-    const double radius = work_.radius(), half = std::min(pitch() / 2, radius);
-    return 0.98 * (radius + std::sqrt(radius * radius - half * half));
+  /// The rest as far as the first row keeps from its rim: a place between them half a pitch from the nearest points of
+  /// the row is just within a radius of those.
+  Regions well_inside() const {
+    const double radius = work_.radius(), half = std::min(work_.pitch() / 2, radius);
+    const double margin = 0.98 * std::sqrt(radius * radius - half * half) - 0.02 * radius;
+    if (margin <= 0) return rest_;
+    Regions inside;
+    for (const auto& region : rest_) {
+      const Regions pieces = inset(region, margin, work_.tol);
+      inside.insert(inside.end(), pieces.begin(), pieces.end());
+    }
+    return inside;
   }
 
   void follow(const Points& points) {
     if (points.empty()) return;
     TourTask task;
     task.points = points;
-    task.pitch = pitch();
+    task.pitch = work_.pitch();
     task.layer = &work_.layer;
     const LegalWays::Between between(ways_, points);
     if (!ways_.all_straight())
@@ -316,19 +331,53 @@ class AreaPlanner {
     const Cover cover(edges, work_.radius());
     const auto matters = [&](Vec2 p) { return ways_.area().contains(p) && work_.target.contains(p); };
     Points found = cover.holes(matters);
-    for (const auto& region : work_.layer.target) {
-      for (const auto& edge : region.edges()) add_rim(edge, cover, found);
+    if (work_.pocket) return found;
+    // Beside open sides a hole may be bounded by the target's own edge.
+    for (const auto& region : rest_) {
+      for (const auto& edge : region.edges()) add_left_of(edge, edges, cover, found);
     }
     return found;
   }
 
-  /// A hole may be bounded by the target's own edge alone.
-  void add_rim(const Edge& edge, const Cover& cover, Points& found) const {
-    const int count = 1 + static_cast<int>(4 * edge.length() / work_.radius());
-    for (int i = 0; i < count; ++i) {
-      const Vec2 p = edge.at((i + 0.5) / count);
+  /// The middle of every stretch of an edge that is left. Stretches end where the rim of a sweep crosses the edge.
+  void add_left_of(const Edge& edge, const std::vector<Edge>& swept, const Cover& cover,
+                   Points& found) const {
+    std::vector<double> cuts{0, 1};
+    const Box near = edge.box().grown(work_.radius());
+    for (const auto& way : swept) {
+      if (!way.box().overlaps(near)) continue;
+      for (const auto& side : rim_of(way)) {
+        for (const Vec2 p : intersections(edge, side)) cuts.push_back(nearest(edge, p).t);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      if ((cuts[i] - cuts[i - 1]) * edge.length() < work_.tol.uncut / 10) continue;
+      const Vec2 p = edge.at((cuts[i - 1] + cuts[i]) / 2);
       if (ways_.area().contains(p) && !cover.holds(p, -work_.tol.uncut / 2)) found.push_back(p);
     }
+  }
+
+  /// What bounds the sweep of an edge.
+  std::vector<Edge> rim_of(const Edge& way) const {
+    const double radius = work_.radius();
+    std::vector<Edge> rim;
+    const auto add_circle = [&](Vec2 center, double r) {
+      const Vec2 east = center + Vec2{r, 0}, west = center - Vec2{r, 0};
+      rim.push_back(Edge::arc(east, west, center, Turn::kCounterClockwise));
+      rim.push_back(Edge::arc(west, east, center, Turn::kCounterClockwise));
+    };
+    add_circle(way.from, radius);
+    add_circle(way.to, radius);
+    if (way.is_arc()) {
+      add_circle(way.center, way.radius() + radius);
+      if (way.radius() > radius) add_circle(way.center, way.radius() - radius);
+      return rim;
+    }
+    const Vec2 across = left_of(way.tangent_at(0)) * radius;
+    rim.push_back(Edge::line(way.from + across, way.to + across));
+    rim.push_back(Edge::line(way.from - across, way.to - across));
+    return rim;
   }
 
   /// Visits every hole; one visit serves all that it reaches. Beside the way as far in as its rim, so that no
@@ -381,30 +430,11 @@ class AreaPlanner {
   }
 
   const Region& legal_;
+  const Regions& rest_;
   const Work& work_;
   LegalWays ways_;
   Route route_;
 };
-
-/// The rings along the walls and the lines on which the cutter just fits.
-LayerPasses wall_passes(const Layer& layer, const Tolerances& tol) {
-  ContourOptions rings;
-  rings.residuals = ResidualRule::kNone;
-  LayerPasses result = plan_contour(layer, rings, tol);
-  std::erase_if(result.passes, [](const Pass& pass) { return pass.parent >= 0; });
-  return result;
-}
-
-/// The ring at the wall of a legal area: what the way through the grid is surrounded by; -1 none.
-int ring_around(const Region& legal, const LayerPasses& walls) {
-  for (std::size_t i = 0; i < walls.passes.size(); ++i) {
-    const Pass& pass = walls.passes[i];
-    if (!pass.closed) continue;
-    const Vec2 p = pass.path.front().from;
-    if (legal.contains(p) || legal.boundary_distance(p) < 1e-3) return static_cast<int>(i);
-  }
-  return -1;
-}
 
 }  // namespace
 
@@ -424,29 +454,23 @@ TourGridOptions parse_tour_grid(const std::string& text) {
 
 LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const TourSolver& solve,
                       const Tolerances& tol) {
-  LayerPasses result = wall_passes(layer, tol);
+  auto area = clearing_area(layer, tol);
+  LayerPasses result = std::move(area.walls);
   result.strategy = "tour";
-  std::vector<Edge> walls;
-  int components = 0;
+  Work work{layer, options, solve, tol, {}, LegalArea(layer.target), closed_all_round(layer)};
   for (const auto& pass : result.passes) {
-    std::copy_if(pass.path.begin(), pass.path.end(), std::back_inserter(walls),
+    std::copy_if(pass.path.begin(), pass.path.end(), std::back_inserter(work.walls),
                  [](const Edge& edge) { return edge.from != edge.to; });
-    components = std::max(components, pass.component + 1);
-  }
-  const Work work{
-      layer, options, solve, tol, walls, Cover(walls, layer.tool_radius), LegalArea(layer.target)};
-  std::vector<Pass> tours;
-  for (const auto& legal : result.legal) {
-    Pass pass;
-    pass.path = AreaPlanner(legal, work).plan();
-    if (pass.path.empty()) continue;
-    pass.parent = options.published ? -1 : ring_around(legal, result);
-    pass.component =
-        pass.parent < 0 ? components++ : result.passes[static_cast<std::size_t>(pass.parent)].component;
-    tours.push_back(std::move(pass));
   }
   if (options.published) result.passes.clear();
-  result.passes.insert(result.passes.end(), tours.begin(), tours.end());
+  for (std::size_t i = 0; i < area.components.size(); ++i) {
+    Pass pass;
+    pass.path = AreaPlanner(area.components[i], work).plan();
+    if (pass.path.empty()) continue;
+    pass.parent = options.published ? -1 : area.components[i].outer_wall;
+    pass.component = static_cast<int>(i);
+    result.passes.push_back(std::move(pass));
+  }
   return result;
 }
 
