@@ -16,9 +16,11 @@ struct StepPlan {
   Section section;  ///< without moves where the cutter does not fit
   double time_s = std::numeric_limits<double>::infinity();
   // What bounds other strategies, summed over the layers:
-  double legal_mm2 = 0;     ///< area where the centre may be
+  double reached_mm2 = 0;   ///< area of what the cutter can clear, at least
   double legal_rim_mm = 0;  ///< length of its boundary
-  bool pocket = true;       ///< closed all round, and of moderate size
+  std::size_t edges = 0;    ///< of the largest layer's boundary
+  bool pocket = true;       ///< closed all round
+  bool rest = false;        ///< cleared by others around it
   bool hole = false;        ///< a round hole: made without any strategy
 };
 
@@ -36,7 +38,7 @@ using StepPlanner = std::function<StepPlan(int workingstep, const Attempt& attem
 class Choice {
  public:
   /// Plans the first two strategies of `attempts` everywhere, then those others that may be faster by their least
-  /// length; all in parallel. Throws what the planner throws for the first strategy.
+  /// length and are worth the effort; all in parallel. Throws what the planner throws for the first strategy.
   Choice(std::vector<ChoiceStep> steps, Attempts attempts, StepPlanner planner, const PlanOptions& options);
 
   const Section& section(std::size_t step) const;

@@ -6,6 +6,8 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
 #include "link/slot_feed.h"
 #include "part/round_hole.h"
 #include "pipeline/certify.h"
@@ -14,15 +16,13 @@
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
+#include "plan/clearing_area.h"
 #include "plan/walls.h"
 #include "read/gcode/gcode.h"
 #include "toolpath/kinematics.h"
 
 namespace clearcut {
 namespace {
-
-/// Edges of an outline above which only the first strategies are tried: the others would be felt.
-constexpr std::size_t kMostEdges = 150;
 
 /// mm. What others cleared may hold films up to this thick: no place for rapids.
 constexpr double kFilmOfOthers = 0.01;
@@ -32,14 +32,25 @@ EntryKind default_entry(const Tool& tool, const Attempt& attempt) {
   return tool.center_cutting && attempt.strategy != "adaptive" ? EntryKind::kPlunge : EntryKind::kHelix;
 }
 
-void add_size(StepPlan& plan, const Layer& layer, const LayerPasses& passes) {
-  plan.legal_mm2 += area(passes.legal);
+/// Share of the rim's length times the radius that is reached beyond it, at least: corners reach less than straight
+/// walls.
+constexpr double kBeyondRim = 0.9;
+
+void add_size(StepPlan& plan, const Layer& layer, const LayerPasses& passes, const Tolerances& tol) {
+  double rim = 0;
   for (const auto& region : passes.legal) {
-    for (const auto& edge : region.edges()) plan.legal_rim_mm += edge.length();
+    for (const auto& edge : region.edges()) rim += edge.length();
   }
-  const double whole = area(layer.allowed);
-  plan.pocket =
-      plan.pocket && edge_count(passes.legal) <= kMostEdges && whole - area(layer.target) <= 1e-9 * whole;
+  const bool pocket = closed_all_round(layer);
+  if (pocket) {
+    plan.reached_mm2 += area(passes.legal) + kBeyondRim * layer.tool_radius * rim;
+  } else if (!passes.legal.empty()) {
+    const Regions reached = dilate(passes.legal, layer.tool_radius, tol);
+    plan.reached_mm2 += area(intersect(layer.target, reached, tol));
+  }
+  plan.legal_rim_mm += rim;
+  plan.edges = std::max(plan.edges, edge_count(passes.legal));
+  plan.pocket = plan.pocket && pocket;
 }
 
 /// What a strategy makes of one workingstep.
@@ -57,8 +68,8 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
       passes.push_back(layer.walls_only ? plan_walls(layer.layer, options.tol) : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
-      add_size(plan, layer.layer, passes.back());
-      plan.pocket = plan.pocket && !layer.rest;
+      add_size(plan, layer.layer, passes.back(), options.tol);
+      plan.rest = plan.rest || layer.rest;
     }
     const EntryKind entry = default_entry(tool_of(part, step), attempt);
     plan.section = link_step(passes, work.workingstep, entry, part, options);

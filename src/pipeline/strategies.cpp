@@ -102,8 +102,9 @@ Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, con
 
 Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
   const auto grid = attempt.stepover ? parse_tour_grid(*attempt.stepover) : TourGridOptions{};
-  return once_per_outline([grid, solve = tour_solver(options, *operation.cutting.feed), tol = options.tol](
-                              const Layer& layer) { return plan_tour(layer, grid, solve, tol); });
+  return once_per_outline(
+      [grid, solve = tour_solver(options, *operation.cutting.feed, attempt.briefly),
+       tol = options.tol](const Layer& layer) { return plan_tour(layer, grid, solve, tol); });
 }
 
 Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
@@ -123,7 +124,7 @@ Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, con
 
 const std::vector<std::string>& strategy_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all{"auto", "zigzag", "spiral", "adaptive"};
+    std::vector<std::string> all{"auto", "zigzag", "spiral", "adaptive", "tour"};
     for (const auto& method : kContourMethods) all.emplace_back(method.name);
     return all;
   }();
@@ -151,6 +152,7 @@ std::string description_of(const std::string& strategy) {
   if (const auto* method = contour_method(strategy)) return method->description;
   if (strategy == "adaptive") return "engagement limited, spiral and arcs";
   if (strategy == "spiral") return "smooth turns from contour to contour, without passages";
+  if (strategy == "tour") return "a grid of places in the order a search finds best, then along the walls";
   if (strategy == "zigzag") return "parallel lines to and fro, then along the walls";
   return "the fastest that certifies clean";
 }
@@ -185,6 +187,7 @@ Attempts attempts_for(const PlanOptions& options) {
   }
   for (const char* name : {"zigzag", "spiral"}) attempts.contest.push_back({name, options.stepover});
   attempts.contest.push_back({"adaptive", std::nullopt});
+  attempts.contest.push_back({"tour", options.stepover, false, true});
   return attempts;
 }
 

@@ -29,6 +29,7 @@ struct Attempt {
   std::string strategy;
   std::optional<std::string> stepover;
   bool beside_rivals = false;  ///< the published ways to clear rests are tried too, and the fastest is taken
+  bool briefly = false;        ///< where it searches, a short search will do: others are planned as well
 };
 
 /// What an attempt beside rivals is measured against: methods that leave nothing by construction.

@@ -16,7 +16,7 @@ namespace clearcut {
 namespace {
 
 /// Seconds of one core for a population, and rounds, where nobody says how long to search.
-constexpr double kEffort = 0.1;
+constexpr double kEffort = 0.1, kBriefEffort = 0.02;
 constexpr long long kRounds = 2;
 
 class MachineTime final : public order::Objective {
@@ -115,15 +115,15 @@ order::Problem grid_problem(const TourTask& task) {
   return problem;
 }
 
-TourSolver tour_solver(const PlanOptions& options, MmPerMin feed) {
-  return [options, feed](const TourTask& task) {
+TourSolver tour_solver(const PlanOptions& options, MmPerMin feed, bool briefly) {
+  return [options, feed, briefly](const TourTask& task) {
     const auto objective = objective_from(options.objective, [&](const std::string& name) {
       return layer_objective(name, task, options, feed);
     });
     order::SolveOptions solve;
     solve.seed = options.seed;
     solve.threads = options.threads;
-    solve.stop.effort = options.time_s.value_or(kEffort);
+    solve.stop.effort = options.time_s.value_or(briefly ? kBriefEffort : kEffort);
     solve.stop.seconds = options.time_s.value_or(std::numeric_limits<double>::infinity());
     if (!options.time_s) solve.stop.rounds = kRounds;
     return order::solve(grid_problem(task), *objective, solve).tour;

@@ -354,7 +354,7 @@ class AreaPlanner {
     for (std::size_t i = 1; i < cuts.size(); ++i) {
       if ((cuts[i] - cuts[i - 1]) * edge.length() < work_.tol.uncut / 10) continue;
       const Vec2 p = edge.at((cuts[i - 1] + cuts[i]) / 2);
-      if (ways_.area().contains(p) && !cover.holds(p, -work_.tol.uncut / 2)) found.push_back(p);
+      if (ways_.area().contains(p) && !cover.holds(p, -work_.tol.uncut / 10)) found.push_back(p);
     }
   }
 

@@ -30,7 +30,7 @@ using TourSolver = std::function<std::vector<int>(const TourTask&)>;
 struct TourGridOptions {
   /// Of the grid: a share of the diameter (Tour eq. 4.8: the engagement) or mm. At 0.7 diameters every place
   /// of the grid is cleared whatever the order; wider grids are mended.
-  double pitch = 0.7;
+  double pitch = 0.9;
   bool pitch_in_mm = false;
   /// As published: the grid begins at the boundary of the legal area and nothing else is cut. Leaves a rim.
   bool published = false;

@@ -11,7 +11,7 @@ enum class Outcome {
   kOutrun,     ///< planned, not certified: a faster one is clean
   kNotClean,   ///< certified with faults
   kCannotWin,  ///< not planned: by its least length alone it is slower than another
-  kNotTried    ///< not planned: not made for such a feature, or it has no passes there
+  kNotTried    ///< not planned: not made for such a feature, hardly to win there, or it has no passes
 };
 
 struct Contestant {
