@@ -55,8 +55,8 @@ double ExchangeSearch::least_edge(int a, int b) const {
 
 /// An evaluation costs about as much as the path is long.
 void ExchangeSearch::allow_evaluations() {
-  constexpr long long kPointsEvaluated = 20000;
-  evaluations_left_ = std::max(50LL, kPointsEvaluated / path_.size());
+  constexpr long long kPointsEvaluated = 200000, kMost = 400, kLeast = 50;
+  evaluations_left_ = std::clamp(kPointsEvaluated / path_.size(), kLeast, kMost);
 }
 
 Tour ExchangeSearch::tour() const {
@@ -147,8 +147,8 @@ bool ExchangeSearch::keeps_rules() const {
 
 bool ExchangeSearch::accept_if_better() {
   const double change = local_change(exchange_);
-  const bool whole = objective_.path_dependent();
-  if (!whole && change > -least_gain(value_)) return false;
+  const bool whole = asks_path();
+  if (change > slack() - least_gain(value_)) return false;
   if (!path_.is_tour(exchange_)) return false;
   path_.apply(exchange_);
   double path_part = path_part_;
@@ -168,6 +168,15 @@ bool ExchangeSearch::accept_if_better() {
   return true;
 }
 
+double ExchangeSearch::slack() const {
+  constexpr double kMostGained = 0.1;  // by one exchange, of what depends on the whole path
+  return asks_path() ? kMostGained * path_part_ : 0;
+}
+
+bool ExchangeSearch::asks_path() const {
+  return path_value_ && !repairing_;
+}
+
 // The balance kept while an exchange is built: what the removed edges and the corners at their ends cost,
 // less what the added edges and the corners they certainly make cost. Some rotation of every improving
 // exchange keeps it positive throughout [lin1973], so the rest need not be looked at.
@@ -181,9 +190,7 @@ double ExchangeSearch::corners_made(int a, int b, int not_a, int not_b) const {
 /// Closes the exchange if that can pay.
 bool ExchangeSearch::try_closing(double balance) {
   const int first = exchange_.t[0], last = exchange_.t[2 * exchange_.count - 1];
-  if (!objective_.path_dependent() &&
-      (balance - least_edge(last, first) <= 0 || balance - edge(last, first) <= 0))
-    return false;
+  if (balance - least_edge(last, first) <= 0 || balance - edge(last, first) <= 0) return false;
   return accept_if_better();
 }
 
@@ -192,21 +199,20 @@ bool ExchangeSearch::try_closing(double balance) {
 bool ExchangeSearch::extend(int depth, double balance) {
   const int loose = exchange_.t[2 * depth - 1], partner = exchange_.t[2 * depth - 2];
   const int breadth = depth == 1 ? kSecondBreadth : kThirdBreadth;
-  // What depends on the whole path is asked only about exchanges of two edges and those that pay otherwise.
-  const bool prune = !objective_.path_dependent() || depth > 1;
   for (int i = 0; i < candidate_count(loose, breadth); ++i) {
     const int c = candidate(loose, i, breadth);
     if (c == path_.next(loose) || c == path_.previous(loose)) continue;
-    if (prune && (balance - least_edge(loose, c) <= 0 || balance - edge(loose, c) <= 0)) continue;
+    if (balance - least_edge(loose, c) <= 0 || balance - edge(loose, c) <= 0) continue;
     for (const int d : {path_.next(c), path_.previous(c)}) {
       if (d == exchange_.t[0] || is_removed(c, d, depth)) continue;
       const double rest = balance - corners_made(loose, c, partner, d);
-      if (prune && rest <= 0) continue;
+      if (rest <= 0) continue;
       exchange_.t[2 * depth] = c;
       exchange_.t[2 * depth + 1] = d;
       exchange_.count = depth + 1;
       const double next_balance = rest + release(depth);
-      if (try_closing(next_balance) || (depth == 1 && extend(2, next_balance))) return true;
+      // A third edge only where the others pay by themselves: the whole path is too dear to ask about all.
+      if (try_closing(next_balance) || (depth == 1 && extend(2, next_balance - slack()))) return true;
     }
   }
   return false;
@@ -223,8 +229,8 @@ bool ExchangeSearch::improve_node(int t0) {
   for (const int t1 : {path_.next(t0), path_.previous(t0)}) {
     exchange_.t[0] = t0;
     exchange_.t[1] = t1;
-    const double balance = release(0);
-    if ((balance > 0 || objective_.path_dependent()) && extend(1, balance)) return true;
+    const double balance = release(0) + slack();
+    if (balance > 0 && extend(1, balance)) return true;
   }
   return false;
 }
@@ -239,7 +245,7 @@ void ExchangeSearch::drain(const StopWatch& watch) {
   while (head_ < queue_.size()) {
     const int v = queue_[head_++];
     queued_[v] = false;
-    while (!watch.over() && (!path_value_ || evaluations_left_ > 0) && improve_node(v)) {
+    while (!watch.over() && (!asks_path() || evaluations_left_ > 0) && improve_node(v)) {
     }
   }
   queue_.clear();
@@ -279,6 +285,21 @@ void ExchangeSearch::kick() {
   for (const int v : ends) touch(v);
 }
 
+void ExchangeSearch::repair(const StopWatch& watch) {
+  const double path_part = path_part_;
+  // Where edges and corners count, a kick is mended by these alone and the whole path asked about once.
+  constexpr double kCounts = 0.01;
+  repairing_ = path_value_ && value_ - path_part_ > kCounts * path_part_;
+  if (repairing_) drain(watch);
+  repairing_ = false;
+  if (path_value_) {
+    --evaluations_left_;
+    path_part_ = path_value_->of(tour());
+    value_ += path_part_ - path_part;
+  }
+  drain(watch);
+}
+
 void ExchangeSearch::run(long long kicks, double enough, const StopWatch& watch) {
   if (path_.size() < 8) return;
   allow_evaluations();
@@ -286,16 +307,9 @@ void ExchangeSearch::run(long long kicks, double enough, const StopWatch& watch)
     if (path_value_ && evaluations_left_ <= 0) return;
     const double old_value = value_, old_path_part = path_part_;
     kick();
-    bool better = keeps_rules();
-    if (better) {
-      if (objective_.path_dependent()) {
-        path_part_ = path_value_->of(tour());
-        value_ += path_part_ - old_path_part;
-      }
-      drain(watch);
-      better = value_ <= old_value + least_gain(old_value);
-    }
-    if (better) {
+    const bool keeps = keeps_rules();
+    if (keeps) repair(watch);
+    if (keeps && value_ <= old_value + least_gain(old_value)) {
       path_.commit();
     } else {
       path_.undo();

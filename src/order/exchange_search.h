@@ -42,6 +42,11 @@ class ExchangeSearch {
   /// Cost of the edge a-b and of the corners it makes when the edges a-not_a and b-not_b leave.
   double corners_made(int a, int b, int not_a, int not_b) const;
   void allow_evaluations();
+  /// What an exchange may cost in edges and corners and still pay by what depends on the whole path.
+  double slack() const;
+  bool asks_path() const;
+  /// From a kick to a local optimum.
+  void repair(const StopWatch& watch);
   bool accept_if_better();
   bool keeps_rules() const;
   void kick();
@@ -77,6 +82,7 @@ class ExchangeSearch {
   double value_ = 0;
   double path_part_ = 0;
   std::unique_ptr<PathValue> path_value_;  ///< only for objectives that depend on the whole path
+  bool repairing_ = false;                 ///< what depends on the whole path is not asked about for a while
   long long evaluations_left_ = 0;         ///< of whole paths, until the next call of descend or run
   std::vector<int> queue_;
   std::size_t head_ = 0;

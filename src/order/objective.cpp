@@ -20,11 +20,21 @@ std::unique_ptr<PathValue> Objective::path_value(const Moves& moves) const {
   return std::make_unique<WholePath>(*this, moves);
 }
 
-double evaluate(const Objective& objective, const Moves& moves, std::span<const int> tour) {
-  double value = objective.constant() + (objective.path_dependent() ? objective.path(moves, tour) : 0);
-  each_edge(moves.problem(), tour, [&](int a, int b) { value += objective.edge(moves, a, b); });
-  each_corner(moves.problem(), tour, [&](int a, int b, int c) { value += objective.corner(moves, a, b, c); });
+Evaluator::Evaluator(const Objective& objective, const Moves& moves)
+    : objective_(objective),
+      moves_(moves),
+      path_(objective.path_dependent() ? objective.path_value(moves) : nullptr) {}
+
+double Evaluator::operator()(std::span<const int> tour) {
+  double value = objective_.constant() + (path_ ? path_->of(tour) : 0);
+  each_edge(moves_.problem(), tour, [&](int a, int b) { value += objective_.edge(moves_, a, b); });
+  each_corner(moves_.problem(), tour,
+              [&](int a, int b, int c) { value += objective_.corner(moves_, a, b, c); });
   return value;
+}
+
+double evaluate(const Objective& objective, const Moves& moves, std::span<const int> tour) {
+  return Evaluator(objective, moves)(tour);
 }
 
 TourFigures figures(const Moves& moves, std::span<const int> tour) {

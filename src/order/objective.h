@@ -86,6 +86,19 @@ inline constexpr double kSameValue = 1e-9;
 /// The whole value from scratch.
 double evaluate(const Objective& objective, const Moves& moves, std::span<const int> tour);
 
+/// The values of many tours in turn: what the whole path needs is made ready once. For one thread; objective and
+/// moves must outlive it.
+class Evaluator {
+ public:
+  Evaluator(const Objective& objective, const Moves& moves);
+  double operator()(std::span<const int> tour);
+
+ private:
+  const Objective& objective_;
+  const Moves& moves_;
+  std::unique_ptr<PathValue> path_;  ///< only for objectives that depend on the whole path
+};
+
 /// Length, turns and angle of a tour, whatever it was made for.
 struct TourFigures {
   double length = 0;

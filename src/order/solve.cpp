@@ -14,6 +14,7 @@
 #include "order/lattice_bounds.h"
 #include "order/length_search.h"
 #include "order/one_tree.h"
+#include "order/run_cover.h"
 
 namespace clearcut::order {
 
@@ -38,8 +39,11 @@ struct TurnBounds {
 TurnBounds turn_bounds(const std::optional<Lattice>& lattice, bool closed, bool unit_steps) {
   if (!lattice) return {closed ? 2 : 0, closed ? 360.0 : 0.0, "none for turns"};
   if (unit_steps) {
-    const int turns = lattice_turns_bound(*lattice, closed);
-    return {turns, std::max(90.0 * turns, closed ? 360.0 : 0.0), "strip cover, unit steps"};
+    const int strips = lattice_turns_bound(*lattice, closed);
+    const int runs = lattice->full() ? 0 : run_cover_bound(*lattice, closed);
+    const int turns = std::max(strips, runs);
+    return {turns, std::max(90.0 * turns, closed ? 360.0 : 0.0),
+            runs > strips ? "run cover, unit steps" : "strip cover, unit steps"};
   }
   return {lattice_turns_bound_any_moves(*lattice, closed), closed ? 360.0 : 0.0, "runs"};
 }
@@ -82,6 +86,8 @@ class Bounds {
 
  private:
   const TurnBounds& turn_bounds_of(bool unit_steps) const {
+    static const TurnBounds kNotAsked;
+    if (linear_.turns == 0 && linear_.angle == 0) return kNotAsked;
     auto& known = turns_[unit_steps ? 1 : 0];
     if (!known) known = turn_bounds(lattice_, problem_.closed(), unit_steps);
     return *known;
@@ -135,14 +141,13 @@ StopRule remaining(const StopRule& stop, const StopWatch& watch, double share) {
 }
 
 /// Offers the lattice's sweeps, in both directions; true when one of them is proven good enough.
-bool sweep(const Problem& problem, const Objective& objective, const Moves& moves,
-           const SolveOptions& options, const Bounds& bounds, Keeper& keeper,
-           std::vector<std::pair<double, Tour>>& valued) {
+bool sweep(const Problem& problem, Evaluator& value_of, const SolveOptions& options, const Bounds& bounds,
+           Keeper& keeper, std::vector<std::pair<double, Tour>>& valued) {
   if (!bounds.lattice()) return false;
   for (Tour tour : sweeps(*bounds.lattice(), problem.closed())) {
     for (int direction = 0; direction < 2; ++direction) {
       if (is_valid(problem, tour)) {
-        valued.push_back({evaluate(objective, moves, tour), tour});
+        valued.push_back({value_of(tour), tour});
         keeper.offer(tour, valued.back().first);
       }
       std::reverse(tour.begin(), tour.end());
@@ -199,16 +204,15 @@ void sort_best_first(std::vector<std::pair<double, Tour>>& valued) {
 }
 
 /// Adds a short tour, or one that keeps precedence, and sorts: best first.
-void add_starts(const Problem& problem, const Objective& objective, const Moves& moves,
-                const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
-                std::vector<std::pair<double, Tour>>& valued) {
+void add_starts(const Problem& problem, Evaluator& value_of, const Moves& moves, const SolveOptions& options,
+                const StopWatch& watch, Bounds& bounds, std::vector<std::pair<double, Tour>>& valued) {
   const LengthModel model(problem, kCandidates);
   const std::vector<int> first = first_tour(model, watch);
   bounds.find_length(model, first, StopWatch(remaining(options.stop, watch, 0.2)));
   std::vector<Tour> tours{model.to_problem(first)};
   if (!problem.precedence.empty()) tours = {nearest_allowed(problem, moves), topological_order(problem)};
   for (Tour& tour : tours) {
-    if (is_valid(problem, tour)) valued.push_back({evaluate(objective, moves, tour), std::move(tour)});
+    if (is_valid(problem, tour)) valued.push_back({value_of(tour), std::move(tour)});
   }
   sort_best_first(valued);
 }
@@ -248,6 +252,11 @@ class Islands {
     for (const ExchangeSearch& island : islands_) tours.push_back(island.tour());
     return tours;
   }
+  double least() const {
+    double value = std::numeric_limits<double>::infinity();
+    for (const ExchangeSearch& island : islands_) value = std::min(value, island.value());
+    return value;
+  }
 
  private:
   std::vector<ExchangeSearch> islands_;
@@ -273,10 +282,10 @@ class LocalPart final : public Objective {
 
 /// What depends on the whole path is dear to ask for: where edges and corners count as well, tours that are good
 /// in these alone are found first.
-void add_local_starts(const Objective& objective, const Moves& moves, const Neighbours& neighbours,
-                      const SolveOptions& options, const StopWatch& watch,
-                      std::vector<std::pair<double, Tour>>& valued) {
-  constexpr int kRounds = 25;
+void add_local_starts(const Objective& objective, Evaluator& value_of, const Moves& moves,
+                      const Neighbours& neighbours, const SolveOptions& options, const StopWatch& watch,
+                      const Bounds& bounds, std::vector<std::pair<double, Tour>>& valued) {
+  constexpr int kRounds = 25, kPatience = 4;
   const Objective::Linear linear = objective.linear();
   const bool has_local = linear.length > 0 || linear.turns > 0 || linear.angle > 0;
   if (!objective.path_dependent() || !has_local) return;
@@ -284,22 +293,38 @@ void add_local_starts(const Objective& objective, const Moves& moves, const Neig
   std::vector<std::pair<double, Tour>> seeds;
   for (const auto& [value, tour] : valued) seeds.push_back({evaluate(local, moves, tour), tour});
   sort_best_first(seeds);
+  const double enough = enough_value(bounds.below(seeds.front().first), options.stop);
   Islands islands(moves, local, neighbours, seeds, options);
   const StopWatch share(remaining(options.stop, watch, 0.3));
-  for (int round = 0; round < kRounds && !share.over(); ++round) islands.run_round(0, share);
-  for (Tour& tour : islands.tours()) valued.push_back({evaluate(objective, moves, tour), std::move(tour)});
+  const auto offer = [&](Tour tour) {
+    if (is_valid(moves.problem(), tour)) valued.push_back({value_of(tour), std::move(tour)});
+  };
+  double least = seeds.front().first;
+  for (int round = 0, idle = 0; round < kRounds && idle < kPatience && least > enough && !share.over();
+       ++round) {
+    islands.run_round(enough, share);
+    idle = islands.least() < least ? 0 : idle + 1;
+    least = std::min(least, islands.least());
+    for (Tour& tour : islands.tours()) {
+      offer({tour.rbegin(), tour.rend()});
+      offer(std::move(tour));
+    }
+  }
   sort_best_first(valued);
+  valued.erase(std::unique(valued.begin(), valued.end(),
+                           [](const auto& a, const auto& b) { return a.second == b.second; }),
+               valued.end());
 }
 
 /// Islands, compared after each round.
-void solve_general(const Problem& problem, const Objective& objective, const Moves& moves,
-                   const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
+void solve_general(const Problem& problem, const Objective& objective, Evaluator& value_of,
+                   const Moves& moves, const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
                    std::vector<std::pair<double, Tour>> seeds, Keeper& keeper, Solution& solution) {
   constexpr int kPatience = 25;
   const Neighbours neighbours = nearest_neighbours(problem.points, std::min(problem.neighbour_count, 12));
-  add_starts(problem, objective, moves, options, watch, bounds, seeds);
+  add_starts(problem, value_of, moves, options, watch, bounds, seeds);
   for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
-  add_local_starts(objective, moves, neighbours, options, watch, seeds);
+  add_local_starts(objective, value_of, moves, neighbours, options, watch, bounds, seeds);
   for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
   const double enough = enough_value(bounds.below(keeper.value()), options.stop);
   const ObjectivePtr sharpened = with_tie_break(objective, figures(moves, keeper.tour()));
@@ -309,7 +334,7 @@ void solve_general(const Problem& problem, const Objective& objective, const Mov
        ++solution.rounds) {
     const double before = keeper.value();
     islands.run_round(enough, watch);
-    for (const Tour& tour : islands.tours()) keeper.offer(tour, evaluate(objective, moves, tour));
+    for (const Tour& tour : islands.tours()) keeper.offer(tour, value_of(tour));
     idle = keeper.value() < before ? 0 : idle + 1;
   }
   solution.method = "exchanges, " + std::to_string(kIslands) + " islands";
@@ -352,12 +377,14 @@ Solution solve(const Problem& problem, const Objective& objective, const SolveOp
     }
     Bounds bounds(problem, objective);
     std::vector<std::pair<double, Tour>> seeds;
-    if (sweep(problem, objective, moves, options, bounds, keeper, seeds)) {
+    Evaluator value_of(objective, moves);
+    if (sweep(problem, value_of, options, bounds, keeper, seeds)) {
       solution.method = "sweep";
     } else if (objective.is_length() && problem.precedence.empty()) {
       solve_length(problem, options, watch, bounds, keeper, solution);
     } else {
-      solve_general(problem, objective, moves, options, watch, bounds, std::move(seeds), keeper, solution);
+      solve_general(problem, objective, value_of, moves, options, watch, bounds, std::move(seeds), keeper,
+                    solution);
     }
     bound = bounds.below(keeper.value());
   });

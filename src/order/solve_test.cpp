@@ -10,6 +10,7 @@
 #include "order/exact.h"
 #include "order/lattice.h"
 #include "order/lattice_bounds.h"
+#include "order/run_cover.h"
 #include "order/test_support.h"
 
 namespace clearcut::order {
@@ -253,6 +254,46 @@ TEST(LatticeBounds, StayBelowTheBestOfUnitSteps) {
   }
   EXPECT_GT(compared, 100);
   EXPECT_GT(reached, compared / 2);
+}
+
+TEST(RunCover, StaysBelowTheBestOfUnitSteps) {
+  Random random(19);
+  int reached = 0, compared = 0, fuller = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    Problem problem = lattice_problem(3 + trial % 4, 2 + trial / 4 % 3);
+    for (std::uint64_t holes = random.below(6); holes > 0 && problem.size() > 4; --holes) {
+      problem.points.erase(problem.points.begin() + static_cast<int>(random.below(problem.points.size())));
+    }
+    const auto lattice = Lattice::recognise(problem.points);
+    if (!lattice) continue;
+    const int best = fewest_turns_of_unit_steps(*lattice);
+    if (best == 1 << 20) continue;  // no such path
+    ++compared;
+    const int bound = run_cover_bound(*lattice, false);
+    EXPECT_LE(bound, best);
+    reached += bound == best;
+    fuller += bound > lattice_turns_bound(*lattice, false);
+  }
+  EXPECT_GT(compared, 60);
+  EXPECT_GT(reached, compared / 4);
+  EXPECT_GT(fuller, 0);
+}
+
+TEST(RunCover, KnowsThatRegionsAreCutInTheirOwnDirections) {
+  // A tall and a wide rectangle side by side, joined by one point: strips of both kinds cover them cheaply, but
+  // each needs its own rows.
+  Problem problem;
+  for (int x = 0; x < 4; ++x) {
+    for (int y = 0; y < 12; ++y) problem.points.push_back({1.0 * x, 1.0 * y});
+  }
+  problem.points.push_back({4, 0});
+  for (int x = 5; x < 17; ++x) {
+    for (int y = 0; y < 4; ++y) problem.points.push_back({1.0 * x, 1.0 * y});
+  }
+  const auto lattice = Lattice::recognise(problem.points);
+  ASSERT_TRUE(lattice);
+  EXPECT_GE(run_cover_bound(*lattice, false), 12);
+  EXPECT_GE(run_cover_bound(*lattice, true), 14);
 }
 
 TEST(LatticeBounds, LengthHoldsForAnyMoves) {

@@ -1,6 +1,7 @@
 #include "pipeline/engagement_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -65,24 +66,33 @@ class RasterEngagement final : public EngagementModel {
       if (spans_.empty() || spans_.back().y != p.y) spans_.push_back({p.x, p.x, p.y});
       spans_.back().high = std::max(spans_.back().high, p.x);
     }
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) fronts_[front_of(dx, dy)] = front({dx, dy});
+    }
     draw_map();
   }
 
  protected:
-  void plunge(Vec2 p) override { clear(pixel_of(p)); }
+  void plunge(Vec2 p) override {
+    cleared_at_ = pixel_of(p);
+    for (const Span& span : spans_) {
+      for (int x = span.low; x <= span.high; ++x) clear(cleared_at_.x + x, cleared_at_.y + span.y);
+    }
+  }
   double cut(const std::vector<Vec2>& move) override {
     double sum = 0;
     std::size_t steps = 0;
     for (std::size_t i = 1; i < move.size(); ++i) {
       look_along(move[i] - move[i - 1]);
       trail_.clear();
+      cleared_at_ = pixel_of(move[i - 1]);
       line_pixels(pixel_of(move[i - 1]), pixel_of(move[i]), [&](Pixel at) { trail_.push_back(at); });
       for (std::size_t k = 0; k < trail_.size(); ++k) {
         sum += engaged(trail_[k]);
-        if (k >= lag_) clear(trail_[k - lag_]);
+        if (k >= lag_) follow(trail_[k - lag_]);
       }
       for (std::size_t k = trail_.size() - std::min(lag_, trail_.size()); k < trail_.size(); ++k)
-        clear(trail_[k]);
+        follow(trail_[k]);
       steps += trail_.size();
     }
     return steps == 0 ? 0 : sum / static_cast<double>(steps);
@@ -97,6 +107,7 @@ class RasterEngagement final : public EngagementModel {
   struct Span {
     int low = 0, high = 0, y = 0;
   };
+  static std::size_t front_of(int dx, int dy) { return static_cast<std::size_t>(3 * (dy + 1) + dx + 1); }
 
   Pixel pixel_of(Vec2 p) const {
     return {static_cast<int>(std::lround((p.x - origin_.x) / size_)),
@@ -133,17 +144,29 @@ class RasterEngagement final : public EngagementModel {
     });
     return static_cast<double>(in) / static_cast<double>(std::max<std::size_t>(leading_.size(), 1));
   }
-  void clear(Pixel at) {
+  /// Pixels of the disc that it does not cover one `step` before.
+  std::vector<Pixel> front(Pixel step) const {
+    std::vector<Pixel> pixels;
     for (const Span& span : spans_) {
-      const int y = at.y + span.y;
-      if (y < 0 || y >= rows_) continue;
-      const int low = std::max(0, at.x + span.low), high = std::min(columns_ - 1, at.x + span.high);
-      for (int x = low; x <= high; ++x) {
-        if (map_[index(x, y)] != kMaterial) continue;
-        map_[index(x, y)] = kNothing;
-        cleared_.push_back(index(x, y));
+      for (int x = span.low; x <= span.high; ++x) {
+        const auto before = std::find_if(spans_.begin(), spans_.end(),
+                                         [&](const Span& other) { return other.y == span.y + step.y; });
+        if (before == spans_.end() || x + step.x < before->low || x + step.x > before->high)
+          pixels.push_back({x, span.y});
       }
     }
+    return pixels;
+  }
+  /// Clears the disc at the pixel next to the one cleared last.
+  void follow(Pixel at) {
+    for (const Pixel p : fronts_[front_of(at.x - cleared_at_.x, at.y - cleared_at_.y)])
+      clear(at.x + p.x, at.y + p.y);
+    cleared_at_ = at;
+  }
+  void clear(int x, int y) {
+    if (!in_map(x, y) || map_[index(x, y)] != kMaterial) return;
+    map_[index(x, y)] = kNothing;
+    cleared_.push_back(index(x, y));
   }
 
   double size_ = 1;  ///< of a pixel, mm
@@ -155,6 +178,8 @@ class RasterEngagement final : public EngagementModel {
   std::size_t lag_ = 0;
   std::vector<Pixel> circle_, leading_, trail_;
   std::vector<Span> spans_;
+  std::array<std::vector<Pixel>, 9> fronts_;  ///< by the step that the disc makes
+  Pixel cleared_at_;                          ///< where the disc was cleared last
   std::vector<std::size_t> cleared_;
 };
 
