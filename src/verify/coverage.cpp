@@ -25,15 +25,6 @@ constexpr double kRounding = 1e-9;
 /// The area of unreachable corners is counted in cells of R / kCornerCells.
 constexpr double kCornerCells = 48;
 
-std::vector<Edge> edges_of(const Regions& regions) {
-  std::vector<Edge> edges;
-  for (const Region& region : regions) {
-    const std::vector<Edge> own = region.edges();
-    edges.insert(edges.end(), own.begin(), own.end());
-  }
-  return edges;
-}
-
 /// Corners of the convex hull of an edge's part inside a square.
 void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out) {
   std::vector<double> cuts{0, 1};
@@ -66,7 +57,7 @@ class CoverageProof {
       : question_(question),
         tol_(tol),
         slack_(tol.uncut / 2),
-        target_(edges_of(*question.target)),
+        target_(*question.target),
         legal_(*question.part, question.z, question.radius + question.allowance,
                target_.box().grown(question.radius), tol),
         deviation_(legal_.boundary().edges().size(), -1) {

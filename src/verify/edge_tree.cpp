@@ -1,8 +1,20 @@
 #include "verify/edge_tree.h"
 
-#include "geometry/region.h"
-
 namespace clearcut {
+namespace {
+
+std::vector<Edge> edges_of(const Regions& regions) {
+  std::vector<Edge> edges;
+  for (const Region& region : regions) {
+    const std::vector<Edge> own = region.edges();
+    edges.insert(edges.end(), own.begin(), own.end());
+  }
+  return edges;
+}
+
+}  // namespace
+
+EdgeTree::EdgeTree(const Regions& regions) : EdgeTree(edges_of(regions)) {}
 
 EdgeTree::EdgeTree(std::vector<Edge> edges) : edges_(std::move(edges)) {
   if (edges_.empty()) return;

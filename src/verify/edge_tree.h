@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/edge.h"
+#include "geometry/region.h"
 
 namespace clearcut {
 
@@ -16,6 +16,8 @@ class EdgeTree {
  public:
   EdgeTree() = default;
   explicit EdgeTree(std::vector<Edge> edges);
+  /// All boundaries of the regions.
+  explicit EdgeTree(const Regions& regions);
 
   const std::vector<Edge>& edges() const { return edges_; }
   bool empty() const { return edges_.empty(); }

@@ -11,15 +11,6 @@ namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-std::vector<Edge> edges_of(const Regions& regions) {
-  std::vector<Edge> edges;
-  for (const Region& region : regions) {
-    const std::vector<Edge> own = region.edges();
-    edges.insert(edges.end(), own.begin(), own.end());
-  }
-  return edges;
-}
-
 double top_of(const Part& part) {
   if (part.stock) return part.stock->z_top;
   double top = kNothing;
@@ -63,7 +54,7 @@ FinishedPart::FinishedPart(const Part& part) : top_z_(top_of(part)) {
 void FinishedPart::add_feature(const Feature& feature, int index) {
   Shape shape;
   shape.feature = index;
-  shape.outline = EdgeTree(edges_of(feature.allowed));
+  shape.outline = EdgeTree(feature.allowed);
   shape.box = shape.outline.box();
   shape.floor = feature.floor_z;
   shape.top = feature.top_z;

@@ -60,23 +60,15 @@ class Collector {
   std::vector<DrawnGroup> take() { return std::move(groups_); }
 
   void report() const {
-    report_counts(not_read_, "not read, because they are no outlines: ");
-    report_counts(hidden_, "not read, because their layers are off or frozen, or they are invisible: ");
-    report_counts(not_chosen_, "not read, because their layers were not chosen: ");
-    report_counts(ignored_, "not read, because their layers' names say so: ");
+    report_left_out(diagnostics_, document_.file, not_read_, "not read, because they are no outlines:");
+    report_left_out(diagnostics_, document_.file, hidden_,
+                    "not read, because their layers are off or frozen, or they are invisible:");
+    report_left_out(diagnostics_, document_.file, not_chosen_,
+                    "not read, because their layers were not chosen:");
+    report_left_out(diagnostics_, document_.file, ignored_, "not read, because their layers' names say so:");
   }
 
  private:
-  using Counts = std::map<std::string, int>;
-
-  void report_counts(const Counts& counts, const std::string& what) const {
-    std::string text;
-    for (const auto& [name, count] : counts) {
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + printable(name);
-    }
-    if (!text.empty()) diagnostics_.skip(document_.file, what + text);
-  }
-
   void walk(const std::vector<DxfEntity>& entities, const Affine& map, const std::string& layer_of_zero,
             int depth) {
     for (std::size_t i = 0; i < entities.size(); ++i) {
@@ -207,7 +199,7 @@ class Collector {
   Diagnostics& diagnostics_;
   std::vector<DrawnGroup> groups_;
   std::map<std::string, std::size_t> by_layer_;
-  Counts not_read_, hidden_, not_chosen_, ignored_;
+  LeftOut not_read_, hidden_, not_chosen_, ignored_;
   int count_ = 0;
 };
 

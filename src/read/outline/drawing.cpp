@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "geometry/boolean.h"
+#include "read/outline/text.h"
 #include "read/repair/mends.h"
 
 namespace clearcut {
@@ -123,6 +124,14 @@ void add_features(Part& part, std::vector<Feature> features) {
     part.features.push_back(std::move(feature));
   }
   part.order_free = true;  // as drawn is as it happened to be drawn
+}
+
+void report_left_out(Diagnostics& diagnostics, const std::string& file, const LeftOut& left_out,
+                     const std::string& what) {
+  std::string text;
+  for (const auto& [name, count] : left_out)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + printable(name);
+  if (!text.empty()) diagnostics.skip(file, what + " " + text);
 }
 
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options) {

@@ -1,6 +1,7 @@
 // From groups of curves at one depth to the Part: what DXF and SVG have in common.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +38,12 @@ struct DrawnGroup {
 
 /// Lets the first rule that matches `name` overrule what the group took from its name.
 void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group);
+
+/// How many entities were left out, by name.
+using LeftOut = std::map<std::string, int>;
+/// Says what of `file` was left out, if anything; `what` ends in a colon.
+void report_left_out(Diagnostics& diagnostics, const std::string& file, const LeftOut& left_out,
+                     const std::string& what);
 
 /// Repairs every group and makes one closed pocket (or round hole) of every region, shallow ones first,
 /// each with one roughing (drilling) workingstep. Islands' groups are cut out of all others. Throws

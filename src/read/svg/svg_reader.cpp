@@ -74,10 +74,10 @@ class SvgCollector {
       diagnostics_.warn(file_,
                         "the style sheet has selectors that are not read; fills set by them are not seen");
     }
-    report_counts(not_read_, "not read, because they are no outlines: ");
-    report_counts(hidden_, "not read, because they are not displayed: ");
-    report_counts(not_chosen_, "not read, because their layers were not chosen: ");
-    report_counts(ignored_, "not read, because their layers' names say so: ");
+    report_left_out(diagnostics_, file_, not_read_, "not read, because they are no outlines:");
+    report_left_out(diagnostics_, file_, hidden_, "not read, because they are not displayed:");
+    report_left_out(diagnostics_, file_, not_chosen_, "not read, because their layers were not chosen:");
+    report_left_out(diagnostics_, file_, ignored_, "not read, because their layers' names say so:");
     if (stroke_only_ > 0) {
       diagnostics_.note(file_,
                         std::to_string(stroke_only_) +
@@ -87,16 +87,6 @@ class SvgCollector {
   }
 
  private:
-  using Counts = std::map<std::string, int>;
-
-  void report_counts(const Counts& counts, const std::string& what) const {
-    std::string text;
-    for (const auto& [name, count] : counts) {
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + printable(name);
-    }
-    if (!text.empty()) diagnostics_.skip(file_, what + text);
-  }
-
   void warn_of_pixels() const {
     Box all;
     for (const DrawnGroup& group : groups_) {
@@ -303,7 +293,7 @@ class SvgCollector {
   std::vector<DrawnGroup> groups_;
   std::map<std::tuple<std::string, LayerRole, std::optional<double>, std::optional<double>>, std::size_t>
       by_key_;
-  Counts not_read_, hidden_, not_chosen_, ignored_;
+  LeftOut not_read_, hidden_, not_chosen_, ignored_;
   int stroke_only_ = 0;
   int compounds_ = 0;
   int count_ = 0;
