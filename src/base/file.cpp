@@ -20,8 +20,39 @@ bool to_standard_output(const OutputFile& file) {
   return file.path == "-";
 }
 
+/// Names of streams that are open already, whatever they lead to.
+bool is_open_stream(const std::string& path) {
+  return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
+         path.starts_with("/proc/");
+}
+
+/// A device or pipe (/dev/null): it is written to, never replaced by a file.
+bool is_special(const OutputFile& file) {
+  if (is_open_stream(file.path)) return true;
+  std::error_code ignored;
+  const auto status = fs::status(file.path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+bool is_replaced(const OutputFile& file) {
+  return !to_standard_output(file) && !is_special(file);
+}
+
+void write_special(const OutputFile& file) {
+  std::ofstream out(file.path, std::ios::binary);
+  out.write(file.content.data(), static_cast<std::streamsize>(file.content.size()));
+  out.close();
+  if (!out) throw InputError(file.path, "cannot be written; check that it has room");
+}
+
+/// What a link points to is replaced, not the link.
+std::string target_of(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored).string() : path;
+}
+
 std::string temporary_name(const std::string& path) {
-  return fmt::format("{}.{}.tmp", path, ::getpid());
+  return fmt::format("{}.{}.tmp", target_of(path), ::getpid());
 }
 
 void write_temporary(const OutputFile& file) {
@@ -36,7 +67,7 @@ void write_temporary(const OutputFile& file) {
 void remove_temporaries(const std::vector<OutputFile>& files) {
   for (const auto& file : files) {
     std::error_code ignored;
-    if (!to_standard_output(file)) fs::remove(temporary_name(file.path), ignored);
+    if (is_replaced(file)) fs::remove(temporary_name(file.path), ignored);
   }
 }
 
@@ -63,10 +94,13 @@ std::string read_file(const std::string& path, std::size_t limit) {
 void write_files(const std::vector<OutputFile>& files) {
   try {
     for (const auto& file : files) {
-      if (!to_standard_output(file)) write_temporary(file);
+      if (is_replaced(file)) write_temporary(file);
     }
     for (const auto& file : files) {
-      if (!to_standard_output(file)) fs::rename(temporary_name(file.path), file.path);
+      if (!to_standard_output(file) && is_special(file)) write_special(file);
+    }
+    for (const auto& file : files) {
+      if (is_replaced(file)) fs::rename(temporary_name(file.path), target_of(file.path));
     }
   } catch (const fs::filesystem_error& error) {
     remove_temporaries(files);
@@ -76,7 +110,9 @@ void write_files(const std::vector<OutputFile>& files) {
     throw;
   }
   for (const auto& file : files) {
-    if (to_standard_output(file)) std::cout << file.content << std::flush;
+    if (!to_standard_output(file)) continue;
+    std::cout << file.content << std::flush;
+    if (!std::cout) throw InputError("standard output", "cannot be written; check that it has room");
   }
 }
 

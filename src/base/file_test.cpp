@@ -1,6 +1,8 @@
 #include "base/file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -40,6 +42,30 @@ TEST_F(Files, OneBadTargetLeavesAllOthersUntouched) {
   EXPECT_THROW(write_files({{path("a"), "new"}, {path("missing/b"), "x"}}), InputError);
   EXPECT_EQ(read_file(path("a")), "old");
   EXPECT_EQ(count(), 1u);
+}
+
+/// A pipe like those of a shell, and like a device: what takes its place would be a file.
+TEST_F(Files, PipesAreWrittenToAndStayPipes) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  write_files({{path("pipe"), "moves"}, {path("file"), "certificate"}});
+  char got[16] = {};
+  EXPECT_EQ(::read(reader, got, sizeof got), 5);
+  EXPECT_STREQ(got, "moves");
+  ::close(reader);
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+  EXPECT_EQ(read_file(path("file")), "certificate");
+  EXPECT_EQ(count(), 2U);
+}
+
+/// A link stays a link, and what it points to is new.
+TEST_F(Files, LinksAreFollowed) {
+  write_files({{path("target"), "old"}});
+  fs::create_symlink(path("target"), path("link"));
+  write_files({{path("link"), "new"}});
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(read_file(path("target")), "new");
 }
 
 TEST_F(Files, UnreadableInputIsNamed) {
