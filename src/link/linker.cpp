@@ -270,7 +270,8 @@ double Linker::go_to(const Choice& next, const Path& path, bool is_ring) {
   const Vec2 entry = outside.value_or(p);
   rise_and_cross(entry, running() ? hop_height(here(), entry, next.item) : options_.safe_z);
   moves_.vertical(approach_z(entry, next.item), MoveKind::kRapid, {});
-  if (!outside) return enter_material(path, is_ring ? &path : nullptr, next.item);
+  if (!outside && !work_.pass(next.item).starts_clear)
+    return enter_material(path, is_ring ? &path : nullptr, next.item);
   moves_.vertical(layer(next.item).layer().z, MoveKind::kPlunge, options_.plunge_feed);
   moves_.line(p, MoveKind::kLeadIn, lead_feed());
   return 0;

@@ -7,6 +7,7 @@
 #include "geometry/clearance.h"
 #include "plan/adaptive_corners.h"
 #include "plan/adaptive_front.h"
+#include "plan/adaptive_peel.h"
 #include "plan/adaptive_trace.h"
 #include "plan/clearing_path.h"
 #include "plan/contour_cover.h"
@@ -45,6 +46,8 @@ constexpr double kWallFilm = 1.5e-3;
 constexpr double kCornerFilm = 2e-3;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
 constexpr double kCornerFree = 3e-3;
+/// Length along a wall of the last move onto it over the distance that it comes from.
+constexpr double kGateSlopes[] = {0, 2, 6, 16};
 /// Gates beside a wall to which a way is looked for.
 constexpr int kMostGates = 3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
@@ -52,8 +55,19 @@ constexpr double kRest = 0.004;
 constexpr int kMostRests = 60;
 /// mm. Links through what is cleared may graze as much.
 constexpr double kFree = 1e-3;
+/// mm. Where no more than this stands the cutter goes straight down.
+constexpr double kClear = 5e-4;
 /// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
 constexpr double kMergeGap = 0.8;
+/// Tool radii from a wall from where bites towards it are tried.
+constexpr double kGates[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
+/// Tool radii between looks at a wall that is cut by bites.
+constexpr double kPeelPitch = 0.02;
+/// mm. Bites that take less of the wall are idle.
+constexpr double kLeastBite = 1e-3;
+constexpr int kMostBites = 300;
+/// Times that all walls are gone over with bites.
+constexpr int kMostRounds = 30;
 /// Share of a disc that must be uncut for an entry of its own.
 constexpr double kFreshShare = 0.6;
 
@@ -303,6 +317,14 @@ class AdaptivePlanner {
     return path_.empty() ? std::vector<Vec2>{p} : path_.way_to(p, kFree);
   }
 
+  /// Begins a new pass at p, from above, where nothing stands there any more.
+  std::optional<std::vector<Vec2>> hop_to(Vec2 p) {
+    if (ground_.touches(p, kClear)) return std::nullopt;
+    if (!path_.empty()) finish_pass();
+    path_.start_clear(true);
+    return std::vector<Vec2>{p};
+  }
+
   /// Whether the contact keeps the limit on a short move.
   bool is_gentle(Vec2 from, Vec2 to) const {
     for (const double t : {0.3, 0.6, 0.8, 0.999}) {
@@ -333,7 +355,7 @@ class AdaptivePlanner {
     const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
     int tries = kMostGates;
     for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
-      for (const double slope : {0.0, 2.0, 6.0}) {
+      for (const double slope : kGateSlopes) {
         const double aside = share * radius_;
         const Vec2 gate = p - along * (slope * aside) + left_of(along) * aside;
         if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree) || !is_gentle(gate, p))
@@ -385,7 +407,10 @@ class AdaptivePlanner {
     std::vector<WallPlace> stops;
     for (const Corner& corner : corners_) stops.push_back(corner.place);
     finishing_.walls.set_stops(std::move(stops));
-    for (const WallPlace& place : finishing_.walls.anywhere()) cut_from(finishing_, place);
+    for (const WallPlace& place : finishing_.walls.anywhere()) {
+      if (!cut_from(finishing_, place) && bite_from_aside(place))
+        finishing_.walls.update(ground_, legal_.box());
+    }
     for (auto starts = finishing_.walls.starts(); !starts.empty(); starts = finishing_.walls.starts()) {
       const WallPlace start = nearest(finishing_, starts);
       const bool after_corner = finishing_.walls.from_stop(start) < kCornerReach * radius_;
@@ -420,21 +445,89 @@ class AdaptivePlanner {
     if (way || last) corners_.erase(corner);
   }
 
-  /// Along the walls wherever they still bear material, the nearest stretch first: where the limit cannot be kept.
+  /// What walls still bear: by bites where that leads on, else straight along, the nearest stretch first.
   void cut_walls() {
-    auto stretches = unfinished_walls(legal_, kMarkPitch * radius_, kMergeGap * radius_, ground_);
-    while (!stretches.empty()) {
-      const Vec2 at = path_.at();
-      const auto next =
-          std::min_element(stretches.begin(), stretches.end(), [&](const Path& a, const Path& b) {
-            return distance(a.front().from, at) < distance(b.front().from, at);
-          });
-      cut_stretch(*next);
-      stretches.erase(next);
+    int round = 0;
+    for (auto stretches = unfinished(); !stretches.empty(); stretches = unfinished()) {
+      bool bitten = false;
+      for (auto left = stretches; !left.empty() && round < kMostRounds;) {
+        const auto next = nearest_stretch(left);
+        bitten = peel(*next) || bitten;
+        left.erase(next);
+      }
+      ++round;
+      if (!bitten) cut_stretch(*nearest_stretch(stretches));
     }
   }
 
-  void cut_stretch(Path stretch) {
+  std::vector<WallStretch> unfinished() const {
+    return unfinished_walls(finishing_.walls, kMarkPitch * radius_, kMergeGap * radius_, ground_);
+  }
+
+  std::vector<WallStretch>::const_iterator nearest_stretch(const std::vector<WallStretch>& stretches) const {
+    const Vec2 at = path_.at();
+    const auto far = [&](const WallStretch& stretch) {
+      return distance(finishing_.walls.point({stretch.wall, stretch.from}), at);
+    };
+    return std::min_element(stretches.begin(), stretches.end(),
+                            [&](const WallStretch& a, const WallStretch& b) { return far(a) < far(b); });
+  }
+
+  /// By bites within the limit, each from where the wall is clear. Whether that took anything away.
+  bool peel(const WallStretch& stretch) {
+    const Walls& walls = finishing_.walls;
+    Peeler peeler(ground_, walls.wall(stretch.wall), limit_);
+    const auto bearing = [&](const WallStretch& within) {
+      return bearing_part(walls, within, kPeelPitch * radius_, kCornerFilm, ground_);
+    };
+    auto left = bearing(stretch);
+    const bool began = left.has_value();
+    int idle = 0, bites = 0;
+    while (left && idle < kMostIdle && bites < kMostBites) {
+      const auto way = way_to_bite(*left);
+      const Path bite = way ? peeler.bite(left->from, left->to) : Path{};
+      if (bite.empty()) break;
+      append(bite, *way);
+      ++bites;
+      const auto before = *left;
+      left = bearing(before);
+      if (left) idle = before.to - before.from - (left->to - left->from) < kLeastBite ? idle + 1 : 0;
+    }
+    if (bites > idle || !began) return began;
+    return bite_from_aside({stretch.wall, (stretch.from + stretch.to) / 2});
+  }
+
+  /// Towards the wall at `place` from a clear place beside it, and along it. Whether anything was cut.
+  bool bite_from_aside(const WallPlace& place) {
+    const Wall& wall = finishing_.walls.wall(place.wall);
+    const Vec2 p = wall.at(place.s), inwards = left_of(wall.heading(place.s));
+    for (const double share : kGates) {
+      const Vec2 gate = p + inwards * (share * radius_);
+      if (!ground_.legal().holds_line(p, gate) || ground_.touches(gate, kFree)) continue;
+      const Path bite = Peeler(ground_, wall, limit_).bite_from_aside(gate, place.s);
+      if (bite.empty()) continue;
+      auto way = path_.empty() ? std::nullopt : path_.way_to(gate, kFree);
+      if (!way) way = hop_to(gate);
+      if (!way) continue;
+      append(bite, *way);
+      return true;
+    }
+    return false;
+  }
+
+  std::optional<std::vector<Vec2>> way_to_bite(const WallStretch& stretch) {
+    const Vec2 p = finishing_.walls.point({stretch.wall, stretch.from});
+    if (!path_.empty()) {
+      if (auto way = path_.way_to(p, kFree)) return way;
+      if (auto way = path_.way_to(p, kCornerFree)) return way;
+    }
+    return hop_to(p);
+  }
+
+  void cut_stretch(const WallStretch& place) {
+    const Wall& wall = finishing_.walls.wall(place.wall);
+    const bool round = place.to - place.from >= wall.length() * (1 - 1e-9);
+    Path stretch = round ? wall.loop() : wall.part(place.from, place.to);
     const Vec2 p = stretch.front().from, inwards = left_of(stretch.front().tangent_at(0));
     for (const double share : {0.0, 0.02, 0.05, 0.1, 0.2, 0.4}) {
       const Vec2 gate = p + inwards * (share * radius_);

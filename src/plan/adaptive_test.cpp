@@ -159,6 +159,42 @@ TEST(Adaptive, ContactKeepsTheLimitInCornersToo) {
   }
 }
 
+TEST(Adaptive, ContactKeepsTheLimitInNarrowEndsToo) {
+  // Ends with two corners nearer to each other than a tenth of the cutter's radius, and about as far.
+  const std::vector<std::vector<Vec2>> shapes{
+      {{0, 0}, {60, 0}, {60, 6.3}, {20, 30}, {0, 30}},
+      {{0, 0}, {60, 0}, {60, 8.5}, {20, 30}, {0, 30}},
+      {{0, 0}, {30, 0}, {55, 12}, {54, 19}, {30, 30}, {0, 30}},
+      {{0, 0}, {30, 0}, {30, 30}, {18, 30}, {18, 50}, {11, 50}, {11, 30}, {0, 30}}};
+  for (std::size_t shape = 0; shape < shapes.size(); ++shape) {
+    for (const double degrees : {45.0, 78.0}) {
+      AdaptiveOptions options;
+      options.engagement = Radians::of_degrees(degrees);
+      const auto planned = plan_adaptive(polygon_layer(shapes[shape]), options, {});
+      EXPECT_LT(length_above(planned, Radians::of_degrees(degrees + 2).radians()), 0.3)
+          << shape << " " << degrees;
+    }
+  }
+}
+
+TEST(Adaptive, ContactKeepsTheLimitInRoundPockets) {
+  for (const double radius : {4.2, 5.0, 8.0, 25.0}) {
+    for (const double degrees : {45.0, 78.0}) {
+      Layer layer = square_layer(1);
+      const Vec2 east{radius, 0}, west{-radius, 0};
+      layer.allowed =
+          layer.target = {Region::from_valid_loops({Edge::arc(east, west, {0, 0}, Turn::kCounterClockwise),
+                                                    Edge::arc(west, east, {0, 0}, Turn::kCounterClockwise)},
+                                                   {})};
+      AdaptiveOptions options;
+      options.engagement = Radians::of_degrees(degrees);
+      EXPECT_LT(length_above(plan_adaptive(layer, options, {}), Radians::of_degrees(degrees + 2).radians()),
+                0.1)
+          << radius << " " << degrees;
+    }
+  }
+}
+
 TEST(Adaptive, BesideTheStockItComesInFromOutside) {
   Layer layer = square_layer(40);
   layer.stock = Box{{0, 0}, {40, 40}};

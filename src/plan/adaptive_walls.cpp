@@ -143,12 +143,24 @@ std::vector<WallPlace> Walls::starts() const {
   return places;
 }
 
+double Wall::plainest() const {
+  double s = 0, longest = 0, place = 0;
+  for (const Edge& edge : loop_) {
+    if (edge.length() > longest) {
+      longest = edge.length();
+      place = s + longest / 2;
+    }
+    s += edge.length();
+  }
+  return place;
+}
+
 std::vector<WallPlace> Walls::anywhere() const {
   std::vector<WallPlace> places;
   for (std::size_t w = 0; w < marks_.size(); ++w) {
     const auto& touching = marks_[w].touching;
     if (std::all_of(touching.begin(), touching.end(), [](char one) { return one == 1; }))
-      places.push_back({w, 0});
+      places.push_back({w, walls_[w].plainest()});
   }
   return places;
 }
@@ -178,8 +190,9 @@ namespace {
 /// mm. Thinner films are left.
 constexpr double kFinished = 3e-3;
 
-void add_unfinished(const Wall& wall, double pitch, double gap, const Ground& ground,
-                    std::vector<Path>& out) {
+void add_unfinished(const Walls& walls, std::size_t index, double pitch, double gap, const Ground& ground,
+                    std::vector<WallStretch>& out) {
+  const Wall& wall = walls.wall(index);
   const int count = std::max(8, static_cast<int>(std::ceil(wall.length() / pitch)));
   const double step = wall.length() / count;
   std::vector<int> bearing;
@@ -196,27 +209,49 @@ void add_unfinished(const Wall& wall, double pitch, double gap, const Ground& gr
     widest = bearing[k] - before;
     first = k;
   }
-  if (widest * step < gap) return out.push_back(wall.loop());
   double from = (bearing[first] - 1) * step, to = from;
+  if (widest * step < gap) return out.push_back({index, from, from + wall.length()});
   for (std::size_t k = 0; k < bearing.size(); ++k) {
-    const std::size_t index = (first + k) % bearing.size();
-    const double s = (bearing[index] + (index < first ? count : 0)) * step;
+    const std::size_t at = (first + k) % bearing.size();
+    const double s = (bearing[at] + (at < first ? count : 0)) * step;
     if (s - to > gap) {
-      out.push_back(wall.part(from, to));
+      out.push_back({index, from, to});
       from = s - step;
     }
     to = s + step;
   }
-  out.push_back(wall.part(from, to));
+  out.push_back({index, from, to});
 }
 
 }  // namespace
 
-std::vector<Path> unfinished_walls(const Region& legal, double pitch, double gap, const Ground& ground) {
-  std::vector<Path> stretches;
-  add_unfinished(Wall(legal.outer()), pitch, gap, ground, stretches);
-  for (const Loop& island : legal.islands()) add_unfinished(Wall(island), pitch, gap, ground, stretches);
+std::vector<WallStretch> unfinished_walls(const Walls& walls, double pitch, double gap,
+                                          const Ground& ground) {
+  std::vector<WallStretch> stretches;
+  for (std::size_t i = 0; i < walls.count(); ++i) add_unfinished(walls, i, pitch, gap, ground, stretches);
   return stretches;
+}
+
+std::optional<WallStretch> bearing_part(const Walls& walls, const WallStretch& stretch, double pitch,
+                                        double film, const Ground& ground) {
+  constexpr double kPlace = 1e-4;
+  const Wall& wall = walls.wall(stretch.wall);
+  std::vector<double> places{stretch.from};
+  while (places.back() < stretch.to) {
+    const double s = places.back();
+    places.push_back(std::min({s + pitch, stretch.to, std::max(wall.edge_end(s), s + kPlace)}));
+  }
+  const auto bears = [&](double s) { return ground.touches(wall.at(s), film); };
+  const auto border = [&](double clear, double bearing) {
+    while (std::abs(bearing - clear) > kPlace)
+      (bears((clear + bearing) / 2) ? bearing : clear) = (clear + bearing) / 2;
+    return clear;
+  };
+  const auto first = std::find_if(places.begin(), places.end(), bears);
+  if (first == places.end()) return std::nullopt;
+  const auto last = std::find_if(places.rbegin(), places.rend(), bears);
+  return WallStretch{stretch.wall, first == places.begin() ? *first : border(*(first - 1), *first),
+                     last == places.rbegin() ? *last : border(*(last - 1), *last)};
 }
 
 }  // namespace clearcut

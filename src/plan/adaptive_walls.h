@@ -29,6 +29,8 @@ class Wall {
   };
   Hit nearest(Vec2 p) const;
   const Loop& loop() const { return loop_; }
+  /// The middle of the longest edge: far from corners.
+  double plainest() const;
 
  private:
   struct Spot {
@@ -103,8 +105,20 @@ class Walls {
   std::vector<WallPlace> stops_;
 };
 
-/// The stretches of the walls of `legal` that still bear material, each ready to be run along. Stretches
-/// nearer to each other than `gap` mm are one.
-std::vector<Path> unfinished_walls(const Region& legal, double pitch, double gap, const Ground& ground);
+/// A stretch of a wall, from < to.
+struct WallStretch {
+  std::size_t wall = 0;
+  double from = 0;
+  double to = 0;
+};
+
+/// The stretches of the walls that still bear material, each ready to be run along. Stretches nearer to each other
+/// than `gap` mm are one.
+std::vector<WallStretch> unfinished_walls(const Walls& walls, double pitch, double gap, const Ground& ground);
+
+/// What of a stretch bears material thicker than `film` mm, looked at every `pitch` mm and in corners: from a place just
+/// before the first to one just after the last; none where nothing does. Cost O(length / pitch) looks.
+std::optional<WallStretch> bearing_part(const Walls& walls, const WallStretch& stretch, double pitch,
+                                        double film, const Ground& ground);
 
 }  // namespace clearcut

@@ -58,6 +58,8 @@ class ClearingPath {
   void open(const Disc& disc, double entry_radius, double engagement);
   /// Goes on, right after open(), until the disc's rim is touched all round: the last turns are thinner.
   void widen_to_rim(const Disc& disc, double engagement);
+  /// The next pass begins where nothing stands any more, or not.
+  void start_clear(bool clear) { pass_.starts_clear = clear; }
   /// Goes over the points of `link` to the start of `cut` and appends it; a pass begins with its first cut.
   void append(const Path& cut, const std::vector<Vec2>& link);
   std::optional<std::vector<Vec2>> way_to(Vec2 p, double film) const {

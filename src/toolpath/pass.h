@@ -25,6 +25,8 @@ struct Pass {
   /// Whether the cutter may come straight to its start at depth, from another pass or from beside the stock, cutting what
   /// is in between. If not it is entered from above, or begins where nothing stands.
   bool may_cut_to_start = true;
+  /// Whether nothing stands any more where it begins: straight down at the plunge feed is as good as any entry.
+  bool starts_clear = false;
 };
 
 /// All passes of one layer of one feature with what linking needs to know.
