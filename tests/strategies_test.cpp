@@ -157,6 +157,16 @@ TEST(Tour, ClearsTheCornersOfOpenBlocks) {
   }
 }
 
+/// Between walls that differ from layer to layer only the side of a rounded cutter reaches some of what stands.
+TEST(RoundedCutters, CutTheFishheadClean) {
+  const Part part = read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
+  for (const char* tool : {"bullnose:10:corner=1", "bullnose:8:corner=2"}) {
+    auto options = options_for("zigzag");
+    options.tools = {parse_tool(tool)};
+    EXPECT_EQ(fault_of(part, options), "") << tool;
+  }
+}
+
 TEST(Auto, KeepsTheFastestOfThosePlannedAndListsAll) {
   for (const std::uint64_t seed : {1u, 2u, 4u, 6u}) {
     Random random(seed);

@@ -182,6 +182,8 @@ bool retry_unclean(Choice& choice, PlanResult& result) {
   for (const auto& feature : result.findings.features) {
     if (feature.figures.clean || feature.workingstep < 0) continue;
     const auto i = static_cast<std::size_t>(feature.workingstep);
+    const Tool& tool = tool_of(result.part, result.part.workplan[i]);
+    if (tool.corner_radius >= tool.radius()) continue;  // no passes leave a floor flat
     if (!choice.next(i)) continue;
     const Attempt& next = choice.attempt(i);
     result.part.diagnostics.note(feature.name,

@@ -58,7 +58,7 @@ class AreaBuilder {
     area_.walls.target = layer.target;
     bare_ = layer.bare || !closed_;
     area_.walls.film = bare_ ? 0 : kFilm;
-    if (!closed_) near_ = dilate(layer.target, layer.tool_radius + kWallMargin, tol);
+    if (!closed_) near_ = dilate(layer.target, layer.tool_radius + layer.rounded + kWallMargin, tol);
   }
 
   ClearingArea build() {

@@ -20,6 +20,7 @@ struct Layer {
   Regions allowed;         ///< where the cutter may be at z; true walls are its boundary
   double tool_radius = 0;  ///< of the flat part of the cutter's end, mm
   double wall_stock = 0;   ///< stock to leave on walls and the round of the cutter's corners, mm
+  double rounded = 0;      ///< mm; of wall_stock, the round of the cutter's corners: above it the side cuts
   double reserve =
       0;  ///< mm; of wall_stock, what only rounding of the program asks for: exact fits need not keep it
   std::optional<Box> stock;  ///< plan view; beside it there is nothing. Absent: material without end

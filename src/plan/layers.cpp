@@ -86,6 +86,7 @@ std::vector<Layer> layers_of(const Feature& feature, const Operation& operation,
     layer.z_top = top;
     layer.tool_radius = tool_radius - rounded;
     layer.wall_stock = operation.allowance_side + rounded;
+    layer.rounded = rounded;
     top = z;
     if (!layer.target.empty() && !layer.allowed.empty()) layers.push_back(std::move(layer));
   }

@@ -219,8 +219,11 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
   const Vec2 middle = feature.target.empty() ? Vec2{} : box(feature.target).center();
   const bool unreachable = !bottom.reachable || bottom.unreachable_mm2 >= bottom.target_mm2 * 0.9999;
   if (!floor.any_cut || unreachable) {
-    const std::string why = unreachable ? "no cutter of its work fits into it with its flat end"
-                                        : "the program has no feed move down there";
+    const std::string why =
+        work.smallest_flat <= 0
+            ? "its cutter ends in a ball, which leaves cusps on every floor: use a flat end"
+        : unreachable ? "no cutter of its work fits into it with its flat end"
+                      : "the program has no feed move down there";
     return {{FaultKind::kNothingCut,
              feature.name,
              {middle, floor.z, 0},

@@ -39,10 +39,12 @@ void run_all(const Tasks& tasks, int threads) {
   }
 }
 
-/// Adds the parts of a feed move whose tip is at or below z.
-void append_swaths(const JudgedMove& judged, double z, std::vector<Swath>& out) {
+/// Adds the parts of a feed move whose tip is at or below z, as wide as they are at `level`.
+void append_swaths(const JudgedMove& judged, double z, double level, std::vector<Swath>& out) {
   const Move& move = *judged.move;
-  const double radius = judged.flat_radius();
+  const double tip = move.is_vertical() ? judged.low_z() : std::max(move.z_from, move.z_to);
+  const double radius = radius_at(*judged.tool, level - tip);
+  if (radius <= 0) return;
   if (move.is_vertical()) return out.push_back({move.path, radius});
   double t0 = 0, t1 = 1;
   if (move.z_from > z) t0 = (z - move.z_from) / (move.z_to - move.z_from);
@@ -57,15 +59,17 @@ void append_swaths(const JudgedMove& judged, double z, std::vector<Swath>& out) 
   }
 }
 
-/// Those that come within `near` mm of the target: what a swath almost reaches is thin.
-std::vector<Swath> swaths_down_to(double z, const Box& target, const std::vector<JudgedMove>& moves,
-                                  double near) {
+/// What feed moves sweep of a level, as far as tips that miss it by `tol.uncut` count for it. Those that come within 2
+/// tol.uncut of the target: what a swath almost reaches is thin.
+std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<JudgedMove>& moves,
+                             const Tolerances& tol) {
+  const double z = level + tol.uncut;
   std::vector<Swath> swaths;
   for (const JudgedMove& judged : moves) {
-    if (!judged.feeds() || judged.flat_radius() <= 0 || judged.low_z() > z) continue;
+    if (!judged.feeds() || !judged.tool || judged.low_z() > z) continue;
     const Move& move = *judged.move;
     const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-    if (path.grown(judged.radius() + near).overlaps(target)) append_swaths(judged, z, swaths);
+    if (path.grown(judged.radius() + 2 * tol.uncut).overlaps(target)) append_swaths(judged, z, level, swaths);
   }
   return swaths;
 }
@@ -87,7 +91,7 @@ class WorkJudge {
     question.radius = work.smallest_radius;
     question.flat = work.smallest_flat;
     question.allowance = work.allowance_side;
-    question.swaths = swaths_down_to(level.z + tol.uncut, box(feature.target), program_.moves, 2 * tol.uncut);
+    question.swaths = swaths_at(level.z, box(feature.target), program_.moves, tol);
     level.any_cut = !question.swaths.empty();
     level.coverage = coverage_of(question, tol);
   }

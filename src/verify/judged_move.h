@@ -39,6 +39,9 @@ inline double flat_radius_of(const Tool& tool) {
   return std::max(0.0, tool.radius() - tool.corner_radius);
 }
 
+/// Radius at `height` mm above the tip: there a cutter that runs deeper clears as much. mm.
+double radius_at(const Tool& tool, double height);
+
 struct JudgedMove {
   const Move* move = nullptr;
   const Tool* tool = nullptr;  ///< null: unknown
@@ -55,7 +58,6 @@ struct JudgedMove {
 
   bool feeds() const { return !is_rapid(move->kind); }
   double radius() const { return tool ? tool->radius() : 0; }
-  double flat_radius() const { return tool ? flat_radius_of(*tool) : 0; }
   double low_z() const { return std::min(move->z_from, move->z_to); }
   bool is_flat() const { return move->z_from == move->z_to; }
 };
