@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/file.h"
@@ -18,6 +19,7 @@ using test_support::ScratchFolder;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 const std::string kSquare = R"({"name": "square", "units": "mm",
   "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2})";
@@ -105,6 +107,56 @@ TEST(CommandLine, UnwritableOutputLeavesNothing) {
                                     folder.path("c.json"), "--tool", "endmill:6"});
   EXPECT_EQ(result.exit_code, 2) << result.err;
   EXPECT_THAT(folder.names(), ElementsAre("a.json"));
+}
+
+TEST(CommandLine, WhatCannotBePrintedIsNotSilent) {
+  const ScratchFolder folder;
+  const auto input = folder.file("a.json", kSquare);
+  if (!std::filesystem::is_character_file("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  const std::vector<std::string> plan{"plan", input, "--tool", "endmill:6", "--strategy", "contour", "-o"};
+  auto full = plan;
+  full.push_back("/dev/full");
+  EXPECT_EQ(run_clearcut(full).exit_code, 2);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+  auto streamed = plan;
+  streamed.insert(streamed.end(), {"/dev/stdout", "--quiet"});
+  const auto result = run_clearcut(streamed);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("M2"));
+}
+
+TEST(CommandLine, SwitchesOfThePostReachTheProgram) {
+  const ScratchFolder folder;
+  const auto input = folder.file("a.json", kSquare);
+  const auto program = [&](std::vector<std::string> switches) {
+    std::vector<std::string> arguments{"plan",    input, "--tool", "endmill:6", "--strategy",
+                                       "contour", "-o",  "-",      "--quiet"};
+    arguments.insert(arguments.end(), switches.begin(), switches.end());
+    const auto result = run_clearcut(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.out;
+  };
+  const std::string usual = program({});
+  EXPECT_THAT(usual, HasSubstr("M6"));
+  EXPECT_THAT(usual, HasSubstr("G43"));
+  EXPECT_THAT(usual, HasSubstr("G64"));
+  const std::string own = program({"--no-tool-change", "--no-length-offset", "--exact-stop", "--spindle-wait",
+                                   "3.5", "--no-arcs", "--decimals", "3"});
+  for (const char* word : {"M6", "G43", "G64", "G2 ", "G3 "}) EXPECT_THAT(own, Not(HasSubstr(word)));
+  EXPECT_THAT(own, HasSubstr("G61"));
+  EXPECT_THAT(own, HasSubstr("G4 P3.5"));
+  EXPECT_EQ(run_clearcut({"plan", input, "-o", "-", "--decimals", "7"}).exit_code, 2);
+}
+
+/// A table in which nothing can be used.
+TEST(CommandLine, NothingThatFitsIsNoSuccess) {
+  const ScratchFolder folder;
+  const auto input = folder.file("a.json", kSquare);
+  for (const char* command : {"tools", "compare"}) {
+    const auto result = run_clearcut({command, input, "--tool", "endmill:500"});
+    EXPECT_EQ(result.exit_code, 2) << command;
+    EXPECT_THAT(result.err, HasSubstr("does not fit")) << command;
+  }
 }
 
 TEST(CommandLine, VersionMatchesTheBuild) {

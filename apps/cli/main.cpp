@@ -46,11 +46,18 @@ int parse_and_run(int argc, char** argv) {
   return exit_code;
 }
 
+/// What was printed may not have arrived: a full disk, a closed pipe.
+int checked_output(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  complain("the output could not be written; make room, or name another file");
+  return kUnusable;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return parse_and_run(argc, argv);
+    return checked_output(parse_and_run(argc, argv));
   } catch (const clearcut::InputError& error) {
     complain(error.what());
     return kUnusable;

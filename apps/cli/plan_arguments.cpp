@@ -107,15 +107,41 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   command.add_option("--feed", feed_, "Cutting feed, mm/min");
   command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min");
   command.add_option("--spindle", spindle_, "Spindle speed, rpm");
-  command.add_option("--post", post_,
-                     "Controller: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin");
-  command.add_flag("--inch", inch_, "Write the program in inches");
+  add_post_options(command);
   command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm");
   command.add_option(
       "--objective", objective_,
       "Of the strategy tour: length, turns, angle, engagement, time, or weights 1:length,20:turns");
   command.add_option("--time", time_, "Longest search, s");
   command.add_option("--seed", seed_, "Seed of the search");
+}
+
+void PlanArguments::add_post_options(CLI::App& command) {
+  command.add_option("--post", post_,
+                     "Controller: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin");
+  command.add_flag("--inch", inch_, "Write the program in inches");
+  command.add_option("--decimals", decimals_, "Of coordinates (default: what the controller resolves)")
+      ->check(CLI::Range(3, 6));
+  command.add_flag("--no-arcs", no_arcs_, "Lines only");
+  command.add_flag("--no-tool-change", no_tool_change_, "A pause (M0) instead of M6");
+  command.add_flag("--no-length-offset", no_length_offset_, "No G43");
+  command.add_flag("--exact-stop", exact_stop_, "G61 instead of blending");
+  command.add_option("--spindle-wait", spindle_wait_, "Seconds to wait after the spindle starts")
+      ->check(CLI::NonNegativeNumber);
+}
+
+PostOptions PlanArguments::post(const JobOutput& job) const {
+  PostOptions post;
+  post.dialect = post_.value_or(job.post.value_or("linuxcnc"));
+  post.inch = inch_ || job.inch.value_or(false);
+  post.decimals = decimals_ ? decimals_ : job.decimals;
+  post.arcs = !no_arcs_ && job.arcs.value_or(true);
+  post.tool_changer = !no_tool_change_ && job.tool_change.value_or(true);
+  post.length_offset = !no_length_offset_ && job.length_offset.value_or(true);
+  post.exact_stop = exact_stop_ || job.exact_stop.value_or(false);
+  if (const auto wait = spindle_wait_ ? spindle_wait_ : job.spindle_wait)
+    post.spindle_wait = Seconds::of(*wait);
+  return post;
 }
 
 void PlanArguments::add_shop_options(CLI::App& command) {
@@ -223,8 +249,7 @@ PlanOptions PlanArguments::options() const {
   options.cutting.ramp_feed = feed_of(ramp_feed_);
   options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
-  options.post.dialect = post_.value_or(given.output.post.value_or("linuxcnc"));
-  options.post.inch = inch_ || given.output.inch.value_or(false);
+  options.post = post(given.output);
   options.objective = objective_.value_or(given.objective.value_or("time"));
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));

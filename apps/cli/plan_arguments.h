@@ -32,6 +32,8 @@ class PlanArguments {
  private:
   std::vector<Tool> tools() const;
   void add_shop_options(CLI::App& command);
+  void add_post_options(CLI::App& command);
+  PostOptions post(const JobOutput& job) const;
   Machine machine(const std::optional<JobFile>& job) const;
   ShopOptions shop(const JobFile& job) const;
   std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
@@ -74,6 +76,9 @@ class PlanArguments {
   std::optional<double> rapid_feed_;
   std::optional<std::string> post_;
   bool inch_ = false;
+  std::optional<int> decimals_;
+  bool no_arcs_ = false, no_tool_change_ = false, no_length_offset_ = false, exact_stop_ = false;
+  std::optional<double> spindle_wait_;
   std::optional<double> clearance_z_;
   std::optional<std::string> objective_;
   std::optional<double> time_;

@@ -71,6 +71,8 @@ double published_time(double naive_s, int discontinuities) {
 TextTable compare(const Part& part, const PlanOptions& options) {
   std::vector<Row> rows;
   for (const auto& name : strategy_names()) rows.push_back(row_of(name, part, options));
+  if (std::none_of(rows.begin(), rows.end(), [](const Row& row) { return row.figures.has_value(); }))
+    throw InputError("", rows.front().refusal);
   TextTable table;
   table.title = part.name;
   table.columns = {{"strategy", Align::kLeft},

@@ -7,7 +7,7 @@
 namespace clearcut {
 
 /// One row a strategy: lengths, times (kinematic; and CPO-rho eq. 9 with tau = 0.177 s), what is left, load,
-/// verdict; the fastest clean row is marked. Strategies that cannot plan the part say why.
+/// verdict; the fastest clean row is marked. Strategies that cannot plan the part say why. Throws InputError where none can.
 TextTable compare(const Part& part, const PlanOptions& options);
 
 /// CPO-rho eq. 9: T = sum L / V_f + 2 (1 + nd) tau, nd the number of discontinuities, tau = 0.177 s.

@@ -16,8 +16,10 @@ bool has_open_side(const Feature& feature) {
 }
 
 /// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
-/// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path.
+/// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path; decimals that are
+/// asked for are those of one unit.
 double printing_reserve(const PlanOptions& options) {
+  if (options.post.decimals) return std::max(0.0, rounding_of(options.post) - options.tol.gouge / 2);
   PostOptions metric = options.post, inch = options.post;
   metric.inch = false;
   inch.inch = true;

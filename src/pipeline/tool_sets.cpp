@@ -77,8 +77,8 @@ ToolRun run_of(const Candidate& candidate, const Part& part, PlanOptions options
     run.time_s = figures.time_s;
     run.published_s = published_time(figures.time_naive_s, figures.turns);
     run.unreachable_mm2 = figures.unreachable_mm2;
-  } catch (const InputError&) {
-    run.fits = false;
+  } catch (const InputError& error) {
+    run.refusal = error.what();
   }
   return run;
 }
@@ -203,6 +203,8 @@ std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds&
 
 TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
   const auto runs = run_tools(part, speeds, options);
+  if (std::none_of(runs.begin(), runs.end(), [](const ToolRun& run) { return run.fits; }))
+    throw InputError("", runs.front().refusal);
   TextTable table;
   table.title = part.name + ": each cutter alone";
   table.columns = {{"tool", Align::kLeft},

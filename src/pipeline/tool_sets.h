@@ -10,6 +10,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "pipeline/plan_options.h"
@@ -33,6 +34,7 @@ struct ToolRun {
   double spindle_rpm = 0;
   double feed_mm_per_min = 0;
   bool fits = false;
+  std::string refusal;  ///< why it does not
   bool clean = false;
   double feed_mm = 0;
   double time_s = 0;           ///< kinematic
@@ -57,7 +59,8 @@ struct ToolSequence {
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
                                              const PlanOptions& options);
 
-/// The table, with the fastest clean cutter marked and the fastest sequence under it.
+/// The table, with the fastest clean cutter marked and the fastest sequence under it. Throws InputError where no cutter
+/// can be used.
 TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
 
 }  // namespace clearcut

@@ -28,7 +28,7 @@ Path mapped(const Path& path, const Affine& map) {
 
 double radius_of(const DxfDocument& document, const DxfEntity& entity) {
   const double radius = document.required(entity, 40);
-  if (!(radius > 0)) document.fail(entity.line, "a radius of 0 or less; correct the file");
+  if (!(radius >= 0)) document.fail(entity.line, "a radius below 0; correct the file");
   return radius;
 }
 
@@ -38,6 +38,7 @@ Path arc_path(const DxfDocument& document, const DxfEntity& entity) {
   const double start = document.required(entity, 50), end = document.required(entity, 51);
   double sweep = std::fmod(end - start, 360.0);
   if (sweep <= 1e-9) sweep += 360;
+  if (radius == 0) return {};
   if (sweep >= 360 - 1e-9) return full_circle(center, radius);
   const Vec2 from = center + direction_of(start * kDegree) * radius;
   const Vec2 to = center + direction_of((start + sweep) * kDegree) * radius;
@@ -129,7 +130,8 @@ std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& e
   if (entity.type == "LINE") {
     curve.edges = mapped({Edge::line(point(document, entity, 10), point(document, entity, 11))}, map);
   } else if (entity.type == "CIRCLE") {
-    curve.edges = mapped(full_circle(point(document, entity, 10), radius_of(document, entity)), map * *own);
+    const double radius = radius_of(document, entity);
+    if (radius > 0) curve.edges = mapped(full_circle(point(document, entity, 10), radius), map * *own);
     curve.closed = true;
   } else if (entity.type == "ARC") {
     curve.edges = mapped(arc_path(document, entity), map * *own);

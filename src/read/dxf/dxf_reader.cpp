@@ -136,7 +136,9 @@ class Collector {
     auto curve = curve_of(document_, entity, followers, map);
     if (!curve) {
       ++not_read_[std::string(entity.type) + " that is not flat or has no points"];
-    } else if (!curve->edges.empty()) {
+    } else if (curve->edges.empty()) {
+      ++not_read_[std::string(entity.type) + " without length"];
+    } else {
       group.curves.push_back(std::move(*curve));
     }
   }
@@ -164,7 +166,8 @@ class Collector {
     const auto block = document_.blocks.find(name);
     if (block == document_.blocks.end()) {
       document_.fail(entity.line,
-                     "INSERT of the block '" + printable(name) + "', which the file does not define");
+                     "INSERT of the block '" + printable(name) +
+                         "', which the file does not define; bind the reference it stands for, or delete it");
     }
     if (depth >= kDeepestBlocks) {
       document_.fail(entity.line,

@@ -209,6 +209,12 @@ TEST(Dxf, HiddenAndPaperEntitiesAreNotMilledButCounted) {
   EXPECT_EQ(said(part, Severity::kSkipped, "1 CIRCLE of the paper layout, 1 HATCH, 2 TEXT"), 1);
 }
 
+TEST(Dxf, CurvesWithoutLengthAreLeftOutAndCounted) {
+  const Part part = read(dxf(kSquare + " 0 CIRCLE 8 D5 10 5 20 5 40 0 0 ARC 8 D5 10 5 20 5 40 0 50 0 51 90"));
+  EXPECT_NEAR(all_area(part), 100, 1e-9);
+  EXPECT_EQ(said(part, Severity::kSkipped, "1 ARC without length, 1 CIRCLE without length"), 1);
+}
+
 TEST(Dxf, BadFilesGiveOneLineSayingWhere) {
   EXPECT_THAT(refusal(""), HasSubstr("no ENTITIES section"));
   EXPECT_THAT(refusal("hello\nworld\n"), StartsWith("plate.dxf:1: a DXF group code was expected"));
@@ -217,7 +223,7 @@ TEST(Dxf, BadFilesGiveOneLineSayingWhere) {
   EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 x 20 5 40 2")), HasSubstr("'x' is not a number"));
   EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 nan 20 5 40 2")), HasSubstr("'nan' is not a number"));
   EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 1 20 5")), HasSubstr("CIRCLE lacks its group 40"));
-  EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 1 20 5 40 -2")), HasSubstr("radius of 0 or less"));
+  EXPECT_THAT(refusal(dxf(" 0 CIRCLE 8 D1 10 1 20 5 40 -2")), HasSubstr("radius below 0"));
   EXPECT_THAT(refusal(dxf(" 0 SPLINE 8 D1 71 3 40 0 40 1 10 0 20 0 10 1 20 1")),
               HasSubstr("2 knots for 2 control"));
   EXPECT_THAT(refusal(dxf(" 0 INSERT 8 D1 2 NOWHERE 10 0 20 0")),
@@ -226,7 +232,7 @@ TEST(Dxf, BadFilesGiveOneLineSayingWhere) {
       refusal(dxf(" 0 INSERT 8 D1 2 A 10 0 20 0", " 0 BLOCK 2 A 10 0 20 0 0 INSERT 2 A 10 1 20 0 0 ENDBLK")),
       HasSubstr("may contain itself"));
   EXPECT_THAT(refusal(dxf(" 0 LINE 8 D1 10 0 20 0 11 5 21 0")), HasSubstr("the outline is open at"));
-  EXPECT_THAT(refusal(dxf(" 0 TEXT 8 D1 1 hi")), HasSubstr("nothing to mill"));
+  EXPECT_THAT(refusal(dxf(" 0 TEXT 8 D1 1 hi")), HasSubstr("nothing to mill was found (not read"));
   EXPECT_THAT(refusal(dxf(kSquare),
                       [] {
                         ReadOptions o;

@@ -147,11 +147,23 @@ OperationRule operation_rule(DataSection section) {
   return rule;
 }
 
+int decimals_of(const DataSection& section, double value) {
+  if (value < 3 || value > 6 || value != std::floor(value))
+    section.fail("decimals is a whole number from 3 to 6; correct it");
+  return static_cast<int>(value);
+}
+
 JobOutput output_of(DataSection section) {
   JobOutput out;
   out.program = section.text("program");
   out.post = section.text("post");
   out.inch = section.flag("inch");
+  if (const auto decimals = section.positive("decimals")) out.decimals = decimals_of(section, *decimals);
+  out.arcs = section.flag("arcs");
+  out.tool_change = section.flag("tool_change");
+  out.length_offset = section.flag("length_offset");
+  out.exact_stop = section.flag("exact_stop");
+  out.spindle_wait = section.not_negative("spindle_wait");
   out.certificate = section.text("certificate");
   out.svg = section.text("svg");
   out.report = section.text("report");

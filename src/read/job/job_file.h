@@ -48,6 +48,10 @@ struct OperationRule {
 struct JobOutput {
   std::optional<std::string> program, post, certificate, svg, report, result;
   std::optional<bool> inch;
+  // Switches of the post.
+  std::optional<int> decimals;
+  std::optional<bool> arcs, tool_change, length_offset, exact_stop;
+  std::optional<double> spindle_wait;  ///< s
 };
 
 struct JobStock {

@@ -66,6 +66,14 @@ Regions islands_of(std::vector<DrawnGroup>& groups, const ReadOptions& options, 
   return islands;
 }
 
+/// In the words of the reader; "" for none.
+std::string what_was_left_out(const Diagnostics& diagnostics) {
+  std::string all;
+  for (const Diagnostic& item : diagnostics.items())
+    if (item.severity == Severity::kSkipped) all += (all.empty() ? "" : "; ") + item.what;
+  return all.empty() ? "" : " (" + all + ")";
+}
+
 bool near_any(const Regions& regions, const Regions& others) {
   const Box around = box(others);
   return std::any_of(regions.begin(), regions.end(),
@@ -146,7 +154,8 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
     for (Region& region : regions) features.push_back(feature_of(group, std::move(region), depth, options));
   }
   if (features.empty()) {
-    throw InputError(part.source_file, "nothing to mill was found; draw the pockets as closed curves");
+    throw InputError(part.source_file, "nothing to mill was found" + what_was_left_out(part.diagnostics) +
+                                           "; draw the pockets as closed curves");
   }
   std::stable_sort(features.begin(), features.end(),
                    [](const Feature& a, const Feature& b) { return a.floor_z > b.floor_z; });

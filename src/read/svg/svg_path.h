@@ -17,7 +17,8 @@ struct SvgSubpath {
 
 struct SvgPathData {
   std::vector<SvgSubpath> subpaths;
-  std::string error;  ///< "" or what is wrong and where; the subpaths before it are good
+  bool half_point = false;  ///< a list of points ends after an x
+  std::string error;        ///< "" or what is wrong and where; the subpaths before it are good
 };
 
 /// All commands in absolute and relative form, with implied repeats. Circular arcs stay exact under `map`

@@ -78,6 +78,15 @@ class SvgCollector {
     report_left_out(diagnostics_, file_, hidden_, "not read, because they are not displayed:");
     report_left_out(diagnostics_, file_, not_chosen_, "not read, because their layers were not chosen:");
     report_left_out(diagnostics_, file_, ignored_, "not read, because their layers' names say so:");
+    for (const auto& [property, count] : cut_off_) {
+      diagnostics_.warn(
+          file_, std::to_string(count) + " elements have a " + property +
+                     ", which is not applied: what it hides is read too; cut the shapes in the drawing");
+    }
+    if (odd_points_ > 0) {
+      diagnostics_.warn(file_, std::to_string(odd_points_) +
+                                   " lists of points end in half a point, which is left out; correct them");
+    }
     if (stroke_only_ > 0) {
       diagnostics_.note(file_,
                         std::to_string(stroke_only_) +
@@ -170,7 +179,9 @@ class SvgCollector {
     if (target.empty()) target = attribute(node, "xlink:href");
     const auto found = target.substr(0, 1) == "#" ? by_id_.find(std::string(target.substr(1))) : by_id_.end();
     if (found == by_id_.end()) {
-      throw InputError(place(node), "use of '" + printable(target) + "', which the file does not define");
+      throw InputError(place(node),
+                       "use of '" + printable(target) +
+                           "', which the file does not define; copy it into the file, or delete the use");
     }
     own.map = own.map * Affine::translation({svg_attribute(node, "x", own.view.width, 0),
                                              svg_attribute(node, "y", own.view.height, 0)});
@@ -184,13 +195,15 @@ class SvgCollector {
   }
 
   /// Style, transform, layer and depth of this element on top of what is around it.
-  void inherit(const pugi::xml_node& node, std::string_view name, Inherited& own) const {
+  void inherit(const pugi::xml_node& node, std::string_view name, Inherited& own) {
+    own.style.cut_off.clear();
     for (const char* property : {"fill", "stroke", "fill-rule", "fill-opacity", "stroke-opacity", "opacity",
-                                 "visibility", "display"}) {
+                                 "visibility", "display", "clip-path", "mask"}) {
       own.style.set(property, attribute(node, property));
     }
     sheet_.apply(name, attribute(node, "id"), attribute(node, "class"), own.style);
     apply_declarations(attribute(node, "style"), own.style);
+    if (!own.style.cut_off.empty()) ++cut_off_[own.style.cut_off];
     if (const auto text = attribute(node, "transform"); !text.empty()) {
       const auto transform = svg_transform(text);
       if (!transform)
@@ -253,6 +266,8 @@ class SvgCollector {
     SvgPathData data = svg_shape(node, own.view, own.map);
     if (!data.error.empty()) throw InputError(place(node), data.error + "; correct it");
     if (!filled) ++stroke_only_;
+    if (data.half_point) ++odd_points_;
+    if (data.subpaths.empty()) ++not_read_[std::string(local_name(node)) + " without size"];
     std::optional<Compound> compound;
     if (filled) compound = Compound{compounds_++, own.style.fill_rule != "evenodd"};
     for (SvgSubpath& subpath : data.subpaths) {
@@ -294,7 +309,9 @@ class SvgCollector {
   std::map<std::tuple<std::string, LayerRole, std::optional<double>, std::optional<double>>, std::size_t>
       by_key_;
   LeftOut not_read_, hidden_, not_chosen_, ignored_;
+  LeftOut cut_off_;  ///< elements by the property that hides part of them
   int stroke_only_ = 0;
+  int odd_points_ = 0;
   int compounds_ = 0;
   int count_ = 0;
 };

@@ -229,6 +229,25 @@ TEST(Svg, StyleSheetsWithSimpleSelectors) {
   EXPECT_EQ(said(part, Severity::kWarning, "selectors that are not read"), 1);
 }
 
+TEST(Svg, WhatIsHiddenByClippingIsReadAndWarnedOf) {
+  const Part part = read(
+      page("<style>.c{clip-path:url(#c)}</style><g clip-path='url(#c)'><rect width='10' height='10'/></g>"
+           "<rect x='20' width='10' height='10' class='c'/><rect x='40' width='10' height='10' "
+           "style='mask:url(#m)'/><rect x='60' width='10' height='10' clip-path='none'/>"));
+  EXPECT_NEAR(all_area(part), 400, 1e-9);
+  EXPECT_EQ(said(part, Severity::kWarning, "2 elements have a clip-path, which is not applied"), 1);
+  EXPECT_EQ(said(part, Severity::kWarning, "1 elements have a mask"), 1);
+}
+
+TEST(Svg, WhatHasNoSizeAndHalfPointsAreSaid) {
+  const Part part =
+      read(page("<rect width='10' height='10'/><rect width='-5' height='5'/><circle r='0'/>"
+                "<polygon points='20,0 30,0 30,10 20,10 7'/>"));
+  EXPECT_NEAR(all_area(part), 200, 1e-9);
+  EXPECT_EQ(said(part, Severity::kSkipped, "1 circle without size, 1 rect without size"), 1);
+  EXPECT_EQ(said(part, Severity::kWarning, "half a point"), 1);
+}
+
 TEST(Svg, Colors) {
   EXPECT_EQ(normal_color("#F0a"), "#ff00aa");
   EXPECT_EQ(normal_color("Red"), "#ff0000");
@@ -257,6 +276,7 @@ TEST(Svg, BadFilesGiveOneLineSayingWhere) {
   EXPECT_THAT(refusal(page("<rect data-depth='deep' width='5' height='5'/>")),
               HasSubstr("'deep' is no length"));
   EXPECT_THAT(refusal(page("")), HasSubstr("nothing to mill"));
+  EXPECT_THAT(refusal(page("<text>hi</text>")), HasSubstr("because they are no outlines: 1 text)"));
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<g>";
   EXPECT_THAT(refusal("<svg>" + deep), HasSubstr("not SVG"));

@@ -42,12 +42,15 @@ SvgPathData polygon(const std::vector<Vec2>& points, bool closed, const Affine& 
 SvgPathData points_of(const pugi::xml_node& node, bool closed, const Affine& map) {
   SvgScanner scanner(node.attribute("points").value());
   std::vector<Vec2> points;
+  bool half_point = false;
   while (const auto x = scanner.number()) {
     const auto y = scanner.number();
+    half_point = !y;
     if (!y) break;
     points.push_back({*x, *y});
   }
   SvgPathData out = polygon(points, closed, map);
+  out.half_point = half_point;
   if (!scanner.at_end())
     out.error =
         "a number was expected at character " + std::to_string(scanner.position() + 1) + " of the points";

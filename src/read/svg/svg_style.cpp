@@ -93,6 +93,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kNames{{
 }  // namespace
 
 void SvgStyle::set(std::string_view property, std::string_view value) {
+  if ((property == "clip-path" || property == "mask") && value.find("url") != std::string_view::npos)
+    cut_off = property;
   value = stripped(value);
   const std::size_t important = value.find('!');
   if (important != std::string_view::npos) value = stripped(value.substr(0, important));
