@@ -36,6 +36,11 @@ constexpr int kMostIdle = 1;
 constexpr int kMostEntries = 20;
 /// Tool radii that the centre may run beyond an open side.
 constexpr double kBeyondOpenSides = 1.01;
+/// Tool radii between the places beside the stock from where cuts are tried, how far inside their outline these are, and
+/// how near the stock is there.
+constexpr double kAirPitch = 0.5;
+constexpr double kBesideAir = 0.005;
+constexpr double kNearStock = 0.05;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
 /// Tool radii of wall that are cut after a corner before the corner itself.
@@ -48,6 +53,7 @@ constexpr double kCornerFilm = 2e-3;
 constexpr double kCornerFree = 3e-3;
 /// Length along a wall of the last move onto it over the distance that it comes from.
 constexpr double kGateSlopes[] = {0, 2, 6, 16};
+constexpr double kLongestGate = 3;  // tool radii
 /// Gates beside a wall to which a way is looked for.
 constexpr int kMostGates = 3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
@@ -138,8 +144,29 @@ class AdaptivePlanner {
  private:
   /// In at open sides, as far as that leads.
   void cut_from_outside() {
+    const auto everywhere = [](Vec2) { return true; };
     clearing_.walls.update(ground_, legal_.box());
-    cut_fronts(clearing_, [](Vec2) { return true; });
+    cut_fronts(clearing_, everywhere);
+    const Wall outline(legal_.outer());
+    const double end = outline.length();
+    for (double s = 0; s < end; s += kAirPitch * radius_) {
+      if (cut_from_air(outline, s)) cut_fronts(clearing_, everywhere);
+    }
+  }
+
+  /// Round the stock with it on the right, nearer until the contact is at the limit, and on. Whether it stands beside
+  /// the outline at s, with nothing on it.
+  bool cut_from_air(const Wall& outline, double s) {
+    const Vec2 along = outline.heading(s), inwards = left_of(along),
+               p = outline.at(s) + inwards * (kBesideAir * radius_);
+    if (ground_.touches(p, kClear) || !ground_.touches(p + inwards * (kNearStock * radius_), kFree))
+      return false;
+    const auto way = path_.empty() ? std::nullopt : path_.way_to(p, kFree);
+    const Path cut = finishing_.tracer.cut_on(p, -along, 0);
+    if (cut.empty()) return false;
+    path_.append(cut, way ? *way : hop_to(p));
+    clearing_.walls.update(ground_, box(cut).grown(2 * radius_));
+    return true;
   }
 
   /// What the cuts could not reach is entered from above.
@@ -317,20 +344,22 @@ class AdaptivePlanner {
     return path_.empty() ? std::vector<Vec2>{p} : path_.way_to(p, kFree);
   }
 
-  /// Begins a new pass at p, from above, where nothing stands there any more.
-  std::optional<std::vector<Vec2>> hop_to(Vec2 p) {
-    if (ground_.touches(p, kClear)) return std::nullopt;
+  /// Begins a new pass at p, where nothing stands any more, from above.
+  std::vector<Vec2> hop_to(Vec2 p) {
     if (!path_.empty()) finish_pass();
     path_.start_clear(true);
-    return std::vector<Vec2>{p};
+    return {p};
+  }
+  /// The same where nothing stands.
+  std::optional<std::vector<Vec2>> hop_if_clear(Vec2 p) {
+    if (ground_.touches(p, kClear)) return std::nullopt;
+    return hop_to(p);
   }
 
   /// Whether the contact keeps the limit on a short move.
   bool is_gentle(Vec2 from, Vec2 to) const {
-    for (const double t : {0.3, 0.6, 0.8, 0.999}) {
-      if (ground_.contact(lerp(from, to, t), to - from) > limit_) return false;
-    }
-    return true;
+    const Edge line = Edge::line(from, to);
+    return ground_.length_within(line, limit_) >= line.length();
   }
 
   /// Where the wall bears nothing yet; else beside it.
@@ -357,6 +386,7 @@ class AdaptivePlanner {
     for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
       for (const double slope : kGateSlopes) {
         const double aside = share * radius_;
+        if (share * slope > kLongestGate) continue;
         const Vec2 gate = p - along * (slope * aside) + left_of(along) * aside;
         if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree) || !is_gentle(gate, p))
           continue;
@@ -507,7 +537,7 @@ class AdaptivePlanner {
       const Path bite = Peeler(ground_, wall, limit_).bite_from_aside(gate, place.s);
       if (bite.empty()) continue;
       auto way = path_.empty() ? std::nullopt : path_.way_to(gate, kFree);
-      if (!way) way = hop_to(gate);
+      if (!way) way = hop_if_clear(gate);
       if (!way) continue;
       append(bite, *way);
       return true;
@@ -521,7 +551,7 @@ class AdaptivePlanner {
       if (auto way = path_.way_to(p, kFree)) return way;
       if (auto way = path_.way_to(p, kCornerFree)) return way;
     }
-    return hop_to(p);
+    return hop_if_clear(p);
   }
 
   void cut_stretch(const WallStretch& place) {

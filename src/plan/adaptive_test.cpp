@@ -206,6 +206,37 @@ TEST(Adaptive, BesideTheStockItComesInFromOutside) {
   EXPECT_LT(planned.passes.front().path.front().from.x, -kTool + 0.01);
 }
 
+TEST(Adaptive, ContactKeepsTheLimitOnStripsBesideTheStock) {
+  // A block round a wall, with less than the cutter's diameter to go; walls are `allowed`'s islands.
+  for (const double strip : {1.0, 3.0, 5.5}) {
+    Layer layer = square_layer(40);
+    layer.stock = Box{{0, 0}, {40, 40}};
+    const Loop wall = reversed(loop_from_points(std::vector<Vec2>{
+        {strip, strip}, {40 - strip, strip}, {40 - strip, 40 - strip}, {strip, 40 - strip}}));
+    layer.target = {Region::from_valid_loops(layer.target[0].outer(), {wall})};
+    layer.allowed = {Region::from_valid_loops(
+        loop_from_points(std::vector<Vec2>{{-50, -50}, {90, -50}, {90, 90}, {-50, 90}}), {wall})};
+    const auto planned = plan_adaptive(layer, {}, {});
+    Material material(layer.stock, 0, {kTool});
+    double above = 0, cutting = 0;
+    for (const Pass& pass : planned.passes) {
+      EXPECT_FALSE(pass.entry_center);
+      for (const Edge& edge : pass.path) {
+        const Move move{edge, -1, -1, MoveKind::kCut, {}, 0};
+        const int steps = static_cast<int>(edge.length() / 0.1) + 3;
+        for (int k = 1; k <= steps; ++k) {
+          const double angle = material.engagement(move, static_cast<double>(k) / steps, kTool - 1e-3).angle;
+          if (angle > 0) cutting += edge.length() / steps;
+          if (angle > Radians::of_degrees(62).radians()) above += edge.length() / steps;
+        }
+        material.add(move, kTool);
+      }
+    }
+    EXPECT_GT(cutting, 100) << strip;
+    EXPECT_LT(above, 0.3) << strip;
+  }
+}
+
 TEST(Adaptive, ClearsRandomPolygons) {
   Random random(11);
   for (int i = 0; i < 8; ++i) {
