@@ -30,14 +30,16 @@ void add_genetic_options(CLI::App& command, TourOptions& options) {
       ->group(group);
   command.add_option("--crossover-rate", genetic.crossover_rate, "Chance of two parents")->group(group);
   command.add_option("--mutation-rate", genetic.mutation_rate, "Chance of a mutation")->group(group);
+  command.add_option("--again-rate", genetic.again_rate, "Chance of one more mutation after each")
+      ->group(group);
   command.add_option("--children", genetic.children, "New individuals in a generation (25)")->group(group);
   command.add_option("--most-shared", genetic.most_shared, "Share of edges that makes two too similar (0.2)")
       ->group(group);
   command
       .add_option("--neighbours", options.genetic_neighbours,
-                  "Nearest points a mutation draws from; 0: all (lattices 24, files all)")
+                  "Nearest points a mutation draws from; 0: all (24)")
       ->group(group);
-  command.add_option("--patience", genetic.patience, "Generations without gain that end the run (1000)")
+  command.add_option("--patience", genetic.patience, "Generations without gain that end the run (40000)")
       ->group(group);
   command.add_option("--generations", genetic.stop.rounds, "Most generations")->group(group);
 }

@@ -285,7 +285,7 @@ class LocalPart final : public Objective {
 void add_local_starts(const Objective& objective, Evaluator& value_of, const Moves& moves,
                       const Neighbours& neighbours, const SolveOptions& options, const StopWatch& watch,
                       const Bounds& bounds, std::vector<std::pair<double, Tour>>& valued) {
-  constexpr int kRounds = 25, kPatience = 4;
+  constexpr int kRounds = 25, kPatience = 10;
   const Objective::Linear linear = objective.linear();
   const bool has_local = linear.length > 0 || linear.turns > 0 || linear.angle > 0;
   if (!objective.path_dependent() || !has_local) return;

@@ -304,6 +304,9 @@ GeneticStudy genetic_study(const std::string& name, const GeneticStudyOptions& o
     StudyLevel level{.name = value, .side = options.side.value_or(size.side), .objective = objective};
     level.genetic.stop.rounds = generations;
     level.genetic.patience = std::numeric_limits<long long>::max();
+    // So that an operator shows itself: one mutation a child, and a fifth of them crossed.
+    level.genetic.again_rate = 0;
+    level.genetic.crossover_rate = 0.2;
     set_factor(level, plan.factor, value);
     if (level.side < 2 || level.side > 1000) throw InputError("--side", "lies between 2 and 1000");
     study.levels.push_back(level);

@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "geometry/clearance.h"
 #include "pipeline/published_comparisons.h"
+#include "pipeline/reproduce_objectives.h"
 #include "pipeline/reproduce_orders.h"
 #include "pipeline/reproduce_tour.h"
 #include "plan/contour.h"

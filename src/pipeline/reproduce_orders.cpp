@@ -4,31 +4,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <numeric>
 
+#include "geometry/boolean.h"
 #include "order/lattice.h"
 #include "order/solve.h"
 #include "part/fishhead.h"
-#include "pipeline/engagement_model.h"
 #include "pipeline/prepare.h"
+#include "pipeline/published_grids.h"
 #include "pipeline/tour_solver.h"
 #include "plan/layers.h"
 
 namespace clearcut {
 namespace {
-
-order::Solution solved(const order::Problem& problem, const order::Objective& objective, std::uint64_t seed,
-                       long long rounds = 4) {
-  order::SolveOptions options;
-  options.seed = seed;
-  options.stop.seconds = std::numeric_limits<double>::infinity();
-  options.stop.effort = 1;
-  options.stop.rounds = rounds;
-  return order::solve(problem, objective, options);
-}
 
 /// Worst value and longest time over seeds.
 struct Worst {
@@ -59,18 +46,6 @@ void add_lattice(TextTable& table, const std::string& size, const std::string& m
 }
 
 constexpr double kEndMill = 10;  // mm
-constexpr double kEngagementShare = 0.5;
-/// Of the search; objectives of the whole path are dear to ask.
-constexpr long long kLocalRounds = 30, kPathRounds = 5;
-
-/// Hands the grids of a layer, made as published, to `answer`.
-void ask_published(const Layer& layer, double pitch, const TourSolver& answer) {
-  TourGridOptions grid;
-  grid.published = true;
-  grid.pitch = pitch;
-  grid.pitch_in_mm = true;
-  plan_tour(layer, grid, answer, {});
-}
 
 struct Sum {
   double length = 0, angle = 0;
@@ -79,6 +54,7 @@ struct Sum {
     length += o.length, angle += o.angle, turns += o.turns;
     return *this;
   }
+  Sum operator*(int n) const { return {length * n, angle * n, turns * n}; }
 };
 
 /// Length, turns and angle of the published grid of a layer in the order that the objective asks for.
@@ -92,21 +68,37 @@ Sum grid_figures(const Layer& layer, double pitch, const order::Objective& objec
   return sum;
 }
 
-/// How the printed job may be read: grids of half a diameter or a diameter, every layer or one a feature.
+/// How the printed job may be read: grids of half a diameter or a diameter.
 struct Reading {
   const char* name;
   double face_pitch, pocket_pitch;  ///< mm
 };
 
+/// And which layers count: one a feature, those that still hold material, all from the top of a feature's stock.
 struct Job {
-  Sum one_layer, all_layers;
+  Sum one_layer, with_material, all_layers;
 };
+
+/// Layers of a step that earlier steps have not all but cleared.
+int layers_with_material(const std::vector<Layer>& layers, const std::vector<Layer>& cut_before) {
+  constexpr double kAllBut = 0.1;
+  int count = 0;
+  for (const Layer& layer : layers) {
+    Regions rest = layer.target;
+    for (const Layer& earlier : cut_before) {
+      if (earlier.z <= layer.z + 1e-9) rest = subtract(rest, earlier.target, {});
+    }
+    count += area(rest) > kAllBut * area(layer.target) ? 1 : 0;
+  }
+  return count;
+}
 
 Job fishhead_figures(const Reading& reading, const order::Objective& objective) {
   PlanOptions options;
   options.stepdown = 2;
   const Part part = prepare(fishhead(false, {}), options);
   Job job;
+  std::vector<Layer> cut_before;  // the last layer of each step
   for (const auto& step : part.workplan) {
     const double radius = tool_of(part, step).radius();
     auto layers = layers_of(feature_of(part, step), step.operation, radius, {});
@@ -117,9 +109,10 @@ Job fishhead_figures(const Reading& reading, const order::Objective& objective) 
     Layer layer = layers.front();
     layer.allowed = layer.target;
     const Sum one = grid_figures(layer, pitch, objective);
-    const int count = static_cast<int>(layers.size());
     job.one_layer += one;
-    job.all_layers += {one.length * count, one.angle * count, one.turns * count};
+    job.with_material += one * layers_with_material(layers, cut_before);
+    job.all_layers += one * static_cast<int>(layers.size());
+    cut_before.push_back(layers.back());
   }
   return job;
 }
@@ -135,103 +128,6 @@ order::ObjectivePtr seeded(const char* kind) {
   const auto main = std::string(kind) == "turns" ? order::turns_objective() : order::angle_objective();
   const double weight = std::string(kind) == "turns" ? 20 : 0.2;
   return order::weighted_sum({{weight, main}, {1, order::length_objective()}});
-}
-
-/// The grid of a feature of the fishhead as the text would make it; of several the largest. Handed to `use`, since
-/// its legal ways can be asked for no longer than that.
-void with_grid(const std::string& feature_name, double pitch,
-               const std::function<void(const TourTask&)>& use) {
-  PlanOptions options;
-  options.stepdown = 2;
-  const Part part = prepare(fishhead(false, {}), options);
-  for (const auto& step : part.workplan) {
-    const auto& feature = feature_of(part, step);
-    if (feature.name != feature_name) continue;
-    Layer layer = layers_of(feature, step.operation, kEndMill / 2, {}).front();
-    layer.allowed = layer.target;
-    layer.tool_radius = kEndMill / 2;
-    std::size_t largest = 0;
-    const auto as_they_come = [](const TourTask& task) {
-      std::vector<int> order(task.points.size());
-      std::iota(order.begin(), order.end(), 0);
-      return order;
-    };
-    ask_published(layer, pitch, [&](const TourTask& task) {
-      largest = std::max(largest, task.points.size());
-      return as_they_come(task);
-    });
-    ask_published(layer, pitch, [&](const TourTask& task) {
-      if (task.points.size() == largest) use(task);
-      return as_they_come(task);
-    });
-    return;
-  }
-}
-
-/// Percent above the least.
-std::string over(double value, double least) {
-  return least > 0 ? fmt::format("{:.1f}", 100 * (value / least - 1)) : "";
-}
-
-EngagementTask engagement_task(const TourTask& task) {
-  return {task.points, task.way, task.layer->target, task.layer->tool_radius};
-}
-
-void add_printed(TextTable& table, const char* objective, double length, int turns) {
-  table.add({"printed", "", objective, fmt::format("{:.0f}", length), over(length, 2937),
-             std::to_string(turns), over(turns, 41), "", "", ""});
-}
-
-double mean_deviation(const TourTask& task, const order::Tour& tour) {
-  double sum = 0;
-  const auto shares = raster_engagement(engagement_task(task))->along(tour);
-  for (const double share : shares) sum += std::abs(share - kEngagementShare);
-  return sum / static_cast<double>(std::max<std::size_t>(shares.size(), 1));
-}
-
-/// A grid's tours for one objective at a time and for all at once.
-void add_objectives(TextTable& table, const char* feature, const TourTask& task) {
-  const auto problem = grid_problem(task);
-  const auto length = order::length_objective(), turns = order::turns_objective();
-  const auto engagement =
-      engagement_objective(kEngagementShare, [&] { return raster_engagement(engagement_task(task)); });
-  const std::pair<const char*, order::ObjectivePtr> objectives[] = {
-      {"length", length},
-      {"turns", turns},
-      {"engagement 50 %", engagement},
-      {"all three", order::weighted_sum({{1, length}, {20, turns}, {0.1, engagement}})}};
-  double least_length = 0;
-  int least_turns = 0;
-  for (const auto& [name, objective] : objectives) {
-    const auto solution =
-        solved(problem, *objective, 1, objective->path_dependent() ? kPathRounds : kLocalRounds);
-    if (objective == length) least_length = solution.length;
-    if (objective == turns) least_turns = solution.turns;
-    const bool knows_turns = least_turns > 0;
-    table.add({feature, std::to_string(task.points.size()), name, fmt::format("{:.0f}", solution.length),
-               over(solution.length, least_length), std::to_string(solution.turns),
-               knows_turns ? over(solution.turns, least_turns) : "",
-               fmt::format("{:.3f}", mean_deviation(task, solution.tour)),
-               fmt::format("{:.0f}", solution.bound), fmt::format("{:.2f}", 100 * solution.gap)});
-  }
-}
-
-std::array<double, 10> histogram(const std::vector<double>& shares) {
-  std::array<double, 10> bins{};
-  for (const double share : shares) {
-    bins[static_cast<std::size_t>(std::clamp(share * 10, 0.0, 9.0))] +=
-        100 / static_cast<double>(std::max<std::size_t>(shares.size(), 1));
-  }
-  return bins;
-}
-
-void add_histogram(TextTable& table, int target, const char* model, const std::vector<double>& shares) {
-  std::vector<std::string> row{fmt::format("{} %", target), model};
-  double mean = 0;
-  for (const double share : shares) mean += 100 * share / static_cast<double>(shares.size());
-  row.push_back(fmt::format("{:.1f}", mean));
-  for (const double bin : histogram(shares)) row.push_back(fmt::format("{:.0f}", bin));
-  table.add(row);
 }
 
 }  // namespace
@@ -278,61 +174,18 @@ TextTable fishhead_table() {
   for (const auto& reading : kReadings) {
     const Job rows = fishhead_figures(reading, *seeded("turns"));
     const Job spiral = fishhead_figures(reading, *seeded("angle"));
+    add_reading(table, fmt::format("{}, layers that hold material", reading.name), rows.with_material,
+                spiral.with_material);
     add_reading(table, fmt::format("{}, every 2 mm layer", reading.name), rows.all_layers, spiral.all_layers);
     add_reading(table, fmt::format("{}, one layer a feature", reading.name), rows.one_layer,
                 spiral.one_layer);
   }
   table.notes.push_back(
-      "nearest to print: a grid of D in every layer; feed, turns and angle are all about 1.2 times the "
-      "printed "
-      "ones there, while 50 % of D at 2 mm needs more than twice the printed feed whatever the order");
+      "nearest to print: a grid of D (what 4.2.4 takes without an engagement) in the layers that still hold "
+      "material: FACE2 to -12 mm leaves FACE3 six layers of its eleven");
   table.notes.push_back("grids as published: they leave a rim; entries and moves between areas are not in");
   table.notes.push_back(
       "the certified clean job: clearcut plan examples/fishhead.p21 --strategy tour --stepdown 2");
-  return table;
-}
-
-TextTable objectives_table() {
-  TextTable table;
-  table.title = "Tour table 6.4: the fishhead's features, grid of 5 mm, 10 mm end mill, legal ways only";
-  table.columns = {{"feature", Align::kLeft},
-                   {"points"},
-                   {"objective", Align::kLeft},
-                   {"length"},
-                   {"over least %"},
-                   {"turns"},
-                   {"over least %"},
-                   {"deviation"},
-                   {"bound"},
-                   {"gap %"}};
-  add_printed(table, "length", 2937, 185);
-  add_printed(table, "turns", 3615, 41);
-  add_printed(table, "engagement 50 %", 3999, 260);
-  add_printed(table, "all three", 3012, 42);
-  for (const char* feature : {"PLANAR_FACE2", "POCKET3"}) {
-    with_grid(feature, 5, [&](const TourTask& task) { add_objectives(table, feature, task); });
-  }
-  table.notes.push_back(
-      "deviation: mean |engagement - 50 %|, raster model; the text does not name its feature or its grid");
-  return table;
-}
-
-TextTable engagement_table() {
-  TextTable table;
-  table.title =
-      "Tour figure 6-15: percent of the moves by mean engagement, POCKET3, 10 mm end mill, grid of 2.5 mm";
-  table.columns = {{"target"}, {"model", Align::kLeft}, {"mean %"}};
-  for (int bin = 0; bin < 10; ++bin) table.columns.push_back({fmt::format("{}-{}", 10 * bin, 10 * bin + 10)});
-  with_grid("POCKET3", 2.5, [&](const TourTask& task) {
-    for (int target = 20; target <= 100; target += 20) {
-      const auto objective =
-          engagement_objective(target / 100.0, [&] { return raster_engagement(engagement_task(task)); });
-      const auto solution = solved(grid_problem(task), *objective, 1);
-      add_histogram(table, target, "raster", raster_engagement(engagement_task(task))->along(solution.tour));
-      add_histogram(table, target, "exact", exact_engagement(engagement_task(task))->along(solution.tour));
-    }
-  });
-  table.notes.push_back("optimised by the raster model, then measured by both; a slot is 100 %");
   return table;
 }
 

@@ -9,9 +9,5 @@ namespace clearcut {
 TextTable lattice_table();
 /// Table 6.5: feed length, turns and turn angle of the whole fishhead, by several readings of the printed job.
 TextTable fishhead_table();
-/// Table 6.4: one objective at a time, and several at once.
-TextTable objectives_table();
-/// Figure 6-15: how engagement is spread for targets from 20 to 100 %, by the raster and by the exact model.
-TextTable engagement_table();
 
 }  // namespace clearcut

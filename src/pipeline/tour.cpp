@@ -47,11 +47,11 @@ order::ObjectivePtr objective_named(const std::string& text, double feed) {
 namespace {
 
 order::Solution solve_published(const order::Problem& problem, const order::Objective& objective,
-                                const TourOptions& options, bool is_lattice) {
+                                const TourOptions& options) {
   order::GeneticOptions genetic = options.genetic;
   genetic.seed = options.seed;
   genetic.stop.seconds = options.time_s;
-  genetic.neighbours = options.genetic_neighbours.value_or(is_lattice ? problem.neighbour_count : 0);
+  genetic.neighbours = options.genetic_neighbours.value_or(problem.neighbour_count);
   return order::solve_genetic(problem, objective, genetic);
 }
 
@@ -111,8 +111,7 @@ TourResult solve_tour(const std::string& input, const TourOptions& options) {
   const auto objective = objective_of(result.problem, options);
   result.objective = options.objective;
   if (options.solver == "published") {
-    const bool is_lattice = order::parse_lattice(input).has_value();
-    result.solution = solve_published(result.problem, *objective, options, is_lattice);
+    result.solution = solve_published(result.problem, *objective, options);
     return result;
   }
   if (options.solver != "modern")

@@ -21,7 +21,7 @@ struct TourOptions {
   double engagement_percent = 50;  ///< wanted share of the leading half circle in material
   std::string solver = "modern";   ///< or "published": the text's genetic algorithm
   order::GeneticOptions genetic;   ///< of the published solver; seed and time come from here above
-  std::optional<int> genetic_neighbours;  ///< default as the text: lattices 24, files all points (5.3.2)
+  std::optional<int> genetic_neighbours;  ///< 0: all points; default 24
 };
 
 struct TourResult {

@@ -17,8 +17,10 @@ namespace {
 void check_options(const GeneticOptions& o) {
   if (o.population < 2) throw InputError("population", "needs at least 2 individuals");
   if (o.children < 1) throw InputError("children", "a generation needs at least 1 new individual");
-  if (!(o.crossover_rate >= 0 && o.crossover_rate <= 1 && o.mutation_rate >= 0 && o.mutation_rate <= 1))
-    throw InputError("rate", "rates of crossover and mutation lie between 0 and 1");
+  if (!(o.crossover_rate >= 0 && o.crossover_rate <= 1 && o.mutation_rate >= 0 && o.mutation_rate <= 1 &&
+        o.again_rate >= 0 && o.again_rate < 1))
+    throw InputError("rate",
+                     "rates of crossover and mutation lie between 0 and 1, that of another mutation below 1");
   if (o.patience < 1) throw InputError("patience", "needs at least 1 generation");
 }
 
@@ -99,15 +101,24 @@ class Evolution {
       crossover_->cross(first.genome, pool_.at(parents.second).genome, random_, child_.genome);
       child_.local = fitness_.local_after(first, child_.genome);
     }
-    const Genome& genes = crosses ? child_.genome : first.genome;
-    const Rearrangement change = mutates ? mutation_->choose(genes, random_) : Rearrangement{};
-    const double local = (crosses ? child_.local : first.local) + fitness_.change(genes, change);
+    bool is_written = crosses;
+    Rearrangement change =
+        mutates ? mutation_->choose(crosses ? child_.genome : first.genome, random_) : Rearrangement{};
+    while (mutates && options_.again_rate > 0 && random_.unit() < options_.again_rate) {
+      if (!is_written) child_ = first;
+      is_written = true;
+      child_.local += fitness_.change(child_.genome, change);
+      child_.genome.apply(change);
+      change = mutation_->choose(child_.genome, random_);
+    }
+    const Individual& before = is_written ? child_ : first;
+    const double local = before.local + fitness_.change(before.genome, change);
     if (fitness_.is_local()) {
       const double value = fitness_.value_of(local);
       if (!has_rules_) count(parents, value);
       if (!replacement_->wants(pool_, value, parents.first)) return;
     }
-    if (!crosses) child_ = first;
+    if (!is_written) child_ = first;
     child_.local = local;
     child_.genome.apply(change);
     if (has_rules_ && !is_valid(moves_.problem(), child_.genome.genes())) return;

@@ -426,7 +426,7 @@ TEST(Genetic, EveryCombinationOfOperatorsImprovesAndRepeats) {
   for (const std::string& selection : selection_names()) {
     for (const std::string& crossover : crossover_names()) {
       for (const std::string& replacement : replacement_names()) {
-        GeneticOptions options = generations(60);
+        GeneticOptions options = generations(200);
         options.selection = selection;
         options.crossover = crossover;
         options.replacement = replacement;
@@ -502,22 +502,23 @@ TEST(Genetic, RefusesWhatMakesNoSense) {
   EXPECT_THROW(with([](auto& o) { o.population = 1; }), InputError);
   EXPECT_THROW(with([](auto& o) { o.children = 0; }), InputError);
   EXPECT_THROW(with([](auto& o) { o.crossover_rate = 2; }), InputError);
+  EXPECT_THROW(with([](auto& o) { o.again_rate = 1; }), InputError);
   EXPECT_THROW(with([](auto& o) { o.patience = 0; }), InputError);
 }
 
-/// Table 6.2: the text ends 4.1 % above the optimum. Ours as published ends 8 % above on the mean of eight seeds;
-/// with parents replaced, near neighbours and more patience it is 5 % (docs/tour.md).
+/// Table 6.2: the text ends 4.1 % above the optimum, ours 3 to 6 % after the text's 10 million individuals; here a
+/// quarter of them.
 TEST(Genetic, EndsNearTheTextOnQatar) {
   const auto text = reference_text("qa194.tsp");
   if (!text) GTEST_SKIP() << "qa194.tsp is not there: set CLEARCUT_DATA to the folder that holds tsp/";
   const Problem problem = read_tsplib(*text, "qa194.tsp");
   double sum = 0;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    GeneticOptions options;
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    GeneticOptions options = generations(60000);
     options.seed = seed;
-    sum += run_genetic(problem, *length_objective(), options).value / 4;
+    sum += run_genetic(problem, *length_objective(), options).value / 2;
   }
-  EXPECT_LT(sum / 9352, 1.12);
+  EXPECT_LT(sum / 9352, 1.09);
   EXPECT_GT(sum / 9352, 1.0);
 }
 
@@ -525,7 +526,7 @@ TEST(Genetic, EndsNearTheTextOnQatar) {
 TEST(Genetic, EndsNearTheOptimumOnASmallLattice) {
   double sum = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    GeneticOptions options;
+    GeneticOptions options = generations(20000);
     options.seed = seed;
     sum += 99 / run_genetic(open_lattice(10, 10), *length_objective(), options).value / 4;
   }

@@ -100,7 +100,7 @@ std::vector<Genome> first_population(const Ground& ground, int count, double mos
   constexpr int kWidest = 24;
   constexpr int kMoreTries = 10;
   std::vector<Genome> population;
-  int breadth = 2;
+  int breadth = 1;  // the first is the plain one
   for (int i = 0; i < count; ++i) {
     Genome best;
     double least = std::numeric_limits<double>::infinity();

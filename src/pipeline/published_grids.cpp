@@ -1,0 +1,46 @@
+#include "pipeline/published_grids.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace clearcut {
+
+order::Solution solved(const order::Problem& problem, const order::Objective& objective, std::uint64_t seed,
+                       long long rounds) {
+  order::SolveOptions options;
+  options.seed = seed;
+  options.stop.seconds = std::numeric_limits<double>::infinity();
+  options.stop.effort = 1;
+  options.stop.rounds = rounds;
+  return order::solve(problem, objective, options);
+}
+
+void ask_published(const Layer& layer, double pitch_mm, const TourSolver& answer) {
+  TourGridOptions grid;
+  grid.published = true;
+  grid.pitch = pitch_mm;
+  grid.pitch_in_mm = true;
+  plan_tour(layer, grid, answer, {});
+}
+
+void with_largest_grid(const Layer& layer, double pitch_mm, const std::function<void(const TourTask&)>& use) {
+  const auto as_they_come = [](const TourTask& task) {
+    std::vector<int> order(task.points.size());
+    std::iota(order.begin(), order.end(), 0);
+    return order;
+  };
+  std::size_t largest = 0;
+  ask_published(layer, pitch_mm, [&](const TourTask& task) {
+    largest = std::max(largest, task.points.size());
+    return as_they_come(task);
+  });
+  bool is_used = false;
+  ask_published(layer, pitch_mm, [&](const TourTask& task) {
+    if (task.points.size() == largest && !is_used) use(task);
+    is_used = is_used || task.points.size() == largest;
+    return as_they_come(task);
+  });
+}
+
+}  // namespace clearcut

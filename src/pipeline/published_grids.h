@@ -1,0 +1,21 @@
+// Grids made as the Tour text makes them, and orders of them for its tables.
+#pragma once
+
+#include <functional>
+
+#include "order/solve.h"
+#include "plan/tour.h"
+
+namespace clearcut {
+
+/// By rounds and never by the clock, so that tables repeat.
+order::Solution solved(const order::Problem& problem, const order::Objective& objective, std::uint64_t seed,
+                       long long rounds = 4);
+
+/// Hands the grids of a layer, one for each connected legal area, to `answer`.
+void ask_published(const Layer& layer, double pitch_mm, const TourSolver& answer);
+
+/// The largest of them. Its legal ways can be asked for only inside `use`.
+void with_largest_grid(const Layer& layer, double pitch_mm, const std::function<void(const TourTask&)>& use);
+
+}  // namespace clearcut
