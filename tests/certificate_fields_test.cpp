@@ -62,6 +62,16 @@ TEST(LeaningWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
       highest = std::max(highest, (feature.layers[i - 1].z - feature.layers[i].z) * std::sin(0.785));
     EXPECT_LE(highest, 0.3 + 1e-3);
     EXPECT_GT(highest, 0.27) << "and not for more layers than needed";
+    ASSERT_TRUE(feature.scallop);
+    EXPECT_NEAR(feature.scallop->height_mm, highest, 1e-3);
+    EXPECT_EQ(feature.scallop->asked_mm, 0.3);
+    const auto json = nlohmann::json::parse(certificate_json(result.part, result.findings, {}));
+    for (const auto& one : json.at("features")) {
+      EXPECT_EQ(one.contains("scallop_mm"), one.at("name") == "POCKET3") << one.at("name");
+      if (one.contains("scallop_mm")) {
+        EXPECT_EQ(one.at("scallop_asked_mm").get<double>(), 0.3);
+      }
+    }
   }
 }
 

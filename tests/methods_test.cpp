@@ -129,6 +129,7 @@ TEST(Methods, ReproducedTablesDifferOnlyWhereTheirOutlinesAreNotPrinted) {
   for (const char* table : {"coefficients", "overlaps", "triangle", "rho-triangle"}) {
     EXPECT_THAT(run_clearcut({"reproduce", table}).out, Not(HasSubstr("(differs)"))) << table;
   }
+  EXPECT_THAT(run_clearcut({"reproduce", "scallop"}).out, ContainsRegex("0.50 +0.48 +0.500 +14"));
   EXPECT_THAT(run_clearcut({"reproduce", "lengths"}).out, HasSubstr("the shapes are ours"));
 }
 

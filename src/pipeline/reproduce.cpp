@@ -13,6 +13,7 @@
 #include "pipeline/published_comparisons.h"
 #include "pipeline/reproduce_objectives.h"
 #include "pipeline/reproduce_orders.h"
+#include "pipeline/reproduce_scallop.h"
 #include "pipeline/reproduce_tour.h"
 #include "plan/contour.h"
 #include "plan/layer.h"
@@ -153,17 +154,12 @@ struct Entry {
 };
 
 const std::vector<Entry>& entries() {
-  static const std::vector<Entry> all{{"coefficients", coefficients},
-                                      {"overlaps", overlaps},
-                                      {"triangle", triangle},
-                                      {"rho-triangle", rho_triangle},
-                                      {"lengths", length_comparison},
-                                      {"cutters", cutter_comparison},
-                                      {"genetic", genetic_figures},
-                                      {"lattices", lattice_table},
-                                      {"fishhead", fishhead_table},
-                                      {"objectives", objectives_table},
-                                      {"tour-engagement", engagement_table}};
+  static const std::vector<Entry> all{{"coefficients", coefficients}, {"overlaps", overlaps},
+                                      {"triangle", triangle},         {"rho-triangle", rho_triangle},
+                                      {"lengths", length_comparison}, {"cutters", cutter_comparison},
+                                      {"genetic", genetic_figures},   {"lattices", lattice_table},
+                                      {"fishhead", fishhead_table},   {"objectives", objectives_table},
+                                      {"scallop", scallop_table},     {"tour-engagement", engagement_table}};
   return all;
 }
 

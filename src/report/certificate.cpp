@@ -144,6 +144,10 @@ Json feature(const FeatureFindings& findings, const std::vector<Contest>& contes
   json["tool_diameter"] = number(findings.tool_diameter);
   add_contest(json, contests, findings.workingstep);
   add_figures(json, findings.figures);
+  if (findings.scallop) {
+    json["scallop_mm"] = number(findings.scallop->height_mm);
+    json["scallop_asked_mm"] = findings.scallop->asked_mm ? number(*findings.scallop->asked_mm) : Json();
+  }
   json["layers"] = Json::array();
   for (const LayerFindings& one : findings.layers) json["layers"].push_back(layer(one));
   return json;

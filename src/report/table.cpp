@@ -104,6 +104,20 @@ std::string load_lines(const Figures& all) {
   return text;
 }
 
+/// What layers leave on leaning walls.
+std::string scallop_lines(const Findings& findings) {
+  std::string text;
+  for (const FeatureFindings& feature : findings.features) {
+    if (!feature.scallop) continue;
+    text += fmt::format("scallop: {} mm at most on the leaning walls of {}",
+                        fixed(feature.scallop->height_mm, 3), ascii(feature.name));
+    if (feature.scallop->asked_mm)
+      text += fmt::format(", {} mm asked for", fixed(*feature.scallop->asked_mm, 3));
+    text += "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string table(const Part& part, const Findings& findings) {
@@ -129,7 +143,7 @@ std::string table(const Part& part, const Findings& findings) {
   text.add_rule();
   text.add(row("total", "", std::to_string(layers), findings.all));
   fit_names(text);
-  return plain(text) + load_lines(findings.all) + faults_of(findings);
+  return plain(text) + load_lines(findings.all) + scallop_lines(findings) + faults_of(findings);
 }
 
 }  // namespace clearcut

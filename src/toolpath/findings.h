@@ -98,13 +98,21 @@ struct LayerFindings {
   Figures figures;
 };
 
+/// Steps that layers leave on leaning walls, mm square to the wall.
+struct Scallop {
+  double height_mm = 0;            ///< the highest; of a flat end, rounded corners leave less
+  std::optional<double> asked_mm;  ///< the most that may stand
+  double z = 0;                    ///< of the layer under it
+};
+
 struct FeatureFindings {
   std::string name;
   int workingstep = -1;
   int tool_number = 0;
   double tool_diameter = 0;
   Figures figures;
-  std::vector<LayerFindings> layers;  ///< descending z
+  std::vector<LayerFindings> layers;    ///< descending z
+  std::optional<Scallop> scallop = {};  ///< of leaning walls
 };
 
 struct Findings {

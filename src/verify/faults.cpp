@@ -139,23 +139,16 @@ void collect(const std::vector<JudgedMove>& moves, const Judge& judge, std::vect
 
 /// Steps that layers leave on a leaning wall, square to it.
 std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
-  if (!work.scallop || feature.wall_slope.radians() <= 0) return {};
-  double above = feature.top_z, highest = 0, z_of_highest = 0;
-  const auto look_at = [&](double z) {
-    const double step = (above - z) * std::sin(feature.wall_slope.radians());
-    if (step > highest) highest = step, z_of_highest = z;
-    above = z;
-  };
-  for (const LevelCoverage& layer : work.layers) look_at(layer.z);
-  look_at(work.floor.z);
-  if (highest <= *work.scallop + tol.uncut) return {};
+  const auto scallop = scallop_of(feature, work);
+  if (!scallop || !work.scallop || scallop->height_mm <= *work.scallop + tol.uncut) return {};
   const Vec2 corner = feature.target.empty() ? Vec2{} : feature.target.front().outer().front().from;
   return {{FaultKind::kUncut,
            feature.name,
-           {corner, z_of_highest, 0},
-           highest,
-           feature.name + ": the layers leave steps of " + mm(highest) + " on the leaning wall above z " +
-               trimmed(z_of_highest, 3) + " where " + mm(*work.scallop) + " is allowed."}};
+           {corner, scallop->z, 0},
+           scallop->height_mm,
+           feature.name + ": the layers leave steps of " + mm(scallop->height_mm) +
+               " on the leaning wall above z " + trimmed(scallop->z, 3) + " where " + mm(*work.scallop) +
+               " is allowed."}};
 }
 
 int severity(FaultKind kind) {

@@ -130,6 +130,20 @@ void refine(FeatureWork& work, const Operation& operation, double radius, double
 
 }  // namespace
 
+std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work) {
+  if (feature.wall_slope.radians() <= 0) return std::nullopt;
+  Scallop scallop{0, work.scallop, feature.top_z};
+  double above = feature.top_z;
+  const auto look_at = [&](double z) {
+    const double step = (above - z) * std::sin(feature.wall_slope.radians());
+    if (step > scallop.height_mm) scallop.height_mm = step, scallop.z = z;
+    above = z;
+  };
+  for (const LevelCoverage& layer : work.layers) look_at(layer.z);
+  look_at(work.floor.z);
+  return scallop;
+}
+
 std::vector<FeatureWork> works_of(const Part& part) {
   std::vector<FeatureWork> works;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {

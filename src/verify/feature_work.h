@@ -34,6 +34,9 @@ struct FeatureWork {
   std::vector<LevelCoverage> layers;
 };
 
+/// What the layers leave on the walls of the feature: once its works are judged, and where walls lean.
+std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work);
+
 /// In order of each feature's first workingstep.
 std::vector<FeatureWork> works_of(const Part& part);
 

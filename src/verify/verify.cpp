@@ -112,6 +112,7 @@ class FindingsBuilder {
     FeatureFindings& found = findings_.features[work.last_workingstep];
     add_coverage(findings_.all, worst);
     add_coverage(found.figures, worst);
+    found.scallop = scallop_of(feature, work);
     for (FeatureFindings& step : findings_.features) {
       if (part_.workplan[step.workingstep].feature == work.feature) add_layer_coverage(step, work);
     }
