@@ -139,6 +139,7 @@ class SvgCollector {
     if (is_defining(name)) return;
     Inherited own = outer;
     inherit(node, name, own);
+    if (!is_root) check_lengths(node);
     if (!own.style.shown || !own.style.seen) {
       ++hidden_[std::string(name)];
     } else if (name == "svg" && is_root) {
@@ -154,6 +155,20 @@ class SvgCollector {
       take_shape(node, own);
     } else {
       ++not_read_[std::string(name)];
+    }
+  }
+
+  /// What cannot be read would count as absent.
+  void check_lengths(const pugi::xml_node& node) const {
+    for (const char* name :
+         {"x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "x1", "y1", "x2", "y2"}) {
+      const std::string_view text = attribute(node, name);
+      if (text.empty() || text == "auto" || svg_length(text, 1)) continue;
+      const bool matters =
+          is_svg_shape(local_name(node)) || local_name(node) == "use" || local_name(node) == "svg";
+      if (matters)
+        throw InputError(place(node), std::string(name) + " '" + printable(text) +
+                                          "' is no length that can be read; write it in mm or without unit");
     }
   }
 

@@ -271,6 +271,7 @@ TEST(Svg, BadFilesGiveOneLineSayingWhere) {
   EXPECT_THAT(refusal(page("<path d='M0 0 L1e300 5 L 5 5z'/>")), HasSubstr("beyond 1000 m"));
   EXPECT_THAT(refusal(page("<rect width='5' height='5' transform='spin(3)'/>")),
               HasSubstr("'spin(3)' is not understood"));
+  EXPECT_THAT(refusal(page("<rect x='1em' width='5' height='5'/>")), HasSubstr("x '1em' is no length"));
   EXPECT_THAT(refusal(page("<use href='#nobody'/>")), HasSubstr("'#nobody', which the file does not define"));
   EXPECT_THAT(refusal(page("<g id='a'><use href='#a'/></g>")), HasSubstr("refers to itself"));
   EXPECT_THAT(refusal(page("<rect data-depth='deep' width='5' height='5'/>")),
