@@ -408,6 +408,39 @@ TEST(Repair, RandomRectanglesOnAGridAreResolvedByEvenOdd) {
   EXPECT_GT(accepted, 50);
 }
 
+/// Loose lines between points of a small grid: they meet, overlap, repeat and cross in every way.
+TEST(Repair, RandomLooseLinesOnAGridAreReadOrRefused) {
+  Random random(7);
+  const auto pick = [&](int least, int most) {
+    return least + static_cast<int>(random.below(static_cast<std::uint64_t>(most - least + 1)));
+  };
+  int read = 0, merged = 0;
+  for (int run = 0; run < 400; ++run) {
+    const double w = 10.0 * pick(1, 4), h = 10.0 * pick(1, 4);
+    std::vector<RawCurve> curves{open({{0, 0}, {w, 0}}), open({{w, 0}, {w, h}}), open({{w, h}, {0, h}}),
+                                 open({{0, h}, {0, 0}})};
+    const int extra = pick(1, 4);
+    for (int i = 0; i < extra; ++i) {
+      const auto at = [&](double size) { return static_cast<double>(pick(0, static_cast<int>(size))); };
+      const bool along_x = pick(0, 1) == 0;
+      const double side = pick(0, 1) * (along_x ? h : w);
+      const double a = at(along_x ? w : h), b = at(along_x ? w : h);
+      if (a == b) continue;
+      curves.push_back(along_x ? open({{a, side}, {b, side}}) : open({{side, a}, {side, b}}));
+    }
+    try {
+      const Repaired result = repaired(curves);
+      EXPECT_NEAR(area(result.regions), w * h, 1e-6) << run;
+      ++read;
+      merged += result.count(Severity::kRepair, "run along each other") > 0;
+    } catch (const InputError& error) {
+      ADD_FAILURE() << run << ": " << error.what();
+    }
+  }
+  EXPECT_EQ(read, 400);
+  EXPECT_GT(merged, 200);
+}
+
 TEST(Repair, NoiseOnRepeatedRunsChangesNothing) {
   Random random(2);
   std::vector<Vec2> points;
