@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <vector>
 
@@ -283,6 +284,40 @@ TEST(Corpus, EveryFileIsReadOrRefused) {
   }
   EXPECT_GT(read, 10);
   EXPECT_GT(refused, 5);
+}
+
+/// Drawings as other programs write them, with areas computed by hand, mm2.
+TEST(Corpus, HabitsOfOtherProgramsGiveTheRightAreas) {
+  struct Row {
+    const char* file;
+    double area;
+  };
+  const double bow = 4 * std::atan(0.5), wide = 4 * std::atan(1.5), flat = 4 * std::atan(0.3);
+  const auto segment = [](double chord, double bulge, double angle) {
+    const double r = chord * (1 + bulge * bulge) / (4 * bulge);
+    return r * r * (angle - std::sin(angle)) / 2;
+  };
+  const Row rows[] = {
+      {"dxf/blocks_mirror.dxf", 150 * 120 - 3 * (60 + 4.5 * kPi)},  // the block by scales of -2 and 1
+      {"dxf/neg_bulge.dxf", 2400 - segment(40, 0.5, bow) + segment(60, 1.5, wide)},
+      {"dxf/extr_negz.dxf", 2400 + segment(60, 0.3, flat) - 12.5 * kPi},
+      {"dxf/overlap.dxf", 2400},
+      {"dxf/touch_self.dxf", 2400 - 200},
+      {"dxf/zero_len.dxf", 2400},
+      {"dxf/hole_touch.dxf", 2400 - 100 * kPi},
+      {"dxf/dup_end_closed.dxf", 2400},
+      {"dxf/gaps.dxf", 2400},
+      {"svg/use_symbol.svg", 20 * 20 + 8 * 4 * 2 * 1},
+      {"svg/vb_off.svg", 60 * 40 * 4},
+      {"svg/vb_par.svg", 60 * 40 * 1.25 * 1.25},
+      {"svg/nested_tf.svg", 20 * 10},
+      {"svg/rxry.svg", 2400 - (4 - kPi) * 30 * 5},
+      {"svg/hole_touch.svg", 2400 - 100 * kPi},
+      {"svg/arcflags.svg", 900 * kPi},
+  };
+  const fs::path corpus = fs::path(CLEARCUT_SOURCE_DIR) / "tests" / "corpus";
+  for (const Row& row : rows)
+    EXPECT_NEAR(area_of(read_part(corpus / row.file, depth_2())), row.area, 0.05) << row.file;
 }
 
 /// The same for jobs and tool libraries.
