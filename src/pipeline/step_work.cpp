@@ -6,6 +6,7 @@
 #include "geometry/clearance.h"
 #include "pipeline/holes.h"
 #include "pipeline/left_over.h"
+#include "pipeline/meeting_pockets.h"
 #include "plan/layers.h"
 
 namespace clearcut {
@@ -39,7 +40,8 @@ bool is_bare(const Part& part, const Feature& feature) {
 
 /// The layers of one workingstep over which something still stands. Open features cut only that; in closed
 /// ones the walls bound every pass, so the whole layer is cut.
-std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, const PlanOptions& options) {
+std::vector<Layer> standing_layers(const Part& part, int index, const PlanOptions& options) {
+  const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const auto& feature = feature_of(part, step);
   Operation operation = step.operation;
   const double reserve = printing_reserve(options);
@@ -47,6 +49,7 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
   operation.allowance_floor += reserve;
   const Tool& tool = tool_of(part, step);
   const bool bare = is_bare(part, feature);
+  const auto met = features_meeting(part, index, options.tol);
   auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius);
   for (auto& layer : layers) {
     layer.reserve = reserve;
@@ -54,7 +57,11 @@ std::vector<Layer> standing_layers(const Part& part, const Workingstep& step, co
     Regions standing = standing_target(part, step.feature, layer.z, options.tol);
     // It stands in the outline at the top: between leaning walls there is less.
     if (feature.wall_slope.radians() != 0) standing = intersect(standing, layer.allowed, options.tol);
-    if (standing.empty() || has_open_side(feature)) layer.target = standing;
+    if (standing.empty() || has_open_side(feature)) {
+      layer.target = standing;
+    } else if (!met.empty()) {
+      widen_where_met(layer, met, options.tol);
+    }
     layer.bare = bare;
   }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
@@ -127,7 +134,7 @@ std::vector<StepWork> step_works(const Part& part, const PlanOptions& options) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     StepWork work{static_cast<int>(i), {}, {}, {}};
     work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), options.tol);
-    const auto standing = standing_layers(part, part.workplan[i], options);
+    const auto standing = standing_layers(part, work.workingstep, options);
     work.hole = hole_step(standing, work.workingstep, part, options);
     work.layers = layers_left(standing, work.workingstep, part, options);
     works.push_back(std::move(work));

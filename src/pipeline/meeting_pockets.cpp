@@ -1,0 +1,66 @@
+#include "pipeline/meeting_pockets.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "pipeline/left_over.h"
+
+namespace clearcut {
+namespace {
+
+/// mm. Outlines that are no farther apart touch; what reaches no farther beyond an outline does not count.
+constexpr double kTouching = 0.005;
+
+bool is_bounded_by_itself(const Feature& feature) {
+  return feature.kind != FeatureKind::kClosedPocket;
+}
+
+bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
+  return !intersect(other.allowed, around, tol).empty() && !subtract(other.allowed, around, tol).empty();
+}
+
+/// What a cutter reaches whose centre keeps `apart` from the walls.
+Regions reached(const Regions& allowed, double apart, const Tolerances& tol) {
+  Regions out;
+  for (const Region& region : allowed) out = unite(out, dilate(inset(region, apart, tol), apart, tol), tol);
+  return out;
+}
+
+}  // namespace
+
+std::vector<const Feature*> features_meeting(const Part& part, int workingstep, const Tolerances& tol) {
+  std::vector<const Feature*> met;
+  const Feature& pocket = feature_of(part, part.workplan[static_cast<std::size_t>(workingstep)]);
+  if (is_bounded_by_itself(pocket)) return met;
+  const Box here = box(pocket.target).grown(kTouching);
+  std::optional<Regions> around;  // made for the first that asks: most pockets lie alone
+  for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
+    const Feature* other = &feature_of(part, part.workplan[static_cast<std::size_t>(i)]);
+    const bool open_to_layers =
+        other->floor_z < pocket.top_z && (i < workingstep || other->top_z <= pocket.top_z);
+    if (other == &pocket || !open_to_layers || !box(other->allowed).overlaps(here)) continue;
+    if (std::find(met.begin(), met.end(), other) != met.end()) continue;
+    if (!around) around = dilate(pocket.target, kTouching, tol);
+    if (runs_into(*other, *around, tol)) met.push_back(other);
+  }
+  return met;
+}
+
+void widen_where_met(Layer& layer, const std::vector<const Feature*>& met, const Tolerances& tol) {
+  Regions wide = layer.allowed;
+  for (const Feature* other : met) {
+    if (other->floor_z > layer.z) continue;
+    wide = unite(wide, at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol), tol);
+  }
+  const double apart = layer.tool_radius + layer.wall_stock;
+  const Regions near = dilate(layer.allowed, 2 * apart, tol);
+  const Regions with_others = intersect(layer.target, reached(intersect(wide, near, tol), apart, tol), tol);
+  const Regions gained = subtract(with_others, reached(layer.allowed, apart, tol), tol);
+  if (!is_thicker_than(gained, tol.uncut / 2, tol)) return;
+  const Regions beside = dilate(gained, 2 * apart, tol);
+  layer.target = layer.allowed = unite(layer.allowed, intersect(wide, beside, tol), tol);
+}
+
+}  // namespace clearcut
