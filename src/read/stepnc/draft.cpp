@@ -15,10 +15,10 @@ constexpr double kFlatFloor = 1e-6;  // radians
 double depth_of(const Node& feature) {
   const Node surface = feature.needed_ref(4, "depth");
   if (!surface.is_any("PLANE", "ELEMENTARY_SURFACE"))
-    surface.fail("the floor is not a plane and cannot be machined yet");
+    surface.fail("the floor is not a plane and cannot be machined yet; give a PLANE");
   const Frame frame = frame_of(surface.needed_ref(1, "position"));
   if (std::hypot(frame.z.x, frame.z.y) > kFlatFloor)
-    surface.fail("the floor is not level and cannot be machined yet");
+    surface.fail("the floor is not level and cannot be machined yet; machine it in a set-up in which it is");
   return frame.origin.z;
 }
 
@@ -67,9 +67,13 @@ void read_pocket_walls(const Node& feature, Draft& draft, Context& context) {
   const auto bottom = feature.ref(7);
   if (!bottom) context.note("no bottom condition; the floor is taken as flat", feature);
   if (bottom && bottom->is("GENERAL_POCKET_BOTTOM_CONDITION"))
-    bottom->fail("the pocket's bottom is a free-form surface and cannot be machined yet");
+    bottom->fail(
+        "the pocket's bottom is a free-form surface and cannot be machined yet; write what lies above it as "
+        "a flat pocket");
   if (bottom && bottom->is("RADIUSED_POCKET_BOTTOM_CONDITION"))
-    bottom->fail("the pocket's bottom is rounded and cannot be machined yet");
+    bottom->fail(
+        "the pocket's bottom is rounded and cannot be machined yet; write what lies above it as a flat "
+        "pocket");
   draft.through = bottom && bottom->is("THROUGH_POCKET_BOTTOM_CONDITION");
   if (feature.length(8).value_or(0) > 0)
     context.note("floor fillets (planar_radius) are left to the cutter's own corner radius", feature);
@@ -150,7 +154,7 @@ SlotEnd slot_end(const Node& end, Context& context) {
     context.note("corner radii of flat slot ends are left to the cutter's radius", end);
     return SlotEnd::kFlat;
   }
-  end.fail("a slot with this kind of end cannot be machined yet");
+  end.fail("a slot with this kind of end cannot be machined yet; write the end as open, round or flat");
 }
 
 void read_slot(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
@@ -180,7 +184,8 @@ void read_step(const Node& feature, const Frame& frame, Draft& draft, Context& c
       return !angle || std::abs(context.angle(*angle) - kPi / 2) < 1e-3;
     };
     if (profile->is("VEE_PROFILE") && !(square(2) && square(3)))
-      profile->fail("a step whose wall is not upright cannot be machined yet");
+      profile->fail(
+          "a step whose wall is not upright cannot be machined yet; write it as an open pocket with a slope");
   }
   read_bosses(feature, 7, frame, draft, context);
 }

@@ -153,11 +153,27 @@ constexpr OperationEntity kOperations[] = {{"PLANE_MILLING", OperationKind::kRou
                                            {"MULTISTEP_DRILLING", OperationKind::kDrilling},
                                            {"REAMING", OperationKind::kReaming}};
 
+struct Refusal {
+  std::string_view keyword;
+  const char* reason;
+};
+constexpr Refusal kRefusals[] = {
+    {"FREEFORM_OPERATION", "free-form milling cannot be machined yet; mill flat parts as pockets or faces"},
+    {"CENTER_DRILLING", "centre drilling is not planned; run it before, or leave it out"},
+    {"COUNTER_SINKING", "countersinking is not planned; run it after the drilling"},
+    {"BORING", "boring is not planned; mill the hole, ream it, or bore it afterwards"},
+    {"BACK_BORING", "boring from below is not planned; bore it afterwards"},
+    {"TAPPING", "threads are not cut; drill the core hole and tap it afterwards"},
+    {"THREAD_DRILLING", "threads are not cut; drill the core hole and tap it afterwards"}};
+
 OperationKind operation_kind(const Node& node) {
   for (const OperationEntity& entry : kOperations)
     if (node.is(entry.keyword)) return entry.kind;
-  if (node.is("FREEFORM_OPERATION")) node.fail("free-form milling cannot be machined yet");
-  node.fail("operations of this kind cannot be machined yet");
+  for (const Refusal& refusal : kRefusals)
+    if (node.is(refusal.keyword)) node.fail(refusal.reason);
+  node.fail(
+      "operations of this kind cannot be machined yet; give plane, side or bottom-and-side milling, or "
+      "drilling");
 }
 
 void read_spindle(const Node& technology, const Tool& tool, bool left_handed, CuttingData& cutting,
@@ -307,9 +323,12 @@ void read_depths(const Node& node, const Tool& tool, Operation& operation, Conte
 void check_cutter(const Node& node, const Operation& operation, const Tool& tool) {
   const bool drill = tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
   if (goes_straight_down(operation)) {
-    if (tool.kind == ToolKind::kOther) node.fail("drilling with this kind of tool cannot be machined yet");
+    if (tool.kind == ToolKind::kOther)
+      node.fail("drilling with this kind of tool cannot be machined yet; give a drill, reamer or end mill");
   } else if (drill || tool.kind == ToolKind::kOther) {
-    node.fail("milling with this kind of tool cannot be machined yet");
+    node.fail(
+        "milling with this kind of tool cannot be machined yet; give an end mill, ball or bull-nose mill, or "
+        "face mill");
   }
 }
 

@@ -318,7 +318,7 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
 void Reader::check_part(const Draft& draft, const Node& step, const Operation& operation) const {
   const ToolKind kind = part_.tools[static_cast<std::size_t>(operation.tool)].kind;
   if (draft.raised_floor > 0 && kind == ToolKind::kBallEndMill)
-    step.fail("a rounded bottom cannot be machined yet");
+    step.fail("a rounded bottom cannot be machined yet; leave this step out");
   if (goes_straight_down(operation) && !draft.hole_diameter)
     step.fail(draft.node.is("ROUND_HOLE") ? "a tapered hole is milled, not drilled; give a milling operation"
                                           : "drilling is for round holes; correct the operation");
