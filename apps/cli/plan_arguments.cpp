@@ -103,7 +103,8 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   add_shop_options(command);
   command.add_option("--direction", direction_, "climb or conventional");
   command.add_option("--order", order_, "Contours inside-out (default) or outside-in");
-  command.add_option("--start", start_, "Where the cutting of contours begins: X,Y");
+  command.add_option("--start", start_,
+                     "Where the cutting of contours begins, or adaptive clearing goes down: X,Y");
   command.add_option("--feed", feed_, "Cutting feed, mm/min");
   command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min");
   command.add_option("--spindle", spindle_, "Spindle speed, rpm");

@@ -34,7 +34,7 @@ struct PlanOptions {
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
   std::optional<CutDirection> direction;
   bool outside_in = false;    ///< contours from the wall inwards; false: inside-out
-  std::optional<Vec2> start;  ///< where the cutting of contours should begin
+  std::optional<Vec2> start;  ///< where the cutting of contours should begin, or adaptive clearing go down
   CuttingData cutting;
   Machine machine;
   PostOptions post;

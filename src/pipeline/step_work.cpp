@@ -53,6 +53,7 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
   auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius);
   for (auto& layer : layers) {
     layer.reserve = reserve;
+    layer.holes = part.predrilled;
     if (part.stock) layer.stock = part.stock->plan;
     Regions standing = standing_target(part, step.feature, layer.z, options.tol);
     // It stands in the outline at the top: between leaning walls there is less.

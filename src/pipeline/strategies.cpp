@@ -70,6 +70,7 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
 Strategy adaptive_strategy(const PlanOptions& options) {
   AdaptiveOptions adaptive;
   if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
+  adaptive.start = options.start;
   return once_per_outline(
       [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); });
 }

@@ -106,7 +106,7 @@ struct InnerAreas {
 class AdaptivePlanner {
  public:
   AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                  const Layer& layer, double limit)
+                  const Layer& layer, double limit, std::optional<Vec2> start)
       : legal_(legal),
         front_(front_area(legal, layer.tool_radius, limit)),
         clearance_(clearance),
@@ -122,7 +122,11 @@ class AdaptivePlanner {
             {legal, kFinePitch * radius_, kWallFilm},
             {ground_, finishing_.walls, inner.finishing, limit, {kMergeGap * radius_, kMarkPitch * radius_}}},
         path_(ground_, ways_),
-        open_(layer.stock && has_open_side(layer)) {}
+        open_(layer.stock && has_open_side(layer)),
+        start_(start),
+        holes_(layer.holes) {
+    for (const PredrilledHole& hole : holes_) ground_.remove_disc(hole.center, hole.diameter / 2);
+  }
 
   std::vector<Pass> plan() {
     if (open_) cut_from_outside();
@@ -199,7 +203,7 @@ class AdaptivePlanner {
   /// A spiral in the room, and on round it. A last thin turn of the spiral would waste most of a round; it is needed only
   /// where no cut leads on without it.
   void clear_room(const Disc& room) {
-    path_.open(room, kEntryCircle * radius_, limit_);
+    path_.open(room, kEntryCircle * radius_, limit_, hole_at(room.center));
     const Walls walls = clearing_.walls;
     const std::size_t spiral = ground_.cuts();
     Path round = go_round();
@@ -247,6 +251,7 @@ class AdaptivePlanner {
   /// The widest places, each worth an entry of its own. The radius is that of the material cleared.
   std::vector<Disc> choose_rooms() const {
     std::vector<Disc> rooms;
+    if (const auto first = first_room()) rooms.push_back(*first);
     for (const AxisPoint& center : clearance_.centers()) {
       if (center.clearance < reach_ || !front_.contains(center.point)) continue;
       if (ground_.is_removed(center.point)) continue;
@@ -254,6 +259,31 @@ class AdaptivePlanner {
       if (rooms.empty() || (is_worth_entry(disc) && is_fresh(disc, rooms))) rooms.push_back(disc);
     }
     return rooms;
+  }
+
+  /// At the place asked for, else at the hole that is farthest from walls.
+  std::optional<Disc> first_room() const {
+    std::vector<Vec2> places;
+    if (start_) places.push_back(*start_);
+    std::optional<Disc> best;
+    if (!start_) {
+      for (const PredrilledHole& hole : holes_) places.push_back(hole.center);
+    }
+    for (const Vec2 place : places) {
+      if (!front_.contains(place)) continue;
+      const double wide = front_.boundary_distance(place);
+      if (wide > kLeastRoom * radius_ && (!best || wide + radius_ > best->radius))
+        best = Disc{place, wide + radius_};
+    }
+    return best;
+  }
+
+  /// Radius of the widest hole about a place.
+  double hole_at(Vec2 place) const {
+    double radius = 0;
+    for (const PredrilledHole& hole : holes_)
+      radius = std::max(radius, hole.diameter / 2 - distance(hole.center, place));
+    return radius;
   }
 
   /// A spiral saves the returns of arcs, about a quarter of their time; an entry costs a helix and a hop.
@@ -313,6 +343,7 @@ class AdaptivePlanner {
     Walls& walls = stage.walls;
     const auto approach = approach_to(walls, start);
     if (!approach) return false;
+    note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back());
     const Path cut = stage.tracer.cut_from(approach->first, start.s);
     if (cut.empty()) {
       walls.give_up(start);
@@ -579,7 +610,13 @@ class AdaptivePlanner {
     append(stretch, {});
   }
 
+  /// What is known about the place where a pass begins, before it is cut.
+  void note_start(Vec2 p) {
+    if (path_.empty()) path_.start_clear(!ground_.touches(p, kClear));
+  }
+
   void append(const Path& cut, const std::vector<Vec2>& way) {
+    note_start(cut.front().from);
     for (const Edge& edge : cut) ground_.cut(edge);
     path_.append(cut, way);
   }
@@ -664,6 +701,8 @@ class AdaptivePlanner {
   Stage clearing_, finishing_;
   ClearingPath path_;
   bool open_;  ///< something beside the target is free
+  std::optional<Vec2> start_;
+  std::vector<PredrilledHole> holes_;
   std::vector<Disc> rooms_;
   std::vector<Corner> corners_;  ///< not yet cut
   std::vector<Pass> passes_;
@@ -723,7 +762,7 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
     auto legal = clearance.inset(first);
     const auto inner = inner_areas(legal, clearance, layer, limit);
     for (std::size_t i = 0; i < legal.size(); ++i) {
-      add_passes(result, AdaptivePlanner(legal[i], inner[i], clearance, layer, limit).plan());
+      add_passes(result, AdaptivePlanner(legal[i], inner[i], clearance, layer, limit, options.start).plan());
       result.legal.push_back(std::move(legal[i]));
     }
     add_fit_lines(result, clearance.fit_lines(first, layer.reserve));

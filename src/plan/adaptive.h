@@ -13,6 +13,9 @@ namespace clearcut {
 struct AdaptiveOptions {
   /// Largest angle of the cutter's circle in material while it cuts, after the entry.
   Radians engagement = Radians::of_degrees(60);
+  /// Where it goes down first, in the region that holds the point; absent, or nearer to a wall than an entry needs: in a
+  /// predrilled hole, else in the widest place.
+  std::optional<Vec2> start;
 };
 
 /// The passes of one layer with the cutter's engagement limited.

@@ -86,6 +86,10 @@ bool Ground::keeps_limit(const std::vector<Edge>& cuts, double limit, double tin
   return kept;
 }
 
+void Ground::remove_disc(Vec2 center, double radius) {
+  material_.add(level_move(Edge::line(center, center)), radius);
+}
+
 void Ground::cut(const Edge& edge) {
   material_.add(level_move(edge), tool_radius_);
 }

@@ -30,6 +30,8 @@ class Ground {
   bool is_free(Vec2 a, Vec2 b, double film) const;
   /// Whether nothing stands at p any more.
   bool is_removed(Vec2 p) const { return material_.is_removed(p, -1); }
+  /// Takes away a disc.
+  void remove_disc(Vec2 center, double radius);
   /// Takes away what the cutter sweeps along `edge`.
   void cut(const Edge& edge);
   /// Cuts so far; and back to as many.

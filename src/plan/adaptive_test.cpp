@@ -206,6 +206,23 @@ TEST(Adaptive, BesideTheStockItComesInFromOutside) {
   EXPECT_LT(planned.passes.front().path.front().from.x, -kTool + 0.01);
 }
 
+TEST(Adaptive, BeginsInAHoleOrWhereItIsAskedTo) {
+  Layer layer = square_layer(50);
+  AdaptiveOptions options;
+  options.start = Vec2{12, 30};
+  const auto asked = plan_adaptive(layer, options, {});
+  ASSERT_TRUE(asked.passes.at(0).entry_center);
+  EXPECT_EQ(*asked.passes[0].entry_center, *options.start);
+  layer.holes = {{{14, 33}, 2 * kTool + 1}};
+  const auto drilled = plan_adaptive(layer, {}, {});
+  EXPECT_TRUE(drilled.passes.at(0).starts_clear);
+  EXPECT_FALSE(drilled.passes[0].entry_center);
+  EXPECT_NEAR(distance(drilled.passes[0].path.front().from, {14, 33}), 0.5, 1e-9);
+  // The hole is narrower than the cutter: it can only begin about it.
+  layer.holes[0].diameter = kTool;
+  EXPECT_EQ(plan_adaptive(layer, {}, {}).passes.at(0).entry_center, (Vec2{14, 33}));
+}
+
 TEST(Adaptive, ContactKeepsTheLimitOnStripsBesideTheStock) {
   // A block round a wall, with less than the cutter's diameter to go; walls are `allowed`'s islands.
   for (const double strip : {1.0, 3.0, 5.5}) {

@@ -17,6 +17,8 @@ constexpr int kMostGates = 3;
 constexpr double kInfinity = 1e300;
 /// Halvings that bring a corner of a way near to the straight way past it.
 constexpr int kPulls = 4;
+/// Tool radii that a hole must be wider than the cutter to begin in.
+constexpr double kLeastHole = 0.05;
 /// Radians by which the spiral may exceed the limit.
 constexpr double kSpiralExcess = 0.015;
 /// By how much a half turn that exceeds it is taken back, and the least that it widens, in tool radii.
@@ -177,12 +179,15 @@ std::vector<Vec2> FreeWays::shortest(const std::vector<int>& sources, const std:
   return stations;
 }
 
-void ClearingPath::open(const Disc& disc, double entry_radius, double engagement) {
-  const double first = std::min(entry_radius, disc.radius - ground_.tool_radius());
+void ClearingPath::open(const Disc& disc, double entry_radius, double engagement, double cleared) {
+  const double tool = ground_.tool_radius(), within = cleared - tool;
+  const bool in_hole = within > kLeastHole * tool;
+  const double first = std::min({entry_radius, disc.radius - tool, in_hole ? within : entry_radius});
   at_ = disc.center + Vec2{first, 0};
   if (first <= kShortest) return;
-  pass_.entry_center = disc.center;
   spiral_ = {first, first};
+  pass_.starts_clear = in_hole;
+  if (!in_hole) pass_.entry_center = disc.center;
   cut_arc(disc.center, disc.center - Vec2{first, 0});
   cut_arc(disc.center, disc.center + Vec2{first, 0});
   while (widen(disc, engagement, Turns::kFull)) {

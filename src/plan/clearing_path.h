@@ -55,7 +55,8 @@ class ClearingPath {
 
   /// Begins a pass with a circle of `entry_radius` about the disc's centre and widens it in half turns as long as they
   /// stay inside the disc and take all that `engagement` lets them.
-  void open(const Disc& disc, double entry_radius, double engagement);
+  /// `cleared`: radius of a hole that is there about the centre; where it leaves the cutter room the pass begins in it.
+  void open(const Disc& disc, double entry_radius, double engagement, double cleared = 0);
   /// Goes on, right after open(), until the disc's rim is touched all round: the last turns are thinner.
   void widen_to_rim(const Disc& disc, double engagement);
   /// The next pass begins where nothing stands any more, or not.

@@ -23,7 +23,8 @@ struct Layer {
   double rounded = 0;      ///< mm; of wall_stock, the round of the cutter's corners: above it the side cuts
   double reserve =
       0;  ///< mm; of wall_stock, what only rounding of the program asks for: exact fits need not keep it
-  std::optional<Box> stock;  ///< plan view; beside it there is nothing. Absent: material without end
+  std::optional<Box> stock;           ///< plan view; beside it there is nothing. Absent: material without end
+  std::vector<PredrilledHole> holes;  ///< as deep as the layer: ways down
   /// Rapids of what is cut later come down through here: not even a film far thinner than tol.uncut may stay.
   bool bare = false;
 };
