@@ -117,16 +117,18 @@ TEST(Leads, TouchThePassAndStayInTheLegalArea) {
                  radius = random.between(0.2, 6);
     const Regions legal{rectangle(width, height)};
     const Path path = begun_at(legal[0].outer(), random.between(0, width + height));
-    const auto lead = lead_for(path, legal, radius);
+    const auto lead = lead_for(path, legal, {radius, std::nullopt, 0});
     if (!lead) {
-      EXPECT_LT(std::min(width, height), radius / 2 * 1.001) << "a quarter of the radius fits";
+      EXPECT_LT(std::min(width, height), radius / 4 * 0.75) << "a quarter of the length fits";
       continue;
     }
     ++found;
     const Path begun = begun_at(path, lead->along);
     EXPECT_NEAR(distance(lead->in.to, begun.front().from), 0, 1e-9);
-    EXPECT_NEAR(dot(lead->in.tangent_at(1), begun.front().tangent_at(0)), 1, 1e-9) << "tangential in";
-    EXPECT_NEAR(dot(lead->out.tangent_at(0), begun.back().tangent_at(1)), 1, 1e-9) << "and out";
+    const double met = lead->in.is_arc() ? 1 : std::sqrt(0.5);  // a line where no arc has room
+    EXPECT_NEAR(dot(lead->in.tangent_at(1), begun.front().tangent_at(0)), met, 1e-9) << "tangential in";
+    EXPECT_NEAR(dot(lead->out.tangent_at(0), begun.back().tangent_at(1)), met, 1e-9) << "and out";
+    EXPECT_TRUE(lead->in.is_arc() || std::min(width, height) < radius / 2 * 1.001) << "a quarter fits";
     for (const double t : {0.0, 0.3, 0.6, 1.0}) {
       EXPECT_TRUE(legal[0].contains(lead->in.at(t)) || legal[0].boundary_distance(lead->in.at(t)) < 1e-9);
       EXPECT_TRUE(legal[0].contains(lead->out.at(t)) || legal[0].boundary_distance(lead->out.at(t)) < 1e-9);
@@ -182,6 +184,34 @@ TEST(Finishing, LeavesStockFirstAndNothingAtTheEnd) {
   EXPECT_NEAR(nearest_to_wall(result.toolpath.sections[2]), 3.0, 0.002);
   EXPECT_EQ(result.findings.features[2].layers.size(), 2u);
   EXPECT_LT(result.findings.features[2].figures.engagement.max_deg, 120) << "thin stock only";
+}
+
+TEST(Finishing, WallsAreMetAndLeftByLeadsAndRunOverTheirStart) {
+  for (const bool lines : {false, true}) {
+    PlanOptions options = with_tools({"endmill:6"});
+    options.shop.finish = "walls";
+    if (lines) options.lead_angle = Radians::of_degrees(30);
+    const auto plain = plan(part_of({rectangle(40, 30)}, 3), options);
+    options.shop.lead_overlap = 2;
+    const auto over = plan(part_of({rectangle(40, 30)}, 3), options);
+    for (const auto* result : {&plain, &over}) {
+      expect_clean(*result, "finished walls");
+      const auto& moves = result->toolpath.sections.back().moves;
+      const auto at_depth = [](const Move& move) {
+        return !is_rapid(move.kind) && move.z_from == -3 && move.z_to == -3;
+      };
+      const auto off_wall = [](Vec2 p) { return std::min({p.x, p.y, 40 - p.x, 30 - p.y}) - 3; };
+      const auto first = std::find_if(moves.begin(), moves.end(), at_depth);
+      const auto last = std::find_if(moves.rbegin(), moves.rend(), at_depth);
+      ASSERT_NE(first, moves.end());
+      EXPECT_GT(off_wall(first->path.from), 0.3);
+      EXPECT_GT(off_wall(last->path.to), 0.3);
+      EXPECT_EQ(first->path.is_arc(), !lines);
+    }
+    const double more =
+        over.findings.features.back().figures.feed_mm - plain.findings.features.back().figures.feed_mm;
+    EXPECT_NEAR(more, 2, 1e-3);
+  }
 }
 
 TEST(Rest, SmallerToolsCutOnlyWhatLargerOnesLeave) {

@@ -251,6 +251,9 @@ void expect_same_operation(const Operation& a, const Operation& b) {
   EXPECT_EQ(a.allowance_floor, b.allowance_floor);
   EXPECT_EQ(a.entry, b.entry);
   EXPECT_EQ(a.entry_angle, b.entry_angle);
+  expect_near(a.lead, b.lead, "lead");
+  EXPECT_EQ(a.lead_angle, b.lead_angle);
+  if (a.entry_size) expect_near(a.entry_size, b.entry_size, "size of the entry");
   EXPECT_EQ(a.direction, b.direction);
   EXPECT_EQ(a.strategy_hint, b.strategy_hint);
 }
@@ -394,6 +397,9 @@ class RandomPart {
     if (maybe()) op.entry = entries[random_.below(op.tool == 1 ? 3 : 4)];
     if (op.entry && *op.entry != EntryKind::kPlunge && maybe())
       op.entry_angle = Radians::of(random_.between(0.01, 1.2));
+    if (op.entry == EntryKind::kHelix || op.entry == EntryKind::kZigzagRamp) op.entry_size = perhaps(0.5, 5);
+    op.lead = perhaps(0.5, 5);
+    if (op.lead && maybe()) op.lead_angle = Radians::of(random_.between(0.01, 1.2));
   }
 
   /// A star-shaped outline with arcs.

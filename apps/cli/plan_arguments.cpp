@@ -153,6 +153,12 @@ void PlanArguments::add_shop_options(CLI::App& command) {
   command.add_option("--predrilled", predrilled_, "X,Y:DIAMETER of a hole to enter by (repeatable)");
   command.add_option("--lead", lead_,
                      "Radius of the arcs into and out of passes along walls, mm (default: none)");
+  command.add_option("--lead-angle", lead_angle_,
+                     "Lines of that length at this angle to the pass instead of arcs, degrees");
+  command.add_option("--lead-overlap", shop_.lead_overlap,
+                     "How far passes along walls run on over their start, mm (default 0)");
+  command.add_option("--overrun", shop_.overrun,
+                     "How far beyond the edge of the material open sides are cut, mm (default 0)");
   command.add_option("--lead-feed", lead_feed_, "Feed on leads, mm/min");
   command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min");
   command.add_option("--link-lift", shop_.link_lift, "Lift between passes at depth, mm");
@@ -238,6 +244,7 @@ PlanOptions PlanArguments::options() const {
   options.entry = named(kEntries, entry_, "--entry");
   if (entry_angle_) options.entry_angle = Radians::of_degrees(*entry_angle_);
   options.lead = lead_;
+  if (lead_angle_) options.lead_angle = Radians::of_degrees(*lead_angle_);
   options.scallop = scallop_;
   options.shop = shop(given);
   options.earlier = earlier(given, options.machine);

@@ -57,6 +57,7 @@ class PlanArguments {
   std::optional<double> entry_angle_;
   std::vector<std::string> predrilled_;
   std::optional<double> lead_;
+  std::optional<double> lead_angle_;
   std::optional<double> scallop_;
   std::optional<double> lead_feed_;
   std::optional<double> link_feed_;

@@ -85,10 +85,12 @@ std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& opti
   return entry;
 }
 
-std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& area, double tool_radius) {
-  for (double reach = kLongestRamp; reach >= kShortestRamp; reach /= 2) {
+std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& area, const LinkOptions& options) {
+  const double longest =
+      options.zigzag_length > 0 ? options.zigzag_length : kLongestRamp * options.tool_radius;
+  for (double reach = longest; reach >= kShortestRamp * options.tool_radius; reach /= 2) {
     for (const double side : {1.0, -1.0}) {
-      const Vec2 end = place.start + place.direction * (side * reach * tool_radius);
+      const Vec2 end = place.start + place.direction * (side * reach);
       if (area.holds_line(place.start, end)) return end;
     }
   }
@@ -124,7 +126,7 @@ Entry entry_at(const EntryPlace& place, const Regions& legal, const LinkOptions&
     if (place.ring && options.entry != EntryKind::kZigzagRamp) {
       if (auto along = ramp_along(place, options)) return *std::move(along);
     }
-    if (const auto end = ramp_end(place, LegalArea(legal), options.tool_radius))
+    if (const auto end = ramp_end(place, LegalArea(legal), options))
       return {ramp(place, *end, options), EntryKind::kZigzagRamp};
   }
   const Edge down = Edge::line(place.start, place.start);

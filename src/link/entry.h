@@ -35,7 +35,7 @@ struct Entry {
 ///          options.helix_widest and less while it does not fit, down to helix_narrowest; no steeper than the entry
 ///          angle, with a flat circle at the end.
 /// Ramp     along the ring, at the entry angle, as far as that takes (a few times round at most).
-/// Zigzag   to and fro along the beginning of the pass, at most two diameters of it.
+/// Zigzag   to and fro along the beginning of the pass, zigzag_length of it, less where that does not fit.
 /// Plunge   straight down.
 ///
 /// Cost     O(edges near the entry).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/units.h"
 #include "toolpath/legal_area.h"
 
 namespace clearcut {
@@ -14,6 +15,11 @@ constexpr double kShares[] = {1, 0.5, 0.25};
 constexpr std::size_t kMostPlaces = 48;
 /// mm. Nearer to the end of an edge is its end.
 constexpr double kJoint = 1e-6;
+
+/// Of how far a line leads off its pass: so far from any wall it ends.
+constexpr double kLeastOff = 0.5;
+/// Of lines that stand in for arcs.
+constexpr double kLineAngle = kPi / 4;
 
 struct Place {
   Vec2 point;
@@ -39,34 +45,78 @@ std::vector<Place> places_on(const Path& path) {
   return places;
 }
 
+/// `overlap` mm beyond a place.
+Place place_beyond(const Place& place, const Path& path, double overlap) {
+  if (overlap <= 0) return place;
+  const Edge first = begun_at(path, std::fmod(place.along + overlap, length(path))).front();
+  return {first.from, first.tangent_at(0), place.along};
+}
+
 bool holds_disc(const Regions& legal, Vec2 center, double radius) {
   return std::any_of(legal.begin(), legal.end(), [&](const Region& region) {
     return region.contains(center) && region.boundary_distance(center) >= radius - LegalArea::kSlack;
   });
 }
 
-std::optional<Lead> lead_at(const Place& place, const Regions& legal, double radius) {
-  for (const double side : {1.0, -1.0}) {
-    const Vec2 center = place.point + left_of(place.heading) * (side * radius);
-    if (!holds_disc(legal, center, radius)) continue;
-    const Turn turn = side > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
-    const Vec2 from = center - place.heading * radius, to = center + place.heading * radius;
-    return Lead{Edge::arc(from, place.point, center, turn), Edge::arc(place.point, to, center, turn),
-                place.along};
+/// Looks for leads on one pass.
+class LeadSearch {
+ public:
+  LeadSearch(const Path& path, const Regions& legal, double overlap)
+      : path_(path),
+        legal_(legal),
+        area_(legal),
+        overlap_(std::min(overlap, length(path))),
+        places_(places_on(path)) {}
+
+  /// Of an angle: lines; without one: arcs.
+  std::optional<Lead> find(double size, std::optional<Radians> angle) const {
+    for (const double share : kShares) {
+      for (const Place& place : places_) {
+        const Place end = place_beyond(place, path_, overlap_);
+        for (const double side : {1.0, -1.0}) {
+          const auto in =
+              angle ? line(place, share * size, side, *angle, true) : arc(place, share * size, side, true);
+          const auto out =
+              angle ? line(end, share * size, side, *angle, false) : arc(end, share * size, side, false);
+          if (in && out) return Lead{*in, *out, place.along, overlap_};
+        }
+      }
+    }
+    return std::nullopt;
   }
-  return std::nullopt;
-}
+
+ private:
+  std::optional<Edge> arc(const Place& place, double radius, double side, bool in) const {
+    const Vec2 center = place.point + left_of(place.heading) * (side * radius);
+    if (!holds_disc(legal_, center, radius)) return std::nullopt;
+    const Turn turn = side > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
+    return in ? Edge::arc(center - place.heading * radius, place.point, center, turn)
+              : Edge::arc(place.point, center + place.heading * radius, center, turn);
+  }
+
+  std::optional<Edge> line(const Place& place, double size, double side, Radians angle, bool in) const {
+    const Vec2 ahead = place.heading * ((in ? -1 : 1) * std::cos(angle.radians()));
+    const Vec2 off =
+        place.point + (ahead + left_of(place.heading) * (side * std::sin(angle.radians()))) * size;
+    if (!area_.holds_line(off, place.point)) return std::nullopt;
+    const double off_wall = kLeastOff * size * std::sin(angle.radians());
+    if (off_wall > kJoint && !holds_disc(legal_, off, off_wall)) return std::nullopt;  // along another wall
+    return in ? Edge::line(off, place.point) : Edge::line(place.point, off);
+  }
+
+  const Path& path_;
+  const Regions& legal_;
+  LegalArea area_;
+  double overlap_;
+  std::vector<Place> places_;
+};
 
 }  // namespace
 
-std::optional<Lead> lead_for(const Path& path, const Regions& legal, double radius) {
-  const auto places = places_on(path);
-  for (const double share : kShares) {
-    for (const Place& place : places) {
-      if (auto lead = lead_at(place, legal, share * radius)) return lead;
-    }
-  }
-  return std::nullopt;
+std::optional<Lead> lead_for(const Path& path, const Regions& legal, const LeadShape& shape) {
+  const LeadSearch search(path, legal, shape.overlap);
+  auto lead = search.find(shape.size, shape.angle);
+  return lead || shape.angle ? lead : search.find(shape.size, Radians::of(kLineAngle));
 }
 
 Path begun_at(const Path& path, double along) {
@@ -80,6 +130,17 @@ Path begun_at(const Path& path, double along) {
   for (std::size_t i = 1; i < path.size(); ++i) out.push_back(path[(first + i) % path.size()]);
   if (split) out.push_back(path[first].part(0, along / size));
   return out;
+}
+
+Path overlapped(Path path, double overlap) {
+  const std::size_t whole = path.size();
+  for (std::size_t i = 0; i < whole && overlap > kJoint; ++i) {
+    const Edge edge = path[i];
+    const double size = edge.length();
+    path.push_back(overlap < size - kJoint ? edge.part(0, overlap / size) : edge);
+    overlap -= size;
+  }
+  return path;
 }
 
 }  // namespace clearcut

@@ -1,5 +1,8 @@
 #include "link/link.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "link/linker.h"
 #include "link/short_order.h"
 #include "link/work.h"
@@ -36,6 +39,11 @@ class Fastest {
   double time_ = 0;
 };
 
+bool same_order(const Linker& a, const Linker& b) {
+  return std::equal(a.cuts().begin(), a.cuts().end(), b.cuts().begin(), b.cuts().end(),
+                    [](const Cut& c, const Cut& d) { return c.item == d.item; });
+}
+
 /// Orders found from one that was cut.
 void add_shorter(const Work& work, Linker& found, const LinkOptions& options, Fastest& fastest) {
   const Linker* from = &found;
@@ -62,8 +70,10 @@ Section link_layers(const std::vector<LayerPasses>& layers, const LinkOptions& o
     add_shorter(work, by_layer, options, fastest);
     Linker mixed(work, options, Progress::Layers::kMixed);
     mixed.cut_nearest_first();
-    fastest.add(mixed);
-    add_shorter(work, mixed, options, fastest);
+    if (!same_order(mixed, by_layer)) {
+      fastest.add(mixed);
+      add_shorter(work, mixed, options, fastest);
+    }
   }
   return fastest.take();
 }

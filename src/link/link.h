@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/tolerances.h"
+#include "link/lead.h"
 #include "part/part.h"
 #include "toolpath/machine.h"
 #include "toolpath/pass.h"
@@ -30,7 +31,8 @@ struct LinkOptions {
   std::optional<double> helix_widest;      ///< mm, diameter of the centre's circle; absent: 0.9 of the tool's
   std::optional<double> helix_narrowest;   ///< mm; absent: 0.2 of the tool's diameter
   bool may_plunge = true;                  ///< false: straight down is the last resort, and noted
-  double lead_radius = 0;                  ///< mm; 0: passes along walls begin and end on the wall
+  double zigzag_length = 0;                ///< mm, of one way of a zigzag ramp; 0: up to two diameters
+  LeadShape lead;                          ///< of size 0: passes along walls begin and end on the wall
   double link_lift = 0;                    ///< mm; ways at depth are run this much higher
   std::vector<PredrilledHole> predrilled;  ///< ways down for a cutter no wider
   /// Plan view of the raw block: outside it there is only air. Absent: solid everywhere outside the targets.
@@ -41,9 +43,9 @@ struct LinkOptions {
 /// All moves of one feature, layers from the top down.
 ///
 /// Entries   see link/entry.h; from beside the stock or down a predrilled hole where a straight legal way leads in.
-/// Leads     passes along walls of closed pockets begin and end with a quarter circle that touches them, where
-///           one of lead_radius or, failing that, down to a quarter of it lies in the legal area. What could not
-///           be done as asked is told in section.notes.
+/// Leads     passes along walls of closed pockets begin and end with an arc or a line, see link/lead.h, and run on over
+///           their start by lead.overlap, which goes without leads, too. What could not be done as asked is told
+///           in section.notes.
 /// Order     rings before the ring that surrounds them; a place before what is under it. Layer by layer, always what
 ///           is reached soonest; the same over all layers, which cuts one area after the other to the bottom; and
 ///           both improved (link/short_order.h): the fastest of these, the first where it makes no difference.

@@ -235,6 +235,7 @@ void Linker::cut_pass(Choice next) {
   const bool on_ring = pass.closed && pass.kinds.empty() && !lead;
   const double along = go_to(next, lead ? Path{lead->in} : path, on_ring);
   if (along > 0) path = begun_at(path, along);
+  if (runs_along_wall(pass)) path = overlapped(std::move(path), options_.lead.overlap);
   if (lead) cut({lead->in}, {MoveKind::kLeadIn});
   cut(path, pass.kinds);
   if (lead) cut({lead->out}, {MoveKind::kLeadOut});
@@ -243,9 +244,9 @@ void Linker::cut_pass(Choice next) {
 }
 
 std::optional<Lead> Linker::lead_for_pass(const Path& path, const Choice& next) {
-  if (options_.lead_radius <= 0 || !runs_along_wall(work_.pass(next.item))) return std::nullopt;
+  if (options_.lead.size <= 0 || !runs_along_wall(work_.pass(next.item))) return std::nullopt;
   const LayerWork& where = layer(next.item);
-  auto lead = lead_for(path, where.layer().legal, options_.lead_radius);
+  auto lead = lead_for(path, where.layer().legal, options_.lead);
   if (lead && next.stay_down && !where.legal().holds_line(moves_.at(), lead->in.from)) lead.reset();
   if (!lead) ++without_lead_;
   return lead;

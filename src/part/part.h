@@ -73,11 +73,14 @@ struct Operation {
   std::optional<double> scallop;   ///< mm; greatest step between layers on sloped walls
   std::optional<EntryKind> entry;
   std::optional<Radians> entry_angle;
+  std::optional<double> entry_size;  ///< mm; greatest radius of a helix, length of one way of a zigzag
   std::optional<CutDirection> direction;
   std::optional<double> retract_z;  ///< absolute, mm
-  std::optional<double> lead;       ///< mm; radius of the arcs into and out of passes along walls
-  bool rest = false;                ///< cut only what the earlier steps of the same feature leave
-  std::string strategy_hint;        ///< strategy named by the file, "" if none
+  std::optional<double>
+      lead;  ///< mm; radius of the arcs, length of the lines into and out of passes along walls
+  std::optional<Radians> lead_angle;  ///< between such a line and the pass; absent: arcs
+  bool rest = false;                  ///< cut only what the earlier steps of the same feature leave
+  std::string strategy_hint;          ///< strategy named by the file, "" if none
 };
 
 /// One step of the work: this feature by that operation.

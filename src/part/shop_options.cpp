@@ -47,7 +47,9 @@ ShopOptions ShopOptions::or_else(const ShopOptions& other) const {
   fill(out.helix_widest, other.helix_widest);
   fill(out.helix_narrowest, other.helix_narrowest);
   fill(out.lead_feed, other.lead_feed);
+  fill(out.lead_overlap, other.lead_overlap);
   fill(out.link_feed, other.link_feed);
+  fill(out.overrun, other.overrun);
   fill(out.link_lift, other.link_lift);
   fill(out.slot_angle_deg, other.slot_angle_deg);
   fill(out.rest, other.rest);
@@ -64,7 +66,9 @@ void check(const ShopOptions& options, const std::string& prefix) {
   check.positive(options.helix_widest, "helix-diameter", "mm");
   check.positive(options.helix_narrowest, "helix-min", "mm");
   check.feed(options.lead_feed, "lead-feed");
+  check.not_negative(options.lead_overlap, "lead-overlap");
   check.feed(options.link_feed, "link-feed");
+  check.not_negative(options.overrun, "overrun");
   check.not_negative(options.link_lift, "link-lift");
   const auto& angle = options.slot_angle_deg;
   check.require(!angle || (*angle >= 10 && *angle <= 180), "slot-angle",

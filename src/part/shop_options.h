@@ -12,7 +12,9 @@ struct ShopOptions {
   std::optional<double> helix_widest;     ///< mm, diameter of the centre's circle on the way down
   std::optional<double> helix_narrowest;  ///< mm
   std::optional<MmPerMin> lead_feed;      ///< arcs and lines into and out of passes
+  std::optional<double> lead_overlap;     ///< mm; passes along walls run on over their start
   std::optional<MmPerMin> link_feed;      ///< ways at depth through what is cut
+  std::optional<double> overrun;          ///< mm; open sides are cut this far beyond their edge
   std::optional<double> link_lift;        ///< mm; such ways are run this much higher
   std::optional<double> slot_angle_deg;   ///< engagement above which the slot feed rules
   std::optional<bool> rest;           ///< all tools given for each pocket, larger first, each on what is left

@@ -94,8 +94,10 @@ LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind en
   if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
   link.may_plunge = tool_of(part, step).center_cutting;
   link.helix_widest = options.shop.helix_widest;
+  if (operation.entry_size && !link.helix_widest) link.helix_widest = 2 * *operation.entry_size;
+  link.zigzag_length = operation.entry_size.value_or(0);
   link.helix_narrowest = options.shop.helix_narrowest;
-  link.lead_radius = operation.lead.value_or(0);
+  link.lead = {operation.lead.value_or(0), operation.lead_angle, options.shop.lead_overlap.value_or(0)};
   link.lead_feed = options.shop.lead_feed;
   link.link_feed = options.shop.link_feed;
   link.link_lift = options.shop.link_lift.value_or(0);

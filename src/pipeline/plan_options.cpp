@@ -120,6 +120,8 @@ void check(const PlanOptions& options) {
   require(!options.entry_angle || (options.entry_angle->degrees() > 0 && options.entry_angle->degrees() < 90),
           "--entry-angle", "must lie between 0 and 90 degrees");
   require(absent_or_not_negative(options.lead), "--lead", "must be 0 mm or more");
+  require(!options.lead_angle || (options.lead_angle->degrees() >= 0 && options.lead_angle->degrees() <= 90),
+          "--lead-angle", "must lie between 0 and 90 degrees");
   require(absent_or_positive(options.scallop), "--scallop", "must be above 0 mm");
   require(!options.cutting.ramp_feed || options.cutting.ramp_feed->mm_per_min() > 0, "--ramp-feed",
           "must be above 0 mm/min");

@@ -27,8 +27,9 @@ struct PlanOptions {
   std::optional<double> engagement_deg;
   std::optional<EntryKind> entry;
   std::optional<Radians> entry_angle;
-  std::optional<double> lead;     ///< mm; radius of leads into passes along walls, 0: none
-  std::optional<double> scallop;  ///< mm; greatest step between layers on leaning walls
+  std::optional<double> lead;         ///< mm; radius or length of leads into passes along walls, 0: none
+  std::optional<Radians> lead_angle;  ///< straight leads, at this angle to the pass; absent: arcs
+  std::optional<double> scallop;      ///< mm; greatest step between layers on leaning walls
   ShopOptions shop;
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock

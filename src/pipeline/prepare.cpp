@@ -133,6 +133,7 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   if (options.entry) operation.entry = options.entry;
   if (options.entry_angle) operation.entry_angle = options.entry_angle;
   if (options.lead) operation.lead = options.lead;
+  if (options.lead_angle) operation.lead_angle = options.lead_angle;
   if (options.scallop) operation.scallop = options.scallop;
   if (options.direction) operation.direction = options.direction;
   auto& cutting = operation.cutting;

@@ -38,6 +38,13 @@ bool is_bare(const Part& part, const Feature& feature) {
   });
 }
 
+/// What is cut of an open feature: as much beyond its edges as is asked for, walls excepted.
+Regions overrun(const Regions& target, const Regions& allowed, const PlanOptions& options) {
+  const double beyond = options.shop.overrun.value_or(0);
+  if (beyond <= 0 || target.empty()) return target;
+  return intersect(dilate(target, beyond, options.tol), allowed, options.tol);
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that; in closed
 /// ones the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(const Part& part, int index, const PlanOptions& options) {
@@ -59,7 +66,7 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
     // It stands in the outline at the top: between leaning walls there is less.
     if (feature.wall_slope.radians() != 0) standing = intersect(standing, layer.allowed, options.tol);
     if (standing.empty() || has_open_side(feature)) {
-      layer.target = standing;
+      layer.target = overrun(standing, layer.allowed, options);
     } else if (!met.empty()) {
       widen_where_met(layer, met, options.tol);
     }

@@ -226,8 +226,8 @@ class Writer {
   }
 
   std::vector<std::string> milling_arguments(const Operation& operation) {
-    std::vector<std::string> arguments = {write_approach(operation), kUnset, write_strategy(operation),
-                                          optional_real(operation.stepdown)};
+    std::vector<std::string> arguments = {write_approach(operation), write_retract(operation),
+                                          write_strategy(operation), optional_real(operation.stepdown)};
     if (operation.kind == OperationKind::kBottomFinishing) {
       arguments.push_back(positive_real(operation.allowance_floor));
       return arguments;
@@ -245,19 +245,28 @@ class Writer {
     const std::string angle = operation.entry_angle ? p21_real(operation.entry_angle->radians()) : kUnset;
     switch (*operation.entry) {
       case EntryKind::kHelix: {
-        const double radius = part_.tools[static_cast<std::size_t>(operation.tool)].radius() / 2;
+        const double radius =
+            operation.entry_size.value_or(part_.tools[static_cast<std::size_t>(operation.tool)].radius() / 2);
         return out_.add("PLUNGE_HELIX", {kUnset, p21_real(radius), angle});
       }
       case EntryKind::kRamp:
         return out_.add("PLUNGE_RAMP", {kUnset, angle});
       case EntryKind::kZigzagRamp: {
-        const double width = part_.tools[static_cast<std::size_t>(operation.tool)].diameter;
+        const double width =
+            operation.entry_size.value_or(part_.tools[static_cast<std::size_t>(operation.tool)].diameter);
         return out_.add("PLUNGE_ZIGZAG", {kUnset, angle, p21_real(width)});
       }
       case EntryKind::kPlunge:
         break;
     }
     return out_.add("PLUNGE_TOOLAXIS", {kUnset});
+  }
+
+  std::string write_retract(const Operation& operation) {
+    if (!operation.lead || *operation.lead <= 0) return kUnset;
+    if (!operation.lead_angle) return out_.add("AP_RETRACT_TANGENT", {kUnset, p21_real(*operation.lead)});
+    return out_.add("AP_RETRACT_ANGLE",
+                    {kUnset, p21_real(operation.lead_angle->radians()), p21_real(*operation.lead)});
   }
 
   static bool radial_in_strategy(const Operation& operation) {

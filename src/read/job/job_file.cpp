@@ -60,6 +60,10 @@ CutSettings settings_of(DataSection& section) {
   out.allowance_floor = section.not_negative("allowance_floor");
   out.scallop = section.positive("scallop");
   out.lead = section.not_negative("lead");
+  if (const auto angle = section.not_negative("lead_angle")) {
+    if (*angle > 90) section.fail_at("lead_angle", "must be at most 90 degrees");
+    out.lead_angle = Radians::of_degrees(*angle);
+  }
   if (const auto entry = section.choice("entry", entries)) out.entry = static_cast<EntryKind>(*entry);
   if (const auto angle = section.positive("entry_angle")) {
     if (*angle > 90) section.fail_at("entry_angle", "must be at most 90 degrees");
@@ -177,7 +181,9 @@ ShopOptions shop_of(DataSection& section) {
   shop.helix_widest = section.positive("helix_diameter");
   shop.helix_narrowest = section.positive("helix_min");
   shop.lead_feed = feed_of(section, "lead_feed");
+  shop.lead_overlap = section.not_negative("lead_overlap");
   shop.link_feed = feed_of(section, "link_feed");
+  shop.overrun = section.not_negative("overrun");
   shop.link_lift = section.not_negative("link_lift");
   shop.slot_angle_deg = section.positive("slot_angle");
   shop.rest = section.flag("rest");

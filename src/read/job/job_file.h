@@ -24,8 +24,9 @@ struct CutSettings {
   std::optional<double> stepdown;       ///< mm
   std::optional<double> allowance;      ///< mm, on walls
   std::optional<double> allowance_floor;
-  std::optional<double> scallop;  ///< mm
-  std::optional<double> lead;     ///< mm, radius; 0: none
+  std::optional<double> scallop;      ///< mm
+  std::optional<double> lead;         ///< mm, radius or length; 0: none
+  std::optional<Radians> lead_angle;  ///< of straight leads
   std::optional<EntryKind> entry;
   std::optional<Radians> entry_angle;
   std::optional<CutDirection> direction;

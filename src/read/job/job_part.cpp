@@ -110,6 +110,7 @@ void apply_settings(const CutSettings& settings, const Part& part, const std::st
   if (settings.allowance_floor) operation.allowance_floor = *settings.allowance_floor;
   set_if(operation.scallop, settings.scallop);
   set_if(operation.lead, settings.lead);
+  set_if(operation.lead_angle, settings.lead_angle);
   set_if(operation.entry, settings.entry);
   set_if(operation.entry_angle, settings.entry_angle);
   set_if(operation.direction, settings.direction);

@@ -245,27 +245,65 @@ void read_cutting(const Node& node, const Node& tool_node, const Tool& tool, con
   }
 }
 
-void read_approach(const Node& node, Operation& operation, Context& context) {
-  const auto approach = node.ref(9);
-  if (!approach) return;
-  const auto set = [&](EntryKind kind, std::optional<std::size_t> angle_argument) {
-    operation.entry = kind;
-    if (!angle_argument) return;
-    const auto angle = approach->number(*angle_argument);
-    if (angle && *angle > 0) operation.entry_angle = Radians::of(context.lean(*angle));
-  };
-  if (approach->is("PLUNGE_TOOLAXIS")) set(EntryKind::kPlunge, std::nullopt);
-  if (approach->is("PLUNGE_RAMP")) set(EntryKind::kRamp, 1);
-  if (approach->is("PLUNGE_HELIX")) set(EntryKind::kHelix, 2);
-  if (approach->is("PLUNGE_ZIGZAG")) set(EntryKind::kZigzagRamp, 1);
-  if (!operation.entry)
-    context.note("an approach of this kind is not used; the planner chooses the entry", *approach);
+std::optional<double> positive(std::optional<double> value) {
+  return value && *value > 0 ? value : std::nullopt;
 }
 
-/// The lead out of a pass along the wall; ours is the same on the way in.
-void read_retract(const Node& node, Operation& operation) {
+/// An angle of a way into or out of the material, where it is stated.
+std::optional<Radians> path_angle(const Node& strategy, std::size_t argument, const Context& context) {
+  const auto angle = strategy.number(argument);
+  return angle && *angle > 0 ? std::optional(Radians::of(context.lean(*angle))) : std::nullopt;
+}
+
+/// Leads of passes along walls; ours are the same on the way in and out. False for other strategies.
+bool read_lead(const Node& strategy, Operation& operation, const Context& context) {
+  if (strategy.is("AP_RETRACT_TANGENT")) {
+    operation.lead = positive(strategy.length(1));
+  } else if (strategy.is("AP_RETRACT_ANGLE")) {
+    operation.lead_angle = path_angle(strategy, 1, context);
+    operation.lead = positive(strategy.length(2));
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void set_entry(Operation& operation, EntryKind kind, std::optional<Radians> angle,
+               std::optional<double> size) {
+  operation.entry = kind;
+  operation.entry_angle = angle;
+  operation.entry_size = size;
+}
+
+void read_approach(const Node& node, Operation& operation, Context& context) {
+  const auto approach = node.ref(9);
+  if (!approach || read_lead(*approach, operation, context)) return;
+  if (approach->is("PLUNGE_TOOLAXIS")) {
+    set_entry(operation, EntryKind::kPlunge, std::nullopt, std::nullopt);
+  } else if (approach->is("PLUNGE_RAMP")) {
+    set_entry(operation, EntryKind::kRamp, path_angle(*approach, 1, context), std::nullopt);
+  } else if (approach->is("PLUNGE_HELIX")) {
+    set_entry(operation, EntryKind::kHelix, path_angle(*approach, 2, context), positive(approach->length(1)));
+  } else if (approach->is("PLUNGE_ZIGZAG")) {
+    set_entry(operation, EntryKind::kZigzagRamp, path_angle(*approach, 1, context),
+              positive(approach->length(2)));
+  } else if (approach->is("AP_LIFT_PATH_ANGLE")) {
+    set_entry(operation, EntryKind::kRamp, path_angle(*approach, 1, context), std::nullopt);
+  } else if (approach->is("AP_LIFT_PATH_TANGENT")) {
+    operation.entry = EntryKind::kRamp;
+    context.note("an approach that comes down in an arc is made a ramp", *approach);
+  } else {
+    context.note("an approach of this kind is not used; the planner chooses the entry", *approach);
+  }
+}
+
+/// What the approach says of leads goes before what the retract says. Any other way up is straight up.
+void read_retract(const Node& node, Operation& operation, Context& context) {
   const auto retract = node.ref(10);
-  if (retract && retract->is("AP_RETRACT_TANGENT")) operation.lead = retract->length(1);
+  if (!retract || operation.lead || read_lead(*retract, operation, context)) return;
+  const bool up_anyway = retract->keyword().rfind("PLUNGE_", 0) == 0;
+  if (!up_anyway)
+    context.note("a retract of this kind is not used; the cutter is lifted straight up", *retract);
 }
 
 std::string lower(std::string text) {
@@ -289,10 +327,6 @@ void read_strategy(const Node& node, Operation& operation, Context& context) {
     operation.stepover = 1 - *overlap;
   else
     context.note("the strategy's overlap is not a ratio from 0 to 1; it is not used", *strategy);
-}
-
-std::optional<double> positive(std::optional<double> value) {
-  return value && *value > 0 ? value : std::nullopt;
 }
 
 double allowance(const Node& node, std::size_t argument) {
@@ -346,7 +380,7 @@ Operation read_operation(const Node& node, const Tools& tools, Context& context)
   if (!goes_straight_down(operation)) {
     read_depths(node, tool, operation, context);
     read_approach(node, operation, context);
-    read_retract(node, operation);
+    read_retract(node, operation, context);
     read_strategy(node, operation, context);
   }
   read_cutting(node, tool_node, tool, tools, operation, context);

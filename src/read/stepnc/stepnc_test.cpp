@@ -300,6 +300,56 @@ TEST(StepNc, BossesBecomeIslandsPlacedInTheFeature) {
   EXPECT_NEAR(area(f.target), 1200 - 1.5 * kPi * 16, 1e-3);
 }
 
+TEST(StepNc, EveryApproachAndRetractStrategyIsReadOrNamed) {
+  struct Row {
+    const char* approach;
+    std::optional<EntryKind> entry;
+    std::optional<double> angle, size, lead, lead_angle;
+    int notes;
+  };
+  const std::nullopt_t none = std::nullopt;
+  const Row rows[] = {{"PLUNGE_TOOLAXIS($)", EntryKind::kPlunge, none, none, none, none, 0},
+                      {"PLUNGE_RAMP($,0.05)", EntryKind::kRamp, 0.05, none, none, none, 0},
+                      {"PLUNGE_HELIX($,3.,0.05)", EntryKind::kHelix, 0.05, 3.0, none, none, 0},
+                      {"PLUNGE_ZIGZAG($,0.05,8.)", EntryKind::kZigzagRamp, 0.05, 8.0, none, none, 0},
+                      {"AP_RETRACT_TANGENT($,2.5)", none, none, none, 2.5, none, 0},
+                      {"AP_RETRACT_ANGLE($,0.5,4.)", none, none, none, 4.0, 0.5, 0},
+                      {"AP_LIFT_PATH_ANGLE($,0.1,2.)", EntryKind::kRamp, 0.1, none, none, none, 0},
+                      {"AP_LIFT_PATH_TANGENT($,2.,1.)", EntryKind::kRamp, none, none, none, none, 1},
+                      {"ALONG_PATH($,#99)", none, none, none, none, none, 1}};
+  const int other_notes = count_of(Program().read(), Severity::kNote);
+  const auto value = [](const std::optional<Radians>& angle) {
+    return angle ? std::optional(angle->radians()) : std::nullopt;
+  };
+  for (const Row& row : rows) {
+    const Part part = Program().with(36, row.approach).read();
+    const Operation& op = part.workplan[0].operation;
+    EXPECT_EQ(op.entry, row.entry) << row.approach;
+    EXPECT_EQ(value(op.entry_angle), row.angle) << row.approach;
+    EXPECT_EQ(op.entry_size, row.size) << row.approach;
+    EXPECT_EQ(op.lead, row.lead) << row.approach;
+    EXPECT_EQ(value(op.lead_angle), row.lead_angle) << row.approach;
+    EXPECT_EQ(count_of(part, Severity::kNote), other_notes + row.notes) << all_diagnostics(part);
+  }
+}
+
+TEST(StepNc, RetractStrategiesThatLeaveTheWallGiveLeads) {
+  const auto with_retract = [](const std::string& retract) {
+    Program p;
+    p.with(30, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',8.,$,#31,#34,#35,$,#36,#99,#37,2.,4.,0.3,0.1)");
+    return p.with(99, retract).read();
+  };
+  const Part arc = with_retract("AP_RETRACT_TANGENT($,2.5)");
+  EXPECT_EQ(arc.workplan[0].operation.lead, 2.5);
+  EXPECT_EQ(arc.workplan[0].operation.entry, EntryKind::kRamp);
+  const Part line = with_retract("AP_RETRACT_ANGLE($,0.5,4.)");
+  EXPECT_EQ(line.workplan[0].operation.lead, 4.0);
+  EXPECT_EQ(line.workplan[0].operation.lead_angle, Radians::of(0.5));
+  EXPECT_FALSE(with_retract("PLUNGE_TOOLAXIS($)").workplan[0].operation.lead);
+  EXPECT_NE(all_diagnostics(with_retract("AP_LIFT_PATH_ANGLE($,0.5,4.)")).find("lifted straight up"),
+            std::string::npos);
+}
+
 TEST(StepNc, SlopeIsTheAngleFromTheVertical) {
   Program p;
   p.feature("CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),0.785,#26,$,$,#27)");

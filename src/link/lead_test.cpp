@@ -1,0 +1,86 @@
+#include "link/lead.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/region.h"
+#include "toolpath/legal_area.h"
+
+namespace clearcut {
+namespace {
+
+Region rectangle(double width, double height) {
+  return Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{0, 0}, {width, 0}, {width, height}, {0, height}}), {});
+}
+
+void expect_legal(const Edge& edge, const Region& legal) {
+  for (double t = 0; t <= 1; t += 0.05) {
+    const Vec2 p = edge.at(t);
+    EXPECT_TRUE(legal.contains(p) || legal.boundary_distance(p) < LegalArea::kSlack) << p.x << " " << p.y;
+  }
+}
+
+/// Degrees between a lead and the pass where they meet.
+double angle_between(Vec2 a, Vec2 b) {
+  return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / kPi;
+}
+
+TEST(Lead, ArcsTouchThePassAndStayLegal) {
+  const Region legal = rectangle(30, 20);
+  const auto lead = lead_for(legal.outer(), {legal}, {4, std::nullopt, 0});
+  ASSERT_TRUE(lead);
+  const Path path = begun_at(legal.outer(), lead->along);
+  EXPECT_TRUE(lead->in.is_arc());
+  EXPECT_NEAR(distance(lead->in.to, path.front().from), 0, 1e-12);
+  EXPECT_NEAR(distance(lead->out.from, path.back().to), 0, 1e-12);
+  EXPECT_NEAR(angle_between(lead->in.tangent_at(1), path.front().tangent_at(0)), 0, 1e-6);
+  EXPECT_NEAR(angle_between(lead->out.tangent_at(0), path.back().tangent_at(1)), 0, 1e-6);
+  expect_legal(lead->in, legal);
+  expect_legal(lead->out, legal);
+}
+
+TEST(Lead, LinesMeetThePassAtTheAngleAskedFor) {
+  const Region legal = rectangle(30, 20);
+  for (const double degrees : {0.0, 10.0, 30.0, 60.0, 90.0}) {
+    const auto lead = lead_for(legal.outer(), {legal}, {4, Radians::of_degrees(degrees), 0});
+    ASSERT_TRUE(lead) << degrees;
+    const Path path = begun_at(legal.outer(), lead->along);
+    EXPECT_FALSE(lead->in.is_arc());
+    EXPECT_NEAR(lead->in.length(), 4, 1e-9);
+    EXPECT_NEAR(angle_between(lead->in.tangent_at(1), path.front().tangent_at(0)), degrees, 1e-6);
+    EXPECT_NEAR(angle_between(lead->out.tangent_at(0), path.back().tangent_at(1)), degrees, 1e-6);
+    expect_legal(lead->in, legal);
+    expect_legal(lead->out, legal);
+  }
+}
+
+TEST(Lead, WhereNoArcFitsALineDoes) {
+  const Region legal = rectangle(30, 1.9);  // a quarter circle of 1 mm has no room, a line of 1 mm has
+  const auto lead = lead_for(legal.outer(), {legal}, {4, std::nullopt, 0});
+  ASSERT_TRUE(lead);
+  EXPECT_FALSE(lead->in.is_arc());
+  EXPECT_LE(lead->in.length(), 2 + 1e-9);
+  expect_legal(lead->in, legal);
+  expect_legal(lead->out, legal);
+}
+
+TEST(Lead, NoneWhereNeitherFits) {
+  const Region legal = rectangle(30, 0.1);
+  EXPECT_FALSE(lead_for(legal.outer(), {legal}, {4, Radians::of_degrees(90), 0}));
+}
+
+TEST(Lead, ThePassRunsOverItsStartBeforeItIsLeft) {
+  const Region legal = rectangle(30, 20);
+  for (const double overlap : {0.5, 3.0, 17.0, 200.0}) {
+    const auto lead = lead_for(legal.outer(), {legal}, {2, std::nullopt, overlap});
+    ASSERT_TRUE(lead) << overlap;
+    const Path path = overlapped(begun_at(legal.outer(), lead->along), overlap);
+    EXPECT_NEAR(length(path), 100 + std::min(overlap, 100.0), 1e-9);
+    EXPECT_NEAR(distance(path.back().to, lead->out.from), 0, 1e-9) << overlap;
+    EXPECT_NEAR(distance(path.front().from, lead->in.to), 0, 1e-9) << overlap;
+    expect_legal(lead->out, legal);
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
