@@ -20,7 +20,7 @@ Part pocket_with_island(double diameter) {
 }
 
 TEST(Feeds, EveryKindOfMoveHasItsOwn) {
-  for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive", "fixed"}) {
+  for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive"}) {
     PlanOptions options;
     options.strategy = strategy;
     options.cutting.feed = MmPerMin::of(1000);

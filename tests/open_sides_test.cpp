@@ -116,6 +116,8 @@ TEST_P(OpenSides, AreWhereTheCutterComesIn) {
       ++parts;
       unclean += !result.findings.all.clean;
       outside += entries.into_material == 0;
+      if (std::getenv("CLEARCUT_SHOW") && !result.findings.faults.empty())
+        std::printf("seed %d: %s\n", static_cast<int>(seed), result.findings.faults.front().text.c_str());
       if (entries.into_material > 0 && std::getenv("CLEARCUT_SHOW"))
         std::printf("seed %d: %d into material, %d from outside\n", static_cast<int>(seed),
                     entries.into_material, entries.from_outside);

@@ -7,6 +7,8 @@ namespace clearcut {
 namespace {
 
 constexpr double kStepsPerRadius = 8;
+/// Degrees. A link that is less in the material touches none.
+constexpr double kTouching = 1;
 /// mm. Material thinner than this is rounding.
 constexpr double kFilm = 1e-3;
 
@@ -51,16 +53,26 @@ void append_by_speed(const Move& move, const std::vector<bool>& slow, MmPerMin s
 
 }  // namespace
 
-void slow_down_slots(Section& section, double radius, Radians limit, MmPerMin slot_feed, Material& material) {
+void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, Material& material) {
   std::vector<Move> moves;
-  for (const Move& move : section.moves) {
-    const bool feeds = !is_rapid(move.kind);
-    if (feeds && !move.is_vertical() && move.z_from == move.z_to && slot_feed < move.feed) {
-      append_by_speed(move, slow_steps(move, radius, limit, material), slot_feed, moves);
+  const auto append = [&](const Move& move, Radians limit, MmPerMin feed, std::vector<Move>& out) {
+    if (feed < move.feed) {
+      append_by_speed(move, slow_steps(move, radius, limit, material), feed, out);
     } else {
-      moves.push_back(move);
+      out.push_back(move);
     }
-    if (feeds) material.add(move, radius);
+  };
+  for (const Move& move : section.moves) {
+    if (is_rapid(move.kind) || move.is_vertical() || move.z_from != move.z_to) {
+      moves.push_back(move);
+    } else if (move.kind == MoveKind::kLink) {
+      std::vector<Move> pieces;
+      append(move, Radians::of_degrees(kTouching), feeds.cut_feed, pieces);
+      for (const Move& piece : pieces) append(piece, feeds.limit, feeds.slot_feed, moves);
+    } else {
+      append(move, feeds.limit, feeds.slot_feed, moves);
+    }
+    if (!is_rapid(move.kind)) material.add(move, radius);
   }
   section.moves = std::move(moves);
 }

@@ -122,13 +122,22 @@ StepPlan fastest_plan(const StepWork& work, const Part& part, const Attempt& att
 /// Degrees. Above this the cutter is taken to be in a slot.
 constexpr double kSlotAngle = 150;
 
-/// Slows down wherever a step with a slot feed is in the material all round, given all that runs before.
+/// Whether passes are joined at depth faster than they are cut. (Within one stroke the planner knows what is cut.)
+bool has_fast_links(const Section& section, const Part& part, const PlanOptions& options) {
+  const auto& step = part.workplan[static_cast<std::size_t>(section.workingstep)];
+  return options.shop.link_feed && *step.operation.cutting.feed < *options.shop.link_feed;
+}
+
+/// Slows down wherever a step with a slot feed is in the material all round, and a fast link in any, given all that runs
+/// before.
 void slow_down_slots(Toolpath& toolpath, const Part& part, const PlanOptions& options) {
   const auto slot_feed_of = [&](const Section& section) {
     return part.workplan[static_cast<std::size_t>(section.workingstep)].operation.cutting.slot_feed;
   };
-  const bool wanted = std::any_of(toolpath.sections.begin(), toolpath.sections.end(),
-                                  [&](const Section& section) { return slot_feed_of(section).has_value(); });
+  const bool wanted =
+      std::any_of(toolpath.sections.begin(), toolpath.sections.end(), [&](const Section& section) {
+        return slot_feed_of(section) || has_fast_links(section, part, options);
+      });
   if (!wanted) return;
   std::vector<double> radii;
   for (const auto& tool : part.tools) radii.push_back(tool.radius());
@@ -136,8 +145,9 @@ void slow_down_slots(Toolpath& toolpath, const Part& part, const PlanOptions& op
   const Radians limit = Radians::of_degrees(options.shop.slot_angle_deg.value_or(kSlotAngle));
   for (auto& section : toolpath.sections) {
     const auto& step = part.workplan[static_cast<std::size_t>(section.workingstep)];
-    slow_down_slots(section, tool_of(part, step).radius(), limit,
-                    slot_feed_of(section).value_or(*step.operation.cutting.feed), material);
+    const MmPerMin feed = *step.operation.cutting.feed;
+    const MmPerMin slot_feed = slot_feed_of(section).value_or(feed);
+    slow_down_slots(section, tool_of(part, step).radius(), {limit, slot_feed, feed}, material);
   }
 }
 

@@ -170,6 +170,10 @@ bool LegalArea::holds_line(Vec2 a, Vec2 b) const {
   std::vector<double> cuts{0, 1};
   for (const std::size_t i : edges_along(a, b)) {
     for (const Vec2 p : intersections(way, edges_[i])) cuts.push_back(parameter_on(a, b, p));
+    // An edge along the way crosses it nowhere; where it ends the boundary turns away.
+    for (const Vec2 p : {edges_[i].from, edges_[i].to}) {
+      if (distance(way, p) <= kSlack) cuts.push_back(parameter_on(a, b, p));
+    }
   }
   std::sort(cuts.begin(), cuts.end());
   // Between two crossings the way is all inside or all outside; where it runs outside it strays farthest in
