@@ -74,6 +74,8 @@ constexpr double kLeastBite = 1e-3;
 constexpr int kMostBites = 300;
 /// Times that all walls are gone over with bites.
 constexpr int kMostRounds = 30;
+/// Tool radii of wall on both sides of its end that are run along where something still stands there.
+constexpr double kBeyondEnd = 0.2;
 /// Share of a disc that must be uncut for an entry of its own.
 constexpr double kFreshShare = 0.6;
 
@@ -123,6 +125,7 @@ class AdaptivePlanner {
             {ground_, finishing_.walls, inner.finishing, limit, {kMergeGap * radius_, kMarkPitch * radius_}}},
         path_(ground_, ways_),
         open_(layer.stock && has_open_side(layer)),
+        target_(layer.target),
         start_(start),
         holes_(layer.holes) {
     for (const PredrilledHole& hole : holes_) ground_.remove_disc(hole.center, hole.diameter / 2);
@@ -140,6 +143,7 @@ class AdaptivePlanner {
     enter_what_is_left();
     finish_walls();
     cut_walls();
+    if (open_) cut_wall_ends();
     cut_rests();
     if (!path_.empty()) finish_pass();
     return std::move(passes_);
@@ -521,6 +525,32 @@ class AdaptivePlanner {
     }
   }
 
+  /// Where a wall leaves the stock a point of the target may stand beyond the last mark: over it, a little farther.
+  void cut_wall_ends() {
+    for (const Region& region : target_) {
+      for (const Edge& edge : region.edges()) {
+        if (!stands_at(edge.from)) continue;
+        const Vec2 p = nearest_legal(edge.from);
+        for (std::size_t w = 0; w < finishing_.walls.count(); ++w) {
+          const auto hit = finishing_.walls.wall(w).nearest(p);
+          if (hit.distance > kRest) continue;
+          cut_stretch({w, hit.s - kBeyondEnd * radius_, hit.s + kBeyondEnd * radius_});
+          break;
+        }
+      }
+    }
+  }
+
+  /// Whether anything within reach stands at a corner of the target.
+  bool stands_at(Vec2 corner) const {
+    for (int i = 0; i < 8; ++i) {
+      const Vec2 p = corner + direction_of(kPi / 4 * i) * kRest;
+      if (!ground_.is_removed(p) && contains(target_, p) && distance(nearest_legal(p), p) < radius_)
+        return true;
+    }
+    return false;
+  }
+
   std::vector<WallStretch> unfinished() const {
     return unfinished_walls(finishing_.walls, kMarkPitch * radius_, kMergeGap * radius_, ground_);
   }
@@ -701,6 +731,7 @@ class AdaptivePlanner {
   Stage clearing_, finishing_;
   ClearingPath path_;
   bool open_;  ///< something beside the target is free
+  const Regions& target_;
   std::optional<Vec2> start_;
   std::vector<PredrilledHole> holes_;
   std::vector<Disc> rooms_;
