@@ -1,10 +1,13 @@
 // Reference instances under a time limit: how near the best known length, after how long, with how much memory.
 //
 //   tour_benchmark DATA [NAME [SEEDS [SECONDS [THREADS]]]]        DATA: folder with qa194.tsp and the others
+//   tour_benchmark lattices                                       lattices against their proven bounds
 //   tour_benchmark random POINTS SECONDS [THREADS]                random points, best so far as time passes
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -12,6 +15,7 @@
 
 #include "base/file.h"
 #include "base/random.h"
+#include "order/lattice.h"
 #include "order/solve.h"
 #include "order/tsplib.h"
 
@@ -83,6 +87,37 @@ void run_files(const std::filesystem::path& folder, const std::string& only, int
   }
 }
 
+/// Longest time and how many of the seeds end at the bound; open paths.
+void run_lattice(int columns, int rows, const order::ObjectivePtr& objective, int seeds) {
+  order::Problem problem = order::lattice_problem(columns, rows);
+  problem.shape = order::Shape::kOpenPath;
+  double longest = 0, worst = 0, bound = 0;
+  int at_bound = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    order::SolveOptions options;
+    options.seed = static_cast<std::uint64_t>(seed);
+    options.stop.seconds = 5;
+    const auto solution = order::solve(problem, *objective, options);
+    longest = std::max(longest, solution.seconds);
+    worst = std::max(worst, solution.objective);
+    bound = solution.bound;
+    at_bound += solution.gap == 0 ? 1 : 0;
+  }
+  fmt::print("{:>4}x{:<4} {:7} {:10.0f} {:10.0f} {:4} of {:3} {:9.4f} {:6}\n", columns, rows,
+             objective->name(), worst, bound, at_bound, seeds, longest, peak_megabytes());
+}
+
+void run_lattices() {
+  fmt::print("{:>9} {:7} {:>10} {:>10} {:>11} {:>9} {:>6}\n", "lattice", "", "worst", "bound", "at bound",
+             "longest s", "MB");
+  for (const auto& [columns, rows, seeds] : {std::array{10, 10, 100}, std::array{100, 75, 10},
+                                             std::array{100, 80, 10}, std::array{100, 100, 10}}) {
+    for (const auto& objective :
+         {order::length_objective(), order::turns_objective(), order::angle_objective()})
+      run_lattice(columns, rows, objective, seeds);
+  }
+}
+
 void run_random(int points, double seconds, int threads) {
   order::Problem problem;
   problem.name = "random";
@@ -108,7 +143,9 @@ void run_random(int points, double seconds, int threads) {
 int main(int count, char** arguments) {
   const auto text = [&](int i, const char* absent) { return std::string(i < count ? arguments[i] : absent); };
   const auto number = [&](int i) { return std::atof(text(i, "0").c_str()); };
-  if (text(1, "") == "random") {
+  if (text(1, "") == "lattices") {
+    run_lattices();
+  } else if (text(1, "") == "random") {
     run_random(static_cast<int>(number(2)), number(3), static_cast<int>(number(4)));
   } else {
     run_files(text(1, "."), text(2, ""), static_cast<int>(number(3)), number(4), static_cast<int>(number(5)));
