@@ -304,7 +304,9 @@ GeneticStudy genetic_study(const std::string& name, const GeneticStudyOptions& o
     StudyLevel level{.name = value, .side = options.side.value_or(size.side), .objective = objective};
     level.genetic.stop.rounds = generations;
     level.genetic.patience = std::numeric_limits<long long>::max();
-    // So that an operator shows itself: one mutation a child, and a fifth of them crossed.
+    // So that an operator shows itself: no plain first path, which is a sweep on lattices and all but the optimum;
+    // one mutation a child, and a fifth of them crossed.
+    level.genetic.breadth = 2;
     level.genetic.again_rate = 0;
     level.genetic.crossover_rate = 0.2;
     set_factor(level, plan.factor, value);

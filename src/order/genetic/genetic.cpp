@@ -71,7 +71,8 @@ class Evolution {
 
   std::vector<Individual> first_individuals() {
     std::vector<Individual> individuals;
-    for (Genome& genome : first_population(ground_, options_.population, options_.most_shared, random_)) {
+    for (Genome& genome :
+         first_population(ground_, options_.population, options_.most_shared, options_.breadth, random_)) {
       individuals.push_back({.genome = std::move(genome)});
       fitness_.evaluate(individuals.back());
     }

@@ -19,6 +19,7 @@ namespace clearcut::order {
 struct GeneticOptions {
   int population = 25;                 ///< 4.3.2
   double most_shared = 0.2;            ///< share of edges above which two individuals are too similar, 4.3.2
+  int breadth = 1;                     ///< nearest points that the first of the first paths draws from, 6.2.1
   std::string selection = "roulette";  ///< 4.3.3 i
   std::string crossover = "pmx";       ///< 4.3.3 ii
   std::string mutation = "nearest";    ///< 4.3.3 iii

@@ -323,7 +323,7 @@ TEST(FirstPopulation, SharesFewEdges) {
   const Moves moves(problem);
   const Ground ground(moves, 24);
   Random random(1);
-  const auto population = first_population(ground, 25, 0.2, random);
+  const auto population = first_population(ground, 25, 0.2, 2, random);
   ASSERT_EQ(population.size(), 25u);
   for (std::size_t i = 0; i < population.size(); ++i) {
     EXPECT_TRUE(is_valid(problem, population[i].genes()));
@@ -339,7 +339,7 @@ TEST(FirstPopulation, KeepsEndsAndPrecedenceAndTakesTinyProblems) {
     const Moves moves(problem);
     const Ground ground(moves, 24);
     Random random(1);
-    for (const Genome& genome : first_population(ground, 5, 0.2, random))
+    for (const Genome& genome : first_population(ground, 5, 0.2, 1, random))
       EXPECT_TRUE(is_valid(problem, genome.genes()));
   }
 }

@@ -96,11 +96,11 @@ Tour nearest_path(const Ground& ground, int breadth, Random& random) {
   return Walk(ground, breadth).run(random);
 }
 
-std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, Random& random) {
+std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, int breadth,
+                                     Random& random) {
   constexpr int kWidest = 24;
   constexpr int kMoreTries = 10;
   std::vector<Genome> population;
-  int breadth = 1;  // the first is the plain one
   for (int i = 0; i < count; ++i) {
     Genome best;
     double least = std::numeric_limits<double>::infinity();

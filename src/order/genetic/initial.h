@@ -13,9 +13,10 @@ namespace clearcut::order {
 Tour nearest_path(const Ground& ground, int breadth, Random& random);
 
 /// `count` valid individuals. One that shares more than `most_shared` of its edges with an earlier one is
-/// replaced by a new one, drawn with a breadth larger by one, beginning at 2; when the breadth can grow no
+/// replaced by a new one, drawn with a breadth larger by one, beginning at `breadth`; when the breadth can grow no
 /// more, ten more are tried and the least similar is taken. (The text's page that said how paths were
 /// randomised is lost.)
-std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, Random& random);
+std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, int breadth,
+                                     Random& random);
 
 }  // namespace clearcut::order
