@@ -68,18 +68,11 @@ Part part_of_pockets(Random& random) {
   return part;
 }
 
-class WholeParts : public testing::TestWithParam<std::string> {};
-
-INSTANTIATE_TEST_SUITE_P(Filling, WholeParts, testing::Values("auto", "zigzag", "contour", "adaptive"),
-                         [](const auto& strategy) { return strategy.param; });
-
-TEST_P(WholeParts, AreCleanInAFieldOfHeights) {
-  PlanOptions options;
-  options.strategy = GetParam();
-  const int count = test_support::random_count(6);
+/// Plans, posts, certifies and simulates random parts; a cutter that fits nowhere is no fault.
+void expect_clean_parts(const PlanOptions& options, int count) {
   int cut = 0;
   for (int seed = 1; seed <= count; ++seed) {
-    Random random(static_cast<std::uint64_t>(seed) * 1000 + GetParam().size());
+    Random random(static_cast<std::uint64_t>(seed) * 1000 + options.strategy.size());
     const Part part = part_of_pockets(random);
     if (part.workplan.empty()) continue;
     try {
@@ -90,10 +83,33 @@ TEST_P(WholeParts, AreCleanInAFieldOfHeights) {
       const auto found = test_support::simulate(result.part, result.toolpath, kCell);
       EXPECT_EQ(found.text(), "") << "seed " << seed;
       ++cut;
-    } catch (const InputError&) {  // no cutter fits
+    } catch (const InputError&) {
     }
   }
   EXPECT_GT(cut, count / 2);
+}
+
+class WholeParts : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Filling, WholeParts, testing::Values("auto", "zigzag", "contour", "adaptive"),
+                         [](const auto& strategy) { return strategy.param; });
+
+TEST_P(WholeParts, AreCleanInAFieldOfHeights) {
+  PlanOptions options;
+  options.strategy = GetParam();
+  expect_clean_parts(options, test_support::random_count(6));
+}
+
+TEST(WholePart, IsCleanWithAllCuttersEachOnWhatIsLeft) {
+  PlanOptions options;
+  options.shop.rest = true;
+  expect_clean_parts(options, test_support::random_count(4));
+}
+
+TEST(WholePart, IsCleanWithFinishing) {
+  PlanOptions options;
+  options.shop.finish = "all";
+  expect_clean_parts(options, test_support::random_count(4));
 }
 
 }  // namespace

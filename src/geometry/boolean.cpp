@@ -90,7 +90,22 @@ class Sources {
 
   const Edge& edge(int id) const { return edges_[static_cast<std::size_t>(id)]; }
 
+  /// Whether the arc `after` goes on from p where the arc `before` ran: both are on one circle, and p is no end of both.
+  /// Boundaries that coincide are flattened at different points and alternate in the result.
+  bool goes_on(int before, int after, IntPoint p) const {
+    if (before < 0 || after < 0) return false;
+    if (before == after) return true;
+    const Edge &a = edge(before), &b = edge(after);
+    if (distance(a.center, b.center) > tol_.chord || std::abs(a.radius() - b.radius()) > tol_.chord)
+      return false;
+    return !(is_end(a, p) && is_end(b, p));
+  }
+
  private:
+  static bool is_end(const Edge& edge, IntPoint p) {
+    return to_grid(edge.from) == p || to_grid(edge.to) == p;
+  }
+
   void remember(Vec2 p, int id) {
     const auto key = to_grid(p);
     auto& source = points_.try_emplace({key.X, key.Y}, SourcePoint{p, {}}).first->second;
@@ -113,34 +128,49 @@ class Sources {
   std::unordered_map<std::pair<std::int64_t, std::int64_t>, SourcePoint, GridHash> points_;
 };
 
-/// A run of chords of one arc, or a single straight edge (arc < 0).
+/// Radians. Circles stay in two pieces.
+constexpr double kMostSweep = 6;
+
+/// A run of chords of one circle, or a single straight edge (first < 0).
 struct Piece {
   IntPoint from;
   IntPoint to;
-  int arc = -1;
+  int first = -1;    ///< source arc of its first chord
+  int last = -1;     ///< and of its last
+  double sweep = 0;  ///< radians, > 0 counter-clockwise
 };
+
+Piece piece_of(IntPoint p, IntPoint q, const Sources& sources) {
+  const int arc = sources.edge_of(p, q);
+  if (arc < 0) return {p, q};
+  const Vec2 center = sources.edge(arc).center, a = from_grid(p) - center, b = from_grid(q) - center;
+  return {p, q, arc, arc, std::atan2(cross(a, b), dot(a, b))};
+}
+
+/// Whether the piece took the next one in.
+bool takes_in(Piece& piece, const Piece& next, const Sources& sources) {
+  const double sweep = piece.sweep + next.sweep;
+  if (!sources.goes_on(piece.last, next.first, next.from) || std::abs(sweep) > kMostSweep) return false;
+  piece = {piece.from, next.to, piece.first, next.last, sweep};
+  return true;
+}
 
 std::vector<Piece> pieces_of(const ClipperLib::Path& path, const Sources& sources) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const IntPoint p = path[i], q = path[(i + 1) % path.size()];
-    const int arc = sources.edge_of(p, q);
-    if (!pieces.empty() && arc >= 0 && pieces.back().arc == arc) {
-      pieces.back().to = q;
-    } else {
-      pieces.push_back({p, q, arc});
-    }
+    const Piece next = piece_of(path[i], path[(i + 1) % path.size()], sources);
+    if (pieces.empty() || !takes_in(pieces.back(), next, sources)) pieces.push_back(next);
   }
-  if (pieces.size() > 2 && pieces.front().arc >= 0 && pieces.front().arc == pieces.back().arc) {
-    pieces.front().from = pieces.back().from;
+  if (pieces.size() > 2 && takes_in(pieces.back(), pieces.front(), sources)) {
+    pieces.front() = pieces.back();
     pieces.pop_back();
   }
   return pieces;
 }
 
 /// The line through a straight piece or the whole source arc, for solving exact corners.
-Edge carrier(const Piece& piece, const Sources& sources) {
-  if (piece.arc >= 0) return sources.edge(piece.arc);
+Edge carrier(const Piece& piece, int arc, const Sources& sources) {
+  if (arc >= 0) return sources.edge(arc);
   const Vec2 a = from_grid(piece.from), b = from_grid(piece.to);
   const Vec2 reach = unit(b - a) * 0.01;
   return Edge::line(a - reach, b + reach);
@@ -150,10 +180,11 @@ Edge carrier(const Piece& piece, const Sources& sources) {
 /// tol.chord.
 Vec2 corner(const Piece& before, const Piece& after, const Sources& sources, const Tolerances& tol) {
   const Vec2 rough = sources.exact(after.from);
-  if (sources.is_source_point(after.from) || (before.arc < 0 && after.arc < 0)) return rough;
+  if (sources.is_source_point(after.from) || (before.last < 0 && after.first < 0)) return rough;
   Vec2 best = rough;
   double nearest_yet = 100 * tol.chord;
-  for (const auto p : intersections(carrier(before, sources), carrier(after, sources))) {
+  for (const auto p :
+       intersections(carrier(before, before.last, sources), carrier(after, after.first, sources))) {
     if (distance(p, rough) < nearest_yet) {
       nearest_yet = distance(p, rough);
       best = p;
@@ -163,16 +194,11 @@ Vec2 corner(const Piece& before, const Piece& after, const Sources& sources, con
 }
 
 Edge joined(Vec2 from, Vec2 to, const Piece& piece, const Sources& sources) {
-  if (piece.arc < 0) return Edge::line(from, to);
-  const Edge& source = sources.edge(piece.arc);
-  const double t_from = nearest(source, from).t, t_to = nearest(source, to).t;
-  const bool along = t_from <= t_to;
-  const Turn turn =
-      along == (source.turn == Turn::kCounterClockwise) ? Turn::kCounterClockwise : Turn::kClockwise;
-  const Edge arc = Edge::arc(from, to, source.center, turn);
-  // Ends that all but coincide on the source may stand the other way about it: then the arc would go all round.
-  return std::abs(arc.sweep()) > std::abs(source.sweep() * (t_to - t_from)) + kPi ? Edge::line(from, to)
-                                                                                  : arc;
+  if (piece.first < 0) return Edge::line(from, to);
+  const Turn turn = piece.sweep > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
+  const Edge arc = Edge::arc(from, to, sources.edge(piece.first).center, turn);
+  // Ends that all but coincide may stand the other way about: then the arc would go all round.
+  return std::abs(arc.sweep()) > std::abs(piece.sweep) + kPi ? Edge::line(from, to) : arc;
 }
 
 Loop loop_of(const ClipperLib::Path& path, const Sources& sources, const Tolerances& tol) {

@@ -75,6 +75,16 @@ TEST(Boolean, SharedArcWallVanishesWithoutSlivers) {
   EXPECT_EQ(same[0].outer().size(), 2u);
 }
 
+TEST(Boolean, ArcsThatRunAlongEachOtherBecomeOne) {
+  // The same circle on both, begun at different places: flattened, the two alternate in the outline.
+  const Regions part = intersect(one(circle({3, 2}, 13.6)), one(rectangle({0, -20}, {30, 20})), kTol);
+  const auto result =
+      unite(part, intersect(one(circle({3, 2}, 13.6)), one(rectangle({-20, -3.3}, {30, 4.7})), kTol), kTol);
+  ASSERT_EQ(result.size(), 1u);
+  expect_joined(result[0].outer());
+  EXPECT_LE(result[0].outer().size(), 12u);
+}
+
 TEST(Boolean, CrossingOutlineIsResolvedEvenOdd) {
   const std::vector<Loop> bow_tie{loop_from_points(std::vector<Vec2>{{0, 0}, {10, 10}, {10, 0}, {0, 10}})};
   const auto result = resolve_even_odd(bow_tie, kTol);
