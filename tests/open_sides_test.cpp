@@ -129,6 +129,8 @@ TEST_P(OpenSides, AreWhereTheCutterComesIn) {
   std::printf("%s: %d of %d open parts entered from outside alone, %d not clean\n", GetParam().c_str(),
               outside, parts, unclean);
   EXPECT_GT(parts, wanted / 2);
+  EXPECT_EQ(unclean, 0);
+  EXPECT_GE(10 * outside, 6 * parts) << "of " << parts;
 }
 
 }  // namespace
