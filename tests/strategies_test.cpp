@@ -167,6 +167,15 @@ TEST(RoundedCutters, CutTheFishheadClean) {
   }
 }
 
+/// What is left on a floor stands over the features that begin there: their first layer takes it along.
+TEST(FloorStock, CountsForTheFeaturesUnderIt) {
+  const Part part = read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
+  auto options = options_for("zigzag");
+  options.shop.finish = "floor";
+  options.shop.finish_stock_floor = 0.5;
+  EXPECT_EQ(fault_of(part, options), "");
+}
+
 TEST(Auto, KeepsTheFastestOfThosePlannedAndListsAll) {
   for (const std::uint64_t seed : {1u, 2u, 4u, 6u}) {
     Random random(seed);

@@ -1,9 +1,11 @@
 #include "pipeline/step_work.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "part/round_hole.h"
 #include "pipeline/holes.h"
 #include "pipeline/left_over.h"
 #include "pipeline/meeting_pockets.h"
@@ -45,6 +47,28 @@ Regions overrun(const Regions& target, const Regions& allowed, const PlanOptions
   return intersect(dilate(target, beyond, options.tol), allowed, options.tol);
 }
 
+/// mm. Height differences that are rounding.
+constexpr double kSameHeight = 1e-6;
+
+/// mm. Stock that earlier steps have left on the floors from which the feature of this one begins.
+double stock_above(const Part& part, int index) {
+  const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
+  std::vector<std::optional<double>> left(part.features.size());
+  for (int i = 0; i < index; ++i) {
+    const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
+    const Feature& other = feature_of(part, step);
+    const bool begins_there = &other != &feature && std::abs(other.floor_z - feature.top_z) < kSameHeight;
+    if (!begins_there || only_plunges(tool_of(part, step)) ||
+        !box(other.target).overlaps(box(feature.target)))
+      continue;
+    auto& stock = left[static_cast<std::size_t>(step.feature)];
+    stock = std::min(stock.value_or(step.operation.allowance_floor), step.operation.allowance_floor);
+  }
+  double most = 0;
+  for (const auto& stock : left) most = std::max(most, stock.value_or(0));
+  return most;
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that; in closed
 /// ones the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(const Part& part, int index, const PlanOptions& options) {
@@ -57,7 +81,8 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
   const Tool& tool = tool_of(part, step);
   const bool bare = is_bare(part, feature);
   const auto met = features_meeting(part, index, options.tol);
-  auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius);
+  auto layers =
+      layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius, stock_above(part, index));
   for (auto& layer : layers) {
     layer.reserve = reserve;
     layer.holes = part.predrilled;

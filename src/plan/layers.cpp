@@ -76,11 +76,11 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 }
 
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
-                             const Tolerances& tol, double corner_radius) {
+                             const Tolerances& tol, double corner_radius, double stock_above) {
   const double rounded = corner_radius < tool_radius ? corner_radius : 0.0;
   const double floor_z = feature.floor_z + operation.allowance_floor;
   std::vector<Layer> layers;
-  double top = feature.top_z;
+  double top = feature.top_z + stock_above;
   for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius))) {
     Layer layer = outline_at(feature, z, tol);
     layer.z_top = top;

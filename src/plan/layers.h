@@ -25,10 +25,11 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 /// met) are left out.
 ///
 /// A cutter with rounded corners cuts the floor with the flat part of its end only: it is planned as one that
-/// much narrower which keeps that much farther from walls. (Ball ends have no flat part and are planned as if
+/// much narrower which keeps that much farther from walls. `stock_above`, mm: what earlier work has left to stand over
+/// the feature's top; the first layer begins there. (Ball ends have no flat part and are planned as if
 /// flat.)
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
-                             const Tolerances& tol, double corner_radius = 0);
+                             const Tolerances& tol, double corner_radius = 0, double stock_above = 0);
 
 /// Plans layer after layer; what differs from the layer before in height alone gets its passes, at its own depth.
 Strategy once_per_outline(Strategy plan);
