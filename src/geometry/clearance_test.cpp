@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/random.h"
 #include "base/units.h"
 
 namespace clearcut {
@@ -274,6 +275,31 @@ TEST(FitLines, PolygonHoleWiderThanTheCutterIsARegion) {
   EXPECT_EQ(c.inset(3.175 / 2).size(), 1U);
   EXPECT_TRUE(c.fit_lines(3.175 / 2).empty());
   EXPECT_NEAR(c.max(), 1.65, 1e-4);
+}
+
+/// A box whose right side bows out on an arc that is given in many pieces, their ends a little off the circle.
+Loop bow_in_pieces(double radius, int pieces) {
+  const double half = 1;
+  Random random(7);
+  const auto at = [&](double angle) { return direction_of(angle) * (radius - random.between(0, 1e-4)); };
+  Loop loop;
+  for (int i = 0; i < pieces; ++i) {
+    const Vec2 from = i == 0 ? at(-half) : loop.back().to, to = at(-half + 2 * half * (i + 1) / pieces);
+    loop.push_back(Edge::arc(from, to, {0, 0}, Turn::kCounterClockwise));
+  }
+  const Vec2 first = loop.front().from, last = loop.back().to, left{-0.7 * radius, 0};
+  loop.push_back(Edge::line(last, {left.x, last.y}));
+  loop.push_back(Edge::line({left.x, last.y}, {left.x, first.y}));
+  loop.push_back(Edge::line({left.x, first.y}, first));
+  return loop;
+}
+
+TEST(FitLines, AnArcInPiecesHasNoPlacesOfItsOwn) {
+  for (const int pieces : {2, 3, 17, 70}) {
+    const Region outline = region(bow_in_pieces(13.616, pieces));
+    const Clearance clearance(outline, kTol);
+    for (double d = 0.5; d < 11; d += 0.13) EXPECT_TRUE(clearance.fit_lines(d).empty()) << pieces << " " << d;
+  }
 }
 
 TEST(Centers, CircleSquareAndRidge) {

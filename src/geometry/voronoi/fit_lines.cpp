@@ -18,6 +18,8 @@ constexpr double kSameCurve = 1e-6;
 constexpr double kTiny = 0.01;
 /// mm of the axis per mm of clearance in the sharpest corner that is told from a slot: 8 degrees.
 constexpr double kSteepest = 14.3;
+/// Radians between walls that go on smoothly from one another.
+constexpr double kSmooth = 1e-3;
 /// mm. Rounding of clearances.
 constexpr double kRounding = 1e-7;
 /// mm. Where the cutter fits no farther than this from one place, it fits in a point: what it could clear by
@@ -253,10 +255,10 @@ class Band {
     for (int step = 0; step < 4; ++step) {
       const Vec2 g = away_from(a, p) - away_from(b, p);
       const double f = distance(a, p) - distance(b, p);
-      if (norm_squared(g) < 1e-12) break;
+      // Walls that go on smoothly from one another hardly say where it runs: straight, and f is next to nothing.
+      if (norm_squared(g) < kSmooth * kSmooth) break;
       p = p - g * (f / norm_squared(g));
     }
-    // Walls that go on smoothly from one another hardly say where it runs.
     return norm_squared(p - start) <= norm_squared(to - from) ? p : start;
   }
 
