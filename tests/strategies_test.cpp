@@ -80,6 +80,17 @@ TEST_P(EveryStrategy, ClearsRandomParts) {
   }
 }
 
+TEST(Adaptive, ClearsRandomParts) {
+  const int count = test_support::random_count(30);
+  for (int i = 0; i < count; ++i) {
+    Random random(static_cast<std::uint64_t>(i) + 1);
+    const double diameter = random.between(2, 10);
+    const Part part = test_support::random_part(random, diameter);
+    if (part.features.front().target.empty()) continue;
+    EXPECT_EQ(fault_of(part, options_for("adaptive")), "") << "seed " << i + 1;
+  }
+}
+
 TEST_P(EveryStrategy, WritesTheSameProgramAgain) {
   Random random(5);
   const Part part = test_support::random_part(random, 4);
