@@ -5,7 +5,6 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "pipeline/left_over.h"
 
 namespace clearcut {
 namespace {
@@ -21,11 +20,14 @@ bool runs_into(const Feature& other, const Regions& around, const Tolerances& to
   return !intersect(other.allowed, around, tol).empty() && !subtract(other.allowed, around, tol).empty();
 }
 
-/// What a cutter reaches whose centre keeps `apart` from the walls.
-Regions reached(const Regions& allowed, double apart, const Tolerances& tol) {
-  Regions out;
-  for (const Region& region : allowed) out = unite(out, dilate(inset(region, apart, tol), apart, tol), tol);
-  return out;
+/// What a cutter reaches whose centre keeps `apart` from the walls, and `more` mm round it.
+Regions reached(const Regions& allowed, double apart, double more, const Tolerances& tol) {
+  Regions centers;
+  for (const Region& region : allowed) {
+    const Regions own = inset(region, apart, tol);
+    centers.insert(centers.end(), own.begin(), own.end());
+  }
+  return centers.empty() ? centers : dilate(centers, apart + more, tol);
 }
 
 }  // namespace
@@ -56,9 +58,11 @@ void widen_where_met(Layer& layer, const std::vector<const Feature*>& met, const
   }
   const double apart = layer.tool_radius + layer.wall_stock;
   const Regions near = dilate(layer.allowed, 2 * apart, tol);
-  const Regions with_others = intersect(layer.target, reached(intersect(wide, near, tol), apart, tol), tol);
-  const Regions gained = subtract(with_others, reached(layer.allowed, apart, tol), tol);
-  if (!is_thicker_than(gained, tol.uncut / 2, tol)) return;
+  const Regions with_others =
+      intersect(layer.target, reached(intersect(wide, near, tol), apart, 0, tol), tol);
+  // A little more than the pocket's own reach, or the two leave slivers all along where they are the same.
+  const Regions gained = subtract(with_others, reached(layer.allowed, apart, tol.uncut / 2, tol), tol);
+  if (gained.empty()) return;
   const Regions beside = dilate(gained, 2 * apart, tol);
   layer.target = layer.allowed = unite(layer.allowed, intersect(wide, beside, tol), tol);
 }
