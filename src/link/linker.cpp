@@ -76,20 +76,19 @@ double Linker::rapid_time(double length) const {
 }
 
 /// Seconds to lift, cross and come down again.
-double Linker::hop_time(const CutterAt& from, Vec2 to, std::size_t item, double height) const {
-  const double up = rapid_time(height - from.z), across = rapid_time(distance(from.at, to));
-  const double start_z = approach_z(to, item);
-  const double down = rapid_time(height - start_z);
-  return up + across + down + (start_z - layer(item).layer().z) / options_.plunge_feed.mm_per_s();
+double Linker::hop_time(const CutterAt& from, const Beginning& to, double height) const {
+  const double up = rapid_time(height - from.z), across = rapid_time(distance(from.at, to.point));
+  const double down = rapid_time(height - to.rapid_z);
+  return up + across + down + (to.rapid_z - layer(to.item).layer().z) / options_.plunge_feed.mm_per_s();
 }
 
-double Linker::travel(const CutterAt& from, std::size_t item, Vec2 begin, bool low) const {
-  const double height = low ? hop_height(from, begin, item) : options_.cross_z;
-  const double hop = hop_time(from, begin, item, height);
-  const double down = distance(from.at, begin) / options_.feed.mm_per_s();
+double Linker::travel(const CutterAt& from, const Beginning& to, bool low) const {
+  const double height = low ? hop_height(from, to.point, to.item) : options_.cross_z;
+  const double hop = hop_time(from, to, height);
+  const double down = distance(from.at, to.point) / options_.feed.mm_per_s();
   const bool may_stay =
-      low && work_.pass(item).may_cut_to_start && from.z == layer(item).layer().z && down < hop;
-  return may_stay && layer(item).legal().holds_line(from.at, begin) ? down : hop;
+      low && work_.pass(to.item).may_cut_to_start && from.z == layer(to.item).layer().z && down < hop;
+  return may_stay && layer(to.item).legal().holds_line(from.at, to.point) ? down : hop;
 }
 
 /// Whether the straight way at the depth of the pass is legal and nothing of higher layers stands in it.
@@ -153,7 +152,7 @@ Linker::Choice Linker::evaluate(std::size_t item, const PassStart& start) const 
   choice.item = item;
   choice.start = start;
   if (!running()) return choice;
-  choice.cost = hop_time(here(), start.point, item, hop_height(here(), start.point, item));
+  choice.cost = hop_time(here(), beginning(item, start.point), hop_height(here(), start.point, item));
   const double down = distance(moves_.at(), start.point) / options_.feed.mm_per_s();
   const bool may_stay = work_.pass(item).may_cut_to_start && is_at_depth_of(item) && down < choice.cost;
   if (may_stay && is_clear(item, moves_.at(), start.point)) {

@@ -36,6 +36,13 @@ struct CutterAt {
   double z = 0;
 };
 
+/// Where a pass may begin.
+struct Beginning {
+  std::size_t item = 0;
+  Vec2 point;
+  double rapid_z = 0;  ///< where a rapid down to it ends
+};
+
 class Linker {
  public:
   Linker(const Work& work, const LinkOptions& options, Progress::Layers layers)
@@ -48,7 +55,8 @@ class Linker {
 
   /// Seconds from a place to the beginning of a pass, as far as is known before anything is cut. `low`: the way may be near
   /// the material or in it where that is legal.
-  double travel(const CutterAt& from, std::size_t item, Vec2 begin, bool low) const;
+  double travel(const CutterAt& from, const Beginning& to, bool low) const;
+  Beginning beginning(std::size_t item, Vec2 point) const { return {item, point, approach_z(point, item)}; }
 
   const std::vector<Cut>& cuts() const { return cuts_; }
   /// What was asked for and did not fit, in words.
@@ -76,7 +84,7 @@ class Linker {
   Choice choose() const;
   Choice first_choice() const;
   Choice evaluate(std::size_t item, const PassStart& start) const;
-  double hop_time(const CutterAt& from, Vec2 to, std::size_t item, double height) const;
+  double hop_time(const CutterAt& from, const Beginning& to, double height) const;
   double hop_height(const CutterAt& from, Vec2 to, std::size_t item) const;
   double approach_z(Vec2 p, std::size_t item) const;
   bool is_at_wall(Vec2 p, std::size_t item) const;

@@ -47,12 +47,12 @@ class ShortOrder {
     question.precedence = precedence();
     question.fixed_first = work_.layer(0).layer().start || work_.layer(0).open();
     question.ordered_before = true;
+    const auto begins = beginnings(question);
     const auto travel = [&](const VisitStep& a, const VisitStep& b, bool low) {
       const Run& from = runs_[a.visit];
       const CutterAt at{question.visits[a.visit].ways[a.way].end,
                         work_.layer_of(cuts_[from.last - 1].item).layer().z};
-      return linker_.travel(at, cuts_[runs_[b.visit].first].item, question.visits[b.visit].ways[b.way].begin,
-                            low);
+      return linker_.travel(at, begins[b.visit][b.way], low);
     };
     question.travel = [&](const VisitStep& a, const VisitStep& b) { return travel(a, b, true); };
     question.far_travel = [&](const VisitStep& a, const VisitStep& b) { return travel(a, b, false); };
@@ -60,6 +60,15 @@ class ShortOrder {
   }
 
  private:
+  std::vector<std::vector<Beginning>> beginnings(const VisitQuestion& question) const {
+    std::vector<std::vector<Beginning>> begins(runs_.size());
+    for (std::size_t r = 0; r < runs_.size(); ++r) {
+      for (const VisitWay& way : question.visits[r].ways)
+        begins[r].push_back(linker_.beginning(cuts_[runs_[r].first].item, way.begin));
+    }
+    return begins;
+  }
+
   void add_visit(const Run& run, VisitQuestion& question) {
     const Cut& first = cuts_[run.first];
     Visit visit;

@@ -17,6 +17,7 @@
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
 #include "plan/clearing_area.h"
+#include "plan/layers.h"
 #include "plan/walls.h"
 #include "read/gcode/gcode.h"
 #include "toolpath/kinematics.h"
@@ -36,22 +37,40 @@ EntryKind default_entry(const Tool& tool, const Attempt& attempt) {
 /// walls.
 constexpr double kBeyondRim = 0.9;
 
-void add_size(StepPlan& plan, const Layer& layer, const LayerPasses& passes, const Tolerances& tol) {
-  double rim = 0;
-  for (const auto& region : passes.legal) {
-    for (const auto& edge : region.edges()) rim += edge.length();
+/// What bounds the length of any strategy, layer by layer.
+class Sizes {
+ public:
+  explicit Sizes(const Tolerances& tol) : tol_(tol) {}
+
+  void add(StepPlan& plan, const Layer& layer, const LayerPasses& passes) {
+    double rim = 0;
+    for (const auto& region : passes.legal) {
+      for (const auto& edge : region.edges()) rim += edge.length();
+    }
+    const bool pocket = closed_all_round(layer);
+    plan.reached_mm2 += pocket ? area(passes.legal) + kBeyondRim * layer.tool_radius * rim
+                               : reached_of_open(layer, passes.legal);
+    plan.legal_rim_mm += rim;
+    plan.edges = std::max(plan.edges, edge_count(passes.legal));
+    plan.pocket = plan.pocket && pocket;
   }
-  const bool pocket = closed_all_round(layer);
-  if (pocket) {
-    plan.reached_mm2 += area(passes.legal) + kBeyondRim * layer.tool_radius * rim;
-  } else if (!passes.legal.empty()) {
-    const Regions reached = dilate(passes.legal, layer.tool_radius, tol);
-    plan.reached_mm2 += area(intersect(layer.target, reached, tol));
+
+ private:
+  /// Layers mostly differ from the one before in height alone.
+  double reached_of_open(const Layer& layer, const Regions& legal) {
+    if (legal.empty()) return 0;
+    if (!same_outline(legal, legal_) || !same_outline(layer.target, target_)) {
+      legal_ = legal;
+      target_ = layer.target;
+      reached_mm2_ = area(intersect(layer.target, dilate(legal, layer.tool_radius, tol_), tol_));
+    }
+    return reached_mm2_;
   }
-  plan.legal_rim_mm += rim;
-  plan.edges = std::max(plan.edges, edge_count(passes.legal));
-  plan.pocket = plan.pocket && pocket;
-}
+
+  const Tolerances& tol_;
+  Regions legal_, target_;
+  double reached_mm2_ = 0;
+};
 
 /// What a strategy makes of one workingstep.
 StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attempt,
@@ -64,11 +83,12 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
     plan.hole = true;
   } else {
     std::vector<LayerPasses> passes;
+    Sizes sizes(options.tol);
     for (const auto& layer : work.layers) {
       passes.push_back(layer.walls_only ? plan_walls(layer.layer, options.tol) : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
-      add_size(plan, layer.layer, passes.back(), options.tol);
+      sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }
     const EntryKind entry = default_entry(tool_of(part, step), attempt);

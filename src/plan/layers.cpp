@@ -43,12 +43,6 @@ Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
   return layer;
 }
 
-bool same_outline(const Regions& a, const Regions& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& r, const Region& s) {
-    return r.outer() == s.outer() && r.islands() == s.islands();
-  });
-}
-
 /// Whether what is planned for one layer serves the other, at its own depth.
 bool same_outline(const Layer& a, const Layer& b) {
   return a.tool_radius == b.tool_radius && a.wall_stock == b.wall_stock && a.reserve == b.reserve &&
@@ -91,6 +85,12 @@ std::vector<Layer> layers_of(const Feature& feature, const Operation& operation,
     if (!layer.target.empty() && !layer.allowed.empty()) layers.push_back(std::move(layer));
   }
   return layers;
+}
+
+bool same_outline(const Regions& a, const Regions& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& r, const Region& s) {
+    return r.outer() == s.outer() && r.islands() == s.islands();
+  });
 }
 
 Strategy once_per_outline(Strategy plan) {

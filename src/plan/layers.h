@@ -31,6 +31,9 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
                              const Tolerances& tol, double corner_radius = 0, double stock_above = 0);
 
+/// Whether the outlines are the same, edge by edge.
+bool same_outline(const Regions& a, const Regions& b);
+
 /// Plans layer after layer; what differs from the layer before in height alone gets its passes, at its own depth.
 Strategy once_per_outline(Strategy plan);
 

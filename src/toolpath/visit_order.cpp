@@ -16,7 +16,7 @@ constexpr std::size_t kMostEntries = 60000;
 /// Rounds of improvement; each looks at every stretch in every place.
 constexpr int kRounds = 4;
 /// Up to so many visits the ways are chosen anew for every order that is looked at.
-constexpr std::size_t kMostWithWays = 60;
+constexpr std::size_t kMostWithWays = 24;
 /// Beyond so many the first order stays.
 constexpr std::size_t kMostImproved = 1000;
 constexpr std::size_t kLongestMoved = 3;
