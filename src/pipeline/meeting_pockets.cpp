@@ -20,14 +20,14 @@ bool runs_into(const Feature& other, const Regions& around, const Tolerances& to
   return !intersect(other.allowed, around, tol).empty() && !subtract(other.allowed, around, tol).empty();
 }
 
-/// What a cutter reaches whose centre keeps `apart` from the walls, and `more` mm round it.
-Regions reached(const Regions& allowed, double apart, double more, const Tolerances& tol) {
+/// What the cutter of a layer sweeps where its centre may be in `allowed`, and `more` mm round it.
+Regions swept(const Layer& layer, const Regions& allowed, double more, const Tolerances& tol) {
   Regions centers;
   for (const Region& region : allowed) {
-    const Regions own = inset(region, apart, tol);
+    const Regions own = inset(region, layer.tool_radius + layer.wall_stock, tol);
     centers.insert(centers.end(), own.begin(), own.end());
   }
-  return centers.empty() ? centers : dilate(centers, apart + more, tol);
+  return centers.empty() ? centers : dilate(centers, layer.tool_radius + more, tol);
 }
 
 }  // namespace
@@ -56,14 +56,13 @@ void widen_where_met(Layer& layer, const std::vector<const Feature*>& met, const
     if (other->floor_z > layer.z) continue;
     wide = unite(wide, at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol), tol);
   }
-  const double apart = layer.tool_radius + layer.wall_stock;
-  const Regions near = dilate(layer.allowed, 2 * apart, tol);
-  const Regions with_others =
-      intersect(layer.target, reached(intersect(wide, near, tol), apart, 0, tol), tol);
-  // A little more than the pocket's own reach, or the two leave slivers all along where they are the same.
-  const Regions gained = subtract(with_others, reached(layer.allowed, apart, tol.uncut / 2, tol), tol);
+  const double around = 2 * (layer.tool_radius + layer.wall_stock);
+  const Regions near = dilate(layer.allowed, around, tol);
+  const Regions with_others = intersect(layer.target, swept(layer, intersect(wide, near, tol), 0, tol), tol);
+  // A little more than by itself, or the two leave slivers all along where they are the same.
+  const Regions gained = subtract(with_others, swept(layer, layer.allowed, tol.uncut / 2, tol), tol);
   if (gained.empty()) return;
-  const Regions beside = dilate(gained, 2 * apart, tol);
+  const Regions beside = dilate(gained, around, tol);
   layer.target = layer.allowed = unite(layer.allowed, intersect(wide, beside, tol), tol);
 }
 
