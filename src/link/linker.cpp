@@ -82,13 +82,18 @@ double Linker::hop_time(const CutterAt& from, const Beginning& to, double height
   return up + across + down + (to.rapid_z - layer(to.item).layer().z) / options_.plunge_feed.mm_per_s();
 }
 
+/// Seconds straight to it at its depth; endless where that is not where the cutter is, or the pass is not cut to.
+double Linker::straight_time(const CutterAt& from, const Beginning& to) const {
+  const bool may_stay = work_.pass(to.item).may_cut_to_start && from.z == layer(to.item).layer().z;
+  return may_stay ? distance(from.at, to.point) / options_.feed.mm_per_s()
+                  : std::numeric_limits<double>::infinity();
+}
+
 double Linker::travel(const CutterAt& from, const Beginning& to, bool low) const {
-  const double height = low ? hop_height(from, to.point, to.item) : options_.cross_z;
-  const double hop = hop_time(from, to, height);
-  const double down = distance(from.at, to.point) / options_.feed.mm_per_s();
-  const bool may_stay =
-      low && work_.pass(to.item).may_cut_to_start && from.z == layer(to.item).layer().z && down < hop;
-  return may_stay && layer(to.item).legal().holds_line(from.at, to.point) ? down : hop;
+  if (!low) return hop_time(from, to, options_.cross_z);
+  const double hop = hop_time(from, to, hop_height(from, to.point, to.item));
+  const double down = straight_time(from, to);
+  return down < hop && layer(to.item).legal().holds_line(from.at, to.point) ? down : hop;
 }
 
 /// Whether the straight way at the depth of the pass is legal and nothing of higher layers stands in it.
@@ -152,10 +157,10 @@ Linker::Choice Linker::evaluate(std::size_t item, const PassStart& start) const 
   choice.item = item;
   choice.start = start;
   if (!running()) return choice;
-  choice.cost = hop_time(here(), beginning(item, start.point), hop_height(here(), start.point, item));
-  const double down = distance(moves_.at(), start.point) / options_.feed.mm_per_s();
-  const bool may_stay = work_.pass(item).may_cut_to_start && is_at_depth_of(item) && down < choice.cost;
-  if (may_stay && is_clear(item, moves_.at(), start.point)) {
+  const Beginning to = beginning(item, start.point);
+  choice.cost = hop_time(here(), to, hop_height(here(), start.point, item));
+  const double down = straight_time(here(), to);
+  if (down < choice.cost && is_clear(item, moves_.at(), start.point)) {
     choice.stay_down = true;
     choice.cost = down;
   }

@@ -85,6 +85,7 @@ class Linker {
   Choice first_choice() const;
   Choice evaluate(std::size_t item, const PassStart& start) const;
   double hop_time(const CutterAt& from, const Beginning& to, double height) const;
+  double straight_time(const CutterAt& from, const Beginning& to) const;
   double hop_height(const CutterAt& from, Vec2 to, std::size_t item) const;
   double approach_z(Vec2 p, std::size_t item) const;
   bool is_at_wall(Vec2 p, std::size_t item) const;

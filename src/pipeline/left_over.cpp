@@ -34,12 +34,6 @@ Regions inset_all(const Regions& regions, double distance, const Tolerances& tol
   return out;
 }
 
-/// What a cutter that keeps `stock` from the walls can sweep of `allowed`.
-Regions reach_of(const Regions& allowed, double radius, double stock, const Tolerances& tol) {
-  const Regions legal = inset_all(allowed, radius + stock, tol);
-  return legal.empty() ? legal : dilate(legal, radius - kSpare, tol);
-}
-
 /// Outline of what a disc sweeps along a line.
 Loop capsule(Vec2 a, Vec2 b, double radius) {
   const Vec2 across = left_of(a == b ? Vec2{1, 0} : (b - a) / distance(a, b)) * radius;
@@ -92,6 +86,11 @@ bool reaches(const Part& part, const Workingstep& step, double z) {
 
 }  // namespace
 
+Regions swept(const Regions& allowed, double radius, double stock, double more, const Tolerances& tol) {
+  const Regions legal = inset_all(allowed, radius + stock, tol);
+  return legal.empty() ? legal : dilate(legal, radius + more, tol);
+}
+
 Regions left_over(const Part& part, int workingstep, const Layer& layer, const PlanOptions& options) {
   const Workingstep& own = step_at(part, workingstep);
   const Tolerances& tol = options.tol;
@@ -101,7 +100,7 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer, const P
     const Workingstep& step = step_at(part, i);
     if (step.feature != own.feature || !reaches(part, step, layer.z)) continue;
     const double stock = step.operation.allowance_side + layer.reserve;
-    left = subtract(left, reach_of(layer.allowed, tool_of(part, step).radius(), stock, tol), tol);
+    left = subtract(left, swept(layer.allowed, tool_of(part, step).radius(), stock, -kSpare, tol), tol);
   }
   if (options.earlier && !left.empty())
     left = subtract(left, cut_by_program(*options.earlier, part, layer.z, box(left), tol), tol);

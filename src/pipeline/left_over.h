@@ -12,6 +12,10 @@ namespace clearcut {
 /// step reaches the layer: all of the target. The part is prepared.
 Regions left_over(const Part& part, int workingstep, const Layer& layer, const PlanOptions& options);
 
+/// What a cutter of `radius` mm sweeps that keeps `stock` mm from the walls of `allowed`, and `more` mm round it (less than
+/// 0: inside it).
+Regions swept(const Regions& allowed, double radius, double stock, double more, const Tolerances& tol);
+
 /// Whether an earlier step of the workplan mills the same feature.
 bool follows_milling(const Part& part, int workingstep);
 

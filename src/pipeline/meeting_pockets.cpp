@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "pipeline/left_over.h"
 
 namespace clearcut {
 namespace {
@@ -18,16 +19,6 @@ bool is_bounded_by_itself(const Feature& feature) {
 
 bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
   return !intersect(other.allowed, around, tol).empty() && !subtract(other.allowed, around, tol).empty();
-}
-
-/// What the cutter of a layer sweeps where its centre may be in `allowed`, and `more` mm round it.
-Regions swept(const Layer& layer, const Regions& allowed, double more, const Tolerances& tol) {
-  Regions centers;
-  for (const Region& region : allowed) {
-    const Regions own = inset(region, layer.tool_radius + layer.wall_stock, tol);
-    centers.insert(centers.end(), own.begin(), own.end());
-  }
-  return centers.empty() ? centers : dilate(centers, layer.tool_radius + more, tol);
 }
 
 }  // namespace
@@ -52,15 +43,21 @@ std::vector<const Feature*> features_meeting(const Part& part, int workingstep, 
 
 void widen_where_met(Layer& layer, const std::vector<const Feature*>& met, const Tolerances& tol) {
   Regions wide = layer.allowed;
+  bool is_open = false;
   for (const Feature* other : met) {
     if (other->floor_z > layer.z) continue;
     wide = unite(wide, at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol), tol);
+    is_open = true;
   }
+  if (!is_open) return;
   const double around = 2 * (layer.tool_radius + layer.wall_stock);
   const Regions near = dilate(layer.allowed, around, tol);
-  const Regions with_others = intersect(layer.target, swept(layer, intersect(wide, near, tol), 0, tol), tol);
+  const auto reached = [&](const Regions& allowed, double more) {
+    return swept(allowed, layer.tool_radius, layer.wall_stock, more, tol);
+  };
+  const Regions with_others = intersect(layer.target, reached(intersect(wide, near, tol), 0), tol);
   // A little more than by itself, or the two leave slivers all along where they are the same.
-  const Regions gained = subtract(with_others, swept(layer, layer.allowed, tol.uncut / 2, tol), tol);
+  const Regions gained = subtract(with_others, reached(layer.allowed, tol.uncut / 2), tol);
   if (gained.empty()) return;
   const Regions beside = dilate(gained, around, tol);
   layer.target = layer.allowed = unite(layer.allowed, intersect(wide, beside, tol), tol);

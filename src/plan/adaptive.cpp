@@ -29,9 +29,8 @@ constexpr double kFinePitch = 0.06;
 constexpr double kKeepOff = 0.0035;
 /// Tool radii. A cut begins no farther before the material that it is after.
 constexpr double kLongestApproach = 1.5;
-/// Tool radii. A start from which so many cuts advance less along the wall is given up.
+/// Tool radii. A start from which a cut advances less along the wall is given up.
 constexpr double kLeastAdvance = 0.03;
-constexpr int kMostIdle = 1;
 /// Entries for what the cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
 /// Tool radii that the centre may run beyond an open side.
@@ -361,7 +360,7 @@ class AdaptivePlanner {
     path_.append(whole, approach->way);
     walls.update(ground_, box(cut).grown(2 * radius_));
     if (walls.is_start(start) &&
-        walls.count_idle(start, stage.tracer.first_departure(), kLeastAdvance * radius_) >= kMostIdle) {
+        !walls.advances(start, stage.tracer.first_departure(), kLeastAdvance * radius_)) {
       walls.give_up(start);
     }
     return true;
@@ -573,8 +572,9 @@ class AdaptivePlanner {
     };
     auto left = bearing(stretch);
     const bool began = left.has_value();
-    int idle = 0, bites = 0;
-    while (left && idle < kMostIdle && bites < kMostBites) {
+    bool idle = false;
+    int bites = 0;
+    while (left && !idle && bites < kMostBites) {
       const auto way = way_to_bite(*left);
       const Path bite = way ? peeler.bite(left->from, left->to) : Path{};
       if (bite.empty()) break;
@@ -582,9 +582,9 @@ class AdaptivePlanner {
       ++bites;
       const auto before = *left;
       left = bearing(before);
-      if (left) idle = before.to - before.from - (left->to - left->from) < kLeastBite ? idle + 1 : 0;
+      if (left) idle = before.to - before.from - (left->to - left->from) < kLeastBite;
     }
-    if (bites > idle || !began) return began;
+    if (bites > (idle ? 1 : 0) || !began) return began;
     return bite_from_aside({stretch.wall, (stretch.from + stretch.to) / 2});
   }
 

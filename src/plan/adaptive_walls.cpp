@@ -85,7 +85,6 @@ void Walls::add(const Loop& loop, const Region& legal, double pitch, double film
   marks.touching.assign(marks.points.size(), 1);
   marks.touched.resize(marks.points.size());
   marks.left_at.assign(marks.points.size(), -1e300);
-  marks.idle.assign(marks.points.size(), 0);
   marks_.push_back(std::move(marks));
 }
 
@@ -171,12 +170,11 @@ bool Walls::is_start(const WallPlace& place) const {
   return marks.touching[(i + 1) % marks.points.size()] == 1;
 }
 
-int Walls::count_idle(const WallPlace& start, double s, double least) {
-  Marks& marks = marks_[start.wall];
-  const std::size_t i = mark_at(start);
-  if (s <= marks.left_at[i] + least) ++marks.idle[i];
-  marks.left_at[i] = std::max(marks.left_at[i], s);
-  return marks.idle[i];
+bool Walls::advances(const WallPlace& start, double s, double least) {
+  double& left_at = marks_[start.wall].left_at[mark_at(start)];
+  const bool farther = s > left_at + least;
+  left_at = std::max(left_at, s);
+  return farther;
 }
 
 void Walls::give_up(const WallPlace& place) {

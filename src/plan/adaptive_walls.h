@@ -79,9 +79,9 @@ class Walls {
   std::vector<WallPlace> anywhere() const;
   /// Whether the place, one of starts() before, still is one.
   bool is_start(const WallPlace& place) const;
-  /// Notes that a cut left the wall at s and its start as it was; returns how many such cuts from there were
-  /// less than `least` mm farther than those before.
-  int count_idle(const WallPlace& start, double s, double least);
+  /// Notes that a cut left the wall at s and its start as it was; whether that is more than `least` mm farther than those
+  /// before from there.
+  bool advances(const WallPlace& start, double s, double least);
   /// Gives the stretch after a start up: nothing more can be cut from there.
   void give_up(const WallPlace& place);
 
@@ -95,7 +95,6 @@ class Walls {
     std::vector<char> touching;
     std::vector<std::optional<Vec2>> touched;  ///< material that each mark touched when it was looked at
     std::vector<double> left_at;               ///< where the last cut from each mark left the wall
-    std::vector<int> idle;
   };
   void add(const Loop& loop, const Region& legal, double pitch, double film);
   std::size_t mark_at(const WallPlace& place) const;
