@@ -1,0 +1,294 @@
+#include "plan/adaptive_finish.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/boolean.h"
+#include "plan/adaptive_peel.h"
+#include "plan/contour_cover.h"
+
+namespace clearcut {
+namespace {
+
+/// Tool radii between the marks on walls that are looked at again; and between marks that finishing cuts follow, where
+/// nothing may stay: what stands between two is no thicker than 1/8 of its square.
+constexpr double kMarkPitch = 0.1;
+constexpr double kFinePitch = 0.06;
+/// Tool radii of wall that are cut after a corner before the corner itself.
+constexpr double kCornerReach = 0.9;
+constexpr double kEndless = 1e300;
+/// mm. Material thinner than this may stay on walls, and in corners.
+constexpr double kWallFilm = 1.5e-3;
+constexpr double kCornerFilm = 2e-3;
+/// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
+constexpr double kCornerFree = 3e-3;
+/// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
+constexpr double kRest = 0.004;
+constexpr int kMostRests = 60;
+/// mm. Links through what is cleared may graze as much.
+constexpr double kFree = 1e-3;
+/// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
+constexpr double kMergeGap = 0.8;
+/// Tool radii from a wall from where bites towards it are tried.
+constexpr double kGates[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
+/// Tool radii between looks at a wall that is cut by bites.
+constexpr double kPeelPitch = 0.02;
+/// mm. Bites that take less of the wall are idle.
+constexpr double kLeastBite = 1e-3;
+constexpr int kMostBites = 300;
+/// Times that all walls are gone over with bites.
+constexpr int kMostRounds = 30;
+/// Tool radii of wall on both sides of its end that are run along where something still stands there.
+constexpr double kBeyondEnd = 0.2;
+
+}  // namespace
+
+AdaptiveFinish::AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
+                               const Regions& target, double limit)
+    : ground_(ground),
+      path_(path),
+      legal_(legal),
+      target_(target),
+      radius_(ground.tool_radius()),
+      limit_(limit),
+      cuts_(ground, path, {legal, kFinePitch * radius_, kWallFilm}, area, limit,
+            {kMergeGap * radius_, kMarkPitch * radius_}) {}
+
+void AdaptiveFinish::run(bool open) {
+  follow_walls();
+  cut_walls();
+  if (open) cut_wall_ends();
+  cut_rests();
+}
+
+/// Along the walls within the limit; where they bear more, it is cut like any front. A corner follows when the walls on
+/// both sides of it are cut.
+void AdaptiveFinish::follow_walls() {
+  if (path_.empty()) return;
+  cuts_.walls.update(ground_, legal_.box());
+  corners_ = corners_of(cuts_.walls, limit_);
+  std::vector<WallPlace> stops;
+  for (const Corner& corner : corners_) stops.push_back(corner.place);
+  cuts_.walls.set_stops(std::move(stops));
+  for (const WallPlace& place : cuts_.walls.anywhere()) {
+    if (!cuts_.cut_from(place) && bite_from_aside(place)) cuts_.walls.update(ground_, legal_.box());
+  }
+  for (auto starts = cuts_.walls.starts(); !starts.empty(); starts = cuts_.walls.starts()) {
+    const WallPlace start = cuts_.nearest(starts);
+    const bool after_corner = cuts_.walls.from_stop(start) < kCornerReach * radius_;
+    cuts_.tracer.set_reach(after_corner ? kCornerReach * radius_ : kEndless);
+    if (!cuts_.cut_from(start)) {
+      cuts_.walls.give_up(start);
+    } else if (after_corner) {
+      finish_corner(nearest_corner(), false);
+    }
+  }
+  for (std::size_t left = corners_.size(); left > 0; --left) finish_corner(nearest_corner(), true);
+}
+
+std::vector<Corner>::iterator AdaptiveFinish::nearest_corner() {
+  const auto far = [&](const Corner& corner) {
+    return distance(cuts_.walls.point(corner.place), path_.at());
+  };
+  return std::min_element(corners_.begin(), corners_.end(),
+                          [&](const Corner& a, const Corner& b) { return far(a) < far(b); });
+}
+
+/// Cuts a corner that is prepared; others wait, or are left at `last`.
+void AdaptiveFinish::finish_corner(std::vector<Corner>::iterator corner, bool last) {
+  if (corner == corners_.end()) return;
+  const Path cuts = corner_cuts(cuts_.walls, *corner, ground_, limit_, kCornerFilm);
+  const auto way = cuts.empty() ? std::nullopt : path_.way_to(cuts.front().from, kCornerFree);
+  if (way) path_.cut(cuts, *way);
+  if (way || last) corners_.erase(corner);
+}
+
+/// What walls still bear: by bites where that leads on, else straight along, the nearest stretch first.
+void AdaptiveFinish::cut_walls() {
+  int round = 0;
+  for (auto stretches = unfinished(); !stretches.empty(); stretches = unfinished()) {
+    bool bitten = false;
+    for (auto left = stretches; !left.empty() && round < kMostRounds;) {
+      const auto next = nearest_stretch(left);
+      bitten = peel(*next) || bitten;
+      left.erase(next);
+    }
+    ++round;
+    if (!bitten) cut_stretch(*nearest_stretch(stretches));
+  }
+}
+
+/// Where a wall leaves the stock a point of the target may stand beyond the last mark: over it, a little farther.
+void AdaptiveFinish::cut_wall_ends() {
+  for (const Region& region : target_) {
+    for (const Edge& edge : region.edges()) {
+      if (!stands_at(edge.from)) continue;
+      const Vec2 p = nearest_legal(edge.from);
+      for (std::size_t w = 0; w < cuts_.walls.count(); ++w) {
+        const auto hit = cuts_.walls.wall(w).nearest(p);
+        if (hit.distance > kRest) continue;
+        cut_stretch({w, hit.s - kBeyondEnd * radius_, hit.s + kBeyondEnd * radius_});
+        break;
+      }
+    }
+  }
+}
+
+/// Whether anything within reach stands at a corner of the target.
+bool AdaptiveFinish::stands_at(Vec2 corner) const {
+  for (int i = 0; i < 8; ++i) {
+    const Vec2 p = corner + direction_of(kPi / 4 * i) * kRest;
+    if (!ground_.is_removed(p) && contains(target_, p) && distance(nearest_legal(p), p) < radius_)
+      return true;
+  }
+  return false;
+}
+
+std::vector<WallStretch> AdaptiveFinish::unfinished() const {
+  return unfinished_walls(cuts_.walls, kMarkPitch * radius_, kMergeGap * radius_, ground_);
+}
+
+std::vector<WallStretch>::const_iterator AdaptiveFinish::nearest_stretch(
+    const std::vector<WallStretch>& stretches) const {
+  const Vec2 at = path_.at();
+  const auto far = [&](const WallStretch& stretch) {
+    return distance(cuts_.walls.point({stretch.wall, stretch.from}), at);
+  };
+  return std::min_element(stretches.begin(), stretches.end(),
+                          [&](const WallStretch& a, const WallStretch& b) { return far(a) < far(b); });
+}
+
+/// By bites within the limit, each from where the wall is clear. Whether that took anything away.
+bool AdaptiveFinish::peel(const WallStretch& stretch) {
+  const Walls& walls = cuts_.walls;
+  Peeler peeler(ground_, walls.wall(stretch.wall), limit_);
+  const auto bearing = [&](const WallStretch& within) {
+    return bearing_part(walls, within, kPeelPitch * radius_, kCornerFilm, ground_);
+  };
+  auto left = bearing(stretch);
+  const bool began = left.has_value();
+  bool idle = false;
+  int bites = 0;
+  while (left && !idle && bites < kMostBites) {
+    const auto way = way_to_bite(*left);
+    const Path bite = way ? peeler.bite(left->from, left->to) : Path{};
+    if (bite.empty()) break;
+    path_.cut(bite, *way);
+    ++bites;
+    const auto before = *left;
+    left = bearing(before);
+    if (left) idle = before.to - before.from - (left->to - left->from) < kLeastBite;
+  }
+  if (bites > (idle ? 1 : 0) || !began) return began;
+  return bite_from_aside({stretch.wall, (stretch.from + stretch.to) / 2});
+}
+
+/// Towards the wall at `place` from a clear place beside it, and along it. Whether anything was cut.
+bool AdaptiveFinish::bite_from_aside(const WallPlace& place) {
+  const Wall& wall = cuts_.walls.wall(place.wall);
+  const Vec2 p = wall.at(place.s), inwards = left_of(wall.heading(place.s));
+  for (const double share : kGates) {
+    const Vec2 gate = p + inwards * (share * radius_);
+    if (!ground_.legal().holds_line(p, gate) || ground_.touches(gate, kFree)) continue;
+    const Path bite = Peeler(ground_, wall, limit_).bite_from_aside(gate, place.s);
+    if (bite.empty()) continue;
+    auto way = path_.empty() ? std::nullopt : path_.way_to(gate, kFree);
+    if (!way) way = path_.hop_if_clear(gate);
+    if (!way) continue;
+    path_.cut(bite, *way);
+    return true;
+  }
+  return false;
+}
+
+std::optional<std::vector<Vec2>> AdaptiveFinish::way_to_bite(const WallStretch& stretch) {
+  const Vec2 p = cuts_.walls.point({stretch.wall, stretch.from});
+  if (!path_.empty()) {
+    if (auto way = path_.way_to(p, kFree)) return way;
+    if (auto way = path_.way_to(p, kCornerFree)) return way;
+  }
+  return path_.hop_if_clear(p);
+}
+
+void AdaptiveFinish::cut_stretch(const WallStretch& place) {
+  const Wall& wall = cuts_.walls.wall(place.wall);
+  const bool round = place.to - place.from >= wall.length() * (1 - 1e-9);
+  Path stretch = round ? wall.loop() : wall.part(place.from, place.to);
+  const Vec2 p = stretch.front().from, inwards = left_of(stretch.front().tangent_at(0));
+  for (const double share : {0.0, 0.02, 0.05, 0.1, 0.2, 0.4}) {
+    const Vec2 gate = p + inwards * (share * radius_);
+    if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree)) continue;
+    const auto way = path_.way_to(gate, kFree);
+    if (!way) continue;
+    if (share > 0) stretch.insert(stretch.begin(), Edge::line(gate, p));
+    return path_.cut(stretch, *way);
+  }
+  if (const auto way = path_.way_to(p, radius_ * (1 - std::cos(limit_))); way && !path_.empty()) {
+    // Over films: at the cutting feed.
+    Path lead;
+    for (const Vec2 station : *way)
+      lead.push_back(Edge::line(lead.empty() ? path_.at() : lead.back().to, station));
+    stretch.insert(stretch.begin(), lead.begin(), lead.end());
+  } else if (!path_.empty()) {
+    path_.finish_pass();
+  }
+  path_.cut(stretch, {});
+}
+
+/// What still stands between the cuts: over each place that the check of the whole cover finds.
+void AdaptiveFinish::cut_rests() {
+  for (int left = kMostRests; left > 0;) {
+    const auto holes = Cover(path_.moves(), radius_ + kRest).holes([&](Vec2 p) { return is_reachable(p); });
+    const int before = left;
+    for (const Vec2 hole : holes) {
+      if (left <= 0 || ground_.is_removed(hole)) continue;
+      const Vec2 p = nearest_legal(hole);
+      if (cut_rest(p) || enter_rest(p)) --left;
+    }
+    if (left == before) return;
+  }
+}
+
+bool AdaptiveFinish::is_reachable(Vec2 p) const {
+  return distance(nearest_legal(p), p) < radius_ - kRest;
+}
+
+Vec2 AdaptiveFinish::nearest_legal(Vec2 p) const {
+  if (legal_.contains(p)) return p;
+  Nearest best{p, 1e300, 0};
+  for (const Edge& edge : legal_.edges()) {
+    if (distance(edge, p) < best.distance) best = clearcut::nearest(edge, p);
+  }
+  return best.point;
+}
+
+/// A short cut that ends at p, from the side that is free.
+bool AdaptiveFinish::cut_rest(Vec2 p) {
+  for (const double reach : {0.3, 0.6, 1.0, 1.5}) {
+    for (int i = 0; i < 8; ++i) {
+      const Vec2 gate = p + direction_of(kPi / 4 * i) * (reach * radius_);
+      if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree)) continue;
+      const auto way = path_.way_to(gate, kFree);
+      if (!way) continue;
+      path_.cut({Edge::line(gate, p)}, *way);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What no free way leads to is entered from above.
+bool AdaptiveFinish::enter_rest(Vec2 p) {
+  for (const double reach : {0.5, 0.2, 0.05}) {
+    for (int i = 0; i < 8; ++i) {
+      const Vec2 from = p + direction_of(kPi / 4 * i) * (reach * radius_);
+      if (!ground_.legal().holds_line(from, p)) continue;
+      path_.finish_pass();
+      path_.cut({Edge::line(from, p)}, {});
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace clearcut

@@ -1,0 +1,52 @@
+// What stays when an area is cleared: films on walls, corners, narrow ends, rests.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "plan/adaptive_corners.h"
+#include "plan/adaptive_wall_cuts.h"
+
+namespace clearcut {
+
+/// The last stage of an adaptive pass: nothing that the cutter can reach stays.
+class AdaptiveFinish {
+ public:
+  /// `legal`: where the centre may be; `area`: where cuts off the walls run, a little smaller. All is kept by reference.
+  AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
+                 const Regions& target, double limit);
+
+  /// Along the walls within the limit, corners, by bites what walls still bear, what the check of the whole cover finds.
+  /// `open`: something beside the target is free.
+  void run(bool open);
+
+ private:
+  void follow_walls();
+  std::vector<Corner>::iterator nearest_corner();
+  void finish_corner(std::vector<Corner>::iterator corner, bool last);
+  void cut_walls();
+  void cut_wall_ends();
+  bool stands_at(Vec2 corner) const;
+  std::vector<WallStretch> unfinished() const;
+  std::vector<WallStretch>::const_iterator nearest_stretch(const std::vector<WallStretch>& stretches) const;
+  bool peel(const WallStretch& stretch);
+  bool bite_from_aside(const WallPlace& place);
+  std::optional<std::vector<Vec2>> way_to_bite(const WallStretch& stretch);
+  void cut_stretch(const WallStretch& place);
+  void cut_rests();
+  bool is_reachable(Vec2 p) const;
+  Vec2 nearest_legal(Vec2 p) const;
+  bool cut_rest(Vec2 p);
+  bool enter_rest(Vec2 p);
+
+  Ground& ground_;
+  ClearingPath& path_;
+  const Region& legal_;
+  const Regions& target_;
+  double radius_;
+  double limit_;
+  WallCuts cuts_;
+  std::vector<Corner> corners_;  ///< not yet cut
+};
+
+}  // namespace clearcut

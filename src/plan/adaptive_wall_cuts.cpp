@@ -1,0 +1,134 @@
+#include "plan/adaptive_wall_cuts.h"
+
+#include <algorithm>
+
+namespace clearcut {
+namespace {
+
+/// Tool radii. A cut begins no farther before the material that it is after, looked for at this pitch.
+constexpr double kLongestApproach = 1.5;
+constexpr double kPitch = 0.1;
+/// Tool radii. A start from which a cut advances less along the wall is given up.
+constexpr double kLeastAdvance = 0.03;
+/// Length along a wall of the last move onto it over the distance that it comes from.
+constexpr double kGateSlopes[] = {0, 2, 6, 16};
+constexpr double kLongestGate = 3;  // tool radii
+/// Gates beside a wall to which a way is looked for.
+constexpr int kMostGates = 3;
+/// mm. Links through what is cleared may graze as much.
+constexpr double kFree = 1e-3;
+
+}  // namespace
+
+/// A free way to a gate, from where a short move leads to the first place of a cut.
+struct WallCuts::Approach {
+  std::vector<Vec2> way;
+  Path lead;  ///< at the cutting feed, through films
+  WallPlace first;
+};
+
+WallCuts::WallCuts(Ground& ground, ClearingPath& path, Walls all, const Regions& area, double limit,
+                   AlongWalls along)
+    : walls(std::move(all)),
+      tracer(ground, walls, area, limit, along),
+      ground_(ground),
+      path_(path),
+      radius_(ground.tool_radius()),
+      limit_(limit) {}
+
+WallPlace WallCuts::nearest(const std::vector<WallPlace>& starts) const {
+  const Vec2 at = path_.at();
+  return *std::min_element(starts.begin(), starts.end(), [&](const WallPlace& a, const WallPlace& b) {
+    return distance(walls.point(a), at) < distance(walls.point(b), at);
+  });
+}
+
+bool WallCuts::cut_from(const WallPlace& start) {
+  const auto approach = approach_to(start);
+  if (!approach) return false;
+  path_.note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back());
+  const Path cut = tracer.cut_from(approach->first, start.s);
+  if (cut.empty()) {
+    walls.give_up(start);
+    return true;
+  }
+  Path whole = approach->lead;
+  for (const Edge& edge : approach->lead) ground_.cut(edge);
+  const Vec2 gate = whole.empty() ? approach->way.back() : whole.back().to;
+  if (gate != cut.front().from) whole.push_back(Edge::line(gate, cut.front().from));
+  whole.insert(whole.end(), cut.begin(), cut.end());
+  path_.append(whole, approach->way);
+  walls.update(ground_, box(cut).grown(2 * radius_));
+  if (walls.is_start(start) && !walls.advances(start, tracer.first_departure(), kLeastAdvance * radius_)) {
+    walls.give_up(start);
+  }
+  return true;
+}
+
+/// Where the wall bears nothing yet; else beside it.
+std::optional<WallCuts::Approach> WallCuts::approach_to(const WallPlace& start) const {
+  const double farthest = std::min(kLongestApproach * radius_, walls.from_stop(start));
+  for (double back = 0; back < farthest; back += kPitch * radius_ / 2) {
+    const WallPlace first{start.wall, start.s - back};
+    if (ground_.touches(walls.point(first), kFree)) continue;
+    if (const auto way = path_.way_to(walls.point(first), kFree)) return Approach{*way, {}, first};
+    break;
+  }
+  for (const double back : {0.0, 0.2, 0.5, 1.0}) {
+    if (back * radius_ > farthest) break;
+    if (const auto approach = approach_from_aside({start.wall, start.s - back * radius_})) return approach;
+  }
+  return approach_through_films(start);
+}
+
+/// Over a gate beside the wall.
+std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace& place) const {
+  const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
+  int tries = kMostGates;
+  for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
+    for (const double slope : kGateSlopes) {
+      const double aside = share * radius_;
+      if (share * slope > kLongestGate) continue;
+      const Vec2 gate = p - along * (slope * aside) + left_of(along) * aside;
+      if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree) ||
+          !is_within(Edge::line(gate, p)))
+        continue;
+      if (const auto way = path_.way_to(gate, kFree)) return Approach{*way, {}, place};
+      if (--tries == 0) return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Over what clearing left on the walls behind the start, within the limit.
+std::optional<WallCuts::Approach> WallCuts::approach_through_films(const WallPlace& start) const {
+  if (path_.empty()) return std::nullopt;
+  const double farthest = std::min(kLongestApproach * radius_, walls.from_stop(start));
+  for (double back = 0; back < farthest; back += kPitch * radius_) {
+    const WallPlace first{start.wall, start.s - back};
+    const double film = walls.film(first);
+    if (ground_.touches(walls.point(first), film)) continue;
+    const auto way = path_.way_to(walls.point(first), film);
+    if (!way) continue;
+    Approach approach{{}, {}, first};
+    Vec2 at = path_.at();
+    for (const Vec2 station : *way) {
+      if (approach.lead.empty() && ground_.is_free(at, station, kFree)) {
+        approach.way.push_back(station);
+      } else {
+        approach.lead.push_back(Edge::line(at, station));
+      }
+      at = station;
+    }
+    const auto within = [&](const Edge& edge) { return is_within(edge); };
+    if (std::all_of(approach.lead.begin(), approach.lead.end(), within)) return approach;
+  }
+  return std::nullopt;
+}
+
+/// Whether the contact keeps the limit on a move.
+bool WallCuts::is_within(const Edge& edge) const {
+  return ground_.length_within(edge, limit_) >= edge.length();
+}
+
+}  // namespace clearcut

@@ -1,0 +1,44 @@
+// Cuts that begin at walls which still touch material.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "plan/adaptive_trace.h"
+#include "plan/adaptive_walls.h"
+#include "plan/clearing_path.h"
+
+namespace clearcut {
+
+/// Walls to cut along, and the cuts that begin there.
+class WallCuts {
+ public:
+  /// Cuts off the walls stay inside `area`, their contact below `limit`.
+  WallCuts(Ground& ground, ClearingPath& path, Walls walls, const Regions& area, double limit,
+           AlongWalls along);
+  WallCuts(const WallCuts&) = delete;
+  WallCuts& operator=(const WallCuts&) = delete;
+
+  Walls walls;
+  Tracer tracer;
+
+  /// Goes to the wall at `start` or just before it, and cuts from there. Whether the place is settled: cut, or given up
+  /// because nothing can be cut from it; false where no way leads there.
+  bool cut_from(const WallPlace& start);
+  /// The start that is nearest to the cutter. `starts` holds at least one.
+  WallPlace nearest(const std::vector<WallPlace>& starts) const;
+
+ private:
+  struct Approach;
+  std::optional<Approach> approach_to(const WallPlace& start) const;
+  std::optional<Approach> approach_from_aside(const WallPlace& place) const;
+  std::optional<Approach> approach_through_films(const WallPlace& start) const;
+  bool is_within(const Edge& edge) const;
+
+  Ground& ground_;
+  ClearingPath& path_;
+  double radius_;
+  double limit_;
+};
+
+}  // namespace clearcut
