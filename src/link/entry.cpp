@@ -13,6 +13,7 @@ constexpr double kHelixShrink = 0.8;   // from one trial to the next
 constexpr double kLongestRamp = 4;     // tool radii
 constexpr double kShortestRamp = 0.2;  // tool radii
 constexpr double kMostRounds = 4;      // of a ring, on the way down
+constexpr double kSameTurn = 1e-6;     // half turns
 
 struct Circle {
   Vec2 center;
@@ -39,29 +40,31 @@ std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal
   return std::nullopt;
 }
 
-/// Half turns, counter-clockwise, from the start of the pass back to it.
-void append_turn(const Circle& circle, Vec2 start, double z_from, double z_to, const LinkOptions& options,
-                 std::vector<Move>& moves) {
-  const Vec2 opposite = circle.center * 2.0 - start;
-  const double middle = (z_from + z_to) / 2;
-  const auto half = [&](Vec2 a, Vec2 b, double za, double zb) {
-    moves.push_back({Edge::arc(a, b, circle.center, Turn::kCounterClockwise), za, zb, MoveKind::kRamp,
+/// Counter-clockwise arcs of half a turn at most round the circle, from `turned` radians before `end` to it.
+void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, double z_to,
+                  const LinkOptions& options, std::vector<Move>& moves) {
+  const int arcs = static_cast<int>(std::ceil(turned / kPi - kSameTurn));
+  const auto half_turns_before = [&](int count) { return count % 2 == 0 ? end : circle.center * 2.0 - end; };
+  Vec2 at =
+      turned == kPi * arcs ? half_turns_before(arcs) : circle.center + rotated(end - circle.center, -turned);
+  for (int i = 0; i < arcs; ++i) {
+    // The first arc is the short one: the others are half turns.
+    const double before = i == 0 ? turned : kPi * (arcs - i), after = kPi * (arcs - i - 1);
+    const Vec2 next = half_turns_before(arcs - i - 1);
+    const double drop = z_to - z_from;
+    moves.push_back({Edge::arc(at, next, circle.center, Turn::kCounterClockwise),
+                     z_from + drop * (1 - before / turned), z_to - drop * (after / turned), MoveKind::kRamp,
                      options.ramp_feed, 0});
-  };
-  half(start, opposite, z_from, middle);
-  half(opposite, start, middle, z_to);
+    at = next;
+  }
 }
 
+/// Down by as much of a turn as the angle asks for, so that it ends at the start of the pass.
 std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const LinkOptions& options) {
-  const double per_turn = 2 * kPi * circle.radius * std::tan(options.entry_angle.radians());
-  const double drop = place.z_above - place.z;
-  const int turns = std::max(1, static_cast<int>(std::ceil(drop / per_turn)));
+  const double turned = (place.z_above - place.z) / (circle.radius * std::tan(options.entry_angle.radians()));
   std::vector<Move> moves;
-  for (int i = 0; i < turns; ++i) {
-    const double low = i + 1 == turns ? place.z : place.z_above - drop * (i + 1) / turns;
-    append_turn(circle, place.start, place.z_above - drop * i / turns, low, options, moves);
-  }
-  if (!place.circle_center) append_turn(circle, place.start, place.z, place.z, options, moves);
+  append_turns(circle, place.start, turned, place.z_above, place.z, options, moves);
+  if (!place.circle_center) append_turns(circle, place.start, 2 * kPi, place.z, place.z, options, moves);
   return moves;
 }
 

@@ -28,12 +28,12 @@ struct Entry {
   double along_ring = 0;
 };
 
-/// The moves from (start, z_above) down to the pass, all inside `legal`. The first way of these that fits, beginning
+/// The moves from z_above down to the pass, all inside `legal`; they begin at or beside its start. The first way of these that fits, beginning
 /// with the one asked for:
 ///
 /// Helix    about circle_center, else about a centre beside the start so that it touches `direction`, as wide as
-///          options.helix_widest and less while it does not fit, down to helix_narrowest; no steeper than the entry
-///          angle, with a flat circle at the end.
+///          options.helix_widest and less while it does not fit, down to helix_narrowest; at the entry angle, with
+///          a flat circle at the end.
 /// Ramp     along the ring, at the entry angle, as far as that takes (a few times round at most).
 /// Zigzag   to and fro along the beginning of the pass, zigzag_length of it, less where that does not fit.
 /// Plunge   straight down.

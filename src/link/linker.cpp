@@ -272,11 +272,9 @@ double Linker::go_to(const Choice& next, const Path& path, bool is_ring) {
   }
   const bool straight = work_.pass(next.item).may_cut_to_start || in_air(p);
   const auto outside = straight ? way_out(p, next.item) : std::nullopt;
-  const Vec2 entry = outside.value_or(p);
-  rise_and_cross(entry, running() ? hop_height(here(), entry, next.item) : options_.safe_z);
-  moves_.vertical(approach_z(entry, next.item), MoveKind::kRapid, {});
   if (!outside && !work_.pass(next.item).starts_clear)
-    return enter_material(path, is_ring ? &path : nullptr, next.item);
+    return enter_material(p, path, is_ring ? &path : nullptr, next.item);
+  go_over(outside.value_or(p), next.item);
   moves_.vertical(layer(next.item).layer().z, MoveKind::kPlunge, options_.plunge_feed);
   moves_.line(p, MoveKind::kLeadIn, lead_feed());
   return 0;
@@ -291,14 +289,22 @@ void Linker::link_to(Vec2 p) {
   moves_.vertical(depth, MoveKind::kPlunge, options_.plunge_feed);
 }
 
+/// Over p, as low as is safe.
+void Linker::go_over(Vec2 p, std::size_t item) {
+  rise_and_cross(p, running() ? hop_height(here(), p, item) : options_.safe_z);
+  moves_.vertical(approach_z(p, item), MoveKind::kRapid, {});
+}
+
 /// From a little above the material down into it, as the entry option says. See go_to for what comes back.
-double Linker::enter_material(const Path& path, const Path* ring, std::size_t item) {
+double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item) {
   const LayerPasses& passes = layer(item).layer();
-  moves_.vertical(std::min(moves_.z(), passes.z_top + kEntryHeight), MoveKind::kPlunge, options_.plunge_feed);
   const Edge first = path.front();
   const Vec2 heading = first.from == first.to ? Vec2{1, 0} : first.tangent_at(0);
-  const EntryPlace place{moves_.at(), heading, moves_.z(), passes.z, work_.pass(item).entry_center, ring};
+  const double z_above = std::min(approach_z(start, item), passes.z_top + kEntryHeight);
+  const EntryPlace place{start, heading, z_above, passes.z, work_.pass(item).entry_center, ring};
   const Entry entry = entry_at(place, passes.legal, options_);
+  go_over(entry.moves.empty() ? start : entry.moves.front().path.from, item);
+  moves_.vertical(z_above, MoveKind::kPlunge, options_.plunge_feed);
   moves_.append(entry.moves);
   ++entries_[index_of(entry.kind)];
   return entry.along_ring;

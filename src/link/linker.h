@@ -100,7 +100,8 @@ class Linker {
   void start_from_air(Choice& next) const;
   double go_to(const Choice& next, const Path& path, bool is_ring);
   void link_to(Vec2 p);
-  double enter_material(const Path& path, const Path* ring, std::size_t item);
+  void go_over(Vec2 p, std::size_t item);
+  double enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item);
   void rise_and_cross(Vec2 to, double height);
   Path oriented(const Choice& next) const;
   void cut(const Path& path, const std::vector<MoveKind>& kinds);
