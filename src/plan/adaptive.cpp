@@ -32,6 +32,8 @@ constexpr double kBesideAir = 0.005;
 constexpr double kNearStock = 0.05;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
+/// Tool radii beside corners that clearing leaves to them: cuts from wall to wall would come nearer by less and less.
+constexpr double kLeftToCorner = 0.9;
 /// mm. Links through what is cleared may graze as much.
 constexpr double kFree = 1e-3;
 /// mm. Where no more than this stands the cutter goes straight down.
@@ -80,6 +82,7 @@ class AdaptivePlanner {
                   inner.clearing, limit, {kAir * radius_, 0}),
         open_(layer.stock && has_open_side(layer)),
         target_(layer.target) {
+    clearing_.walls.leave_out_around(places_of(corners_of(clearing_.walls, limit)), kLeftToCorner * radius_);
     for (const PredrilledHole& hole : layer.holes) ground_.remove_disc(hole.center, hole.diameter / 2);
   }
 

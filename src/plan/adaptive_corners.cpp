@@ -12,7 +12,7 @@ namespace {
 constexpr double kNearest = 1e-3;
 constexpr double kVisited = 2.5e-3;
 /// Tool radii. Walls that are not cut up to this near are not prepared.
-constexpr double kPrepared = 0.7;
+constexpr double kPrepared = 1.2;
 /// Factor between the distances at which a wall is looked at.
 constexpr double kFarther = 1.25;
 /// mm. Shorter arcs are lines.
@@ -192,6 +192,12 @@ std::vector<Corner> corners_of(const Walls& walls, double limit) {
     }
   }
   return corners;
+}
+
+std::vector<WallPlace> places_of(const std::vector<Corner>& corners) {
+  std::vector<WallPlace> places;
+  for (const Corner& corner : corners) places.push_back(corner.place);
+  return places;
 }
 
 Path corner_cuts(const Walls& walls, const Corner& corner, Ground& ground, double limit, double film) {

@@ -15,6 +15,7 @@ struct Corner {
 };
 
 std::vector<Corner> corners_of(const Walls& walls, double limit);
+std::vector<WallPlace> places_of(const std::vector<Corner>& corners);
 
 /// The cuts into one corner.
 ///

@@ -67,9 +67,7 @@ void AdaptiveFinish::follow_walls() {
   if (path_.empty()) return;
   cuts_.walls.update(ground_, legal_.box());
   corners_ = corners_of(cuts_.walls, limit_);
-  std::vector<WallPlace> stops;
-  for (const Corner& corner : corners_) stops.push_back(corner.place);
-  cuts_.walls.set_stops(std::move(stops));
+  cuts_.walls.set_stops(places_of(corners_));
   for (const WallPlace& place : cuts_.walls.anywhere()) {
     if (!cuts_.cut_from(place) && bite_from_aside(place)) cuts_.walls.update(ground_, legal_.box());
   }

@@ -98,14 +98,16 @@ double Walls::film(const WallPlace& place) const {
   return marks_[place.wall].films[mark_at(place)];
 }
 
-double Walls::to_nearest_stop(const WallPlace& place, double sense) const {
+double Walls::to_nearest(const std::vector<WallPlace>& others, const WallPlace& place, double sense,
+                         double least) const {
   const double length = walls_[place.wall].length();
-  double least = 1e300;
-  for (const WallPlace& stop : stops_) {
-    const double gap = sense * (stop.s - place.s);
-    if (stop.wall == place.wall) least = std::min(least, gap - std::floor(gap / length) * length);
+  double nearest = 1e300;
+  for (const WallPlace& other : others) {
+    if (other.wall != place.wall) continue;
+    const double gap = sense * (other.s - place.s), around = gap - std::floor(gap / length) * length;
+    if (around >= least) nearest = std::min(nearest, around);
   }
-  return least;
+  return nearest;
 }
 
 bool Walls::touches_after(const WallPlace& place, double reach) const {
@@ -181,6 +183,21 @@ void Walls::give_up(const WallPlace& place) {
   Marks& marks = marks_[place.wall];
   const std::size_t i = mark_at(place);
   marks.touching[(i + 1) % marks.points.size()] = 2;
+}
+
+void Walls::leave_out_around(const std::vector<WallPlace>& places, double reach) {
+  constexpr double kOther = 1e-6;  // mm
+  for (const WallPlace& place : places) {
+    const bool alone =
+        to_nearest(places, place, 1, kOther) > 2 * reach && to_nearest(places, place, -1, kOther) > 2 * reach;
+    if (!alone) continue;
+    Marks& marks = marks_[place.wall];
+    for (std::size_t i = 0; i < marks.points.size(); ++i) {
+      const WallPlace mark{place.wall, static_cast<double>(i) * marks.pitch};
+      if (to_nearest({place}, mark, 1) < reach || to_nearest({place}, mark, -1) < reach)
+        marks.touching[i] = 2;
+    }
+  }
 }
 
 namespace {

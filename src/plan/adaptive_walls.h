@@ -64,8 +64,8 @@ class Walls {
   /// Cuts end on the wall before these places instead of leaving it there, and none begins before and ends after one.
   void set_stops(std::vector<WallPlace> stops) { stops_ = std::move(stops); }
   /// mm along the wall to the next stop, and from the last one.
-  double to_stop(const WallPlace& place) const { return to_nearest_stop(place, 1); }
-  double from_stop(const WallPlace& place) const { return to_nearest_stop(place, -1); }
+  double to_stop(const WallPlace& place) const { return to_nearest(stops_, place, 1); }
+  double from_stop(const WallPlace& place) const { return to_nearest(stops_, place, -1); }
   Vec2 point(const WallPlace& place) const { return walls_[place.wall].at(place.s); }
   std::size_t count() const { return walls_.size(); }
   double film(const WallPlace& place) const;
@@ -84,10 +84,14 @@ class Walls {
   bool advances(const WallPlace& start, double s, double least);
   /// Gives the stretch after a start up: nothing more can be cut from there.
   void give_up(const WallPlace& place);
+  /// Leaves what is within `reach` mm along the wall of one of `places` to a later stage, where no other of them is nearer
+  /// than twice that.
+  void leave_out_around(const std::vector<WallPlace>& places, double reach);
 
  private:
-  /// `sense`: 1 along the wall, -1 back.
-  double to_nearest_stop(const WallPlace& place, double sense) const;
+  /// mm along the wall to the nearest of `others`, not less than `least`. `sense`: 1 along the wall, -1 back.
+  double to_nearest(const std::vector<WallPlace>& others, const WallPlace& place, double sense,
+                    double least = 0) const;
   struct Marks {
     double pitch = 1;
     std::vector<Vec2> points;
