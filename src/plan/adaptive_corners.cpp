@@ -205,7 +205,6 @@ Path corner_cuts(const Walls& walls, const Corner& corner, Ground& ground, doubl
   const auto a = first_visited(wall, corner.place.s, -1, ground),
              b = first_visited(wall, corner.place.s, 1, ground);
   if (!a || !b) return {};
-  Path cuts;
   for (const double margin : kMargins) {
     Path found = CornerCuts(wall, corner, ground.legal(), limit, margin, kFar * ground.tool_radius())
                      .cuts(*a, *b, film);
@@ -213,10 +212,9 @@ Path corner_cuts(const Walls& walls, const Corner& corner, Ground& ground, doubl
     const bool legal = std::all_of(found.begin(), found.end(),
                                    [&](const Edge& edge) { return is_legal(edge, ground.legal()); });
     if (!legal || found.empty()) continue;
-    if (cuts.empty()) cuts = found;
     if (ground.keeps_limit(found, limit + kAbove, kTiny)) return found;
   }
-  return cuts;
+  return {};
 }
 
 }  // namespace clearcut
