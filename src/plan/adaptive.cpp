@@ -33,7 +33,7 @@ constexpr double kNearStock = 0.05;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
 /// Tool radii beside corners that clearing leaves to them: cuts from wall to wall would come nearer by less and less.
-constexpr double kLeftToCorner = 0.9;
+constexpr double kLeftToCorner = 0.7;
 /// mm. Links through what is cleared may graze as much.
 constexpr double kFree = 1e-3;
 /// mm. Where no more than this stands the cutter goes straight down.
