@@ -42,6 +42,11 @@ std::string material_names() {
 
 }  // namespace
 
+std::optional<double> ShopOptions::widest_helix(std::optional<double> operation_radius) const {
+  if (helix_widest || !operation_radius) return helix_widest;
+  return 2 * *operation_radius;
+}
+
 ShopOptions ShopOptions::or_else(const ShopOptions& other) const {
   ShopOptions out = *this;
   fill(out.helix_widest, other.helix_widest);

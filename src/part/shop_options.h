@@ -24,6 +24,8 @@ struct ShopOptions {
   std::optional<double> finish_depths;  ///< number of depths in which walls are finished
   std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
 
+  /// The widest helix, mm, where an operation states a greatest radius of its own: these options come first.
+  std::optional<double> widest_helix(std::optional<double> operation_radius) const;
   /// These, and where one is absent that of `other`.
   ShopOptions or_else(const ShopOptions& other) const;
 };

@@ -93,8 +93,7 @@ LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind en
   link.entry = operation.entry.value_or(entry);
   if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
   link.may_plunge = tool_of(part, step).center_cutting;
-  link.helix_widest = options.shop.helix_widest;
-  if (operation.entry_size && !link.helix_widest) link.helix_widest = 2 * *operation.entry_size;
+  link.helix_widest = options.shop.widest_helix(operation.entry_size);
   link.zigzag_length = operation.entry_size.value_or(0);
   link.helix_narrowest = options.shop.helix_narrowest;
   link.lead = {operation.lead.value_or(0), operation.lead_angle, options.shop.lead_overlap.value_or(0)};

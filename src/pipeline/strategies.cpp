@@ -67,10 +67,11 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
       [contour, tol = options.tol](const Layer& layer) { return plan_contour(layer, contour, tol); });
 }
 
-Strategy adaptive_strategy(const PlanOptions& options) {
+Strategy adaptive_strategy(const Operation& operation, const PlanOptions& options) {
   AdaptiveOptions adaptive;
   if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
   adaptive.start = options.start;
+  adaptive.widest_helix = options.shop.widest_helix(operation.entry_size);
   return once_per_outline(
       [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); });
 }
@@ -162,7 +163,7 @@ Strategy strategy_for(const Attempt& attempt, const Operation& operation, const 
   if (const auto* method = contour_method(attempt.strategy)) {
     return contour_strategy(*method, attempt, operation, options);
   }
-  if (attempt.strategy == "adaptive") return adaptive_strategy(options);
+  if (attempt.strategy == "adaptive") return adaptive_strategy(operation, options);
   if (attempt.strategy == "spiral") return spiral_strategy(attempt, operation, options);
   if (attempt.strategy == "zigzag") return zigzag_strategy(attempt, operation, options);
   if (attempt.strategy == "tour") return tour_strategy(attempt, operation, options);

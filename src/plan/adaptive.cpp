@@ -16,7 +16,8 @@ namespace {
 /// Radians. What rounding in the program, arcs fitted to traced curves and the sampling of the contact may add.
 constexpr double kContactMargin = 0.003;
 /// Radius of the entry circle as a share of the cutter's: below 1 no post is left in its middle.
-constexpr double kEntryCircle = 0.8;
+constexpr double kEntryCircle = 0.95;
+constexpr double kNoLimit = 1e300;  // mm
 /// Tool radii between the marks on walls.
 constexpr double kMarkPitch = 0.1;
 /// Tool radii that clearing keeps off the walls, for what arcs deviate from the curves they are fitted to.
@@ -68,16 +69,17 @@ double film_between_cuts(double radius, double limit) {
 class AdaptivePlanner {
  public:
   AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                  const Layer& layer, double limit, std::optional<Vec2> start)
+                  const Layer& layer, double limit, const AdaptiveOptions& options)
       : legal_(legal),
         inner_(inner),
         front_(front_area(legal, layer.tool_radius, limit)),
         radius_(layer.tool_radius),
         limit_(limit),
+        entry_circle_(std::min(kEntryCircle * radius_, options.widest_helix.value_or(kNoLimit) / 2)),
         ground_({legal}, radius_, layer.stock),
         ways_(clearance.axis(), layer.tool_radius + layer.wall_stock, 2 * radius_),
         path_(ground_, ways_),
-        finder_(front_, clearance, ground_, layer, limit, start),
+        finder_(front_, clearance, ground_, layer, limit, options.start),
         clearing_(ground_, path_, {front_, legal, kMarkPitch * radius_, film_between_cuts(radius_, limit)},
                   inner.clearing, limit, {kAir * radius_, 0}),
         open_(layer.stock && has_open_side(layer)),
@@ -152,7 +154,7 @@ class AdaptivePlanner {
   /// A spiral in the room, and on round it. A last thin turn of the spiral would waste most of a round; it is needed only
   /// where no cut leads on without it.
   void clear_room(const Disc& room) {
-    path_.open(room, kEntryCircle * radius_, limit_, finder_.hole_at(room.center));
+    path_.open(room, entry_circle_, limit_, finder_.hole_at(room.center));
     const Walls walls = clearing_.walls;
     const std::size_t spiral = ground_.cuts();
     Path round = go_round();
@@ -214,6 +216,7 @@ class AdaptivePlanner {
   const InnerAreas& inner_;
   Region front_;  ///< where it clears; the rest is the wall pass's
   double radius_, limit_;
+  double entry_circle_;  ///< radius of the first circle, mm
   Ground ground_;
   FreeWays ways_;
   ClearingPath path_;
@@ -277,7 +280,7 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
     auto legal = clearance.inset(first);
     const auto inner = inner_areas(legal, clearance, layer, limit);
     for (std::size_t i = 0; i < legal.size(); ++i) {
-      add_passes(result, AdaptivePlanner(legal[i], inner[i], clearance, layer, limit, options.start).plan());
+      add_passes(result, AdaptivePlanner(legal[i], inner[i], clearance, layer, limit, options).plan());
       result.legal.push_back(std::move(legal[i]));
     }
     add_fit_lines(result, clearance.fit_lines(first, layer.reserve));

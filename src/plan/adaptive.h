@@ -16,6 +16,8 @@ struct AdaptiveOptions {
   /// Where it goes down first, in the region that holds the point; absent, or nearer to a wall than an entry needs: in a
   /// predrilled hole, else in the widest place.
   std::optional<Vec2> start;
+  /// mm, greatest diameter of the centre's circle on the way down.
+  std::optional<double> widest_helix;
 };
 
 /// The passes of one layer with the cutter's engagement limited.

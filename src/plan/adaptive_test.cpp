@@ -223,6 +223,14 @@ TEST(Adaptive, BeginsInAHoleOrWhereItIsAskedTo) {
   EXPECT_EQ(plan_adaptive(layer, {}, {}).passes.at(0).entry_center, (Vec2{14, 33}));
 }
 
+TEST(Adaptive, EntersNoWiderThanItIsAskedTo) {
+  AdaptiveOptions options;
+  options.widest_helix = 2;
+  EXPECT_NEAR(plan_adaptive(square_layer(50), options, {}).passes.at(0).path.at(0).radius(), 1, 1e-9);
+  options.widest_helix = 100;
+  EXPECT_LT(plan_adaptive(square_layer(50), options, {}).passes.at(0).path.at(0).radius(), kTool);
+}
+
 TEST(Adaptive, ContactKeepsTheLimitOnStripsBesideTheStock) {
   // A block round a wall, with less than the cutter's diameter to go; walls are `allowed`'s islands.
   for (const double strip : {1.0, 3.0, 5.5}) {
