@@ -59,9 +59,11 @@ void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, 
   }
 }
 
-/// Down by as much of a turn as the angle asks for, so that it ends at the start of the pass.
+/// Down by as many turns as the angle asks for, at least one so that nowhere the whole depth is met at once; the last one
+/// ends at the start of the pass.
 std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const LinkOptions& options) {
-  const double turned = (place.z_above - place.z) / (circle.radius * std::tan(options.entry_angle.radians()));
+  const double asked = (place.z_above - place.z) / (circle.radius * std::tan(options.entry_angle.radians()));
+  const double turned = std::max(2 * kPi, asked);
   std::vector<Move> moves;
   append_turns(circle, place.start, turned, place.z_above, place.z, options, moves);
   if (!place.circle_center) append_turns(circle, place.start, 2 * kPi, place.z, place.z, options, moves);

@@ -32,8 +32,8 @@ struct Entry {
 /// with the one asked for:
 ///
 /// Helix    about circle_center, else about a centre beside the start so that it touches `direction`, as wide as
-///          options.helix_widest and less while it does not fit, down to helix_narrowest; at the entry angle, with
-///          a flat circle at the end.
+///          options.helix_widest and less while it does not fit, down to helix_narrowest; no steeper than the
+///          entry angle, at least once round, with a flat circle at the end.
 /// Ramp     along the ring, at the entry angle, as far as that takes (a few times round at most).
 /// Zigzag   to and fro along the beginning of the pass, zigzag_length of it, less where that does not fit.
 /// Plunge   straight down.

@@ -303,7 +303,7 @@ double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, st
   const double z_above = std::min(approach_z(start, item), passes.z_top + kEntryHeight);
   const EntryPlace place{start, heading, z_above, passes.z, work_.pass(item).entry_center, ring};
   const Entry entry = entry_at(place, passes.legal, options_);
-  go_over(entry.moves.empty() ? start : entry.moves.front().path.from, item);
+  go_over(entry.moves.front().path.from, item);
   moves_.vertical(z_above, MoveKind::kPlunge, options_.plunge_feed);
   moves_.append(entry.moves);
   ++entries_[index_of(entry.kind)];

@@ -71,7 +71,6 @@ class AdaptivePlanner {
   AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
                   const Layer& layer, double limit, const AdaptiveOptions& options)
       : legal_(legal),
-        inner_(inner),
         front_(front_area(legal, layer.tool_radius, limit)),
         radius_(layer.tool_radius),
         limit_(limit),
@@ -82,8 +81,8 @@ class AdaptivePlanner {
         finder_(front_, clearance, ground_, layer, limit, options.start),
         clearing_(ground_, path_, {front_, legal, kMarkPitch * radius_, film_between_cuts(radius_, limit)},
                   inner.clearing, limit, {kAir * radius_, 0}),
-        open_(layer.stock && has_open_side(layer)),
-        target_(layer.target) {
+        finish_(ground_, path_, legal, inner.finishing, layer.target, limit),
+        open_(layer.stock && has_open_side(layer)) {
     clearing_.walls.leave_out_around(places_of(corners_of(clearing_.walls, limit)), kLeftToCorner * radius_);
     for (const PredrilledHole& hole : layer.holes) ground_.remove_disc(hole.center, hole.diameter / 2);
   }
@@ -92,7 +91,7 @@ class AdaptivePlanner {
     if (open_) cut_from_outside();
     clear_rooms();
     enter_what_is_left();
-    AdaptiveFinish(ground_, path_, legal_, inner_.finishing, target_, limit_).run(open_);
+    finish_.run(open_);
     return path_.take_passes();
   }
 
@@ -128,8 +127,7 @@ class AdaptivePlanner {
     if (ground_.touches(p, kClear) || !ground_.touches(p + inwards * (kNearStock * radius_), kFree))
       return false;
     const auto way = path_.empty() ? std::nullopt : path_.way_to(p, kFree);
-    Tracer beside(ground_, clearing_.walls, inner_.finishing, limit_, {kAir * radius_, 0});
-    const Path cut = beside.cut_on(p, -along, 0);
+    const Path cut = finish_.cut_on(p, -along);
     if (cut.empty()) return false;
     path_.append(cut, way ? *way : path_.hop_to(p));
     clearing_.walls.update(ground_, box(cut).grown(2 * radius_));
@@ -213,7 +211,6 @@ class AdaptivePlanner {
   }
 
   const Region& legal_;
-  const InnerAreas& inner_;
   Region front_;  ///< where it clears; the rest is the wall pass's
   double radius_, limit_;
   double entry_circle_;  ///< radius of the first circle, mm
@@ -222,8 +219,8 @@ class AdaptivePlanner {
   ClearingPath path_;
   RoomFinder finder_;
   WallCuts clearing_;
+  AdaptiveFinish finish_;
   bool open_;  ///< something beside the target is free
-  const Regions& target_;
 };
 
 /// The passes of one legal area, to run one after the other.

@@ -19,6 +19,8 @@ class AdaptiveFinish {
   /// Along the walls within the limit, corners, by bites what walls still bear, what the check of the whole cover finds.
   /// `open`: something beside the target is free.
   void run(bool open);
+  /// One cut that begins beside the material and ends at a wall or in the open; see Tracer::cut_on.
+  Path cut_on(Vec2 from, Vec2 heading) { return cuts_.tracer.cut_on(from, heading, 0); }
 
  private:
   void follow_walls();

@@ -384,7 +384,8 @@ Tracer::Next Tracer::meet_wall(const Shot& shot, double inside) {
   if (met.wall == place_.wall && met.s < place_.s + kLeastCut * radius_ && met.s > place_.s - radius_)
     return Next::kDone;
   met.s += kMeetSlope * nearest;
-  if (!append(Edge::line(p, walls_.wall(met.wall).at(met.s)))) return Next::kDone;
+  const Vec2 to = walls_.wall(met.wall).at(met.s);
+  if (!ground_.legal().holds_line(p, to) || !append(Edge::line(p, to))) return Next::kDone;
   place_ = met;
   material_s_ = met.s;
   return Next::kWall;
