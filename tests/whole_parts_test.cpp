@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "base/error.h"
 #include "pipeline/run.h"
@@ -69,12 +70,14 @@ Part part_of_pockets(Random& random) {
 }
 
 /// Plans, posts, certifies and simulates random parts; a cutter that fits nowhere is no fault.
-void expect_clean_parts(const PlanOptions& options, int count) {
+void expect_clean_parts(const PlanOptions& options, int count,
+                        const std::function<void(Part&, Random&)>& changed = {}) {
   int cut = 0;
   for (int seed = 1; seed <= count; ++seed) {
     Random random(static_cast<std::uint64_t>(seed) * 1000 + options.strategy.size());
-    const Part part = part_of_pockets(random);
+    Part part = part_of_pockets(random);
     if (part.workplan.empty()) continue;
+    if (changed) changed(part, random);
     try {
       const PlanResult result = plan(part, options);
       for (const auto& fault : result.findings.faults) {
@@ -110,6 +113,39 @@ TEST(WholePart, IsCleanWithFinishing) {
   PlanOptions options;
   options.shop.finish = "all";
   expect_clean_parts(options, test_support::random_count(4));
+}
+
+/// Stock of each step's own on walls and floors; pockets under others begin at their floors.
+void leave_stock(Part& part, Random& random) {
+  stack_tops(part, {});
+  for (Workingstep& step : part.workplan) {
+    if (random.below(3) > 0) step.operation.allowance_side = random.between(0.1, 1.2);
+    if (random.below(3) == 0) step.operation.allowance_floor = random.between(0.1, 0.5);
+  }
+}
+
+TEST(WholePart, IsCleanWithStockLeftInEveryStep) {
+  expect_clean_parts({}, test_support::random_count(8), leave_stock);
+}
+
+TEST(WholePart, IsCleanWithStockThatIsFinishedAfterwards) {
+  PlanOptions options;
+  options.shop.finish = "all";
+  options.shop.finish_stock = 0.8;
+  options.shop.finish_stock_floor = 0.4;
+  const auto stacked = [](Part& part, Random&) { stack_tops(part, {}); };
+  expect_clean_parts(options, test_support::random_count(4), stacked);
+}
+
+TEST(WholePart, IsCleanWithStockLeftByBullNosedCutters) {
+  const auto bull_nosed = [](Part& part, Random& random) {
+    leave_stock(part, random);
+    for (Tool& tool : part.tools) {
+      tool.kind = ToolKind::kBullNoseEndMill;
+      tool.corner_radius = random.between(0.1, 0.4) * tool.radius();
+    }
+  };
+  expect_clean_parts({}, test_support::random_count(6), bull_nosed);
 }
 
 }  // namespace

@@ -49,4 +49,8 @@ const Feature& feature_of(const Part& part, const Workingstep& step) {
   return part.features.at(static_cast<std::size_t>(step.feature));
 }
 
+bool closed_all_round(const Feature& feature) {
+  return feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole;
+}
+
 }  // namespace clearcut

@@ -118,6 +118,9 @@ struct Part {
 const Tool& tool_of(const Part& part, const Workingstep& step);
 const Feature& feature_of(const Part& part, const Workingstep& step);
 
+/// Whether walls bound the feature on all sides, so that the cutter can leave it upwards alone.
+bool closed_all_round(const Feature& feature);
+
 /// The outline of `regions` at depth `below_top` mm under a feature with leaning walls (SPEC B4).
 Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol);
 /// Sets top_z of every feature in workplan order to the height that the features before it leave standing over its
@@ -127,9 +130,5 @@ void stack_tops(Part& part, const Tolerances& tol);
 /// their declared top. Slivers thinner than 0.05 mm in the mean do not count. Cost O(features) booleans per feature
 /// at worst.
 std::vector<double> stacked_tops(const Part& part, const Tolerances& tol);
-/// The part of a feature's target where material still stands above z once the features before it in the workplan
-/// are cut: what a layer down to z really has to remove (the fishhead's FACE3 begins at z -2, but only on a small
-/// part; elsewhere at -12). At the top outline; slivers as above are left out. Tops must be stacked. Same cost.
-Regions standing_target(const Part& part, int feature, double z, const Tolerances& tol);
 
 }  // namespace clearcut

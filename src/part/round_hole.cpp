@@ -5,8 +5,8 @@
 namespace clearcut {
 
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol) {
-  const bool closed = feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole;
-  if (!closed || feature.wall_slope.radians() != 0 || feature.target.size() != 1) return std::nullopt;
+  if (!closed_all_round(feature) || feature.wall_slope.radians() != 0 || feature.target.size() != 1)
+    return std::nullopt;
   const Region& region = feature.target.front();
   const Edge& first = region.outer().front();
   if (!region.islands().empty() || !first.is_arc()) return std::nullopt;

@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "part/fishhead.h"
 #include "part/part.h"
+#include "part/standing.h"
 
 namespace clearcut {
 namespace {
@@ -117,16 +118,6 @@ TEST(Stacking, AgreesWithAHeightMapOnRandomParts) {
   }
 }
 
-TEST(Stacking, StandingTargetIsWhatALayerHasToRemove) {
-  Part part = block();
-  add(part, rectangle(10, 10, 50, 90), 0, -5);
-  add(part, rectangle(20, 20, 80, 80), 0, -12);
-  stack_tops(part, {});
-  EXPECT_NEAR(area(standing_target(part, 1, -2, {})), 30 * 60, 1e-3) << "right of x 50 only";
-  EXPECT_NEAR(area(standing_target(part, 1, -5, {})), 30 * 60, 1e-3) << "cut to exactly there";
-  EXPECT_NEAR(area(standing_target(part, 1, -7, {})), 60 * 60, 1e-3) << "below the first floor all of it";
-}
-
 // The wall that FACE2 leaves is wider than what FACE3 leaves of it: a wedge beside it stands at -2, the rest
 // at -12.
 TEST(Stacking, FishheadTops) {
@@ -134,8 +125,9 @@ TEST(Stacking, FishheadTops) {
   const double tops[] = {0, -2, -2, -12, -17, -17, -23.5, -23.5, -23.5, -23.5};
   ASSERT_EQ(part.features.size(), 10U);
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(part.features[i].top_z, tops[i]) << part.features[i].name;
-  EXPECT_LT(area(standing_target(part, 2, -11, {})), 200);
-  EXPECT_NEAR(area(standing_target(part, 2, -13, {})), area(part.features[2].target), 1e-2);
+  const Standing third(part, 2, {});
+  EXPECT_LT(area(third.above(-11)), 200);
+  EXPECT_NEAR(area(third.above(-13)), area(part.features[2].target), 1e-2);
 }
 
 TEST(Names, ToolKindsAreNamedAsOnTheCommandLine) {

@@ -187,7 +187,7 @@ double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
   const bool leans = feature.wall_slope.radians() != 0 && deep > 0;
   const Regions allowed = leans ? at_depth(feature.allowed, feature.wall_slope, deep, tol) : feature.allowed;
   const Regions target = leans ? intersect(feature.target, allowed, tol) : feature.target;
-  const bool closed = feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole;
+  const bool closed = closed_all_round(feature);
   double radius = 0;
   for (const auto& region : allowed) {
     radius = std::max(radius, closed ? Clearance(region, tol).max() : widest_over(target, region, tol));

@@ -5,7 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "part/round_hole.h"
+#include "part/standing.h"
 #include "pipeline/holes.h"
 #include "pipeline/left_over.h"
 #include "pipeline/meeting_pockets.h"
@@ -13,10 +13,6 @@
 
 namespace clearcut {
 namespace {
-
-bool has_open_side(const Feature& feature) {
-  return feature.kind != FeatureKind::kClosedPocket && feature.kind != FeatureKind::kRoundHole;
-}
 
 /// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
 /// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path; decimals that are
@@ -47,30 +43,8 @@ Regions overrun(const Regions& target, const Regions& allowed, const PlanOptions
   return intersect(dilate(target, beyond, options.tol), allowed, options.tol);
 }
 
-/// mm. Height differences that are rounding.
-constexpr double kSameHeight = 1e-6;
-
-/// mm. Stock that earlier steps have left on the floors from which the feature of this one begins.
-double stock_above(const Part& part, int index) {
-  const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
-  std::vector<std::optional<double>> left(part.features.size());
-  for (int i = 0; i < index; ++i) {
-    const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
-    const Feature& other = feature_of(part, step);
-    const bool begins_there = &other != &feature && std::abs(other.floor_z - feature.top_z) < kSameHeight;
-    if (!begins_there || only_plunges(tool_of(part, step)) ||
-        !box(other.target).overlaps(box(feature.target)))
-      continue;
-    auto& stock = left[static_cast<std::size_t>(step.feature)];
-    stock = std::min(stock.value_or(step.operation.allowance_floor), step.operation.allowance_floor);
-  }
-  double most = 0;
-  for (const auto& stock : left) most = std::max(most, stock.value_or(0));
-  return most;
-}
-
-/// The layers of one workingstep over which something still stands. Open features cut only that; in closed
-/// ones the walls bound every pass, so the whole layer is cut.
+/// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
+/// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(const Part& part, int index, const PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const auto& feature = feature_of(part, step);
@@ -81,17 +55,18 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
   const Tool& tool = tool_of(part, step);
   const bool bare = is_bare(part, feature);
   const auto met = features_meeting(part, index, options.tol);
-  auto layers =
-      layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius, stock_above(part, index));
+  const Standing standing(part, index, options.tol);
+  auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius,
+                          standing.top() - feature.top_z);
   for (auto& layer : layers) {
     layer.reserve = reserve;
     layer.holes = part.predrilled;
     if (part.stock) layer.stock = part.stock->plan;
-    Regions standing = standing_target(part, step.feature, layer.z, options.tol);
+    Regions stands = standing.above(layer.z);
     // It stands in the outline at the top: between leaning walls there is less.
-    if (feature.wall_slope.radians() != 0) standing = intersect(standing, layer.allowed, options.tol);
-    if (standing.empty() || has_open_side(feature)) {
-      layer.target = overrun(standing, layer.allowed, options);
+    if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, options.tol);
+    if (stands.empty() || !closed_all_round(feature) || layer.z >= feature.top_z) {
+      layer.target = overrun(stands, layer.allowed, options);
     } else if (!met.empty()) {
       widen_where_met(layer, met, options.tol);
     }
@@ -113,7 +88,7 @@ constexpr double kThinStock = 0.5;
 /// finished otherwise.
 bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
                        const Layer& layer, const PlanOptions& options) {
-  if (has_open_side(feature) || !finishes(step.operation)) return false;
+  if (!closed_all_round(feature) || !finishes(step.operation)) return false;
   if (step.operation.kind == OperationKind::kFinishing && last) return false;
   return !is_thicker_than(left, 2 * kThinStock * layer.tool_radius, options.tol);
 }
@@ -129,7 +104,8 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
     const bool last = i + 1 == layers.size();
     if (finishing && step.operation.kind == OperationKind::kBottomFinishing && !last) continue;
     LayerLeft one{layers[i]};
-    const bool whole_floor = finishing && last && step.operation.kind != OperationKind::kSideFinishing;
+    const bool whole_floor =
+        finishing && last && !step.operation.rest && step.operation.kind != OperationKind::kSideFinishing;
     if (!whole_floor && (finishing || step.operation.rest || options.earlier)) {
       const Regions left = left_over(part, index, one.layer, options);
       one.walls_only =

@@ -64,16 +64,31 @@ Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptio
   Operation& operation = step.operation;
   const Feature& feature = feature_of(part, last);
   const double depth = feature.top_z - feature.floor_z - operation.allowance_floor;
-  if (depth > 0) operation.stepdown = depth / shop.finish_depths.value_or(1);
+  // Leaning walls are cut by the edges of layers: one pass at their foot would leave them.
+  const bool leans = feature.wall_slope.radians() != 0;
+  if (depth > 0 && !leans) operation.stepdown = depth / shop.finish_depths.value_or(1);
   if (!operation.lead) operation.lead = kLead * tool_of(part, last).radius();
   return step;
 }
 
-/// Over the floor, with the tool that came first; away from walls that are finished afterwards.
-Workingstep floor_step(const Workingstep& first, const ShopOptions& shop) {
-  Workingstep step = named_step(first, "_floor", OperationKind::kBottomFinishing);
+/// Over the floor with the same tool, or what wider ones leave of it; away from walls that are finished afterwards.
+Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop) {
+  Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing);
+  step.operation.rest = rest;
   if (*shop.finish == "all") step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
   return step;
+}
+
+/// The floor of a feature with its first mill, then with every narrower one.
+void add_floor_steps(const Part& part, int feature, const ShopOptions& shop,
+                     std::vector<Workingstep>& floors) {
+  std::optional<double> narrowest;
+  for (const Workingstep& step : part.workplan) {
+    const Tool& tool = tool_of(part, step);
+    if (step.feature != feature || only_plunges(tool) || (narrowest && tool.diameter >= *narrowest)) continue;
+    floors.push_back(floor_step(step, narrowest.has_value(), shop));
+    narrowest = tool.diameter;
+  }
 }
 
 void leave_stock(Operation& operation, const ShopOptions& shop) {
@@ -144,10 +159,7 @@ void add_finishing_steps(Part& part, const PlanOptions& options) {
   for (const Workingstep& last : last_milling_steps(part)) {
     const auto hole = round_hole_of(feature_of(part, last), options.tol);
     if (hole && makes_hole(tool_of(part, last), *hole, options.tol)) continue;
-    const auto first = std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
-      return step.feature == last.feature && !only_plunges(tool_of(part, step));
-    });
-    if (*shop.finish != "walls") floors.push_back(floor_step(*first, shop));
+    if (*shop.finish != "walls") add_floor_steps(part, last.feature, shop, floors);
     if (*shop.finish != "floor") walls.push_back(wall_step(last, part, shop));
   }
   for (Workingstep& step : part.workplan) {

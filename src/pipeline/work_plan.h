@@ -11,8 +11,8 @@ namespace clearcut {
 void add_rest_steps(Part& part, const PlanOptions& options);
 
 /// For every milled feature the finishing steps asked for, after all others, which leave stock for them: the floor with
-/// the feature's first mill, then the walls with its last, in options.shop.finish_depths depths and with leads of half the
-/// cutter's radius.
+/// the feature's first mill and what is left of it with its narrower ones, then the walls with its last, in
+/// options.shop.finish_depths depths (leaning ones in the layers of roughing) and with leads of half the cutter's radius.
 void add_finishing_steps(Part& part, const PlanOptions& options);
 
 }  // namespace clearcut

@@ -18,6 +18,7 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
+#include "plan/clearing_area.h"
 #include "plan/contour_passes.h"
 #include "plan/contour_search.h"
 #include "plan/step_rule.h"
@@ -53,8 +54,11 @@ bool has_open_side(const Loop& loop, const Regions& allowed) {
 /// thin rests along walls need at least 2.
 constexpr double kReachBesideWalls = 2.05;
 
-/// How far beyond the target's open sides rings may use the air, mm (see docs/contour.md, "Open sides").
-double reach_beyond(const Region& target, const Regions& allowed, double radius) {
+/// How far beyond the target's open sides rings may use the air, mm (see docs/contour.md, "Open sides"). What stands beside
+/// walls may be thinner than the round of the cutter's corners.
+double reach_beyond(const Region& target, const Layer& layer) {
+  const Regions& allowed = layer.allowed;
+  const double radius = layer.tool_radius;
   const auto islands_clear = [&](const Loop& island) {
     return std::all_of(island.begin(), island.end(), [&](const Edge& e) {
       return std::all_of(target.outer().begin(), target.outer().end(),
@@ -63,15 +67,9 @@ double reach_beyond(const Region& target, const Regions& allowed, double radius)
   };
   const bool face = !has_wall(target.outer(), allowed) &&
                     std::all_of(target.islands().begin(), target.islands().end(), islands_clear);
-  if (!face) return kReachBesideWalls * radius;
+  if (!face) return kReachBesideWalls * radius + layer.rounded;
   // The first ring runs inside the edge, just near enough to it to clear the sharpest corner.
   return radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
-}
-
-/// The target lies in `allowed`, so equal areas make them the same: a pocket closed all round.
-bool closed_all_round(const Layer& layer) {
-  const double whole = area(layer.allowed);
-  return whole - area(layer.target) <= 1e-9 * whole;
 }
 
 /// Where rings are planned: `allowed`, less what lies far beyond the target's open sides.
@@ -85,7 +83,7 @@ Regions working_domain(const Layer& layer, const Tolerances& tol) {
                                    [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
     (opens ? open : closed).push_back(target);
     // Stock is left on walls; the air needs none.
-    const double reach = reach_beyond(target, layer.allowed, layer.tool_radius) + layer.wall_stock;
+    const double reach = reach_beyond(target, layer) + layer.wall_stock;
     if (opens) beyond = std::max(beyond, reach);
   }
   if (!open.empty()) {

@@ -25,10 +25,6 @@ double step_for(const Feature& feature, const Operation& operation, double tool_
   return std::min(step, *operation.scallop / lean);
 }
 
-bool closed_all_round(const Feature& feature) {
-  return feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole;
-}
-
 Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
   Layer layer;
   layer.z = z;

@@ -70,18 +70,22 @@ class HeightField {
       cell.sure = cell.sure && wall_distance(feature.target, p) > kSlack;
       if (!contains(feature.target, p)) continue;
       cell.design = std::min(cell.design, feature.floor_z);
-      if (reaches(feature.allowed, p, tool_of(part, step).diameter / 2))
-        cell.reached = std::min(cell.reached, feature.floor_z);
+      const Tool& tool = tool_of(part, step);
+      const double flat = tool.radius() - tool.corner_radius;
+      const double stock = step.operation.allowance_side + tool.corner_radius;
+      if (reaches(feature.allowed, p, flat, stock))
+        cell.reached = std::min(cell.reached, feature.floor_z + step.operation.allowance_floor);
     }
     return cell;
   }
 
-  /// Whether a legal centre within the radius of p was found.
-  static bool reaches(const Regions& allowed, Vec2 p, double radius) {
+  /// Whether a centre that leaves `stock` on all walls was found within the radius of p.
+  static bool reaches(const Regions& allowed, Vec2 p, double radius, double stock) {
     for (const double share : {0.0, 0.5, 0.9}) {
       for (int i = 0; i < (share == 0 ? 1 : kDirections); ++i) {
         const Vec2 center = p + direction_of(2 * kPi * i / kDirections) * (share * radius);
-        if (contains(allowed, center) && wall_distance(allowed, center) > radius + kSlack) return true;
+        if (contains(allowed, center) && wall_distance(allowed, center) > radius + stock + kSlack)
+          return true;
       }
     }
     return false;

@@ -21,7 +21,7 @@ struct HeightFindings {
   std::string text() const;
 };
 
-/// Simulates flat cutters in the order of the program, in cells of `cell` mm. Closed pockets only, walls upright, the stock
+/// Simulates cutters, which cut floors with the flat of their ends alone, in the order of the program, in cells of `cell` mm. Closed pockets only, walls upright, the stock
 /// as high as the part. Cost O(path / cell * (diameter / cell)^2).
 HeightFindings simulate(const Part& part, const Toolpath& toolpath, double cell);
 
