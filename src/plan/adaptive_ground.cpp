@@ -16,6 +16,16 @@ constexpr double kLookStep = 0.2;
 constexpr double kCheckStep = 0.1;
 /// Radians. No farther than this apart on arcs.
 constexpr double kCheckTurn = 0.15;
+/// Tool radii between two looks that tell how fast the contact changes; the same near a peak as a share of the way to the
+/// look before.
+constexpr double kBeside = 1e-3;
+constexpr double kBesidePeak = 0.01;
+/// Radians. Peaks between looks may be higher than the limit by so much.
+constexpr double kPeak = 0.012;
+/// Looks for a peak, each nearer to it.
+constexpr int kMostPeaks = 5;
+/// Of the stretch in which the contact comes to exceed its limit.
+constexpr int kHalvings = 4;
 
 Move level_move(const Edge& edge) {
   return {edge, -1, -1, MoveKind::kCut, {}, 0};
@@ -30,18 +40,63 @@ double Ground::contact(Vec2 p, Vec2 heading) const {
   return material_.engagement(p, heading, tool_radius_ - kRounding, -1).angle;
 }
 
+Ground::Look Ground::look(const Edge& edge, double t, double beside) const {
+  const auto contact_at = [&](double at) {
+    return material_.engagement(edge.at(at), edge.tangent_at(at), tool_radius_ - kRounding, -1);
+  };
+  const Contact here = contact_at(t);
+  return {t, here.angle, (contact_at(t + beside).angle - here.angle) / beside,
+          here.angles.intervals().size()};
+}
+
 double Ground::length_within(const Edge& edge, double limit) const {
   const double length = edge.length();
   const double by_length = length / (tool_radius_ * kCheckStep),
                by_turn = std::abs(edge.sweep()) / kCheckTurn;
   const int steps = static_cast<int>(std::max(by_length, by_turn)) + 1;
-  double good = 0;
+  const double beside = std::min(kBeside * tool_radius_ / length, 0.1 / steps);
+  Look before = look(edge, beside, beside);
   for (int i = 1; i <= steps; ++i) {
-    const double t = static_cast<double>(i) / steps;
-    if (contact(edge.at(t), edge.tangent_at(t)) > limit) return good * length;
-    good = t;
+    const Look here = look(edge, static_cast<double>(i) / steps, -beside);
+    if (here.contact > limit) return i == 1 ? 0 : before.t * length;
+    if (const auto above = peak_above(edge, before, here, limit + kPeak, kMostPeaks))
+      return (i == 1 ? last_within(edge, *above, limit) : before.t) * length;
+    before = here;
   }
   return length;
+}
+
+/// Where the contact between two looks, which is within `limit` there, comes to exceed it.
+std::optional<Ground::Stretch> Ground::peak_above(const Edge& edge, const Look& a, const Look& b,
+                                                  double limit, int depth) const {
+  if (depth == 0) return std::nullopt;
+  const auto t = likely_peak(a, b, limit);
+  if (!t) return std::nullopt;
+  const Look peak = look(edge, *t, (a.t - *t) * kBesidePeak);
+  if (peak.contact > limit) return Stretch{a.t, *t};
+  if (const auto above = peak_above(edge, a, peak, limit, depth - 1)) return above;
+  return peak_above(edge, peak, b, limit, depth - 1);
+}
+
+double Ground::last_within(const Edge& edge, Stretch rise, double limit) const {
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (rise.from + rise.to) / 2;
+    (contact(edge.at(middle), edge.tangent_at(middle)) > limit ? rise.to : rise.from) = middle;
+  }
+  return rise.from;
+}
+
+/// Where the contact may be above `limit` between two looks.
+std::optional<double> Ground::likely_peak(const Look& a, const Look& b, double limit) {
+  const double span = b.t - a.t, fall = a.slope - b.slope;
+  // Contact that begins, ends, or parts: it may have jumped.
+  if (a.parts != b.parts) return a.t + span / 2;
+  if (fall <= 0) return std::nullopt;
+  // Else it is about as high as it gets where the tangents meet.
+  const double from_a = (b.contact - a.contact - b.slope * span) / fall;
+  if (from_a < 0 || from_a > span) return a.t + span / 2;
+  if (a.contact + a.slope * from_a <= limit) return std::nullopt;
+  return a.t + std::clamp(from_a, span / 8, 7 * span / 8);
 }
 
 bool Ground::touches(Vec2 p, double film) const {

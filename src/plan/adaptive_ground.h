@@ -42,6 +42,25 @@ class Ground {
   bool keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny);
 
  private:
+  /// The contact at parameter t of an edge.
+  struct Look {
+    double t = 0;
+    double contact = 0;
+    double slope = 0;       ///< radians for the whole edge
+    std::size_t parts = 0;  ///< of the circle that touch material
+  };
+  /// The slope is that towards t + `beside`.
+  Look look(const Edge& edge, double t, double beside) const;
+  /// Parameters of an edge.
+  struct Stretch {
+    double from = 0;
+    double to = 0;
+  };
+  std::optional<Stretch> peak_above(const Edge& edge, const Look& a, const Look& b, double limit,
+                                    int depth) const;
+  double last_within(const Edge& edge, Stretch rise, double limit) const;
+  static std::optional<double> likely_peak(const Look& a, const Look& b, double limit);
+
   LegalArea legal_;
   double tool_radius_;
   Material material_;

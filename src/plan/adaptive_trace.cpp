@@ -157,10 +157,14 @@ bool Tracer::can_leave(double s, double radius) const {
   }
   for (double turn = 0; turn < kLeaveTurn; turn += kLeaveStep) {
     const Vec2 p = center + rotated(from - center, turn);
-    if (turn > off && !area_.contains(p)) return turn > 4 * kLeaveStep;
+    if (turn > off && !area_.contains(p)) {
+      if (turn <= 4 * kLeaveStep) return false;
+      break;
+    }
     if (ground_.contact(p, rotated(heading, turn)) > limit_) return false;
   }
-  return true;
+  const Edge first = Edge::arc(from, center + rotated(from - center, off), center, Turn::kCounterClockwise);
+  return ground_.length_within(first, limit_ + kAbove) >= first.length();
 }
 
 /// Angle of an arc off a wall up to where it is well inside the area for cuts.
@@ -307,7 +311,11 @@ std::optional<Tracer::Shot> Tracer::shoot() const {
     if (length < kShortestArc * radius_) break;
   }
   if (best) return best;
-  // Where the contact cannot be kept up, or jumps: short arcs, looked at closely.
+  return shoot_closely(guess);
+}
+
+/// Where the contact cannot be kept up, or jumps: short arcs, looked at closely.
+std::optional<Tracer::Shot> Tracer::shoot_closely(double guess) const {
   for (const double share : {8, 2}) {
     if (const auto shot = aim(share * kShortestArc * radius_, guess, kCloseLooks)) return shot;
   }
@@ -341,7 +349,11 @@ Tracer::Next Tracer::trace() {
     if (!shot) return Next::kDone;
     const double inside = length_inside(*shot);
     if (inside < shot->length) return meet_wall(*shot, inside);
-    const double gone = go(*shot);
+    double gone = go(*shot);
+    if (gone < kShortestArc * radius_ && gone < shot->length) {
+      const auto closely = shoot_closely(shot->curvature);
+      if (closely && length_inside(*closely) == closely->length) gone += go(*closely);
+    }
     if (gone < kShortestArc * radius_ && gone < shot->length) return Next::kDone;
     if (contact_ > kTouch) {
       engaged_ += gone;

@@ -61,6 +61,7 @@ class Tracer {
   Edge edge_of(const Shot& shot) const;
   double contact_after(const Shot& shot, double length) const;
   std::optional<Shot> shoot() const;
+  std::optional<Shot> shoot_closely(double guess) const;
   std::optional<Shot> aim(double length, double guess, int looks) const;
   bool is_steady(const Shot& shot) const;
   double length_inside(const Shot& shot) const;
