@@ -38,6 +38,8 @@ constexpr double kLeastBite = 1e-3;
 constexpr int kMostBites = 300;
 /// Times that all walls are gone over with bites.
 constexpr int kMostRounds = 30;
+/// Misses in a row after which one more mark is given up each time.
+constexpr int kPatience = 16;
 /// Tool radii of wall on both sides of its end that are run along where something still stands there.
 constexpr double kBeyondEnd = 0.2;
 
@@ -71,12 +73,16 @@ void AdaptiveFinish::follow_walls() {
   for (const WallPlace& place : cuts_.walls.anywhere()) {
     if (!cuts_.cut_from(place) && bite_from_aside(place)) cuts_.walls.update(ground_, legal_.box());
   }
+  int misses = 0;
   for (auto starts = cuts_.walls.starts(); !starts.empty(); starts = cuts_.walls.starts()) {
     const WallPlace start = cuts_.nearest(starts);
     const bool after_corner = cuts_.walls.from_stop(start) < kCornerReach * radius_;
     cuts_.tracer.set_reach(after_corner ? kCornerReach * radius_ : kEndless);
-    if (!cuts_.cut_from(start)) {
-      cuts_.walls.give_up(start);
+    const bool cut = cuts_.cut_from(start);
+    misses = cut ? 0 : misses + 1;
+    if (!cut) {
+      // Where no way leads to one place it seldom leads to the next.
+      cuts_.walls.give_up(start, 1 + misses / kPatience);
     } else if (after_corner) {
       finish_corner(nearest_corner(), false);
     }

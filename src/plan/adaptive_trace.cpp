@@ -36,7 +36,7 @@ constexpr double kShortest = 1e-4;
 /// Cosine between the direction of travel and a wall met, above which the cut goes on along the wall.
 constexpr double kSlide = 0.5;
 constexpr int kMostArcs = 20000;
-constexpr int kCloseLooks = 5;
+constexpr int kCloseLooks = 8;
 /// Length along a wall met over the distance from it.
 constexpr double kMeetSlope = 8;
 /// Changes between wall and open without cutting, after which a cut ends.
@@ -260,8 +260,9 @@ std::optional<Tracer::Shot> Tracer::aim(double length, double guess, int looks) 
   std::optional<Shot> best;
   for (int i = 0; i < 8; ++i) {
     double excess = contact_after(shot, length) - limit_;
+    // Closer to each other where the arc begins.
     for (int k = 1; k < looks; ++k)
-      excess = std::max(excess, contact_after(shot, length * k / looks) - limit_);
+      excess = std::max(excess, contact_after(shot, length * k * k / (looks * looks)) - limit_);
     if (excess <= kAimed) best = shot;
     if (std::abs(excess) <= kAimed) break;
     if (shot.curvature == (excess > 0 ? leftmost : rightmost)) break;

@@ -128,7 +128,9 @@ std::optional<WallCuts::Approach> WallCuts::approach_through_films(const WallPla
 
 /// Whether the contact keeps the limit on a move.
 bool WallCuts::is_within(const Edge& edge) const {
-  return ground_.length_within(edge, limit_) >= edge.length();
+  // Most moves that exceed it do at their end.
+  return ground_.contact(edge.to, edge.tangent_at(1)) <= limit_ &&
+         ground_.length_within(edge, limit_) >= edge.length();
 }
 
 }  // namespace clearcut

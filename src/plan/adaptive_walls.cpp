@@ -179,10 +179,14 @@ bool Walls::advances(const WallPlace& start, double s, double least) {
   return farther;
 }
 
-void Walls::give_up(const WallPlace& place) {
+void Walls::give_up(const WallPlace& place, int count) {
   Marks& marks = marks_[place.wall];
   const std::size_t i = mark_at(place);
-  marks.touching[(i + 1) % marks.points.size()] = 2;
+  for (int k = 1; k <= count; ++k) {
+    char& touching = marks.touching[(i + static_cast<std::size_t>(k)) % marks.points.size()];
+    if (touching == 0) return;
+    touching = 2;
+  }
 }
 
 void Walls::leave_out_around(const std::vector<WallPlace>& places, double reach) {

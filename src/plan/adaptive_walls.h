@@ -82,8 +82,8 @@ class Walls {
   /// Notes that a cut left the wall at s and its start as it was; whether that is more than `least` mm farther than those
   /// before from there.
   bool advances(const WallPlace& start, double s, double least);
-  /// Gives the stretch after a start up: nothing more can be cut from there.
-  void give_up(const WallPlace& place);
+  /// Gives up to `count` marks after a start up: nothing more can be cut from there.
+  void give_up(const WallPlace& place, int count = 1);
   /// Leaves what is within `reach` mm along the wall of one of `places` to a later stage, where no other of them is nearer
   /// than twice that.
   void leave_out_around(const std::vector<WallPlace>& places, double reach);
