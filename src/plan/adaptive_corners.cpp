@@ -27,10 +27,17 @@ constexpr double kAbove = 0.02;
 /// mm. Shorter cuts are not looked at again.
 constexpr double kTiny = 0.05;
 constexpr int kMostPasses = 40;
+/// The same where the walls are nearer to each other than this times the widest cut: a wider place is cut faster by what takes
+/// as much as the limit lets it, whatever the hull.
+constexpr int kMostNarrowPasses = 120;
+constexpr double kNarrow = 2;
 constexpr int kHalvings = 30;
 constexpr int kArcLooks = 8;
 /// Radians of turn above the limit from which on arcs back cut, too.
 constexpr double kWideTurn = 0.45;
+/// Share of what a spiral would gain from which on an arc does; radians of its arcs.
+constexpr double kArcShare = 0.6;
+constexpr double kSpiralTurn = 0.5;
 /// A pass that comes no nearer than by this factor is none.
 constexpr double kLeastGain = 0.98;
 
@@ -50,24 +57,27 @@ double least(double most, const Holds& holds) {
 /// Distances from the corner along its first wall, side 0, and its second, side 1.
 class CornerCuts {
  public:
-  /// `margin` radians are kept off the limit farther than `far` from the corner, less nearer to it.
-  CornerCuts(const Wall& wall, const Corner& corner, const LegalArea& legal, double limit, double margin,
-             double far)
+  /// `margin` radians are kept off the limit farther than kFar from the corner, less nearer to it.
+  CornerCuts(const Wall& wall, const Corner& corner, const Ground& ground, double limit, double margin)
       : wall_(wall),
-        legal_(legal),
+        legal_(ground.legal()),
+        radius_(ground.tool_radius()),
         s_(corner.place.s),
         turn_(corner.turn),
         whole_(limit - kMargin),
         limit_(whole_),
         margin_(margin),
-        far_(far) {}
+        far_(kFar * radius_) {}
 
   /// The first wall is cut up to a before the corner, the second from b after it.
   Path cuts(double a, double b, double film) {
     cut_[0] = first_[0] = a;
     cut_[1] = first_[1] = b;
     const bool to_and_fro = turn_ - whole_ > kWideTurn;
-    for (int i = 0, side = 0; i < kMostPasses && left() > film; ++i, side = to_and_fro ? 1 - side : 0) {
+    const double widest = radius_ * (1 - std::cos(whole_));
+    const bool narrow = distance(at(0, a), at(1, b)) < kNarrow * widest;
+    const int most = narrow ? kMostNarrowPasses : kMostPasses;
+    for (int i = 0, side = 0; i < most && left() > film; ++i, side = to_and_fro ? 1 - side : 0) {
       limit_ = whole_ - margin_ * std::min(1.0, std::max(cut_[0], cut_[1]) / far_);
       if (!to_and_fro || i == 0) go_along_first();
       if (!go_across(side)) break;
@@ -101,17 +111,54 @@ class CornerCuts {
     cut_[0] = x;
   }
 
-  /// On an arc to the other wall, nearer than before.
+  /// To the other wall, nearer than before: on an arc, or where that gains much less, on a spiral.
   bool go_across(int side) {
     const int other = 1 - side;
-    const double x = cut_[side];
-    const Vec2 heading = turned(side, into(side, x), std::max(0.0, seen(side, x) - limit_));
-    const double next =
-        least(cut_[other], [&](double to) { return is_within(side, at(side, x), heading, to); });
-    if (next >= cut_[other] * kLeastGain) return false;
-    path_.push_back(tangent_arc(path_.empty() ? at(side, x) : path_.back().to, heading, at(other, next)));
+    const Vec2 from = at(side, cut_[side]);
+    const double excess = seen(side, cut_[side]) - limit_;
+    const Vec2 heading = turned(side, into(side, cut_[side]), std::max(0.0, excess));
+    const double most = cut_[other];
+    const double by_arc = least(most, [&](double to) { return is_within(side, from, heading, to); });
+    const double by_spiral = excess > 0 ? spiral_end(side) : most;
+    const double next = most - by_arc < kArcShare * (most - by_spiral) ? by_spiral : by_arc;
+    if (next >= most * kLeastGain) return false;
+    if (next == by_arc) {
+      path_.push_back(tangent_arc(here(side), heading, at(other, next)));
+    } else {
+      go_round(side, next);
+    }
     cut_[other] = next;
     return true;
+  }
+
+  Vec2 here(int side) const { return path_.empty() ? at(side, cut_[side]) : path_.back().to; }
+
+  /// The spiral about the last centre on the other wall, with the heading `limit` off the direction to it: from the pole, the
+  /// rays to the cutter shrink by exp(-turn / tan(limit)).
+  double spiral_radius(double start, double turn) const { return start * std::exp(-turn / std::tan(limit_)); }
+
+  /// Where it meets the other wall.
+  double spiral_end(int side) const {
+    const int other = 1 - side;
+    const Vec2 pole = at(other, cut_[other]), ray = at(side, cut_[side]) - pole;
+    return least(cut_[other], [&](double to) {
+      const Vec2 end = at(other, to) - pole;
+      return norm(end) <= spiral_radius(norm(ray), angle(side, ray, end));
+    });
+  }
+
+  /// Along it, up to `next` on the other wall.
+  void go_round(int side, double next) {
+    const int other = 1 - side;
+    const Vec2 pole = at(other, cut_[other]), ray = at(side, cut_[side]) - pole, end = at(other, next);
+    const double whole = angle(side, ray, end - pole);
+    const int arcs = static_cast<int>(whole / kSpiralTurn) + 1;
+    for (int i = 1; i <= arcs; ++i) {
+      const Vec2 from = here(side), way = pole - from;
+      const double turn = whole * i / arcs;
+      const Vec2 to = i == arcs ? end : pole + turned(side, unit(ray), turn) * spiral_radius(norm(ray), turn);
+      path_.push_back(tangent_arc(from, turned(side, unit(way), -limit_), to));
+    }
   }
 
   /// Whether the arc to the other wall keeps the limit at its end.
@@ -155,7 +202,7 @@ class CornerCuts {
 
   const Wall& wall_;
   const LegalArea& legal_;
-  double s_, turn_, whole_, limit_, margin_, far_;
+  double radius_, s_, turn_, whole_, limit_, margin_, far_;
   double cut_[2] = {}, first_[2] = {};
   Path path_;
 };
@@ -206,8 +253,7 @@ Path corner_cuts(const Walls& walls, const Corner& corner, Ground& ground, doubl
              b = first_visited(wall, corner.place.s, 1, ground);
   if (!a || !b) return {};
   for (const double margin : kMargins) {
-    Path found = CornerCuts(wall, corner, ground.legal(), limit, margin, kFar * ground.tool_radius())
-                     .cuts(*a, *b, film);
+    Path found = CornerCuts(wall, corner, ground, limit, margin).cuts(*a, *b, film);
     // Walls that curve much so near to the corner are not what the cuts were found for.
     const bool legal = std::all_of(found.begin(), found.end(),
                                    [&](const Edge& edge) { return is_legal(edge, ground.legal()); });
