@@ -19,16 +19,16 @@ namespace clearcut::order {
 struct GeneticOptions {
   int population = 25;                 ///< 4.3.2
   double most_shared = 0.2;            ///< share of edges above which two individuals are too similar, 4.3.2
-  int breadth = 1;                     ///< nearest points that the first of the first paths draws from, 6.2.1
+  int breadth = 1;                     ///< nearest points that a first path draws from, 6.2.1
   std::string selection = "roulette";  ///< 4.3.3 i
   std::string crossover = "pmx";       ///< 4.3.3 ii
   std::string mutation = "nearest";    ///< 4.3.3 iii
-  std::string replacement = "distinct";
-  double crossover_rate = 0.05;  ///< chance of a new individual to have two parents instead of one
-  double mutation_rate = 1;      ///< chance of a new individual to be mutated
-  double again_rate = 0.5;       ///< chance of a mutated individual to be mutated once more, and so on
-  int children = 25;             ///< new individuals in a generation
-  int neighbours = 24;           ///< 4.3.2; 0: all points, as for the text's reference instances, 5.3.2
+  std::string replacement = "parent";
+  double crossover_rate = 0.1;  ///< chance of a new individual to have two parents instead of one
+  double mutation_rate = 1;     ///< chance of a new individual to be mutated
+  double again_rate = 0.3;      ///< chance of a mutated individual to be mutated once more, and so on
+  int children = 25;            ///< new individuals in a generation
+  int neighbours = 24;          ///< 4.3.2; 0: all points, as for the text's reference instances, 5.3.2
   /// Generations without gain that end the run. The text has 1000 (4.3.3) and runs of 5 to 10 million (5.3.2,
   /// 6.2.1), of which only the latter reach its figures.
   long long patience = 40000;

@@ -318,18 +318,39 @@ TEST(Selection, RouletteTakesValuesOfZeroAndBelow) {
   EXPECT_GT(best, 1500);
 }
 
-TEST(FirstPopulation, SharesFewEdges) {
+/// Mean share of edges over all pairs.
+double mean_shared(const std::vector<Genome>& population, bool closed) {
+  double sum = 0;
+  int pairs = 0;
+  for (std::size_t i = 0; i < population.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j, ++pairs) sum += shared_edges(population[i], population[j], closed);
+  }
+  return sum / pairs;
+}
+
+TEST(FirstPopulation, SharesFewEdgesWherePathsCan) {
   const Problem problem = open_lattice(12, 12);
   const Moves moves(problem);
   const Ground ground(moves, 24);
   Random random(1);
-  const auto population = first_population(ground, 25, 0.2, 2, random);
+  const auto population = first_population(ground, 25, 0.2, 16, random);
   ASSERT_EQ(population.size(), 25u);
   for (std::size_t i = 0; i < population.size(); ++i) {
     EXPECT_TRUE(is_valid(problem, population[i].genes()));
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_LE(shared_edges(population[i], population[j], problem.closed()), 0.2);
   }
+}
+
+TEST(FirstPopulation, OfPlainPathsTakesTheLeastSimilar) {
+  const Problem problem = open_lattice(12, 12);
+  const Moves moves(problem);
+  const Ground ground(moves, 24);
+  Random random(1), same(1);
+  const auto compared = first_population(ground, 25, 0.2, 1, random);
+  const auto uncompared = first_population(ground, 25, 1, 1, same);
+  ASSERT_EQ(compared.size(), 25u);
+  EXPECT_LT(mean_shared(compared, problem.closed()), mean_shared(uncompared, problem.closed()));
 }
 
 TEST(FirstPopulation, KeepsEndsAndPrecedenceAndTakesTinyProblems) {

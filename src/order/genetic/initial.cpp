@@ -98,23 +98,18 @@ Tour nearest_path(const Ground& ground, int breadth, Random& random) {
 
 std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, int breadth,
                                      Random& random) {
-  constexpr int kWidest = 24;
-  constexpr int kMoreTries = 10;
+  constexpr int kTries = 10;
   std::vector<Genome> population;
   for (int i = 0; i < count; ++i) {
     Genome best;
     double least = std::numeric_limits<double>::infinity();
-    for (int tries_left = kMoreTries; least > most_shared && tries_left > 0;) {
+    for (int tried = 0; tried < kTries && least > most_shared; ++tried) {
       Genome genome(nearest_path(ground, breadth, random));
-      // At the widest breadth the true share counts, so that the least similar can be told.
-      const double enough = breadth < kWidest ? most_shared : 1;
-      const double shared = most_similar(population, genome, ground.closed(), enough);
-      if (shared < least || breadth < kWidest) {
-        least = shared;
-        best = std::move(genome);
-      }
-      if (least <= most_shared) break;
-      breadth < kWidest ? ++breadth : --tries_left;
+      // Up to the least so far the true share counts, so that the least similar can be told.
+      const double shared = most_similar(population, genome, ground.closed(), std::min(least, 1.0));
+      if (shared >= least) continue;
+      least = shared;
+      best = std::move(genome);
     }
     population.push_back(std::move(best));
   }

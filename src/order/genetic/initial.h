@@ -1,4 +1,4 @@
-// The first population: randomised nearest-neighbour paths that share few edges (Tour 4.3.2, fig. 4-13).
+// The first population: nearest-neighbour paths from random points that share few edges (Tour 4.3.2, fig. 4-13).
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@ namespace clearcut::order {
 
 /// From a random point (or the fixed start) on, the next point is drawn among the `breadth` nearest unused
 /// neighbours; where all neighbours are used, it is the nearest unused point. Keeps ends and precedence.
-/// `breadth` 1 is the plain nearest-neighbour path. O(n) and O(n) more at each dead end.
+/// `breadth` 1 is the plain nearest-neighbour path of 3.6.1; equally near points come by their index. O(n) and
+/// O(n) more at each dead end.
 Tour nearest_path(const Ground& ground, int breadth, Random& random);
 
 /// `count` valid individuals. One that shares more than `most_shared` of its edges with an earlier one is
-/// replaced by a new one, drawn with a breadth larger by one, beginning at `breadth`; when the breadth can grow no
-/// more, ten more are tried and the least similar is taken. (The text's page that said how paths were
-/// randomised is lost.)
+/// replaced by a new one from another point; good paths always share more on lattices, so after ten the least
+/// similar is taken.
 std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, int breadth,
                                      Random& random);
 
