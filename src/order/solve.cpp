@@ -316,27 +316,56 @@ void add_local_starts(const Objective& objective, Evaluator& value_of, const Mov
                valued.end());
 }
 
-/// Islands, compared after each round.
+/// Few turns are found by way of short tours: by turns or angles alone nearly every exchange is as good as none.
+/// Here a turn counts as much as a short run of steps. Absent where length counts anyway.
+ObjectivePtr guide(const Objective& objective, const Moves& moves, double length) {
+  constexpr double kStepsOfTurn = 7, kDegreesOfTurn = 90;
+  const Objective::Linear linear = objective.linear();
+  const double turn = linear.turns + kDegreesOfTurn * linear.angle;
+  if (linear.length > 0 || turn <= 0 || length <= 0 || objective.path_dependent()) return nullptr;
+  const double step = length / moves.problem().size();
+  const auto borrowed = ObjectivePtr(std::shared_ptr<void>(), &objective);
+  return weighted_sum({{1.0, borrowed}, {turn / (kStepsOfTurn * step), length_objective()}});
+}
+
+/// Islands, compared after each round; the rounds made. A round ends early at a value of `enough` of the islands'
+/// own objective, the search when what is kept is proven.
+long long run_islands(Islands& islands, Evaluator& value_of, Keeper& keeper, double enough, double proven,
+                      long long most_rounds, const StopWatch& watch) {
+  constexpr int kPatience = 25;
+  long long rounds = 0;
+  for (int idle = 0; rounds < most_rounds && idle < kPatience && !watch.over() && keeper.value() > proven;
+       ++rounds) {
+    const double before = keeper.value(), least = islands.least();
+    islands.run_round(enough, watch);
+    for (const Tour& tour : islands.tours()) keeper.offer(tour, value_of(tour));
+    idle = keeper.value() < before || islands.least() < least ? 0 : idle + 1;
+  }
+  return rounds;
+}
+
 void solve_general(const Problem& problem, const Objective& objective, Evaluator& value_of,
                    const Moves& moves, const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
                    std::vector<std::pair<double, Tour>> seeds, Keeper& keeper, Solution& solution) {
-  constexpr int kPatience = 25;
   const Neighbours neighbours = nearest_neighbours(problem.points, std::min(problem.neighbour_count, 12));
   add_starts(problem, value_of, moves, options, watch, bounds, seeds);
   for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
   add_local_starts(objective, value_of, moves, neighbours, options, watch, bounds, seeds);
   for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
-  const double enough = enough_value(bounds.below(keeper.value()), options.stop);
+  const double proven = enough_value(bounds.below(keeper.value()), options.stop);
+  if (const ObjectivePtr guiding = guide(objective, moves, figures(moves, keeper.tour()).length)) {
+    constexpr double kNever = -std::numeric_limits<double>::infinity();
+    Islands islands(moves, *guiding, neighbours, seeds, options);
+    const StopWatch share(remaining(options.stop, watch, 0.5));
+    solution.rounds =
+        run_islands(islands, value_of, keeper, kNever, proven, (options.stop.rounds + 1) / 2, share);
+    for (Tour& tour : islands.tours()) seeds.push_back({value_of(tour), std::move(tour)});
+    sort_best_first(seeds);
+  }
   const ObjectivePtr sharpened = with_tie_break(objective, figures(moves, keeper.tour()));
   Islands islands(moves, *sharpened, neighbours, seeds, options);
-  for (int idle = 0;
-       solution.rounds < options.stop.rounds && idle < kPatience && !watch.over() && keeper.value() > enough;
-       ++solution.rounds) {
-    const double before = keeper.value();
-    islands.run_round(enough, watch);
-    for (const Tour& tour : islands.tours()) keeper.offer(tour, value_of(tour));
-    idle = keeper.value() < before ? 0 : idle + 1;
-  }
+  solution.rounds +=
+      run_islands(islands, value_of, keeper, proven, proven, options.stop.rounds - solution.rounds, watch);
   solution.method = "exchanges, " + std::to_string(kIslands) + " islands";
 }
 
