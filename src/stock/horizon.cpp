@@ -29,7 +29,11 @@ double sine_of(double cosine) {
 }  // namespace
 
 Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
-    : center_(center), radius_(radius), ahead_(ahead / std::sqrt(norm_squared(ahead))), looked_{-9, 9} {
+    : center_(center),
+      radius_(radius),
+      inverse_(1 / radius),
+      ahead_(ahead / std::sqrt(norm_squared(ahead))),
+      looked_{-9, 9} {
   items_[0] = part == Part::kFront ? Span{-1, 1} : Span{-2, 2};
   look();
 }
@@ -38,7 +42,7 @@ void Horizon::remove_disc(Vec2 at, double disc) {
   if (!may_meet(at, disc)) return;
   const Vec2 v = at - center_;
   const double squared = norm_squared(v), most = radius_ + disc;
-  if (squared >= most * most) return;
+  if (squared >= most * most || !may_cover(v, disc)) return;
   const double d = std::sqrt(squared);
   if (d + disc <= radius_) return;
   if (d + radius_ <= disc) return clear();
@@ -61,7 +65,7 @@ void Horizon::remove_line(const SweptLine& line) {
   const Vec2 rest = rest_center_ - line.from;
   const double forward = dot(rest, line.along), aside = cross(line.along, rest);
   if (forward <= -rest_radius_ || forward >= line.length + rest_radius_ ||
-      std::abs(aside) >= line.radius + rest_radius_)
+      std::abs(aside) >= line.radius + rest_radius_ || !may_cover(line))
     return;
   const Vec2 w = center_ - line.from, left = left_of(line.along);
   const double along = dot(w, line.along), beside = cross(line.along, w);
@@ -76,7 +80,7 @@ void Horizon::remove_line(const SweptLine& line) {
 void Horizon::remove_arc(const SweptArc& arc) {
   const Vec2 rest = rest_center_ - arc.center;
   const double before = dot(arc.before, rest), after = dot(arc.after, rest);
-  if (before >= rest_radius_ || after >= rest_radius_) return;
+  if (before >= rest_radius_ || after >= rest_radius_ || !may_cover(arc)) return;
   const double outer = arc.ring + arc.radius, inner = arc.ring - arc.radius;
   const double away_from_rest = std::sqrt(norm_squared(rest));
   if (away_from_rest - rest_radius_ >= outer || away_from_rest + rest_radius_ <= inner) return;
@@ -176,6 +180,7 @@ void Horizon::keep(Spans& spans) {
 
 void Horizon::look() {
   if (count_ == 0) return;
+  look_at_ends();
   const Span hull{items_[0].from, items_[count_ - 1].to};
   if (hull.from == looked_.from && hull.to == looked_.to) return;
   looked_ = hull;
@@ -189,6 +194,53 @@ void Horizon::look() {
   rest_center_ =
       center_ + Vec2{dot({ahead_.x, -ahead_.y}, middle), dot({ahead_.y, ahead_.x}, middle)} * radius_;
   rest_radius_ = radius_ * std::sqrt(norm_squared(to - from)) / 2 * (1 + 1e-12) + 1e-12;
+}
+
+void Horizon::look_at_ends() {
+  known_ends_ = 0;
+  if (count_ > kFewSpans || items_[count_ - 1].to - items_[0].from >= 4) return;
+  const auto unit_way = [this](double pseudo) {
+    const Vec2 way = way_of(pseudo);
+    return Vec2{dot({ahead_.x, -ahead_.y}, way), dot({ahead_.y, ahead_.x}, way)} /
+           std::sqrt(norm_squared(way));
+  };
+  for (int i = 0; i < count_; ++i)
+    ends_[i] = {unit_way(items_[i].from), unit_way(items_[i].to), items_[i].to - items_[i].from >= 2};
+  known_ends_ = count_;
+}
+
+/// v: from the centre to the disc's.
+bool Horizon::may_cover(Vec2 v, double disc) const {
+  if (known_ends_ == 0) return true;
+  const double most = disc * disc;
+  return std::any_of(ends_, ends_ + known_ends_, [&](const Ends& span) {
+    return norm_squared(span.from * radius_ - v) <= most || norm_squared(span.to * radius_ - v) <= most ||
+           span.holds(v);
+  });
+}
+
+bool Horizon::may_cover(const SweptLine& line) const {
+  if (known_ends_ == 0) return true;
+  const Vec2 w = (center_ - line.from) * inverse_, left = left_of(line.along);
+  const double along = dot(w, line.along), beside = cross(line.along, w), wide = line.radius * inverse_,
+               length = line.length * inverse_;
+  return !std::all_of(ends_, ends_ + known_ends_, [&](const Ends& span) {
+    return span.is_beyond(left, wide - beside) || span.is_beyond(-left, wide + beside) ||
+           span.is_beyond(-line.along, along) || span.is_beyond(line.along, length - along);
+  });
+}
+
+bool Horizon::may_cover(const SweptArc& arc) const {
+  if (known_ends_ == 0) return true;
+  const Vec2 w = center_ - arc.center;
+  const double outer = arc.ring + arc.radius, inner = std::max(0.0, arc.ring - arc.radius);
+  const double before = -dot(arc.before, w) * inverse_, after = -dot(arc.after, w) * inverse_;
+  return !std::all_of(ends_, ends_ + known_ends_, [&](const Ends& span) {
+    const double from = norm_squared(w + span.from * radius_), to = norm_squared(w + span.to * radius_);
+    return (std::min(from, to) >= outer * outer && !span.holds(-w)) ||
+           (std::max(from, to) <= inner * inner && !span.holds(w)) || span.is_beyond(arc.before, before) ||
+           span.is_beyond(arc.after, after);
+  });
 }
 
 AngleSet Horizon::angles() const {

@@ -69,13 +69,36 @@ class Horizon {
   void keep(Spans& spans);
   void append(Span span);
   void look();
+  void look_at_ends();
+  // Whether a shape may cover any of what is left: no more than a bound of it, but without a root or a division.
+  bool may_cover(const SweptLine& line) const;
+  bool may_cover(const SweptArc& arc) const;
+  bool may_cover(Vec2 v, double disc) const;
 
   static constexpr int kCapacity = AngleSet::kCapacity;
   const Vec2 center_;
   const double radius_;
+  const double inverse_;  ///< of the radius
   const Vec2 ahead_;
   int count_ = 1;
   Span items_[kCapacity];
+  /// Where a span begins and ends, directions of length 1.
+  struct Ends {
+    Vec2 from, to;
+    bool wide = false;  ///< a half turn or more
+    /// Whether the direction v, of any length, may be between.
+    bool holds(Vec2 v) const {
+      return wide ? !(cross(to, v) > 0 && cross(v, from) > 0) : cross(from, v) >= 0 && cross(v, to) >= 0;
+    }
+    /// Whether dot(normal, u) >= q for all directions u between.
+    bool is_beyond(Vec2 normal, double q) const {
+      return dot(normal, from) >= q && dot(normal, to) >= q && !holds(-normal);
+    }
+  };
+  /// More spans than this are not looked at one by one.
+  static constexpr int kFewSpans = 4;
+  Ends ends_[kFewSpans];
+  int known_ends_ = 0;  ///< of all spans, or 0
   // Everything left lies within rest_radius_ of rest_center_.
   Span looked_;
   Vec2 rest_center_;
