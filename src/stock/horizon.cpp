@@ -137,7 +137,8 @@ void Horizon::append(Span span) {
 }
 
 void Horizon::remove_span(double from, double to) {
-  if (count_ == 0 || to <= items_[0].from || from >= items_[count_ - 1].to) return;
+  const Span* met = std::find_if(items_, items_ + count_, [&](const Span& item) { return item.to > from; });
+  if (met == items_ + count_ || met->from >= to) return;
   Span old[kCapacity];
   const int old_count = count_;
   std::copy(items_, items_ + count_, old);

@@ -96,7 +96,7 @@ class Horizon {
     }
   };
   /// More spans than this are not looked at one by one.
-  static constexpr int kFewSpans = 4;
+  static constexpr int kFewSpans = 8;
   Ends ends_[kFewSpans];
   int known_ends_ = 0;  ///< of all spans, or 0
   // Everything left lies within rest_radius_ of rest_center_.
