@@ -199,7 +199,7 @@ void Horizon::look() {
 
 void Horizon::look_at_ends() {
   known_ends_ = 0;
-  if (count_ > kFewSpans || items_[count_ - 1].to - items_[0].from >= 4) return;
+  if (count_ > kFewSpans || items_[0].to - items_[0].from >= 4) return;
   const auto unit_way = [this](double pseudo) {
     const Vec2 way = way_of(pseudo);
     return Vec2{dot({ahead_.x, -ahead_.y}, way), dot({ahead_.y, ahead_.x}, way)} /
