@@ -13,6 +13,7 @@
 #include "order/lattice.h"
 #include "order/lattice_bounds.h"
 #include "order/length_search.h"
+#include "order/line_cover.h"
 #include "order/one_tree.h"
 #include "order/run_cover.h"
 
@@ -36,7 +37,8 @@ struct TurnBounds {
   std::string basis;
 };
 
-TurnBounds turn_bounds(const std::optional<Lattice>& lattice, bool closed, bool unit_steps) {
+TurnBounds turn_bounds(const std::optional<Lattice>& lattice, const Problem& problem, bool unit_steps) {
+  const bool closed = problem.closed();
   if (!lattice) return {closed ? 2 : 0, closed ? 360.0 : 0.0, "none for turns"};
   if (unit_steps) {
     const int strips = lattice_turns_bound(*lattice, closed);
@@ -45,7 +47,11 @@ TurnBounds turn_bounds(const std::optional<Lattice>& lattice, bool closed, bool 
     return {turns, std::max(90.0 * turns, closed ? 360.0 : 0.0),
             runs > strips ? "run cover, unit steps" : "strip cover, unit steps"};
   }
-  return {lattice_turns_bound_any_moves(*lattice, closed), closed ? 360.0 : 0.0, "runs"};
+  const Moves moves(problem);
+  const int lines = line_cover_bound(*lattice, closed, [&](int a, int b) { return moves.is_straight(a, b); });
+  // Runs share the points where they meet, if no way bends elsewhere.
+  const int runs = moves.has_detours() ? 0 : lattice_turns_bound_any_moves(*lattice, closed);
+  return {std::max(lines, runs), closed ? 360.0 : 0.0, "line cover"};
 }
 
 Bound combine(const Objective::Linear& linear, const Part& length, const TurnBounds& turns) {
@@ -89,7 +95,7 @@ class Bounds {
     static const TurnBounds kNotAsked;
     if (linear_.turns == 0 && linear_.angle == 0) return kNotAsked;
     auto& known = turns_[unit_steps ? 1 : 0];
-    if (!known) known = turn_bounds(lattice_, problem_.closed(), unit_steps);
+    if (!known) known = turn_bounds(lattice_, problem_, unit_steps);
     return *known;
   }
   const Problem& problem_;

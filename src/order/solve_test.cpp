@@ -10,6 +10,7 @@
 #include "order/exact.h"
 #include "order/lattice.h"
 #include "order/lattice_bounds.h"
+#include "order/line_cover.h"
 #include "order/run_cover.h"
 #include "order/test_support.h"
 
@@ -294,6 +295,85 @@ TEST(RunCover, KnowsThatRegionsAreCutInTheirOwnDirections) {
   ASSERT_TRUE(lattice);
   EXPECT_GE(run_cover_bound(*lattice, false), 12);
   EXPECT_GE(run_cover_bound(*lattice, true), 14);
+}
+
+/// A lattice of at most nine points.
+Problem small_lattice(Random& random) {
+  Problem problem =
+      lattice_problem(2 + static_cast<int>(random.below(4)), 2 + static_cast<int>(random.below(3)));
+  while (problem.size() > 9)
+    problem.points.erase(problem.points.begin() + static_cast<int>(random.below(problem.points.size())));
+  return problem;
+}
+
+/// Ways through one or two points somewhere.
+DetourFunction random_detours(const Problem& problem, std::uint64_t seed) {
+  const auto n = static_cast<std::size_t>(problem.size());
+  Random random(seed);
+  std::vector<std::vector<Vec2>> ways(n * n);
+  for (auto& way : ways) {
+    for (std::uint64_t left = 1 + random.below(2); left > 0; --left)
+      way.push_back({4 * random.unit(), 4 * random.unit()});
+  }
+  return [ways, n](int from, int to) {
+    const auto low = static_cast<std::size_t>(std::min(from, to)),
+               high = static_cast<std::size_t>(std::max(from, to));
+    std::vector<Vec2> way = ways[low * n + high];
+    if (from > to) std::reverse(way.begin(), way.end());
+    return way;
+  };
+}
+
+int lines_of(const Problem& problem) {
+  const Moves moves(problem);
+  const auto lattice = Lattice::recognise(problem.points);
+  return lattice ? line_cover_bound(*lattice, problem.closed(),
+                                    [&](int a, int b) { return moves.is_straight(a, b); })
+                 : 0;
+}
+
+TEST(LineCover, StaysBelowTheBestOfAnyMoves) {
+  Random random(29);
+  int reached = 0, compared = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    Problem problem = small_lattice(random);
+    problem.shape = trial % 2 == 0 ? Shape::kOpenPath : Shape::kClosedTour;
+    const auto best = solve_exact(Moves(problem), *turns_objective());
+    ASSERT_TRUE(best);
+    const int bound = lines_of(problem);
+    EXPECT_LE(bound, best->value);
+    ++compared;
+    reached += bound == best->value;
+  }
+  EXPECT_GT(reached, compared / 6);
+}
+
+TEST(LineCover, StaysBelowTheBestOfWaysThatBend) {
+  Random random(31);
+  for (int trial = 0; trial < 200; ++trial) {
+    Problem problem = small_lattice(random);
+    problem.shape = Shape::kOpenPath;
+    // Across a wall every move is illegal: a part of a legal move is legal.
+    const auto ways = random_detours(problem, random.next());
+    const std::uint64_t wall = random.below(3);
+    problem.detour = [ways, wall, points = problem.points](int from, int to) {
+      const auto side = [&](int v) {
+        return points[static_cast<std::size_t>(v)].x > static_cast<double>(wall) + 0.5;
+      };
+      return side(from) == side(to) ? std::vector<Vec2>{} : ways(from, to);
+    };
+    const auto best = solve_exact(Moves(problem), *turns_objective());
+    ASSERT_TRUE(best);
+    EXPECT_LE(lines_of(problem), best->value);
+  }
+}
+
+TEST(LineCover, IsSharpWhereOneDirectionServes) {
+  for (const auto& [columns, rows] : {std::pair{40, 3}, std::pair{5, 60}, std::pair{24, 2}}) {
+    Problem problem = lattice_problem(columns, rows);
+    problem.shape = Shape::kOpenPath;
+    EXPECT_EQ(lines_of(problem), 2 * std::min(columns, rows) - 2) << columns << "x" << rows;
+  }
 }
 
 TEST(LatticeBounds, LengthHoldsForAnyMoves) {

@@ -24,7 +24,7 @@ void ask_published(const Layer& layer, double pitch_mm, const TourSolver& answer
   plan_tour(layer, grid, answer, {});
 }
 
-void with_largest_grid(const Layer& layer, double pitch_mm, const std::function<void(const TourTask&)>& use) {
+bool with_largest_grid(const Layer& layer, double pitch_mm, const std::function<void(const TourTask&)>& use) {
   const auto as_they_come = [](const TourTask& task) {
     std::vector<int> order(task.points.size());
     std::iota(order.begin(), order.end(), 0);
@@ -41,6 +41,7 @@ void with_largest_grid(const Layer& layer, double pitch_mm, const std::function<
     is_used = is_used || task.points.size() == largest;
     return as_they_come(task);
   });
+  return is_used;
 }
 
 }  // namespace clearcut

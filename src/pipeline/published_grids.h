@@ -15,7 +15,7 @@ order::Solution solved(const order::Problem& problem, const order::Objective& ob
 /// Hands the grids of a layer, one for each connected legal area, to `answer`.
 void ask_published(const Layer& layer, double pitch_mm, const TourSolver& answer);
 
-/// The largest of them. Its legal ways can be asked for only inside `use`.
-void with_largest_grid(const Layer& layer, double pitch_mm, const std::function<void(const TourTask&)>& use);
+/// The largest of them. Its legal ways can be asked for only inside `use`. False where no grid has a point.
+bool with_largest_grid(const Layer& layer, double pitch_mm, const std::function<void(const TourTask&)>& use);
 
 }  // namespace clearcut
