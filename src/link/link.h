@@ -42,7 +42,7 @@ struct LinkOptions {
 
 /// All moves of one feature, layers from the top down.
 ///
-/// Entries   see link/entry.h; from beside the stock or down a predrilled hole where a straight legal way leads in.
+/// Entries   see link/entry.h; from beside the stock or down a predrilled hole where a legal way leads in.
 /// Leads     passes along walls of closed pockets begin and end with an arc or a line, see link/lead.h, and run on over
 ///           their start by lead.overlap, which goes without leads, too. What could not be done as asked is told
 ///           in section.notes.

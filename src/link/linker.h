@@ -71,10 +71,6 @@ class Linker {
     bool stay_down = false;
     double cost = std::numeric_limits<double>::infinity();
   };
-  struct AirEntry {
-    PassStart start;
-    Vec2 outside;
-  };
 
   bool running() const { return !moves_.empty(); }
   bool is_at_depth_of(std::size_t item) const { return moves_.z() == layer(item).layer().z; }
@@ -91,9 +87,14 @@ class Linker {
   bool is_at_wall(Vec2 p, std::size_t item) const;
   bool in_air(Vec2 p) const;
   bool is_clear(std::size_t item, Vec2 a, Vec2 b) const;
-  std::optional<AirEntry> find_air_entry(std::size_t item) const;
-  std::optional<Vec2> way_from_hole(Vec2 p, std::size_t item) const;
-  std::optional<Vec2> way_out(Vec2 p, std::size_t item) const;
+  std::optional<Vec2> hole_before(Vec2 p, std::size_t item) const;
+  std::optional<Vec2> air_before(Vec2 p, std::size_t item) const;
+  std::optional<Vec2> cleared_before(Vec2 p, std::size_t item) const;
+  std::optional<Path> way_round(Vec2 from, Vec2 to, std::size_t item) const;
+  std::optional<Path> way_in(Vec2 p, std::size_t item) const;
+  std::optional<PassStart> start_before_air(std::size_t item) const;
+  std::optional<PassStart> start_before_cleared(std::size_t item) const;
+  std::optional<PassStart> start_on_way_in(const PassStart& start, std::size_t item) const;
 
   void cut_pass(Choice next);
   std::optional<Lead> lead_for_pass(const Path& path, const Choice& next);

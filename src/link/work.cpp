@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/clearance.h"
+
 namespace clearcut {
 namespace {
 
@@ -11,6 +13,9 @@ constexpr double kBeside = 3;
 constexpr std::size_t kMostPairs = 10000;
 /// More passes than this are not compared with each other: the time would be felt.
 constexpr std::size_t kMostMixed = 2000;
+
+/// mm. Nearer than this to what is to be removed nothing is taken to be cleared.
+constexpr double kSpare = 0.05;
 
 bool reaches_out(const LayerPasses& layer, const LegalArea& legal, double tool_radius) {
   const Box target = box(layer.target);
@@ -33,7 +38,20 @@ bool sweeps_meet(const Path& a, const Path& b, double tool_radius) {
 }  // namespace
 
 LayerWork::LayerWork(const LayerPasses& layer, double tool_radius)
-    : layer_(&layer), legal_(layer.legal), open_(reaches_out(layer, legal_, tool_radius)) {}
+    : layer_(&layer),
+      legal_(layer.legal),
+      tool_radius_(tool_radius),
+      open_(reaches_out(layer, legal_, tool_radius)) {}
+
+const LegalRoutes& LayerWork::routes() const {
+  if (!routes_) routes_ = std::make_unique<LegalRoutes>(layer_->legal, legal_);
+  return *routes_;
+}
+
+const Regions& LayerWork::touching() const {
+  if (!touching_) touching_ = dilate(layer_->target, tool_radius_ + kSpare, Tolerances{});
+  return *touching_;
+}
 
 bool LayerWork::turned_round(std::size_t pass) const {
   return open_ && layer_->passes[pass].closed && signed_area(layer_->passes[pass].path) > 0;
@@ -135,10 +153,8 @@ void Progress::mark_done(std::size_t item) {
   while (first_undone_ < done_.size() && done_[first_undone_]) ++first_undone_;
 }
 
-bool Progress::clear_above(std::size_t layer, Vec2 a, Vec2 b) const {
+bool Progress::clear_above(std::size_t layer, const Box& way) const {
   if (finished()) return true;
-  Box way{a, a};
-  way.add(b);
   const Box swept = way.grown(work_.tool_radius());
   const auto& items = work_.items();
   for (std::size_t i = first_undone_; i < items.size() && items[i].layer < layer; ++i) {

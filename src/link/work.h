@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "toolpath/legal_area.h"
+#include "toolpath/legal_route.h"
 #include "toolpath/pass.h"
 
 namespace clearcut {
@@ -16,6 +19,11 @@ class LayerWork {
 
   const LayerPasses& layer() const { return *layer_; }
   const LegalArea& legal() const { return legal_; }
+  /// Ways round corners; made for the first that asks. Not to be moved from then on.
+  const LegalRoutes& routes() const;
+  /// All places at which the cutter touches what is to be removed; beside them the ground is cleared already. Made for the
+  /// first that asks.
+  const Regions& touching() const;
   /// Whether the cutter may leave the material sideways.
   bool open() const { return open_; }
   /// Outer rings of open layers are cut from the air inwards, so they run the other way round.
@@ -29,6 +37,9 @@ class LayerWork {
  private:
   const LayerPasses* layer_;
   LegalArea legal_;
+  double tool_radius_;
+  mutable std::unique_ptr<LegalRoutes> routes_;
+  mutable std::optional<Regions> touching_;
   bool open_ = false;
 };
 
@@ -87,8 +98,8 @@ class Progress {
   bool finished() const { return left_ == 0; }
   void mark_done(std::size_t item);
 
-  /// Whether nothing of higher layers stands where the cutter goes straight from a to b in `layer`.
-  bool clear_above(std::size_t layer, Vec2 a, Vec2 b) const;
+  /// Whether nothing of higher layers stands where the cutter's centre goes through the box `way` in `layer`.
+  bool clear_above(std::size_t layer, const Box& way) const;
 
  private:
   const Work& work_;
