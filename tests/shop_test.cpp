@@ -13,6 +13,7 @@
 #include "read/gcode/gcode.h"
 #include "read/read_part.h"
 #include "support/plans.h"
+#include "support/random_parts.h"
 
 namespace clearcut {
 namespace {
@@ -265,6 +266,29 @@ TEST(Rest, AnEarlierProgramIsTakenIntoAccountAndCertifiedWith) {
   EXPECT_LT(after.findings.all.feed_mm, 0.25 * plan(part, with_tools({"endmill:4"})).findings.all.feed_mm);
   JudgeResult alone = judge(part, after.program, "after.ngc", with_tools({"endmill:4:T1"}));
   EXPECT_FALSE(alone.findings.all.clean) << "without the earlier program nearly all is left";
+}
+
+/// What the certificate allows anyway is not cut once more, whatever the strategies.
+TEST(Rest, AfterAProgramOfTheSameCutterNothingIsCut) {
+  int programs = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    Random random(seed);
+    const Part part = test_support::random_part(random, 6);
+    PlanOptions options;
+    options.strategy = seed % 2 ? "contour" : "zigzag";
+    PlanResult before;
+    try {
+      before = plan(part, options);
+    } catch (const InputError&) {
+      continue;
+    }
+    options.earlier = read_gcode(before.program, "before.ngc").toolpath;
+    const auto after = plan(part, options);
+    EXPECT_EQ(after.findings.all.feed_mm, 0) << "seed " << seed;
+    EXPECT_EQ(after.findings.all.clean, before.findings.all.clean) << "seed " << seed;
+    ++programs;
+  }
+  EXPECT_GT(programs, 6);
 }
 
 TEST(Shop, ImpossibleOptionsAreRefusedByName) {

@@ -14,6 +14,10 @@ namespace {
 constexpr double kSpare = 0.002;
 /// mm. What is narrower than twice this is left out: more than the strip that kSpare leaves along walls.
 constexpr double kSliver = 0.003;
+/// mm. What an earlier program has left no farther than this from what it cut stays: the certificate allows more.
+constexpr double kFilm = 0.007;
+/// mm. Half the width of what the chords of swept arcs make of it.
+constexpr double kFilmSliver = 0.001;
 /// mm. How far what is planned for a rest reaches over what is cut already.
 constexpr double kOverlap = 0.05;
 /// mm. Height differences that are rounding.
@@ -43,13 +47,13 @@ Loop capsule(Vec2 a, Vec2 b, double radius) {
   return {Edge::line(a - across, b - across), end, Edge::line(b + across, a + across), start};
 }
 
+/// Outlines that make up the area which `radius` mm round a move cover.
 void add_swept(const Move& move, double radius, double z, std::vector<Loop>& out) {
   if (is_rapid(move.kind) || std::max(move.z_from, move.z_to) > z + kSameHeight) return;
-  if (move.is_vertical()) return out.push_back(capsule(move.path.from, move.path.from, radius - kSpare));
+  if (move.is_vertical()) return out.push_back(capsule(move.path.from, move.path.from, radius));
   std::vector<Vec2> points{move.path.from};
   append_flattened(move.path, kChord, points);
-  for (std::size_t i = 1; i < points.size(); ++i)
-    out.push_back(capsule(points[i - 1], points[i], radius - kSpare));
+  for (std::size_t i = 1; i < points.size(); ++i) out.push_back(capsule(points[i - 1], points[i], radius));
 }
 
 /// Union of many outlines, pairwise, so that each takes part in few operations.
@@ -60,7 +64,7 @@ Regions union_of(std::span<const Loop> loops, const Tolerances& tol) {
   return unite(union_of(loops.first(half), tol), union_of(loops.subspan(half), tol), tol);
 }
 
-/// What the earlier program has cut down to z near `where`.
+/// What the earlier program has cut down to z near `where`, and films beside it.
 Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, const Box& where,
                        Tolerances tol) {
   tol.chord = kChord;
@@ -71,10 +75,22 @@ Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, con
     if (tool == part.tools.end()) continue;
     for (const Move& move : section.moves) {
       const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-      if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius(), z, loops);
+      if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kFilm, z, loops);
     }
   }
   return loops.empty() ? Regions{} : union_of(loops, tol);
+}
+
+/// What the cutter of a step can reach of a layer, lines on which it just fits included.
+Regions within_reach(const Layer& layer, double radius, double stock, const Tolerances& tol) {
+  Regions reached = swept(layer.allowed, radius, stock, 0, tol);
+  std::vector<Loop> fitting;
+  for (const Region& region : layer.allowed) {
+    for (const Path& line : Clearance(region, tol).fit_lines(radius + stock, layer.reserve)) {
+      for (const Edge& edge : line) add_swept({edge, 0, 0, MoveKind::kCut, {}, 0}, radius, 0, fitting);
+    }
+  }
+  return fitting.empty() ? reached : unite(reached, union_of(fitting, tol), tol);
 }
 
 bool reaches(const Part& part, const Workingstep& step, double z) {
@@ -102,14 +118,19 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer, const P
     const double stock = step.operation.allowance_side + layer.reserve;
     left = subtract(left, swept(layer.allowed, tool_of(part, step).radius(), stock, -kSpare, tol), tol);
   }
-  if (options.earlier && !left.empty())
+  const double own_stock = own.operation.allowance_side;
+  if (options.earlier && !left.empty()) {
     left = subtract(left, cut_by_program(*options.earlier, part, layer.z, box(left), tol), tol);
-  if (own.operation.allowance_side > 0 && !left.empty())
-    left = intersect(left, inset_all(layer.allowed, own.operation.allowance_side, tol), tol);
-  const Regions thick = inset_all(left, kSliver, tol);
+    const double radius = tool_of(part, own).radius();
+    if (!left.empty())
+      left = intersect(left, within_reach(layer, radius, own_stock + layer.reserve, tol), tol);
+  }
+  if (own_stock > 0 && !left.empty()) left = intersect(left, inset_all(layer.allowed, own_stock, tol), tol);
+  const double sliver = options.earlier ? kFilmSliver : kSliver;
+  const Regions thick = inset_all(left, sliver, tol);
   if (thick.empty()) return thick;
   // Up to the wall over the stock that stays there: targets are bounded by walls or by what is cut.
-  const double grow = kSliver + kOverlap + 1.5 * own.operation.allowance_side;
+  const double grow = sliver + (options.earlier ? kFilm : 0) + kOverlap + 1.5 * own_stock;
   return intersect(dilate(thick, grow, tol), layer.target, tol);
 }
 

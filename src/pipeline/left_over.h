@@ -8,7 +8,8 @@ namespace clearcut {
 
 /// The part of `layer.target` that the milling steps before `workingstep` on the same feature cannot have reached, less
 /// what the earlier program of the options has cut down to the layer. A little more than that at its borders, so that
-/// what is planned for it overlaps; slivers below half of tol.uncut are left out. With leaning walls, and where no earlier
+/// what is planned for it overlaps; slivers below half of tol.uncut are left out. Of what an earlier program has left, only what
+/// lies in reach of the step's cutter counts, farther than 0.007 mm from what is cut. With leaning walls, and where no earlier
 /// step reaches the layer: all of the target. The part is prepared.
 Regions left_over(const Part& part, int workingstep, const Layer& layer, const PlanOptions& options);
 

@@ -181,8 +181,13 @@ Toolpath toolpath_of(const Choice& choice, const Part& part, const PlanOptions& 
   return toolpath;
 }
 
-void report_notes(const Choice& choice, Part& part) {
+void report_notes(const Choice& choice, const std::vector<StepWork>& works, Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    if (works[i].done_before) {
+      part.diagnostics.note(feature_of(part, part.workplan[i]).name,
+                            "nothing is cut: the earlier program has left no more than films under 0.007 mm "
+                            "where the cutter can reach");
+    }
     const Section& section = choice.section(i);
     for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
   }
@@ -192,7 +197,9 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
                               const PlanOptions& options) {
   bool nothing = true;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) nothing = nothing && choice.section(i).moves.empty();
-  if (nothing) {
+  const bool done_before =
+      std::any_of(works.begin(), works.end(), [](const StepWork& work) { return work.done_before; });
+  if (nothing && !done_before) {
     throw InputError(part.source_file,
                      "nothing can be cut: " + does_not_fit(part, part.workplan.front(), options));
   }
@@ -277,7 +284,7 @@ PlanResult plan(const Part& part, const PlanOptions& options) {
     certify(result, toolpath, options);
   } while (retry_unclean(choice, result));
   sign(result, toolpath, options);
-  report_notes(choice, result.part);
+  report_notes(choice, works, result.part);
   result.contours = contours_of(toolpath);
   result.contests = choice.contests();
   return result;

@@ -141,11 +141,13 @@ std::optional<double> top_of_flush_walls(const Part& part, const Feature& featur
 std::vector<StepWork> step_works(const Part& part, const PlanOptions& options) {
   std::vector<StepWork> works;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    StepWork work{static_cast<int>(i), {}, {}, {}};
+    StepWork work;
+    work.workingstep = static_cast<int>(i);
     work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), options.tol);
     const auto standing = standing_layers(part, work.workingstep, options);
     work.hole = hole_step(standing, work.workingstep, part, options);
     work.layers = layers_left(standing, work.workingstep, part, options);
+    work.done_before = options.earlier && !standing.empty() && work.layers.empty();
     works.push_back(std::move(work));
   }
   return works;

@@ -23,6 +23,7 @@ struct StepWork {
   std::vector<LayerLeft> layers;   ///< over which something still stands, from the top down
   std::optional<Section> hole;     ///< where it is made as a round hole, whatever the strategy
   std::optional<double> wall_top;  ///< height of walls above that stand as near as its own
+  bool done_before = false;        ///< an earlier program has left nothing that is worth a cut
 };
 
 /// The work of every workingstep of a prepared part, in the order of the workplan. Cost O(layers) booleans a step.
