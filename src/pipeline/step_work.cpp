@@ -53,8 +53,9 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
   operation.allowance_side += reserve;
   operation.allowance_floor += reserve;
   const Tool& tool = tool_of(part, step);
-  const bool bare = is_bare(part, feature);
   const auto met = features_meeting(part, index, options.tol);
+  // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
+  const bool bare = is_bare(part, feature) || !met.empty();
   const Standing standing(part, index, options.tol);
   auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius,
                           standing.top() - feature.top_z);
