@@ -189,5 +189,57 @@ TEST(Holes, DrilledThenReamedAsTheStandardsExampleAsks) {
   EXPECT_EQ(result.findings.features[2].tool_diameter, 22);
 }
 
+/// A pocket round a hole that is drilled before it.
+Part pocket_with_drilled_hole(double drill, double hole_depth) {
+  Part part = part_with_hole(8, hole_depth);
+  Feature pocket;
+  pocket.name = "POCKET";
+  const Vec2 corners[] = {{-30, -20}, {30, -20}, {30, 20}, {-30, 20}};
+  pocket.target = pocket.allowed = {Region::from_valid_loops(loop_from_points(corners), {})};
+  pocket.floor_z = -6;
+  part.features.push_back(pocket);
+  part.workplan.push_back({"POCKET", "", 1, {}});
+  Tool mill;
+  mill.diameter = 6;
+  mill.center_cutting = false;
+  part.tools = {test_support::with_tools({"drill:" + std::to_string(drill) + ":T2"}).tools.front(), mill};
+  part.workplan[0].operation.tool = 0;
+  part.workplan[1].operation.tool = 1;
+  part.workplan[1].operation.entry = EntryKind::kPlunge;
+  return part;
+}
+
+/// Ways of the mill down into the pocket beside the hole.
+int entries_beside_hole(const PlanResult& result) {
+  int beside = 0;
+  for (const Section& section : result.toolpath.sections) {
+    if (section.tool_number != 1) continue;
+    for (const Move& move : section.moves) {
+      const bool down = !is_rapid(move.kind) && move.z_to < move.z_from;
+      beside += down && distance(move.path.from, kCenter) > 1.001;
+    }
+  }
+  return beside;
+}
+
+TEST(Holes, ADrilledHoleIsTheWayDownIntoThePocketRoundIt) {
+  for (const std::string strategy : {"contour", "zigzag", "spiral", "adaptive", "tour", "auto"}) {
+    PlanOptions options;
+    options.strategy = strategy;
+    const auto result = plan(pocket_with_drilled_hole(8, 6), options);
+    expect_clean(result, strategy);
+    EXPECT_EQ(entries_beside_hole(result), 0) << strategy;
+  }
+}
+
+TEST(Holes, AHoleThatIsTooShallowOrTooNarrowIsNoWayDown) {
+  PlanOptions options;
+  options.strategy = "contour";
+  for (const Part& part : {pocket_with_drilled_hole(8, 4), pocket_with_drilled_hole(5, 6)}) {
+    const auto result = plan(part, options);
+    EXPECT_GT(entries_beside_hole(result), 0);
+  }
+}
+
 }  // namespace
 }  // namespace clearcut

@@ -29,4 +29,21 @@ bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) 
   return spare >= -tol.fit && spare <= tol.uncut;
 }
 
+std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol) {
+  std::vector<PredrilledHole> holes = part.predrilled;
+  const auto lowest = [&](const Workingstep& step) {
+    return feature_of(part, step).floor_z + step.operation.allowance_floor;
+  };
+  const double deep = lowest(part.workplan.at(static_cast<std::size_t>(workingstep)));
+  for (int i = 0; i < workingstep; ++i) {
+    const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
+    const Tool& tool = tool_of(part, step);
+    const auto hole = round_hole_of(feature_of(part, step), tol);
+    if (!hole || lowest(step) > deep || tool.radius() > hole->radius + tol.fit) continue;
+    const double milled = 2 * (hole->radius - step.operation.allowance_side);
+    holes.push_back({hole->center, only_plunges(tool) ? tool.diameter : milled});
+  }
+  return holes;
+}
+
 }  // namespace clearcut

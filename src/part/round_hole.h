@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/tolerances.h"
 #include "part/part.h"
@@ -24,5 +25,9 @@ bool only_plunges(const Tool& tool);
 /// Whether a plunge of `tool` at its centre makes the whole hole: as wide to within tol.fit, and no narrower than
 /// a film of tol.uncut all round.
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);
+
+/// The ways down that are there when a workingstep begins, for cutters that are no wider: predrilled holes, and those that
+/// earlier steps have made at least as deep as the step goes. Cost O(steps).
+std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol);
 
 }  // namespace clearcut

@@ -8,6 +8,7 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
+#include "part/round_hole.h"
 #include "read/gcode/gcode.h"
 #include "verify/verify.h"
 
@@ -78,8 +79,8 @@ double crossing_z(const Part& part, const Operation& operation) {
 
 }  // namespace
 
-LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind entry,
-                         const PlanOptions& options) {
+LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const PlanOptions& options) {
+  const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
   const auto& operation = step.operation;
   LinkOptions link;
   link.tool_radius = tool_of(part, step).radius();
@@ -100,7 +101,7 @@ LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind en
   link.lead_feed = options.shop.lead_feed;
   link.link_feed = options.shop.link_feed;
   link.link_lift = options.shop.link_lift.value_or(0);
-  link.predrilled = part.predrilled;
+  link.predrilled = holes_before(part, workingstep, options.tol);
   if (part.stock) link.stock = part.stock->plan;
   link.machine = options.machine;
   return link;
@@ -134,8 +135,7 @@ std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
 
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
                   const PlanOptions& options) {
-  const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  Section section = link_layers(passes, link_options(part, step, entry, options), options.tol);
+  Section section = link_layers(passes, link_options(part, workingstep, entry, options), options.tol);
   describe(section, workingstep, part);
   section.contours = contour_levels(passes);
   return section;

@@ -10,9 +10,8 @@
 
 namespace clearcut {
 
-/// How `step` of a prepared part is linked. `entry` is how to go down where the operation does not say.
-LinkOptions link_options(const Part& part, const Workingstep& step, EntryKind entry,
-                         const PlanOptions& options);
+/// How a workingstep of a prepared part is linked, by its place in the workplan. `entry` is how to go down where the operation does not say.
+LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const PlanOptions& options);
 
 /// Writes into `section` whose work it is and how its tool is driven.
 void describe(Section& section, int workingstep, const Part& part);

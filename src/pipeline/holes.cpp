@@ -34,7 +34,7 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
   std::optional<Section> section;
   if (hole && !layers.empty()) {
     const HoleWork work = work_of(*hole, layers);
-    const LinkOptions link = link_options(part, step, EntryKind::kHelix, options);
+    const LinkOptions link = link_options(part, workingstep, EntryKind::kHelix, options);
     if (is_drilled(*hole, step, tool, options)) {
       section = drill_hole(work, *step.operation.stepdown, link);
     } else if (is_bored(work, feature, step, tool, options)) {

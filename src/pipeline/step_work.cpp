@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "part/round_hole.h"
 #include "part/standing.h"
 #include "pipeline/holes.h"
 #include "pipeline/left_over.h"
@@ -56,12 +57,13 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
   const auto met = features_meeting(part, index, options.tol);
   // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
   const bool bare = is_bare(part, feature) || !met.empty();
+  const auto holes = holes_before(part, index, options.tol);
   const Standing standing(part, index, options.tol);
   auto layers = layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius,
                           standing.top() - feature.top_z);
   for (auto& layer : layers) {
     layer.reserve = reserve;
-    layer.holes = part.predrilled;
+    layer.holes = holes;
     if (part.stock) layer.stock = part.stock->plan;
     Regions stands = standing.above(layer.z);
     // It stands in the outline at the top: between leaning walls there is less.
