@@ -29,6 +29,7 @@ constexpr double kBelow = 0.03;      // by which long arcs may stay below it
 constexpr double kAimed = 0.006;     // contact this near to what was aimed at is good
 constexpr double kTouch = 0.02;      // less contact is none
 constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
+constexpr int kLeastLeave = 4;       // looks that it takes at least to leave one wall and meet another
 constexpr double kLeaveTurn = 1.6;   // length of that look
 constexpr double kMostTurn = 2.0;    // of one arc
 /// mm. Shorter moves are left out.
@@ -117,7 +118,7 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
   const double natural = radius_ * (1 + std::cos(limit_)) / 2;
   double best = first, best_radius = 0;
   for (double radius = natural; radius > kLeastTurn * radius_; radius *= 0.6) {
-    const double s = latest_departure(s_clear, s_over, radius);
+    const double s = latest_departure(s_clear, s_over, radius, best);
     if (s <= best) continue;
     best = s;
     best_radius = radius;
@@ -131,13 +132,13 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
 }
 
 /// The last place up to `s_over` from which an arc of `radius` leaves the wall within the limit; -infinity
-/// when there is none after the place where the cutter is.
-double Tracer::latest_departure(double s_clear, double s_over, double radius) const {
+/// when there is none after `least`.
+double Tracer::latest_departure(double s_clear, double s_over, double radius, double least) {
   double good = s_over, bad = s_over;
   while (!can_leave(good, radius)) {
     bad = good;
     good = good == s_over && s_clear > place_.s ? s_clear : good - step_ / 2;
-    if (good < place_.s) return -1e300;
+    if (good <= least) return -1e300;
   }
   for (int i = 0; i < 5 && good < bad; ++i) {
     const double middle = (good + bad) / 2;
@@ -147,7 +148,7 @@ double Tracer::latest_departure(double s_clear, double s_over, double radius) co
 }
 
 /// Whether an arc to the left off the wall keeps the limit for a quarter turn, or until it meets a wall.
-bool Tracer::can_leave(double s, double radius) const {
+bool Tracer::can_leave(double s, double radius) {
   const Wall& wall = walls_.wall(place_.wall);
   const Vec2 from = wall.at(s), heading = wall.heading(s);
   const Vec2 center = from + left_of(heading) * radius;
@@ -155,13 +156,19 @@ bool Tracer::can_leave(double s, double radius) const {
   for (const double share : {0.15, 0.5, 1.0}) {
     if (!ground_.legal().contains(center + rotated(from - center, share * off))) return false;
   }
-  for (double turn = 0; turn < kLeaveTurn; turn += kLeaveStep) {
-    const Vec2 p = center + rotated(from - center, turn);
-    if (turn > off && !area_.contains(p)) {
-      if (turn <= 4 * kLeaveStep) return false;
-      break;
-    }
-    if (ground_.contact(p, rotated(heading, turn)) > limit_) return false;
+  const auto at = [&](int look) { return center + rotated(from - center, look * kLeaveStep); };
+  int looks = 0;
+  while (looks * kLeaveStep < kLeaveTurn && (looks * kLeaveStep <= off || area_.contains(at(looks)))) ++looks;
+  if (looks <= kLeastLeave) return false;
+  const auto exceeds = [&](int look) {
+    return ground_.contact(at(look), rotated(heading, look * kLeaveStep)) > limit_;
+  };
+  // Where the last one failed the next one mostly fails, too.
+  if (critical_look_ < looks && exceeds(critical_look_)) return false;
+  for (int look = 0; look < looks; ++look) {
+    if (look == critical_look_ || !exceeds(look)) continue;
+    critical_look_ = look;
+    return false;
   }
   const Edge first = Edge::arc(from, center + rotated(from - center, off), center, Turn::kCounterClockwise);
   return ground_.length_within(first, limit_ + kAbove) >= first.length();

@@ -50,8 +50,8 @@ class Tracer {
   Path run(Next next);
   Next follow_wall();
   Next depart(double s_clear, double s_over);
-  double latest_departure(double s_clear, double s_over, double radius) const;
-  bool can_leave(double s, double radius) const;
+  double latest_departure(double s_clear, double s_over, double radius, double least);
+  bool can_leave(double s, double radius);
   double off_wall(double radius) const;
   bool leave(double s, double radius);
   bool leaves_wall(const Shot& shot) const;
@@ -88,7 +88,8 @@ class Tracer {
   WallPlace place_;
   double material_s_ = 0;
   double first_departure_ = 0;
-  double tightest_ = 1;  ///< mm, radius of the tightest turn allowed
+  int critical_look_ = 0;  ///< where an arc off the wall exceeded the limit last
+  double tightest_ = 1;    ///< mm, radius of the tightest turn allowed
 };
 
 }  // namespace clearcut
