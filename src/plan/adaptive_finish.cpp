@@ -208,6 +208,8 @@ bool AdaptiveFinish::bite_from_aside(const WallPlace& place) {
 std::optional<std::vector<Vec2>> AdaptiveFinish::way_to_bite(const WallStretch& stretch) {
   const Vec2 p = cuts_.walls.point({stretch.wall, stretch.from});
   if (!path_.empty()) {
+    // Bites begin near the end of the one before: straight over its film rather than round it.
+    if (ground_.is_free(path_.at(), p, kCornerFree)) return std::vector<Vec2>{p};
     if (auto way = path_.way_to(p, kFree)) return way;
     if (auto way = path_.way_to(p, kCornerFree)) return way;
   }

@@ -20,11 +20,12 @@ constexpr double kShortest = 4e-4;   // step
 constexpr double kPlace = 1e-4;      // error of a place on the wall
 constexpr double kTolerance = 2e-4;  // of fitted arcs
 // Radians:
-constexpr double kTurn = 0.16;   // most turn of a step that is not the shortest
-constexpr double kLeave = 1.9;   // most turn off the wall, and of the shortest steps
-constexpr double kTouch = 0.02;  // less contact is none
-constexpr double kAngle = 1e-3;  // error of a turn
-constexpr double kGrow = 1.4;    // from one step to the next
+constexpr double kTurn = 0.16;       // most turn of a step that is not the shortest
+constexpr double kLeave = 1.9;       // most turn off the wall, and of the shortest steps
+constexpr double kTouch = 0.02;      // less contact is none
+constexpr double kAngle = 1e-3;      // error of a turn
+constexpr double kNearLimit = 5e-4;  // below the limit that is as good as at it
+constexpr double kGrow = 1.4;        // from one step to the next
 constexpr int kMostSteps = 4000;
 /// Changes between wall and open after which a bite ends.
 constexpr int kMostRuns = 30;
@@ -106,15 +107,24 @@ Peeler::State Peeler::stepped(double step, double turn) const {
 
 /// The least turn to the left between `least` and `most` with which the contact keeps the limit after a step.
 std::optional<double> Peeler::step_turn(double step, double least, double most) const {
-  const auto keeps = [&](double turn) {
+  const auto excess = [&](double turn) {
     const State next = stepped(step, turn);
-    return ground_.contact(next.point, next.heading) <= limit_;
+    return ground_.contact(next.point, next.heading) - limit_;
   };
-  if (keeps(least)) return least;
-  if (!keeps(most)) return std::nullopt;
-  while (most - least > kAngle) {
-    const double middle = (least + most) / 2;
-    (keeps(middle) ? most : least) = middle;
+  double above = excess(least);
+  if (above <= 0) return least;
+  double below = excess(most);
+  if (below > 0) return std::nullopt;
+  // By the secant where that closes in, else by halves: the contact may jump.
+  bool halve = false;
+  while (most - least > kAngle && below < -kNearLimit) {
+    const double width = most - least;
+    const double share = std::clamp(above / (above - below) + kNearLimit / width, 0.05, 0.95);
+    const double turn = least + (halve ? 0.5 : share) * width;
+    const double there = excess(turn);
+    (there <= 0 ? most : least) = turn;
+    (there <= 0 ? below : above) = there;
+    halve = most - least > width / 2;
   }
   return most;
 }
