@@ -11,6 +11,11 @@ namespace {
 constexpr double kRim = 1e-7;
 /// mm. A point on the border of two cells is found in both.
 constexpr double kBorder = 1e-6;
+/// Of a square of side 1, a little more.
+constexpr double kHalfDiagonal = 0.7072;
+/// Squares with more curves are quartered, so often.
+constexpr std::size_t kFewCurves = 16;
+constexpr int kMostQuarterings = 5;
 
 }  // namespace
 
@@ -38,7 +43,7 @@ void Cover::sort_edges() {
     const Vec2 along = e.to - e.from;
     strokes_.push_back({e.from, along, e.is_arc() ? -1 : norm_squared(along)});
   }
-  const double half_diagonal = grid_.cell * 0.7072;
+  const double half_diagonal = grid_.cell * kHalfDiagonal;
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     grid_.for_cells(edges_[i].box().grown(radius_), [&](std::size_t cell, Vec2 center) {
       if (is_within(i, center, radius_ + half_diagonal)) edges_in_.add(cell, i);
@@ -96,14 +101,18 @@ double Cover::distance_to(Vec2 p) const {
   return std::sqrt(best);
 }
 
+bool Cover::passes(const Curve& curve, Vec2 center, double reach) {
+  const double off = curve.circle ? std::abs(std::sqrt(norm_squared(center - curve.a)) - curve.radius)
+                                  : std::abs(cross(curve.direction, center - curve.a));
+  return off <= reach;
+}
+
 void Cover::add_curve(const Curve& curve, Rims& rims) const {
-  const double half_diagonal = grid_.cell * 0.7072 + kBorder;
+  const double half_diagonal = grid_.cell * kHalfDiagonal + kBorder;
   const auto number = static_cast<std::uint32_t>(rims.curves.size());
   rims.curves.push_back(curve);
   grid_.for_cells(curve.box, [&](std::size_t cell, Vec2 center) {
-    const double off = curve.circle ? std::abs(std::sqrt(norm_squared(center - curve.a)) - curve.radius)
-                                    : std::abs(cross(curve.direction, center - curve.a));
-    if (off <= half_diagonal) rims.in.add(cell, number);
+    if (passes(curve, center, half_diagonal)) rims.in.add(cell, number);
   });
 }
 
@@ -213,27 +222,59 @@ void Cover::search(const Box& where, const std::function<bool(Vec2)>& matters, c
       if (is_hole(p) && found(p)) return;
   }
   std::vector<Vec2> meetings;
-  const auto meet = [&](const Curve& p, const Curve& q, std::size_t cell) {
+  // Each meeting is looked at in its own square alone.
+  const auto meet = [&](const Curve& p, const Curve& q, const auto& is_own) {
     if (!p.box.overlaps(q.box)) return false;
     meetings.clear();
     add_meetings(p, q, meetings);
     return std::any_of(meetings.begin(), meetings.end(), [&](Vec2 m) {
-      // Each meeting is looked at in its own cell alone.
-      return grid_.cell_of(m) == cell && p.box.contains(m) && q.box.contains(m) && is_hole(m) && found(m);
+      return is_own(m) && p.box.contains(m) && q.box.contains(m) && is_hole(m) && found(m);
     });
   };
   bool ended = false;
-  grid_.for_cells(where, [&](std::size_t cell, Vec2) {
-    const auto here = own.in.at(cell);
+  const auto meet_all = [&](std::span<const std::uint32_t> here, const auto& is_own) {
     for (std::size_t i = 0; i < here.size() && !ended; ++i) {
-      const Curve& curve = own.curves[here[i]];
       for (std::size_t j = i + 1; j < here.size() && !ended; ++j)
-        ended = meet(curve, own.curves[here[j]], cell);
-      if (!base_) continue;
+        ended = meet(own.curves[here[i]], own.curves[here[j]], is_own);
+    }
+  };
+  grid_.for_cells(where, [&](std::size_t cell, Vec2 center) {
+    const auto in_cell = [&](Vec2 m) { return grid_.cell_of(m) == cell; };
+    const auto here = own.in.at(cell);
+    if (!base_)
+      return quarter({center, grid_.cell / 2, cell, 0}, here, own, [&](const Square& square, auto curves) {
+        meet_all(curves, [&](Vec2 m) { return in_cell(m) && square.holds(m); });
+      });
+    meet_all(here, in_cell);
+    for (const std::uint32_t i : here) {
       for (const std::uint32_t j : base_->own_rims_.in.at(cell))
-        ended = ended || meet(curve, base_->own_rims_.curves[j], cell);
+        ended = ended || meet(own.curves[i], base_->own_rims_.curves[j], in_cell);
     }
   });
+}
+
+/// Calls f with the parts of a square that few curves pass through, but for those that one edge holds whole.
+template <typename F>
+void Cover::quarter(const Square& square, std::span<const std::uint32_t> curves, const Rims& rims,
+                    const F& f) const {
+  if (curves.size() <= kFewCurves || square.depth == kMostQuarterings) return f(square, curves);
+  const double half = square.half / 2, reach = 2 * half * kHalfDiagonal + kBorder;
+  const auto near = edges_in_.at(square.cell);
+  std::vector<std::uint32_t> passing;
+  for (const Vec2 corner : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{1, 1}}) {
+    const Square part{square.center + corner * half, half, square.cell, square.depth + 1};
+    const bool held = std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {
+      return is_within(i, part.center, radius_ - kRim - reach);
+    });
+    if (held) continue;
+    passing.clear();
+    const Box box = Box{part.center, part.center}.grown(half + kBorder);
+    for (const std::uint32_t i : curves) {
+      const Curve& curve = rims.curves[i];
+      if (curve.box.overlaps(box) && passes(curve, part.center, reach)) passing.push_back(i);
+    }
+    quarter(part, passing, rims, f);
+  }
 }
 
 std::vector<Vec2> Cover::holes(const std::function<bool(Vec2)>& matters) const {

@@ -63,12 +63,29 @@ class Cover {
     std::vector<Vec2> joints;
     CellLists in;  ///< per cell: curves through it
   };
+  /// Part of a cell.
+  struct Square {
+    Vec2 center;
+    double half = 0;  ///< of a side
+    std::size_t cell = 0;
+    int depth = 0;
+    /// Of two squares beside each other one holds the points between.
+    bool holds(Vec2 p) const {
+      return depth == 0 || (p.x >= center.x - half && p.x < center.x + half && p.y >= center.y - half &&
+                            p.y < center.y + half);
+    }
+  };
+  template <typename F>
+  void quarter(const Square& square, std::span<const std::uint32_t> curves, const Rims& rims,
+               const F& f) const;
   void sort_edges();
   Rims rims() const;
   template <typename Found>
   void search(const Box& where, const std::function<bool(Vec2)>& matters, const Found& found) const;
   void add_curve(const Curve& curve, Rims& rims) const;
   void add_joint(const Edge& before, const Edge& after, Rims& rims) const;
+  /// Whether a curve passes within `reach` of a place.
+  static bool passes(const Curve& curve, Vec2 center, double reach);
   static void add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out);
   bool is_within(std::uint32_t edge, Vec2 p, double reach) const;
   double squared_distance(std::uint32_t edge, Vec2 p) const;
