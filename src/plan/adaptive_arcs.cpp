@@ -36,8 +36,8 @@ std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
                         ? Edge::line(points.front(), points.back())
                         : edge_through(points.front(), points[points.size() / 2], points.back());
   if (std::abs(edge.sweep()) > 3) return std::nullopt;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    if (distance(edge, points[i]) > tolerance) return std::nullopt;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    if (i > 0 && distance(edge, points[i]) > tolerance) return std::nullopt;
     // Between the points, too: their chords' middles may not stand off a different circle.
     const Vec2 middle = (points[i] + points[i + 1]) / 2.0;
     if (distance(edge, middle) > 2 * tolerance + norm_squared(points[i + 1] - points[i])) return std::nullopt;
