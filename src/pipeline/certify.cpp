@@ -70,14 +70,13 @@ constexpr double kCrossing = 2;
 /// mm. The least of what is said, likewise.
 constexpr double kLeastCrossing = 1;
 
-/// Where rapids of a step cross: its retract plane, over all that stands.
+}  // namespace
+
 double crossing_z(const Part& part, const Operation& operation) {
   const double top = part.top_z();
   const double asked = operation.retract_z.value_or(top + kCrossing);
   return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
 }
-
-}  // namespace
 
 LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const PlanOptions& options) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));

@@ -7,6 +7,7 @@
 #include "geometry/clearance.h"
 #include "part/round_hole.h"
 #include "part/standing.h"
+#include "pipeline/certify.h"
 #include "pipeline/holes.h"
 #include "pipeline/left_over.h"
 #include "pipeline/meeting_pockets.h"
@@ -76,6 +77,8 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
     layer.bare = bare;
   }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
+  const double across = crossing_z(part, step.operation);
+  for (auto& layer : layers) layer.lift = across - (layers.front().z + layers.back().z) / 2;
   return layers;
 }
 

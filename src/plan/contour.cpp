@@ -191,7 +191,7 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, c
     if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);
   }
   const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
-  if (ours && closed_all_round(layer)) shorten_passes(domains, job, options, tol, bare, result);
+  if (ours && closed_all_round(layer)) shorten_passes(domains, job, layer, options, tol, result);
   return result;
 }
 

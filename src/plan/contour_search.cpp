@@ -72,8 +72,9 @@ void in_parallel(std::size_t count, const Work& work) {
 /// One component's contest.
 class Search {
  public:
-  Search(const ContourOptions& options, const LegalArea& legal, double radius, const Box& where, bool bare)
-      : options_(options), legal_(legal), hop_(options.machine, options.feed) {
+  Search(const ContourOptions& options, const HopHeights& heights, const LegalArea& legal, double radius,
+         const Box& where, bool bare)
+      : options_(options), legal_(legal), hop_(options.machine, options.feed, heights) {
     job_.bare = bare;
     job_.radius = radius;
     job_.legal = &legal;
@@ -194,8 +195,8 @@ void replace_component(LayerPasses& layer, int component, const std::vector<Path
 
 }  // namespace
 
-void shorten_passes(const std::vector<Domain>& domains, RingJob job, const ContourOptions& options,
-                    const Tolerances& tol, bool bare, LayerPasses& result) {
+void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer& layer,
+                    const ContourOptions& options, const Tolerances& tol, LayerPasses& result) {
   const LegalArea legal(result.legal);
   const double vertices = vertices_of(result.passes, job.radius);
   std::size_t edges = 0;
@@ -221,7 +222,7 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Conto
     Box where;
     for (const auto& pass : component_of(result.passes, component, false)) where.add(box(pass.path));
     if (where.empty()) continue;
-    Search search(options, legal, job.radius, where, bare);
+    Search search(options, hop_heights(layer), legal, job.radius, where, layer.bare);
     std::vector<Search::Contestant> contestants;
     for (std::size_t k = 0; k < trials; ++k) {
       auto own = component_of(variants[k], component, !options.wall_on_right);

@@ -8,8 +8,8 @@
 namespace clearcut {
 
 /// Replaces the passes of each component of `result` by one continuous way wherever that is proven to clear
-/// everything and is faster. `job` is what result.passes were made with; `bare`: not even a film may stay.
-void shorten_passes(const std::vector<Domain>& domains, RingJob job, const ContourOptions& options,
-                    const Tolerances& tol, bool bare, LayerPasses& result);
+/// everything and is faster. `job` is what result.passes of the layer were made with.
+void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer& layer,
+                    const ContourOptions& options, const Tolerances& tol, LayerPasses& result);
 
 }  // namespace clearcut

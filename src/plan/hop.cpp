@@ -1,5 +1,6 @@
 #include "plan/hop.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "toolpath/kinematics.h"
@@ -7,17 +8,24 @@
 namespace clearcut {
 namespace {
 
-constexpr double kLift = 10;          // mm
+/// mm over the material where plunges begin.
+constexpr double kAboveMaterial = 1;
 constexpr double kPlungeShare = 0.3;  // of the feed
 
 }  // namespace
+
+HopHeights hop_heights(const Layer& layer) {
+  return {layer.lift, std::min(layer.lift, layer.z_top - layer.z + kAboveMaterial)};
+}
 
 double Hop::rapid_time(double length) const {
   return travel_time(length, machine_.rapid.mm_per_s(), machine_.acceleration);
 }
 
 double Hop::time(double across) const {
-  return 2 * rapid_time(kLift) + rapid_time(across) + kLift / 3 / (kPlungeShare * feed_.mm_per_s());
+  const auto [lift, plunge] = heights_;
+  return rapid_time(lift) + rapid_time(lift - plunge) + rapid_time(across) +
+         plunge / (kPlungeShare * feed_.mm_per_s());
 }
 
 double Hop::time_of(std::span<const Path> ways, double across) const {

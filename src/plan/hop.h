@@ -5,15 +5,26 @@
 #include <span>
 
 #include "base/units.h"
+#include "plan/layer.h"
 #include "toolpath/legal_route.h"
 #include "toolpath/machine.h"
 
 namespace clearcut {
 
+/// mm.
+struct HopHeights {
+  double lift = 0;    ///< from the tip up to where rapids cross
+  double plunge = 0;  ///< the last of the way down, at the plunge feed
+};
+
+/// Of a layer that is left for the clearance over all that stands.
+HopHeights hop_heights(const Layer& layer);
+
 /// Lifting, crossing and coming down again, as the linker is likely to do it.
 class Hop {
  public:
-  Hop(const Machine& machine, MmPerMin feed) : machine_(machine), feed_(feed) {}
+  Hop(const Machine& machine, MmPerMin feed, const HopHeights& heights)
+      : machine_(machine), feed_(feed), heights_(heights) {}
 
   /// Seconds to a place `across` mm away.
   double time(double across) const;
@@ -29,6 +40,7 @@ class Hop {
 
   const Machine& machine_;
   MmPerMin feed_;
+  HopHeights heights_;
 };
 
 }  // namespace clearcut

@@ -57,7 +57,7 @@ class SpiralPlanner {
         clearance_(region, tol),
         around_(around),
         legal_({legal}),
-        hop_(options.machine, options.feed) {
+        hop_(options.machine, options.feed, hop_heights(layer)) {
     job_.radius = layer.tool_radius;
     for (const auto& loops : around) {
       const auto edges = loops.edges();
@@ -265,11 +265,11 @@ class SpiralPlanner {
 /// legal ways where these are quicker than a lift.
 class Joiner {
  public:
-  Joiner(Spirals spirals, const Region& legal, const SpiralOptions& options)
+  Joiner(Spirals spirals, const Region& legal, const Layer& layer, const SpiralOptions& options)
       : spirals_(std::move(spirals)),
         area_({legal}),
         routes_({legal}, area_),
-        hop_(options.machine, options.feed),
+        hop_(options.machine, options.feed, hop_heights(layer)),
         done_(spirals_.paths.size(), false) {}
 
   std::vector<Path> join() {
@@ -362,13 +362,14 @@ LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const 
     }
     if (spiral_to_wall) {
       const SpiralPlanner planner(legal, true, {legal}, legal, layer, options, tol);
-      add_passes(result, Joiner(planner.plan(), legal, options).join(), static_cast<int>(i), -1, first);
+      add_passes(result, Joiner(planner.plan(), legal, layer, options).join(), static_cast<int>(i), -1,
+                 first);
       continue;
     }
     for (const auto& region : rest) {
       const SpiralPlanner planner(region, false, dilate({region}, layer.tool_radius, tol), legal, layer,
                                   options, tol);
-      add_passes(result, Joiner(planner.plan(), legal, options).join(), static_cast<int>(i), outermost,
+      add_passes(result, Joiner(planner.plan(), legal, layer, options).join(), static_cast<int>(i), outermost,
                  first + layer.tool_radius);
     }
   }

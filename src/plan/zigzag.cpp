@@ -60,7 +60,7 @@ class ZigzagPlanner {
         options_(options),
         area_({component.legal}),
         routes_({component.legal}, area_),
-        hop_(options.machine, options.feed) {}
+        hop_(options.machine, options.feed, hop_heights(layer)) {}
 
   /// The ways of the cutter, one for each stretch without a lift.
   std::vector<Path> plan() const {
