@@ -296,8 +296,9 @@ class CoverageProof {
     return std::min(least, std::hypot(box.width(), box.height()));
   }
 
+  /// Small enough to tell what a cutter reaches from what it almost does.
   double smallest_cell() const {
-    return std::min(question_.flat / 4, slack_ * std::exp2(leaves_ / kLeavesPerSize));
+    return std::min(question_.flat / 4, slack_ / 2 * std::exp2(leaves_ / kLeavesPerSize));
   }
 
   bool count_covered(double excess) {
