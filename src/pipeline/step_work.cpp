@@ -55,7 +55,7 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
   operation.allowance_side += reserve;
   operation.allowance_floor += reserve;
   const Tool& tool = tool_of(part, step);
-  const auto met = features_meeting(part, index, options.tol);
+  MeetingPockets met(part, index, options.tol);
   // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
   const bool bare = is_bare(part, feature) || !met.empty();
   const auto holes = holes_before(part, index, options.tol);
@@ -72,7 +72,7 @@ std::vector<Layer> standing_layers(const Part& part, int index, const PlanOption
     if (stands.empty() || !closed_all_round(feature) || layer.z >= feature.top_z) {
       layer.target = overrun(stands, layer.allowed, options);
     } else if (!met.empty()) {
-      widen_where_met(layer, met, options.tol);
+      met.widen(layer);
     }
     layer.bare = bare;
   }
