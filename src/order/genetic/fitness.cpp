@@ -80,52 +80,26 @@ double Fitness::local_after(const Individual& before, const Genome& after) {
   return local;
 }
 
-namespace {
-
-/// Where the gene that stands at position p afterwards comes from.
-int origin(const Rearrangement& r, int p) {
-  using Kind = Rearrangement::Kind;
-  if (p < r.first || p > r.last) return p;
-  switch (r.kind) {
-    case Kind::kReverse:
-      return r.first + r.last - p;
-    case Kind::kSwap:
-      return p == r.first ? r.last : p == r.last ? r.first : p;
-    case Kind::kToFront:
-      return p == r.first ? r.last : p - 1;
-    case Kind::kToBack:
-      return p == r.last ? r.first : p + 1;
-    case Kind::kNone:
-      break;
-  }
-  return p;
-}
-
-}  // namespace
-
-template <class At>
-double Fitness::around(const Rearrangement& r, bool inside_first, bool inside_last, At at) const {
-  std::array<int, 4> edges{r.first - 1, r.last};
-  std::array<int, 6> corners{r.first - 1, r.first, r.last, r.last + 1};
-  std::size_t edge_count = 2, corner_count = 4;
-  if (inside_first) edges[edge_count++] = r.first, corners[corner_count++] = r.first + 1;
-  if (inside_last) edges[edge_count++] = r.last - 1, corners[corner_count++] = r.last - 1;
-  double sum = 0;
-  for (const int i : distinct(edges, edge_count)) sum += is_edge(i) ? edge_at(i, at) : 0;
-  for (const int i : distinct(corners, corner_count)) sum += is_corner(i) ? corner_at(i, at) : 0;
-  return sum;
-}
-
-/// What lies inside a stretch that is reversed, or moves by one place, keeps its value.
 double Fitness::change(const Genome& genome, const Rearrangement& r) const {
   using Kind = Rearrangement::Kind;
   if (r.kind == Kind::kNone) return 0;
   const bool swaps = r.kind == Kind::kSwap;
-  const bool to_front = r.kind == Kind::kToFront, to_back = r.kind == Kind::kToBack;
   const auto old_at = [&](int p) { return genome.at(p); };
-  const auto new_at = [&](int p) { return genome.at(origin(r, p)); };
-  return around(r, swaps || to_front, swaps || to_back, new_at) -
-         around(r, swaps || to_back, swaps || to_front, old_at);
+  const auto new_at = [&](int p) {
+    if (swaps) return genome.at(p == r.first ? r.last : p == r.last ? r.first : p);
+    return genome.at(p >= r.first && p <= r.last ? r.first + r.last - p : p);
+  };
+  // A reversed stretch keeps the edges and corners inside it.
+  std::array<int, 4> edges{r.first - 1, r.last, r.first, r.last - 1};
+  std::array<int, 6> corners{r.first - 1, r.first, r.last, r.last + 1, r.first + 1, r.last - 1};
+  double sum = 0;
+  for (const int i : distinct(edges, swaps ? 4 : 2)) {
+    if (is_edge(i)) sum += edge_at(i, new_at) - edge_at(i, old_at);
+  }
+  for (const int i : distinct(corners, swaps ? 6 : 4)) {
+    if (is_corner(i)) sum += corner_at(i, new_at) - corner_at(i, old_at);
+  }
+  return sum;
 }
 
 }  // namespace clearcut::order

@@ -44,9 +44,6 @@ class Fitness {
   double edge_at(int i, At at) const;
   template <class At>
   double corner_at(int i, At at) const;
-  /// Edges and corners at the ends of a rearranged stretch, and those one place inside where asked for.
-  template <class At>
-  double around(const Rearrangement& r, bool inside_first, bool inside_last, At at) const;
   int wrapped(int position) const;
   /// The first `count` positions, each once.
   template <std::size_t N>

@@ -9,10 +9,9 @@
 
 namespace clearcut::order {
 
-/// Positions first..last change places in pairs (reverse), or only first and last do (swap); or the last gene goes to
-/// the first place (to front) or the first to the last (to back), and those between give way.
+/// Positions first..last change places in pairs (reverse), or only first and last do (swap).
 struct Rearrangement {
-  enum class Kind { kNone, kSwap, kReverse, kToFront, kToBack };
+  enum class Kind { kNone, kSwap, kReverse };
   Kind kind = Kind::kNone;
   int first = 0;  ///< positions, first < last
   int last = 0;
@@ -41,16 +40,9 @@ class Genome {
     places_[static_cast<std::size_t>(at(q))] = q;
   }
   void apply(const Rearrangement& change) {
-    using Kind = Rearrangement::Kind;
-    if (change.kind == Kind::kSwap) swap(change.first, change.last);
-    if (change.kind == Kind::kReverse) {
+    if (change.kind == Rearrangement::Kind::kSwap) swap(change.first, change.last);
+    if (change.kind == Rearrangement::Kind::kReverse) {
       for (int p = change.first, q = change.last; p < q; ++p, --q) swap(p, q);
-    }
-    if (change.kind == Kind::kToFront) {
-      for (int p = change.last; p > change.first; --p) swap(p - 1, p);
-    }
-    if (change.kind == Kind::kToBack) {
-      for (int p = change.first; p < change.last; ++p) swap(p, p + 1);
     }
   }
 

@@ -33,26 +33,15 @@ class Nearest final : public Mutation {
     const int neighbour = ground_.neighbours.pick(before, random);
     if (neighbour < 0) return {};
     const int q = genome.place(neighbour);
-    if (at_begin) return on_free(Kind::kReverse, 0, q - 1);
-    if (random.unit() < kMoves) {
-      const bool is_next = has_edge(genome, before, neighbour, ground_.closed());
-      return p == 0 || is_next ? Rearrangement{} : moved(p, q);
-    }
-    return q > p || p == 0 ? on_free(Kind::kReverse, p, q) : on_free(Kind::kReverse, q + 1, p - 1);
+    if (at_begin) return reversal(0, q - 1);
+    return q > p || p == 0 ? reversal(p, q) : reversal(q + 1, p - 1);
   }
 
  private:
-  /// Share of mutations that move the neighbour alone.
-  static constexpr double kMoves = 0.15;
-
-  /// The gene at q comes behind the one at p - 1.
-  Rearrangement moved(int p, int q) const {
-    return q > p ? on_free(Kind::kToFront, p, q) : on_free(Kind::kToBack, q, p - 1);
-  }
   /// Nothing where it would move a fixed end or the genes are next to each other already.
-  Rearrangement on_free(Kind kind, int low, int high) const {
+  Rearrangement reversal(int low, int high) const {
     if (low >= high || low < ground_.first || high > ground_.last) return {};
-    return {kind, low, high};
+    return {Kind::kReverse, low, high};
   }
   const Ground& ground_;
 };

@@ -27,9 +27,6 @@ std::unique_ptr<Mutation> inversion_mutation(const Ground& ground);
 /// Where the neighbour comes earlier on the path than the gene before, the same new edge is made on the other
 /// side: the genes between the two are reversed. The first gene of an open path has none before; there the
 /// genes up to one of its own neighbours are reversed, which brings the two together.
-///
-/// Now and then the neighbour alone moves to the place after the gene before it, and nothing is reversed: "the
-/// mutation operator switches a set of edges or reverses them" (6.2.1).
 std::unique_ptr<Mutation> nearest_mutation(const Ground& ground);
 
 const std::vector<std::string>& mutation_names();
