@@ -23,9 +23,9 @@ constexpr double kCornerFilm = 2e-3;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
 constexpr double kCornerFree = 3e-3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
-constexpr double kRest = 0.004;
+constexpr double kRest = 0.003;
 /// mm. Nearer to what the cutter cannot reach nothing is a rest.
-constexpr double kReach = 1e-3;
+constexpr double kReach = 5e-4;
 constexpr int kMostRests = 60;
 /// mm. Links through what is cleared may graze as much.
 constexpr double kFree = 1e-3;
