@@ -41,7 +41,9 @@ Cover::Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base)
 void Cover::sort_edges() {
   for (const Edge& e : edges_) {
     const Vec2 along = e.to - e.from;
-    strokes_.push_back({e.from, along, e.is_arc() ? -1 : norm_squared(along)});
+    const Box box = e.box();
+    strokes_.push_back({e.from, along, e.is_arc() ? -1 : norm_squared(along), (box.min + box.max) / 2.0,
+                        norm(box.max - box.min) / 2});
   }
   const double half_diagonal = grid_.cell * kHalfDiagonal;
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
@@ -54,8 +56,14 @@ void Cover::sort_edges() {
 
 bool Cover::is_within(std::uint32_t edge, Vec2 p, double reach) const {
   const Stroke& stroke = strokes_[edge];
-  if (stroke.whole < 0) return distance(edges_[edge], p) <= reach;
   const Vec2 s = p - stroke.from;
+  if (stroke.whole < 0) {
+    // Most arcs are short beside the cutter: their ends, or a disc around them, tell.
+    const double most = reach * reach, far = reach + stroke.reach;
+    if (reach > 0 && (norm_squared(s) <= most || norm_squared(s - stroke.along) <= most)) return true;
+    if (norm_squared(p - stroke.middle) > far * far) return false;
+    return distance(edges_[edge], p) <= reach;
+  }
   const double along = dot(s, stroke.along);
   if (along <= 0) return norm_squared(s) <= reach * reach;
   if (along >= stroke.whole) return norm_squared(s - stroke.along) <= reach * reach;
@@ -263,9 +271,10 @@ void Cover::quarter(const Square& square, std::span<const std::uint32_t> curves,
   std::vector<std::uint32_t> passing;
   for (const Vec2 corner : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{1, 1}}) {
     const Square part{square.center + corner * half, half, square.cell, square.depth + 1};
-    const bool held = std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {
-      return is_within(i, part.center, radius_ - kRim - reach);
-    });
+    const double whole = radius_ - kRim - reach;
+    const bool held = whole > 0 && std::any_of(near.begin(), near.end(), [&](std::uint32_t i) {
+                        return is_within(i, part.center, whole);
+                      });
     if (held) continue;
     passing.clear();
     const Box box = Box{part.center, part.center}.grown(half + kBorder);

@@ -48,6 +48,8 @@ class Cover {
   struct Stroke {
     Vec2 from, along;
     double whole = 0;  ///< squared length; < 0: an arc
+    Vec2 middle;       ///< of a disc around it
+    double reach = 0;  ///< of that disc
   };
   /// A line at the given distance beside an edge, or a circle.
   struct Curve {
