@@ -256,6 +256,10 @@ void expect_same_operation(const Operation& a, const Operation& b) {
   if (a.entry_size) expect_near(a.entry_size, b.entry_size, "size of the entry");
   EXPECT_EQ(a.direction, b.direction);
   EXPECT_EQ(a.strategy_hint, b.strategy_hint);
+  ASSERT_EQ(a.feed_direction.has_value(), b.feed_direction.has_value());
+  if (a.feed_direction) {
+    EXPECT_NEAR(a.feed_direction->radians(), b.feed_direction->radians(), 1e-9);
+  }
 }
 
 void expect_same_feature(const Feature& a, const Feature& b) {
@@ -392,6 +396,8 @@ class RandomPart {
     const char* hints[] = {"", "contour_parallel", "bidirectional_milling", "unidirectional_milling",
                            "contour_spiral"};
     op.strategy_hint = hints[random_.below(5)];
+    if (op.strategy_hint.find("directional") != std::string::npos && maybe())
+      op.feed_direction = Radians::of(random_.between(-3, 3));
     const EntryKind entries[] = {EntryKind::kHelix, EntryKind::kRamp, EntryKind::kZigzagRamp,
                                  EntryKind::kPlunge};
     if (maybe()) op.entry = entries[random_.below(op.tool == 1 ? 3 : 4)];

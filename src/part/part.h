@@ -78,9 +78,10 @@ struct Operation {
   std::optional<double> retract_z;  ///< absolute, mm
   std::optional<double>
       lead;  ///< mm; radius of the arcs, length of the lines into and out of passes along walls
-  std::optional<Radians> lead_angle;  ///< between such a line and the pass; absent: arcs
-  bool rest = false;                  ///< cut only what the earlier steps of the same feature leave
-  std::string strategy_hint;          ///< strategy named by the file, "" if none
+  std::optional<Radians> lead_angle;      ///< between such a line and the pass; absent: arcs
+  bool rest = false;                      ///< cut only what the earlier steps of the same feature leave
+  std::optional<Radians> feed_direction;  ///< of parallel strokes against x
+  std::string strategy_hint;              ///< strategy named by the file, "" if none
 };
 
 /// One step of the work: this feature by that operation.

@@ -90,6 +90,8 @@ std::optional<double> line_distance(const std::optional<std::string>& stepover, 
 
 Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
   ZigzagOptions zigzag;
+  // Among others, lines are free to run where they are fastest.
+  if (options.strategy == "zigzag") zigzag.angle = operation.feed_direction;
   if (options.angle_deg) zigzag.angle = Radians::of_degrees(*options.angle_deg);
   zigzag.material_on_right = wall_on_right(operation);
   zigzag.machine = options.machine;

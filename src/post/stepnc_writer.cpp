@@ -53,11 +53,12 @@ struct Strategy {
   int arguments;
   int cutmode;
   int rotation;
+  bool strokes = false;  ///< the third argument is the direction of strokes
 };
-constexpr Strategy kStrategies[] = {{"unidirectional_milling", "UNIDIRECTIONAL_MILLING", 4, 3, -1},
-                                    {"unidirectional", "UNIDIRECTIONAL", 4, 3, -1},
-                                    {"bidirectional_milling", "BIDIRECTIONAL_MILLING", 5, -1, -1},
-                                    {"bidirectional", "BIDIRECTIONAL", 5, -1, -1},
+constexpr Strategy kStrategies[] = {{"unidirectional_milling", "UNIDIRECTIONAL_MILLING", 4, 3, -1, true},
+                                    {"unidirectional", "UNIDIRECTIONAL", 4, 3, -1, true},
+                                    {"bidirectional_milling", "BIDIRECTIONAL_MILLING", 5, -1, -1, true},
+                                    {"bidirectional", "BIDIRECTIONAL", 5, -1, -1, true},
                                     {"contour_parallel", "CONTOUR_PARALLEL", 4, 3, 2},
                                     {"bidirectional_contour", "BIDIRECTIONAL_CONTOUR", 6, 5, -1},
                                     {"contour_bidirectional", "CONTOUR_BIDIRECTIONAL", 6, 5, -1},
@@ -278,6 +279,11 @@ class Writer {
     const Strategy* strategy = strategy_of(operation);
     if (strategy == nullptr) return kUnset;
     std::vector<std::string> arguments(static_cast<std::size_t>(strategy->arguments), kUnset);
+    if (operation.feed_direction && strategy->strokes) {
+      const Vec2 along = direction_of(operation.feed_direction->radians());
+      arguments[2] =
+          out_.add("DIRECTION", {"''", p21_list({p21_real(along.x), p21_real(along.y), p21_real(0)})});
+    }
     if (radial_in_strategy(operation)) arguments[0] = p21_real(1 - *operation.stepover);
     if (strategy->rotation >= 0) arguments[static_cast<std::size_t>(strategy->rotation)] = ".CCW.";
     if (strategy->cutmode >= 0 && operation.direction)

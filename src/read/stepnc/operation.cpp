@@ -312,10 +312,28 @@ std::string lower(std::string text) {
   return text;
 }
 
+/// Parallel strokes: their direction; what else is stated of them is left to the planner, by name.
+void read_strokes(const Node& strategy, Operation& operation, Context& context) {
+  if (const auto direction = strategy.sound_ref(2)) {
+    const Vec3 along = axis_of(*direction);
+    if (along.x != 0 || along.y != 0) operation.feed_direction = Radians::of(std::atan2(along.y, along.x));
+  }
+  if (strategy.is_any("UNIDIRECTIONAL_MILLING", "UNIDIRECTIONAL"))
+    return context.note("strokes in one direction alone are not made; they are cut to and fro", strategy);
+  const std::string connection = strategy.enumeration(4);
+  if (!connection.empty() && connection != "STRAIGHTLINE")
+    context.note("the stroke connection is not used; strokes are joined straight or along the walls",
+                 strategy);
+  if (!strategy.enumeration(3).empty())
+    context.note("the stepover direction is not used; the side to begin at is left to the planner", strategy);
+}
+
 void read_strategy(const Node& node, Operation& operation, Context& context) {
   const auto strategy = node.ref(11);
   if (!strategy) return;
   operation.strategy_hint = lower(strategy->keyword());
+  if (strategy->is_any("UNIDIRECTIONAL_MILLING", "UNIDIRECTIONAL", "BIDIRECTIONAL_MILLING", "BIDIRECTIONAL"))
+    read_strokes(*strategy, operation, context);
   for (std::size_t i = 2; i < 6; ++i) {
     const std::string word = strategy->enumeration(i);
     if (word == "CLIMB") operation.direction = CutDirection::kClimb;

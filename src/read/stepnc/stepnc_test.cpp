@@ -102,6 +102,18 @@ void expect_box(const Regions& regions, double x0, double x1, double y0, double 
   EXPECT_NEAR(b.max.y, y1, 1e-6);
 }
 
+TEST(StepNc, ReadsTheDirectionOfStrokesAndNamesWhatElseIsLeftToThePlanner) {
+  const Part part = Program()
+                        .with(37, "BIDIRECTIONAL_MILLING(0.5,.T.,#38,.LEFT.,.LOOP_BACK.)")
+                        .with(38, "DIRECTION('',(0.,2.,0.))")
+                        .read();
+  EXPECT_EQ(part.workplan[0].operation.feed_direction, Radians::of(kPi / 2));
+  std::string said;
+  for (const auto& item : part.diagnostics.items()) said += item.what + "\n";
+  EXPECT_NE(said.find("the stroke connection is not used"), std::string::npos) << said;
+  EXPECT_NE(said.find("the stepover direction is not used"), std::string::npos) << said;
+}
+
 TEST(StepNc, ReadsProjectStockToolsAndOperation) {
   const Part part = Program().read();
   EXPECT_EQ(part.name, "P");
