@@ -37,6 +37,9 @@ constexpr double kGates[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 
 constexpr double kPeelPitch = 0.02;
 /// mm. Bites that take less of the wall are idle.
 constexpr double kLeastBite = 1e-3;
+/// Tool radii between places of a stretch from beside which bites are tried, and most of them.
+constexpr double kAsidePitch = 1;
+constexpr int kMostAside = 40;
 constexpr int kMostBites = 300;
 /// Times that all walls are gone over with bites.
 constexpr int kMostRounds = 30;
@@ -186,7 +189,18 @@ bool AdaptiveFinish::peel(const WallStretch& stretch) {
     if (left) idle = before.to - before.from - (left->to - left->from) < kLeastBite;
   }
   if (bites > (idle ? 1 : 0) || !began) return began;
-  return bite_from_aside({stretch.wall, (stretch.from + stretch.to) / 2});
+  return bite_from_aside(stretch);
+}
+
+/// The same from beside any place of a stretch, the middle first.
+bool AdaptiveFinish::bite_from_aside(const WallStretch& stretch) {
+  if (bite_from_aside(WallPlace{stretch.wall, (stretch.from + stretch.to) / 2})) return true;
+  const double whole = stretch.to - stretch.from;
+  const int places = std::min(kMostAside, static_cast<int>(whole / (kAsidePitch * radius_)));
+  for (int i = 0; i < places; ++i) {
+    if (bite_from_aside(WallPlace{stretch.wall, stretch.from + whole * (i + 0.5) / places})) return true;
+  }
+  return false;
 }
 
 /// Towards the wall at `place` from a clear place beside it, and along it. Whether anything was cut.

@@ -33,6 +33,7 @@ class AdaptiveFinish {
   std::vector<WallStretch>::const_iterator nearest_stretch(const std::vector<WallStretch>& stretches) const;
   bool peel(const WallStretch& stretch);
   bool bite_from_aside(const WallPlace& place);
+  bool bite_from_aside(const WallStretch& stretch);
   std::optional<std::vector<Vec2>> way_to_bite(const WallStretch& stretch);
   void cut_stretch(const WallStretch& place);
   void cut_rests();
