@@ -38,8 +38,8 @@ constexpr double kPeelPitch = 0.02;
 /// mm. Bites that take less of the wall are idle.
 constexpr double kLeastBite = 1e-3;
 /// Tool radii between places of a stretch from beside which bites are tried, and most of them.
-constexpr double kAsidePitch = 1;
-constexpr int kMostAside = 40;
+constexpr double kAsidePitch = 0.1;
+constexpr int kMostAside = 400;
 constexpr int kMostBites = 300;
 /// Times that all walls are gone over with bites.
 constexpr int kMostRounds = 30;
