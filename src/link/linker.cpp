@@ -1,7 +1,6 @@
 #include "link/linker.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/error.h"
@@ -14,20 +13,10 @@ namespace {
 
 /// mm over the material where ramps and helices begin.
 constexpr double kEntryHeight = 0.2;
-/// mm. A cutter may be this much wider than a predrilled hole.
-constexpr double kHoleSlack = 0.001;
-
 /// mm. Nearer to the boundary of the legal area the cutter is at the wall.
 constexpr double kAtWall = 0.05;
 /// In which that is looked for.
 constexpr int kDirections = 16;
-
-/// Seconds. Longer ways in round corners are left to cutters that may not plunge.
-constexpr double kLongestWayIn = 5;
-/// Places on the rim of cleared ground that are looked at.
-constexpr std::size_t kMostPlaces = 32;
-/// Places on a ring that are looked at for one to begin at.
-constexpr std::size_t kMostStarts = 8;
 
 /// Seconds by which going down beside the material is preferred to going down into it.
 constexpr double kAirWorth = 1e6;
@@ -38,12 +27,6 @@ std::size_t index_of(EntryKind kind) {
 
 bool runs_along_wall(const Pass& pass) {
   return pass.closed && pass.parent < 0 && pass.kinds.empty() && !pass.entry_center;
-}
-
-/// Places `apart` mm beside the stock, square to its sides.
-std::array<Vec2, 4> places_beside(const Box& stock, double apart, Vec2 p) {
-  const Box beyond = stock.grown(apart);
-  return {Vec2{beyond.min.x, p.y}, {beyond.max.x, p.y}, {p.x, beyond.min.y}, {p.x, beyond.max.y}};
 }
 
 }  // namespace
@@ -110,12 +93,6 @@ double Linker::travel(const CutterAt& from, const Beginning& to, bool low) const
   return down < hop && layer(to.item).legal().holds_line(from.at, to.point) ? down : hop;
 }
 
-/// Whether the straight way at the depth of the pass is legal and nothing of higher layers stands in it.
-bool Linker::is_clear(std::size_t item, Vec2 a, Vec2 b) const {
-  return layer(item).legal().holds_line(a, b) &&
-         progress_.clear_above(work_.items()[item].layer, Edge::line(a, b).box());
-}
-
 /// Rapids may cross just over the layer where the cutter stays within the pocket all along the way; in the
 /// layer above it has cut everything there. From a lower layer it could meet what that left.
 double Linker::hop_height(const CutterAt& from, Vec2 to, std::size_t item) const {
@@ -124,13 +101,13 @@ double Linker::hop_height(const CutterAt& from, Vec2 to, std::size_t item) const
   const double top = std::max({passes.z_top, passes.wall_top.value_or(passes.z_top), from.z});
   const double low = top + options_.above_material;
   const bool clear = index == 0 || work_.layer(index - 1).layer().film == 0;
-  return clear && low < options_.cross_z && is_clear(item, from.at, to) ? low : options_.cross_z;
+  return clear && low < options_.cross_z && ways_in().is_clear(item, from.at, to) ? low : options_.cross_z;
 }
 
 /// Where a rapid down has to end over `p`.
 double Linker::approach_z(Vec2 p, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
-  if (in_air(p)) return passes.z + options_.above_material;
+  if (ways_in().in_air(p)) return passes.z + options_.above_material;
   const double top =
       passes.wall_top && is_at_wall(p, item) ? std::max(*passes.wall_top, passes.z_top) : passes.z_top;
   return top + options_.above_material;
@@ -141,14 +118,6 @@ bool Linker::is_at_wall(Vec2 p, std::size_t item) const {
     if (!layer(item).legal().contains(p + direction_of(2 * kPi * i / kDirections) * kAtWall)) return true;
   }
   return false;
-}
-
-/// Beside the stock, or in a predrilled hole.
-bool Linker::in_air(Vec2 p) const {
-  if (options_.stock && options_.stock->distance_to(p) >= options_.tool_radius) return true;
-  return std::any_of(options_.predrilled.begin(), options_.predrilled.end(), [&](const PredrilledHole& hole) {
-    return distance(p, hole.center) + options_.tool_radius <= hole.diameter / 2 + kHoleSlack;
-  });
 }
 
 Linker::Choice Linker::choose() const {
@@ -175,7 +144,7 @@ Linker::Choice Linker::evaluate(std::size_t item, const PassStart& start) const 
   const Beginning to = beginning(item, start.point);
   choice.cost = hop_time(here(), to, hop_height(here(), start.point, item));
   const double down = straight_time(here(), to);
-  if (down < choice.cost && is_clear(item, moves_.at(), start.point)) {
+  if (down < choice.cost && ways_in().is_clear(item, moves_.at(), start.point)) {
     choice.stay_down = true;
     choice.cost = down;
   }
@@ -196,136 +165,10 @@ Linker::Choice Linker::first_choice() const {
       candidate.start = nearest_start(pass, *wanted);
       candidate.cost = distance(candidate.start.point, *wanted);
     }
-    if (layer(i).open() && start_before_air(i)) candidate.cost -= kAirWorth;
+    if (layer(i).open() && ways_in().start_before_air(i)) candidate.cost -= kAirWorth;
     if (candidate.cost < first.cost) first = candidate;
   }
   return first;
-}
-
-/// Where on a pass a straight legal move from the air may end.
-std::optional<PassStart> Linker::start_before_air(std::size_t item) const {
-  const Path& path = work_.pass(item).path;
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    for (const double t : {0.5, 0.0}) {
-      const PassStart start{path[i].at(t), i, t, false};
-      if (air_before(start.point, item)) return start;
-    }
-  }
-  return std::nullopt;
-}
-
-/// The same from beside what is to be removed, of a few places on the ring.
-std::optional<PassStart> Linker::start_before_cleared(std::size_t item) const {
-  const Path& path = work_.pass(item).path;
-  const std::size_t step = path.size() / kMostStarts + 1;
-  for (std::size_t i = 0; i < path.size(); i += step) {
-    const PassStart start{path[i].at(0.5), i, 0.5, false};
-    if (cleared_before(start.point, item)) return start;
-  }
-  return std::nullopt;
-}
-
-/// Where the way in to `start` comes upon its ring first.
-std::optional<PassStart> Linker::start_on_way_in(const PassStart& start, std::size_t item) const {
-  const auto way = way_in(start.point, item);
-  if (!way) return std::nullopt;
-  const Path& ring = work_.pass(item).path;
-  for (const Edge& edge : *way) {
-    std::optional<PassStart> first;
-    double nearest_t = 1;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      for (const Vec2 p : intersections(edge, ring[i])) {
-        const double t = nearest(edge, p).t;
-        if (first && t >= nearest_t) continue;
-        nearest_t = t;
-        first = PassStart{p, i, nearest(ring[i], p).t, false};
-      }
-    }
-    if (first) return first;
-  }
-  return start;
-}
-
-/// The nearest predrilled hole from which a straight legal move leads to p.
-std::optional<Vec2> Linker::hole_before(Vec2 p, std::size_t item) const {
-  std::optional<Vec2> best;
-  for (const PredrilledHole& hole : options_.predrilled) {
-    if (!in_air(hole.center) || (best && distance(p, hole.center) >= distance(p, *best))) continue;
-    if (is_clear(item, hole.center, p)) best = hole.center;
-  }
-  return best;
-}
-
-/// A point beside the stock or in a predrilled hole from which a straight legal move leads to p.
-std::optional<Vec2> Linker::air_before(Vec2 p, std::size_t item) const {
-  if (in_air(p)) return p;
-  if (const auto hole = hole_before(p, item)) return hole;
-  if (!options_.stock || !layer(item).open()) return std::nullopt;
-  std::optional<Vec2> best;
-  for (const Vec2 out : places_beside(*options_.stock, options_.tool_radius + options_.above_material, p)) {
-    if (best && distance(p, out) >= distance(p, *best)) continue;
-    if (is_clear(item, out, p)) best = out;
-  }
-  return best;
-}
-
-/// The nearest place beside what the layer is to remove from which a straight legal move leads to p: earlier work has
-/// cleared the ground there, but for films in which a cutter that may not plunge would be at fault.
-std::optional<Vec2> Linker::cleared_before(Vec2 p, std::size_t item) const {
-  if (!options_.may_plunge || !layer(item).open()) return std::nullopt;
-  std::vector<Vec2> places;
-  for (const Region& region : layer(item).touching()) {
-    for (const Edge& edge : region.edges()) places.push_back(nearest(edge, p).point);
-  }
-  const std::size_t count = std::min(places.size(), kMostPlaces);
-  const auto nearer = [&](Vec2 a, Vec2 b) { return norm_squared(a - p) < norm_squared(b - p); };
-  std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count), places.end(),
-                    nearer);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (is_clear(item, places[i], p)) return places[i];
-  }
-  return std::nullopt;
-}
-
-/// Round corners from a place in the air, from where that way leaves the air for the last time.
-std::optional<Path> Linker::way_round(Vec2 from, Vec2 to, std::size_t item) const {
-  const LayerWork& where = layer(item);
-  if (!where.legal().holds(from)) return std::nullopt;
-  auto way = where.routes().between(from, to);
-  if (!way || way->empty()) return std::nullopt;
-  while (way->size() > 1 && in_air(way->front().to)) way->erase(way->begin());
-  const auto is_free = [&](const Edge& edge) {
-    return (edge.is_arc() || where.legal().holds_line(edge.from, edge.to)) &&
-           progress_.clear_above(work_.items()[item].layer, edge.box());
-  };
-  if (!std::all_of(way->begin(), way->end(), is_free)) return std::nullopt;
-  return way;
-}
-
-/// A legal way to p from beside the stock, from a predrilled hole or from cleared ground: straight, else the shortest found
-/// round corners.
-std::optional<Path> Linker::way_in(Vec2 p, std::size_t item) const {
-  if (const auto air = air_before(p, item)) return *air == p ? Path{} : Path{Edge::line(*air, p)};
-  if (const auto beside = cleared_before(p, item))
-    return *beside == p ? Path{} : Path{Edge::line(*beside, p)};
-  std::vector<Vec2> outs;
-  for (const PredrilledHole& hole : options_.predrilled) {
-    if (in_air(hole.center)) outs.push_back(hole.center);
-  }
-  if (options_.stock && layer(item).open()) {
-    const double apart = options_.tool_radius + options_.above_material;
-    for (const Vec2 out : places_beside(*options_.stock, apart, p)) outs.push_back(out);
-  }
-  std::optional<Path> best;
-  double longest =
-      options_.may_plunge ? kLongestWayIn * lead_feed().mm_per_s() : std::numeric_limits<double>::infinity();
-  for (const Vec2 out : outs) {
-    auto way = way_round(out, p, item);
-    if (!way || length(*way) >= longest) continue;
-    longest = length(*way);
-    best = std::move(way);
-  }
-  return best;
 }
 
 void Linker::cut_pass(Choice next) {
@@ -361,16 +204,16 @@ std::optional<Lead> Linker::lead_for_pass(const Path& path, const Choice& next) 
 /// A pass that is entered anew begins where air leads to it, if it does anywhere.
 void Linker::start_from_air(Choice& next) const {
   const Pass& pass = work_.pass(next.item);
-  if (air_before(next.start.point, next.item)) return;
+  if (ways_in().air_before(next.start.point, next.item)) return;
   if (pass.closed && pass.kinds.empty()) {
-    auto start = start_before_air(next.item);
-    if (!start && cleared_before(next.start.point, next.item)) return;
-    if (!start) start = start_before_cleared(next.item);
-    if (!start) start = start_on_way_in(next.start, next.item);
+    auto start = ways_in().start_before_air(next.item);
+    if (!start && ways_in().cleared_before(next.start.point, next.item)) return;
+    if (!start) start = ways_in().start_before_cleared(next.item);
+    if (!start) start = ways_in().start_on_way_in(next.start, next.item);
     if (start) next.start = *start;
   } else if (!pass.closed && pass.reversible) {
     const Vec2 other = next.start.backwards ? pass.path.front().from : pass.path.back().to;
-    if (air_before(other, next.item)) next.start = {other, 0, 0, !next.start.backwards};
+    if (ways_in().air_before(other, next.item)) next.start = {other, 0, 0, !next.start.backwards};
   }
 }
 
@@ -381,8 +224,8 @@ double Linker::go_to(const Choice& next, const Path& path, bool is_ring) {
     link_to(p);
     return 0;
   }
-  const bool straight = work_.pass(next.item).may_cut_to_start || in_air(p);
-  const auto way = straight ? way_in(p, next.item) : std::nullopt;
+  const bool straight = work_.pass(next.item).may_cut_to_start || ways_in().in_air(p);
+  const auto way = straight ? ways_in().to(p, next.item) : std::nullopt;
   if (!way && !work_.pass(next.item).starts_clear)
     return enter_material(p, path, is_ring ? &path : nullptr, next.item);
   go_over(way && !way->empty() ? way->front().from : p, next.item);

@@ -11,6 +11,7 @@
 #include "link/link.h"
 #include "link/moves.h"
 #include "link/pass_start.h"
+#include "link/ways_in.h"
 #include "link/work.h"
 
 namespace clearcut {
@@ -75,6 +76,7 @@ class Linker {
   bool running() const { return !moves_.empty(); }
   bool is_at_depth_of(std::size_t item) const { return moves_.z() == layer(item).layer().z; }
   const LayerWork& layer(std::size_t item) const { return work_.layer_of(item); }
+  WaysIn ways_in() const { return {work_, options_, progress_}; }
   CutterAt here() const { return {moves_.at(), moves_.z()}; }
 
   Choice choose() const;
@@ -85,16 +87,6 @@ class Linker {
   double hop_height(const CutterAt& from, Vec2 to, std::size_t item) const;
   double approach_z(Vec2 p, std::size_t item) const;
   bool is_at_wall(Vec2 p, std::size_t item) const;
-  bool in_air(Vec2 p) const;
-  bool is_clear(std::size_t item, Vec2 a, Vec2 b) const;
-  std::optional<Vec2> hole_before(Vec2 p, std::size_t item) const;
-  std::optional<Vec2> air_before(Vec2 p, std::size_t item) const;
-  std::optional<Vec2> cleared_before(Vec2 p, std::size_t item) const;
-  std::optional<Path> way_round(Vec2 from, Vec2 to, std::size_t item) const;
-  std::optional<Path> way_in(Vec2 p, std::size_t item) const;
-  std::optional<PassStart> start_before_air(std::size_t item) const;
-  std::optional<PassStart> start_before_cleared(std::size_t item) const;
-  std::optional<PassStart> start_on_way_in(const PassStart& start, std::size_t item) const;
 
   void cut_pass(Choice next);
   std::optional<Lead> lead_for_pass(const Path& path, const Choice& next);
