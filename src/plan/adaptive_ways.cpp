@@ -49,7 +49,11 @@ void FreeWays::join(int a, int b) {
 
 std::optional<std::vector<Vec2>> FreeWays::find(Vec2 from, Vec2 to, const Ground& ground, double film) const {
   if (ground.is_free(from, to, film)) return std::vector<Vec2>{to};
-  if (const auto corner = one_corner(from, to, ground, film)) return std::vector<Vec2>{*corner, to};
+  if (const auto corner = one_corner(from, to, ground, film)) {
+    std::vector<Vec2> way{*corner, to};
+    pull_taut(way, from, ground, film);
+    return way;
+  }
   const auto& sources = sources_of(from, ground, film);
   if (sources.empty()) return std::nullopt;
   const auto targets = nearest_free(to, ground, film);
