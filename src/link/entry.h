@@ -28,8 +28,8 @@ struct Entry {
   double along_ring = 0;
 };
 
-/// The moves from z_above down to the pass, all inside `legal`; they begin at or beside its start. The first way of these that fits, beginning
-/// with the one asked for:
+/// The moves from z_above down to the pass, all inside `legal`; they begin at or beside its start. The first way of these
+/// that fits, beginning with the one asked for:
 ///
 /// Helix    about circle_center, else about a centre beside the start so that it touches `direction`, as wide as
 ///          options.helix_widest and less while it does not fit, down to helix_narrowest; no steeper than the

@@ -34,12 +34,16 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
   const auto lowest = [&](const Workingstep& step) {
     return feature_of(part, step).floor_z + step.operation.allowance_floor;
   };
-  const double deep = lowest(part.workplan.at(static_cast<std::size_t>(workingstep)));
+  const Workingstep& own = part.workplan.at(static_cast<std::size_t>(workingstep));
+  const double deep = lowest(own);
+  const Box here = box(feature_of(part, own).allowed);  // most holes lie beside it: that is asked first
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
+    const Feature& feature = feature_of(part, step);
+    if (lowest(step) > deep || !box(feature.target).overlaps(here)) continue;
     const Tool& tool = tool_of(part, step);
-    const auto hole = round_hole_of(feature_of(part, step), tol);
-    if (!hole || lowest(step) > deep || tool.radius() > hole->radius + tol.fit) continue;
+    const auto hole = round_hole_of(feature, tol);
+    if (!hole || tool.radius() > hole->radius + tol.fit) continue;
     const double milled = 2 * (hole->radius - step.operation.allowance_side);
     holes.push_back({hole->center, only_plunges(tool) ? tool.diameter : milled});
   }

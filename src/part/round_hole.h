@@ -26,7 +26,7 @@ bool only_plunges(const Tool& tool);
 /// a film of tol.uncut all round.
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);
 
-/// The ways down that are there when a workingstep begins, for cutters that are no wider: predrilled holes, and those that
+/// The ways down that are there, in reach of its passes, when a workingstep begins, for cutters that are no wider: predrilled holes, and those that
 /// earlier steps have made at least as deep as the step goes. Cost O(steps).
 std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol);
 

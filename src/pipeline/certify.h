@@ -13,7 +13,8 @@ namespace clearcut {
 /// Where rapids of a step cross: its retract plane, over all that stands.
 double crossing_z(const Part& part, const Operation& operation);
 
-/// How a workingstep of a prepared part is linked, by its place in the workplan. `entry` is how to go down where the operation does not say.
+/// How a workingstep of a prepared part is linked, by its place in the workplan. `entry` is how to go down where the operation
+/// does not say.
 LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const PlanOptions& options);
 
 /// Writes into `section` whose work it is and how its tool is driven.

@@ -35,10 +35,6 @@ constexpr double kNearStock = 0.05;
 constexpr double kAir = 0.3;
 /// Tool radii beside corners that clearing leaves to them: cuts from wall to wall would come nearer by less and less.
 constexpr double kLeftToCorner = 0.7;
-/// mm. Links through what is cleared may graze as much.
-constexpr double kFree = 1e-3;
-/// mm. Where no more than this stands the cutter goes straight down.
-constexpr double kClear = 5e-4;
 
 /// Whether the cutter may be far beside what is to be removed.
 bool has_open_side(const Layer& layer) {
@@ -124,9 +120,10 @@ class AdaptivePlanner {
   bool cut_from_air(const Wall& outline, double s) {
     const Vec2 along = outline.heading(s), inwards = left_of(along),
                p = outline.at(s) + inwards * (kBesideAir * radius_);
-    if (ground_.touches(p, kClear) || !ground_.touches(p + inwards * (kNearStock * radius_), kFree))
+    if (ground_.touches(p, Ground::kClear) ||
+        !ground_.touches(p + inwards * (kNearStock * radius_), Ground::kFree))
       return false;
-    const auto way = path_.empty() ? std::nullopt : path_.way_to(p, kFree);
+    const auto way = path_.empty() ? std::nullopt : path_.way_to(p, Ground::kFree);
     const Path cut = finish_.cut_on(p, -along);
     if (cut.empty()) return false;
     path_.append(cut, way ? *way : path_.hop_to(p));

@@ -27,8 +27,6 @@ constexpr double kRest = 0.003;
 /// mm. Nearer to what the cutter cannot reach nothing is a rest.
 constexpr double kReach = 5e-4;
 constexpr int kMostRests = 60;
-/// mm. Links through what is cleared may graze as much.
-constexpr double kFree = 1e-3;
 /// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
 constexpr double kMergeGap = 0.8;
 /// Tool radii from a wall from where bites towards it are tried.
@@ -209,10 +207,10 @@ bool AdaptiveFinish::bite_from_aside(const WallPlace& place) {
   const Vec2 p = wall.at(place.s), inwards = left_of(wall.heading(place.s));
   for (const double share : kGates) {
     const Vec2 gate = p + inwards * (share * radius_);
-    if (!ground_.legal().holds_line(p, gate) || ground_.touches(gate, kFree)) continue;
+    if (!ground_.legal().holds_line(p, gate) || ground_.touches(gate, Ground::kFree)) continue;
     const Path bite = Peeler(ground_, wall, limit_).bite_from_aside(gate, place.s);
     if (bite.empty()) continue;
-    auto way = path_.empty() ? std::nullopt : path_.way_to(gate, kFree);
+    auto way = path_.empty() ? std::nullopt : path_.way_to(gate, Ground::kFree);
     if (!way) way = path_.hop_if_clear(gate);
     if (!way) continue;
     path_.cut(bite, *way);
@@ -226,7 +224,7 @@ std::optional<std::vector<Vec2>> AdaptiveFinish::way_to_bite(const WallStretch& 
   if (!path_.empty()) {
     // Bites begin near the end of the one before: straight over its film rather than round it.
     if (ground_.is_free(path_.at(), p, kCornerFree)) return std::vector<Vec2>{p};
-    if (auto way = path_.way_to(p, kFree)) return way;
+    if (auto way = path_.way_to(p, Ground::kFree)) return way;
     if (auto way = path_.way_to(p, kCornerFree)) return way;
   }
   return path_.hop_if_clear(p);
@@ -239,8 +237,8 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
   const Vec2 p = stretch.front().from, inwards = left_of(stretch.front().tangent_at(0));
   for (const double share : {0.0, 0.02, 0.05, 0.1, 0.2, 0.4}) {
     const Vec2 gate = p + inwards * (share * radius_);
-    if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree)) continue;
-    const auto way = path_.way_to(gate, kFree);
+    if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, Ground::kFree)) continue;
+    const auto way = path_.way_to(gate, Ground::kFree);
     if (!way) continue;
     if (share > 0) stretch.insert(stretch.begin(), Edge::line(gate, p));
     return path_.cut(stretch, *way);
@@ -289,8 +287,8 @@ bool AdaptiveFinish::cut_rest(Vec2 p) {
   for (const double reach : {0.3, 0.6, 1.0, 1.5}) {
     for (int i = 0; i < 8; ++i) {
       const Vec2 gate = p + direction_of(kPi / 4 * i) * (reach * radius_);
-      if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree)) continue;
-      const auto way = path_.way_to(gate, kFree);
+      if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, Ground::kFree)) continue;
+      const auto way = path_.way_to(gate, Ground::kFree);
       if (!way) continue;
       path_.cut({Edge::line(gate, p)}, *way);
       return true;

@@ -15,6 +15,11 @@ class Ground {
   /// `legal`: where the cutter's centre may be. `stock`: beside it there is nothing; absent: no end.
   Ground(const Regions& legal, double tool_radius, const std::optional<Box>& stock);
 
+  /// mm. Ways through what is cleared may graze as much.
+  static constexpr double kFree = 1e-3;
+  /// mm. Where no more than this stands the cutter goes straight down.
+  static constexpr double kClear = 5e-4;
+
   double tool_radius() const { return tool_radius_; }
   const LegalArea& legal() const { return legal_; }
 

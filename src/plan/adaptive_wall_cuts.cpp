@@ -15,8 +15,6 @@ constexpr double kGateSlopes[] = {0, 2, 6, 16};
 constexpr double kLongestGate = 3;  // tool radii
 /// Gates beside a wall to which a way is looked for.
 constexpr int kMostGates = 3;
-/// mm. Links through what is cleared may graze as much.
-constexpr double kFree = 1e-3;
 
 }  // namespace
 
@@ -70,8 +68,8 @@ std::optional<WallCuts::Approach> WallCuts::approach_to(const WallPlace& start) 
   const double farthest = std::min(kLongestApproach * radius_, walls.from_stop(start));
   for (double back = 0; back < farthest; back += kPitch * radius_ / 2) {
     const WallPlace first{start.wall, start.s - back};
-    if (ground_.touches(walls.point(first), kFree)) continue;
-    if (const auto way = path_.way_to(walls.point(first), kFree)) return Approach{*way, {}, first};
+    if (ground_.touches(walls.point(first), Ground::kFree)) continue;
+    if (const auto way = path_.way_to(walls.point(first), Ground::kFree)) return Approach{*way, {}, first};
     break;
   }
   for (const double back : {0.0, 0.2, 0.5, 1.0}) {
@@ -90,10 +88,10 @@ std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace&
       const double aside = share * radius_;
       if (share * slope > kLongestGate) continue;
       const Vec2 gate = p - along * (slope * aside) + left_of(along) * aside;
-      if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, kFree) ||
+      if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, Ground::kFree) ||
           !is_within(Edge::line(gate, p)))
         continue;
-      if (const auto way = path_.way_to(gate, kFree)) return Approach{*way, {}, place};
+      if (const auto way = path_.way_to(gate, Ground::kFree)) return Approach{*way, {}, place};
       if (--tries == 0) return std::nullopt;
     }
   }
@@ -113,7 +111,7 @@ std::optional<WallCuts::Approach> WallCuts::approach_through_films(const WallPla
     Approach approach{{}, {}, first};
     Vec2 at = path_.at();
     for (const Vec2 station : *way) {
-      if (approach.lead.empty() && ground_.is_free(at, station, kFree)) {
+      if (approach.lead.empty() && ground_.is_free(at, station, Ground::kFree)) {
         approach.way.push_back(station);
       } else {
         approach.lead.push_back(Edge::line(at, station));

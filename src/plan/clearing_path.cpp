@@ -11,8 +11,6 @@ namespace {
 
 /// mm. Shorter moves are left out.
 constexpr double kShortest = 1e-6;
-/// mm. Where no more than this stands the cutter goes straight down.
-constexpr double kClear = 5e-4;
 /// Tool radii that a hole must be wider than the cutter to begin in.
 constexpr double kLeastHole = 0.05;
 /// Radians by which the spiral may exceed the limit.
@@ -110,12 +108,12 @@ std::vector<Vec2> ClearingPath::hop_to(Vec2 p) {
 }
 
 std::optional<std::vector<Vec2>> ClearingPath::hop_if_clear(Vec2 p) {
-  if (ground_.touches(p, kClear)) return std::nullopt;
+  if (ground_.touches(p, Ground::kClear)) return std::nullopt;
   return hop_to(p);
 }
 
 void ClearingPath::note_start(Vec2 p) {
-  if (empty()) pass_.starts_clear = !ground_.touches(p, kClear);
+  if (empty()) pass_.starts_clear = !ground_.touches(p, Ground::kClear);
 }
 
 void ClearingPath::cut(const Path& cut, const std::vector<Vec2>& link) {
