@@ -20,6 +20,8 @@ constexpr double kCheckTurn = 0.15;
 /// look before.
 constexpr double kBeside = 1e-3;
 constexpr double kBesidePeak = 0.01;
+/// Tool radii: cells that are known to be cleared.
+constexpr double kCell = 1.0 / 8;
 /// Radians. Peaks between looks may be higher than the limit by so much.
 constexpr double kPeak = 0.012;
 /// Looks for a peak, each nearer to it.
@@ -34,7 +36,10 @@ Move level_move(const Edge& edge) {
 }  // namespace
 
 Ground::Ground(const Regions& legal, double tool_radius, const std::optional<Box>& stock)
-    : legal_(legal), tool_radius_(tool_radius), material_(stock, 0, {tool_radius}) {}
+    : legal_(legal),
+      tool_radius_(tool_radius),
+      material_(stock, 0, {tool_radius}),
+      cleared_(box(legal).grown(tool_radius * (1 + 2 * kCell)), tool_radius * kCell) {}
 
 double Ground::contact(Vec2 p, Vec2 heading) const {
   return material_.engagement(p, heading, tool_radius_ - kRounding, -1).angle;
@@ -119,12 +124,13 @@ std::optional<Vec2> Ground::touched(Vec2 p, double film) const {
 bool Ground::is_free(Vec2 a, Vec2 b, double film) const {
   if (!legal_.holds_line(a, b)) return false;
   const int steps = static_cast<int>(distance(a, b) / (tool_radius_ * kLookStep)) + 1;
+  const auto at = [&](int look) { return lerp(a, b, static_cast<double>(look) / steps); };
   // Most ways that are not free are seen at once by where the centre would run.
   for (int i = steps; i >= 0; --i) {
-    if (!is_removed(lerp(a, b, static_cast<double>(i) / steps))) return false;
+    if (!cleared_.holds(at(i), 0) && !is_removed(at(i))) return false;
   }
   for (int i = 0; i <= steps; ++i) {
-    if (touches(lerp(a, b, static_cast<double>(i) / steps), film)) return false;
+    if (!cleared_.holds(at(i), tool_radius_ - film) && touches(at(i), film)) return false;
   }
   return true;
 }
@@ -137,16 +143,28 @@ bool Ground::keeps_limit(const std::vector<Edge>& cuts, double limit, double tin
     if (!kept) break;
     cut(edge);
   }
-  material_.forget_beyond(before);
+  forget_beyond(before);
   return kept;
 }
 
 void Ground::remove_disc(Vec2 center, double radius) {
-  material_.add(level_move(Edge::line(center, center)), radius);
+  take(Edge::line(center, center), radius);
 }
 
 void Ground::cut(const Edge& edge) {
-  material_.add(level_move(edge), tool_radius_);
+  take(edge, tool_radius_);
+}
+
+void Ground::take(const Edge& path, double radius) {
+  sweeps_.push_back(material_.sweeps());
+  material_.add(level_move(path), radius);
+  cleared_.add(path, radius);
+}
+
+void Ground::forget_beyond(std::size_t cuts) {
+  material_.forget_beyond(cuts);
+  while (!sweeps_.empty() && sweeps_.back() >= cuts) sweeps_.pop_back();
+  cleared_.forget_beyond(sweeps_.size());
 }
 
 }  // namespace clearcut

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "plan/cleared_cells.h"
 #include "stock/material.h"
 #include "toolpath/legal_area.h"
 
@@ -41,12 +42,13 @@ class Ground {
   void cut(const Edge& edge);
   /// Cuts so far; and back to as many.
   std::size_t cuts() const { return material_.sweeps(); }
-  void forget_beyond(std::size_t cuts) { material_.forget_beyond(cuts); }
+  void forget_beyond(std::size_t cuts);
   /// Whether all cuts longer than `tiny` mm, one after the other, keep the contact at most at `limit`. The ground stays
   /// as it is.
   bool keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny);
 
  private:
+  void take(const Edge& path, double radius);
   /// The contact at parameter t of an edge.
   struct Look {
     double t = 0;
@@ -69,6 +71,8 @@ class Ground {
   LegalArea legal_;
   double tool_radius_;
   Material material_;
+  ClearedCells cleared_;
+  std::vector<std::size_t> sweeps_;  ///< of the material before each of the cuts
 };
 
 }  // namespace clearcut
