@@ -42,16 +42,15 @@ Ground::Ground(const Regions& legal, double tool_radius, const std::optional<Box
       cleared_(box(legal).grown(tool_radius * (1 + 2 * kCell)), tool_radius * kCell) {}
 
 double Ground::contact(Vec2 p, Vec2 heading) const {
-  return material_.engagement(p, heading, tool_radius_ - kRounding, -1).angle;
+  return material_.contact_size(p, heading, tool_radius_ - kRounding, -1).angle;
 }
 
 Ground::Look Ground::look(const Edge& edge, double t, double beside) const {
   const auto contact_at = [&](double at) {
-    return material_.engagement(edge.at(at), edge.tangent_at(at), tool_radius_ - kRounding, -1);
+    return material_.contact_size(edge.at(at), edge.tangent_at(at), tool_radius_ - kRounding, -1);
   };
-  const Contact here = contact_at(t);
-  return {t, here.angle, (contact_at(t + beside).angle - here.angle) / beside,
-          here.angles.intervals().size()};
+  const ContactSize here = contact_at(t);
+  return {t, here.angle, (contact_at(t + beside).angle - here.angle) / beside, here.parts};
 }
 
 double Ground::length_within(const Edge& edge, double limit) const {
@@ -110,15 +109,9 @@ bool Ground::touches(Vec2 p, double film) const {
 
 std::optional<Vec2> Ground::touched(Vec2 p, double film) const {
   const double radius = tool_radius_ - film;
-  const AngleSet left = material_.circle_in_material(p, radius, -1);
-  AngleInterval widest;
-  double sum = 0;
-  for (const AngleInterval& item : left.intervals()) {
-    sum += item.width();
-    if (item.width() > widest.width()) widest = item;
-  }
-  if (sum <= kTouch) return std::nullopt;
-  return p + direction_of((widest.from + widest.to) / 2) * radius;
+  const auto touch = material_.circle_touch(p, radius, -1);
+  if (!touch || touch->angle <= kTouch) return std::nullopt;
+  return p + touch->toward * radius;
 }
 
 bool Ground::is_free(Vec2 a, Vec2 b, double film) const {

@@ -53,8 +53,8 @@ class Ground {
   struct Look {
     double t = 0;
     double contact = 0;
-    double slope = 0;       ///< radians for the whole edge
-    std::size_t parts = 0;  ///< of the circle that touch material
+    double slope = 0;  ///< radians for the whole edge
+    int parts = 0;     ///< of the circle that touch material
   };
   /// The slope is that towards t + `beside`.
   Look look(const Edge& edge, double t, double beside) const;

@@ -1,6 +1,9 @@
 // Which directions around a cutter's centre are still in material, kept without trigonometry.
 #pragma once
 
+#include <cmath>
+#include <span>
+
 #include "geometry/vec2.h"
 #include "stock/angle_set.h"
 
@@ -25,8 +28,9 @@ struct SweptArc {
 
 /// The circle of a cutter, or its front half, less what sweeps cover.
 ///
-/// Directions are told apart by a pseudo-angle that grows with the angle from `ahead`: 0 ahead, 1 on the left, +-2
-/// behind, -1 on the right. Angles are computed once, for the result. Exact to rounding.
+/// What is left are spans between two directions. A sweep is the part of the circle within up to four bounds, each a
+/// line or a circle; most spans lie on one side of most of them, which their ends tell by a product each. Only where
+/// a bound crosses a span a root is drawn. Exact to rounding.
 class Horizon {
  public:
   enum class Part { kFront, kWhole };
@@ -39,6 +43,8 @@ class Horizon {
     const double far = reach + rest_radius_;
     return norm_squared(at - rest_center_) <= far * far;
   }
+  /// Whether any of what is left may lie farther along `normal`, of length 1, than `at`.
+  bool may_pass(Vec2 at, Vec2 normal) const { return dot(normal, rest_center_ - at) > -rest_radius_; }
   void clear() { count_ = 0; }
   void remove_disc(Vec2 at, double disc);
   /// The rectangle, or part of a ring, between the discs at the ends.
@@ -47,33 +53,56 @@ class Horizon {
   /// Directions u with dot(normal, u) > q, normal of length 1.
   void remove_beyond(Vec2 normal, double q);
 
+  /// What is left, from `ahead`, in [-pi, pi].
   AngleSet angles() const;
+  /// Sum of its widths, radians.
+  double measure() const;
+  /// How many intervals it is.
+  int parts() const { return count_; }
+  /// The middle of its widest interval, of length 1. Not of an empty one.
+  Vec2 middle_of_widest() const;
 
  private:
-  struct Span {
-    double from = 0;
-    double to = 0;
+  /// Where a span begins or ends. No member is set before it is known: most of the many are never used.
+  struct End {
+    double order;  ///< grows with the angle from `ahead`: 0 ahead, 1 on the left, +-2 behind, -1 on the right
+    double x, y;   ///< the direction, of length 1
+    Vec2 way() const { return {x, y}; }
   };
-  /// Up to four arcs of directions as ascending spans.
-  struct Spans {
+  struct Span {
+    End from, to;
+    bool is_wide() const { return to.order - from.order >= 2; }  ///< a half turn or more
+    /// Whether the direction v, of any length, may be between.
+    bool holds(Vec2 v) const {
+      const bool after = cross(from.way(), v) >= 0, before = cross(v, to.way()) >= 0;
+      return is_wide() ? after || before : after && before;
+    }
+    double width() const;
+  };
+  /// Directions u with dot(normal, u) <= most are within.
+  struct Bound {
+    Vec2 normal;
+    double most = 0;
+    double squared = 1;  ///< of the normal's length
+  };
+  enum class Side { kWithin, kBeyond, kAcross };
+  /// A few spans, ascending.
+  struct Pieces {
     Span items[8];
     int count = 0;
-    bool all = false;
-    void add(double from, double to);
+    void add(const Span& span);
     void merge();
   };
 
-  Vec2 seen(Vec2 u) const { return {dot(ahead_, u), cross(ahead_, u)}; }
-  void add_beyond(Vec2 normal, double q, Spans& spans) const;
-  void remove_span(double from, double to);
-  void keep(Spans& spans);
-  void append(Span span);
+  static Side side_of(const Bound& bound, const Span& span);
+  Bound within_circle(Vec2 from_its_center, double its_radius) const;
+  Bound within_line(Vec2 normal, double most) const { return {normal, most * inverse_, 1}; }
+  End end_in(const Span& span, Vec2 way) const;
+  void remove_within(std::span<const Bound> bounds);
+  int replace(int place, const Span* pieces, int count);
+  void add_beyond(const Bound& bound, const Span& span, Pieces& pieces) const;
+  void drop_narrowest();
   void look();
-  void look_at_ends();
-  // Whether a shape may cover any of what is left: no more than a bound of it, but without a root or a division.
-  bool may_cover(const SweptLine& line) const;
-  bool may_cover(const SweptArc& arc) const;
-  bool may_cover(Vec2 v, double disc) const;
 
   static constexpr int kCapacity = AngleSet::kCapacity;
   const Vec2 center_;
@@ -81,26 +110,8 @@ class Horizon {
   const double inverse_;  ///< of the radius
   const Vec2 ahead_;
   int count_ = 1;
-  Span items_[kCapacity];
-  /// Where a span begins and ends, directions of length 1.
-  struct Ends {
-    Vec2 from, to;
-    bool wide = false;  ///< a half turn or more
-    /// Whether the direction v, of any length, may be between.
-    bool holds(Vec2 v) const {
-      return wide ? !(cross(to, v) > 0 && cross(v, from) > 0) : cross(from, v) >= 0 && cross(v, to) >= 0;
-    }
-    /// Whether dot(normal, u) >= q for all directions u between.
-    bool is_beyond(Vec2 normal, double q) const {
-      return dot(normal, from) >= q && dot(normal, to) >= q && !holds(-normal);
-    }
-  };
-  /// More spans than this are not looked at one by one.
-  static constexpr int kFewSpans = 8;
-  Ends ends_[kFewSpans];
-  int known_ends_ = 0;  ///< of all spans, or 0
+  Span items_[kCapacity + 1];  ///< disjoint, ascending
   // Everything left lies within rest_radius_ of rest_center_.
-  Span looked_;
   Vec2 rest_center_;
   double rest_radius_ = 0;
 };

@@ -99,7 +99,8 @@ Material::Sweep Material::make_sweep(const Edge& path, double z_from, double z_t
     sweep.after = left_of(unit(path.to - path.center)) * side;
   } else {
     sweep.length = length_of(path.to - path.from);
-    sweep.along = (path.to - path.from) / sweep.length;
+    sweep.after = (path.to - path.from) / sweep.length;
+    sweep.before = -sweep.after;
   }
   return sweep;
 }
@@ -193,17 +194,19 @@ double Material::height(Vec2 p) const {
   return height;
 }
 
+/// Beside the part between its ends a sweep is the halves of the discs beyond them.
 void Material::remove_sweep(Horizon& horizon, const Sweep& sweep) {
   const Edge& path = sweep.path;
-  // Where it goes on, the disc at its start is the one at the end of the sweep before.
-  if (!sweep.goes_on) horizon.remove_disc(path.from, sweep.radius);
-  if (path.from == path.to) return;
-  horizon.remove_disc(path.to, sweep.radius);
+  if (path.from == path.to) return horizon.remove_disc(path.from, sweep.radius);
   if (path.is_arc()) {
     horizon.remove_arc({path.center, sweep.ring, sweep.before, sweep.after, sweep.radius});
   } else {
-    horizon.remove_line({path.from, sweep.along, sweep.length, sweep.radius});
+    horizon.remove_line({path.from, sweep.after, sweep.length, sweep.radius});
   }
+  // Where it goes on, the disc at its start is the one at the end of the sweep before.
+  if (!sweep.goes_on && horizon.may_pass(path.from, sweep.before))
+    horizon.remove_disc(path.from, sweep.radius);
+  if (horizon.may_pass(path.to, sweep.after)) horizon.remove_disc(path.to, sweep.radius);
 }
 
 void Material::remove_outside(Horizon& horizon, Vec2 center, double radius) const {
@@ -265,6 +268,19 @@ Contact Material::engagement(const Move& move, double t, double radius) const {
     remove_sweep(horizon, make_sweep(piece, z, z, radius));
   }
   return contact_of(horizon);
+}
+
+ContactSize Material::contact_size(Vec2 center, Vec2 direction, double radius, double z) const {
+  Horizon horizon(center, radius, direction, Horizon::Part::kFront);
+  remove_everything(horizon, center, radius, z);
+  return {horizon.measure(), horizon.parts()};
+}
+
+std::optional<CircleTouch> Material::circle_touch(Vec2 center, double radius, double z) const {
+  Horizon horizon(center, radius, {1, 0}, Horizon::Part::kWhole);
+  remove_everything(horizon, center, radius, z);
+  if (horizon.empty()) return std::nullopt;
+  return CircleTouch{horizon.measure(), horizon.middle_of_widest()};
 }
 
 AngleSet Material::circle_in_material(Vec2 center, double radius, double z) const {

@@ -22,6 +22,18 @@ struct Contact {
   double right = 0;
 };
 
+/// How much of a cutter's front touches material.
+struct ContactSize {
+  double angle = 0;  ///< radians, sum of the widths
+  int parts = 0;     ///< of the front, apart from each other
+};
+
+/// What of a circle is in material.
+struct CircleTouch {
+  double angle = 0;  ///< radians, sum of the widths
+  Vec2 toward;       ///< unit, the middle of the widest part
+};
+
 /// A block, or solid ground without end, minus the volumes that flat cutters have swept so far.
 ///
 /// Exact: sweeps are kept as lines and arcs with a radius, questions are answered by intersecting circles
@@ -53,8 +65,12 @@ class Material {
   /// The same at parameter t of `move`, for a cutter that has swept the move up to t (and nothing of it is
   /// added yet).
   Contact engagement(const Move& move, double t, double radius) const;
+  /// The sum alone, for less.
+  ContactSize contact_size(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The parts of the whole circle in material, as absolute angles in [-pi, pi].
   AngleSet circle_in_material(Vec2 center, double radius, double z) const;
+  /// Their sum and one direction alone, for less; none where the circle is free.
+  std::optional<CircleTouch> circle_touch(Vec2 center, double radius, double z) const;
 
   double z_top() const { return z_top_; }
   const std::optional<Box>& plan() const { return plan_; }
@@ -68,9 +84,8 @@ class Material {
     double z_low = 0;
     double z_high = 0;
     double length = 0;     ///< of a line
-    Vec2 along;            ///< of a line, unit
     double ring = 0;       ///< radius of an arc
-    Vec2 before, after;    ///< of an arc, see SweptArc
+    Vec2 before, after;    ///< unit, backwards at the start, onwards at the end
     bool goes_on = false;  ///< the sweep before ends, no higher, where this one starts
   };
   /// A sweep in a cell's list, with a disc around it: most are turned away by that.
