@@ -74,13 +74,23 @@ Path Tracer::cut_on(Vec2 from, Vec2 heading, double curvature) {
 
 Path Tracer::run(Next next) {
   int idle = 0;
+  before_wall_ = {0, ground_.cuts()};
   while (next != Next::kDone && idle < kMostIdle) {
     const double before = engaged_;
-    next = next == Next::kWall ? follow_wall() : trace();
+    const std::size_t moves = path_.size();
+    const bool on_wall = next == Next::kWall;
+    next = on_wall ? follow_wall() : trace();
     idle = engaged_ > before + kLeastCut * radius_ ? 0 : idle + 1;
+    if (on_wall && next == Next::kDone && path_.size() == moves) drop_way_to_wall();
   }
   if (path_.empty() && engaged_ < kLeastCut * radius_) return {};
   return path_;
+}
+
+/// The way to a wall that nothing was cut on.
+void Tracer::drop_way_to_wall() {
+  path_.resize(before_wall_.moves);
+  ground_.forget_beyond(before_wall_.cuts);
 }
 
 double Tracer::wall_contact(double s) const {
@@ -405,6 +415,7 @@ Tracer::Next Tracer::meet_wall(const Shot& shot, double inside) {
     return Next::kDone;
   met.s += kMeetSlope * nearest;
   const Vec2 to = walls_.wall(met.wall).at(met.s);
+  before_wall_ = {path_.size(), ground_.cuts()};
   if (!ground_.legal().holds_line(p, to) || !append(Edge::line(p, to))) return Next::kDone;
   place_ = met;
   material_s_ = met.s;

@@ -70,6 +70,7 @@ class Tracer {
   bool append(const Edge& edge);
   void take(Edge edge);
   bool append_wall(double s_from, double s_to);
+  void drop_way_to_wall();
 
   Ground& ground_;
   const Walls& walls_;
@@ -87,6 +88,9 @@ class Tracer {
   double usual_ = 0;    ///< mm, length of the last arc
   WallPlace place_;
   double material_s_ = 0;
+  struct {
+    std::size_t moves = 0, cuts = 0;
+  } before_wall_;  ///< before the way to the wall that the cut met last
   double first_departure_ = 0;
   int critical_look_ = 0;  ///< where an arc off the wall exceeded the limit last
   double tightest_ = 1;    ///< mm, radius of the tightest turn allowed
