@@ -24,8 +24,8 @@ constexpr double kShortWall = 0.2;    // of wall that a cut ends before rather t
 constexpr double kThick = 0.15;       // before a stop: thicker material is cut like elsewhere
 constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
-constexpr double kAbove = 0.02;      // by which arcs may exceed the limit
-constexpr double kBelow = 0.03;      // by which long arcs may stay below it
+constexpr double kAbove = 0.025;     // by which arcs may exceed the limit
+constexpr double kBelow = 0.015;      // by which long arcs may stay below it
 constexpr double kAimed = 0.006;     // contact this near to what was aimed at is good
 constexpr double kTouch = 0.02;      // less contact is none
 constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
@@ -38,6 +38,11 @@ constexpr double kShortest = 1e-4;
 constexpr double kSlide = 0.5;
 constexpr int kMostArcs = 20000;
 constexpr int kCloseLooks = 8;
+/// Radians. Kinks between arcs: no machine slows down for as much.
+constexpr double kMostKink = 0.15;
+constexpr double kMostRise = 0.1;
+constexpr int kMostBends = 5;
+constexpr double kBent = 0.008;
 /// Length along a wall met over the distance from it.
 constexpr double kMeetSlope = 8;
 /// Changes between wall and open without cutting, after which a cut ends.
@@ -249,8 +254,8 @@ void Tracer::take(Edge edge) {
 Tracer::State Tracer::after(const Shot& shot, double length) const {
   const double turn = shot.curvature * length;
   const double chord = std::abs(turn) < 1e-9 ? length : 2 * std::sin(turn / 2) / shot.curvature;
-  return {state_.point + rotated(state_.heading, turn / 2) * chord, rotated(state_.heading, turn),
-          shot.curvature};
+  return {state_.point + rotated(state_.heading, shot.kink + turn / 2) * chord,
+          rotated(state_.heading, shot.kink + turn), shot.curvature};
 }
 
 double Tracer::contact_after(const Shot& shot, double length) const {
@@ -262,7 +267,7 @@ Edge Tracer::edge_of(const Shot& shot) const {
   const Vec2 to = after(shot, shot.length).point;
   const double radius = 1 / shot.curvature, sagitta = shot.length * shot.length * shot.curvature / 8;
   if (std::abs(sagitta) < kShortest) return Edge::line(state_.point, to);
-  return Edge::arc(state_.point, to, state_.point + left_of(state_.heading) * radius,
+  return Edge::arc(state_.point, to, state_.point + rotated(left_of(state_.heading), shot.kink) * radius,
                    radius > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
 }
 
@@ -296,6 +301,25 @@ std::optional<Tracer::Shot> Tracer::aim(double length, double guess, int looks) 
   return best;
 }
 
+/// The shot with a kink before it, so that the contact is at the limit in its middle, too.
+std::optional<Tracer::Shot> Tracer::bend(Shot shot) const {
+  if (contact_ < limit_ - kMostRise) return std::nullopt;
+  const double whole = shot.length, half = whole / 2, q = 1 / (radius_ * std::sin(limit_));
+  for (int i = 0; i < kMostBends; ++i) {
+    const double at_half = contact_after(shot, half) - limit_ - kBent, at_end = contact_after(shot, whole) - limit_ - kBent;
+    if (std::max(std::abs(at_half), std::abs(at_end)) <= kAimed) return shot;
+    // The contact falls by 1 per radian of heading and by q per mm to the left.
+    const double a = 1 + q * half, b = half + q * half * half / 2, c = 1 + q * whole,
+                 d = whole + q * whole * whole / 2;
+    shot.kink += (at_half * d - at_end * b) / (a * d - b * c);
+    shot.curvature += (at_end * a - at_half * c) / (a * d - b * c);
+    if (std::abs(shot.kink) > kMostKink || shot.curvature > 1 / tightest_ ||
+        shot.curvature < -1 / (kRightTurn * radius_) || std::abs(shot.curvature) * whole > kMostTurn)
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 /// Whether the contact keeps to its limit all along, and does not stay far below.
 bool Tracer::is_steady(const Shot& shot) const {
   const int looks = static_cast<int>(shot.length / (kLook * radius_)) + 2;
@@ -316,7 +340,8 @@ std::optional<Tracer::Shot> Tracer::shoot() const {
   double length = std::clamp(usual_, kShortestArc * radius_, kFirst * radius_);
   double guess = state_.curvature;
   for (int i = 0; i < 12; ++i) {
-    const auto shot = aim(length, guess, 1);
+    auto shot = aim(length, guess, 1);
+    if (shot && !is_steady(*shot)) shot = bend(*shot);
     if (shot && is_steady(*shot)) {
       best = shot;
       guess = shot->curvature;
@@ -398,7 +423,7 @@ double Tracer::go(const Shot& shot) {
 
 /// Runs up to the wall where the arc leaves the area, and on along it where it is met at a small angle.
 Tracer::Next Tracer::meet_wall(const Shot& shot, double inside) {
-  if (inside > kShortest && go({shot.curvature, inside}) < inside) return Next::kDone;
+  if (inside > kShortest && go({shot.curvature, inside, shot.kink}) < inside) return Next::kDone;
   const Vec2 p = state_.point;
   WallPlace met;
   double nearest = 1e300;

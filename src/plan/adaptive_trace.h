@@ -45,6 +45,7 @@ class Tracer {
   struct Shot {
     double curvature = 0;
     double length = 0;
+    double kink = 0;  ///< radians to the left, before it
   };
 
   Path run(Next next);
@@ -63,6 +64,7 @@ class Tracer {
   std::optional<Shot> shoot() const;
   std::optional<Shot> shoot_closely(double guess) const;
   std::optional<Shot> aim(double length, double guess, int looks) const;
+  std::optional<Shot> bend(Shot shot) const;
   bool is_steady(const Shot& shot) const;
   double length_inside(const Shot& shot) const;
   double go(const Shot& shot);
