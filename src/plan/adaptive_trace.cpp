@@ -204,7 +204,10 @@ bool Tracer::leave(double s, double radius) {
   usual_ = radius;
   state_ = {from, heading, 1 / radius};
   contact_ = limit_;
-  if (const auto shot = shoot(); shot && leaves_wall(*shot)) return go(*shot) > 0;
+  on_wall_ = true;
+  const auto shot = shoot();
+  on_wall_ = false;
+  if (shot && leaves_wall(*shot)) return go(*shot) > 0;
   const double turn = off_wall(radius);
   const Vec2 center = from + left_of(heading) * radius;
   state_ = {center + rotated(from - center, turn), rotated(heading, turn), 1 / radius};
@@ -333,28 +336,47 @@ bool Tracer::is_steady(const Shot& shot) const {
   return missing <= kBelow * (shot.length + radius_) + rise;
 }
 
-/// The longest arc that was found.
+/// The longest arc that was found, up to the wall ahead.
 std::optional<Tracer::Shot> Tracer::shoot() const {
   std::optional<Shot> best;
   double good = 0, bad = 2 * kLongestArc * radius_;
   double length = std::clamp(usual_, kShortestArc * radius_, kFirst * radius_);
   double guess = state_.curvature;
   for (int i = 0; i < 12; ++i) {
-    auto shot = aim(length, guess, 1);
-    if (shot && !is_steady(*shot)) shot = bend(*shot);
-    if (shot && is_steady(*shot)) {
+    const auto shot = steady_shot(length, guess);
+    if (shot) {
       best = shot;
       guess = shot->curvature;
       good = length;
     } else {
       bad = length;
     }
-    if (bad < good * 1.4 || good >= kLongestArc * radius_) break;
+    if (bad < good * 1.4 || good >= kLongestArc * radius_ || (best && best->meets_wall)) break;
     length = good == 0 ? length / 2 : std::min(good * 2, std::sqrt(good * bad));
     if (length < kShortestArc * radius_) break;
   }
   if (best) return best;
   return shoot_closely(guess);
+}
+
+/// The arc of this length, or up to the wall ahead, if it keeps the contact steady.
+std::optional<Tracer::Shot> Tracer::steady_shot(double length, double guess) const {
+  auto shot = aim(length, guess, 1);
+  if (!shot) return std::nullopt;
+  const double inside = length_inside(*shot);
+  const bool meets_wall = inside < length;
+  if (meets_wall) {
+    if (inside < kShortestArc * radius_) return std::nullopt;
+    shot = aim(inside, shot->curvature, 1);
+    if (!shot) return std::nullopt;
+  }
+  if (!is_steady(*shot)) shot = bend(*shot);
+  if (!shot || !is_steady(*shot)) return std::nullopt;
+  if (meets_wall) {
+    shot->length = length_inside({shot->curvature, inside * 1.2, shot->kink});
+    shot->meets_wall = true;
+  }
+  return shot;
 }
 
 /// Where the contact cannot be kept up, or jumps: short arcs, looked at closely.
@@ -368,9 +390,11 @@ std::optional<Tracer::Shot> Tracer::shoot_closely(double guess) const {
 /// Length of the arc inside the area for cuts.
 double Tracer::length_inside(const Shot& shot) const {
   const int looks = static_cast<int>(shot.length / (kAside * radius_)) + 1;
-  double inside = 0;
+  const double off = on_wall_ && shot.curvature > 0 ? off_wall(1 / shot.curvature) / shot.curvature : 0;
+  double inside = std::min(off, shot.length);
   for (int i = 1; i <= looks; ++i) {
     const double length = shot.length * i / looks;
+    if (length <= off) continue;
     if (area_.contains(after(shot, length).point)) {
       inside = length;
       continue;
@@ -391,7 +415,7 @@ Tracer::Next Tracer::trace() {
     const auto shot = shoot();
     if (!shot) return Next::kDone;
     const double inside = length_inside(*shot);
-    if (inside < shot->length) return meet_wall(*shot, inside);
+    if (inside < shot->length || shot->meets_wall) return meet_wall(*shot, inside);
     double gone = go(*shot);
     if (gone < kShortestArc * radius_ && gone < shot->length) {
       const auto closely = shoot_closely(shot->curvature);

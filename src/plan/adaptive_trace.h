@@ -46,6 +46,7 @@ class Tracer {
     double curvature = 0;
     double length = 0;
     double kink = 0;  ///< radians to the left, before it
+    bool meets_wall = false;
   };
 
   Path run(Next next);
@@ -62,6 +63,7 @@ class Tracer {
   Edge edge_of(const Shot& shot) const;
   double contact_after(const Shot& shot, double length) const;
   std::optional<Shot> shoot() const;
+  std::optional<Shot> steady_shot(double length, double guess) const;
   std::optional<Shot> shoot_closely(double guess) const;
   std::optional<Shot> aim(double length, double guess, int looks) const;
   std::optional<Shot> bend(Shot shot) const;
@@ -87,6 +89,7 @@ class Tracer {
   double air_ = 0;      ///< mm since the last contact
   State state_;
   double contact_ = 0;  ///< at the state
+  bool on_wall_ = false;  ///< the state
   double usual_ = 0;    ///< mm, length of the last arc
   WallPlace place_;
   double material_s_ = 0;
