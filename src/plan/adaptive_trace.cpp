@@ -25,7 +25,7 @@ constexpr double kThick = 0.15;       // before a stop: thicker material is cut 
 constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
 constexpr double kAbove = 0.025;     // by which arcs may exceed the limit
-constexpr double kBelow = 0.015;      // by which long arcs may stay below it
+constexpr double kBelow = 0.015;     // by which long arcs may stay below it
 constexpr double kAimed = 0.006;     // contact this near to what was aimed at is good
 constexpr double kTouch = 0.02;      // less contact is none
 constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
@@ -309,7 +309,8 @@ std::optional<Tracer::Shot> Tracer::bend(Shot shot) const {
   if (contact_ < limit_ - kMostRise) return std::nullopt;
   const double whole = shot.length, half = whole / 2, q = 1 / (radius_ * std::sin(limit_));
   for (int i = 0; i < kMostBends; ++i) {
-    const double at_half = contact_after(shot, half) - limit_ - kBent, at_end = contact_after(shot, whole) - limit_ - kBent;
+    const double at_half = contact_after(shot, half) - limit_ - kBent,
+                 at_end = contact_after(shot, whole) - limit_ - kBent;
     if (std::max(std::abs(at_half), std::abs(at_end)) <= kAimed) return shot;
     // The contact falls by 1 per radian of heading and by q per mm to the left.
     const double a = 1 + q * half, b = half + q * half * half / 2, c = 1 + q * whole,
@@ -366,7 +367,7 @@ std::optional<Tracer::Shot> Tracer::steady_shot(double length, double guess) con
   const double inside = length_inside(*shot);
   const bool meets_wall = inside < length;
   if (meets_wall) {
-    if (inside < kShortestArc * radius_) return std::nullopt;
+    if (inside < kShortestArc * radius_) return Shot{shot->curvature, inside, 0, true};
     shot = aim(inside, shot->curvature, 1);
     if (!shot) return std::nullopt;
   }

@@ -88,9 +88,9 @@ class Tracer {
   double engaged_ = 0;  ///< mm of the cut in contact
   double air_ = 0;      ///< mm since the last contact
   State state_;
-  double contact_ = 0;  ///< at the state
+  double contact_ = 0;    ///< at the state
   bool on_wall_ = false;  ///< the state
-  double usual_ = 0;    ///< mm, length of the last arc
+  double usual_ = 0;      ///< mm, length of the last arc
   WallPlace place_;
   double material_s_ = 0;
   struct {
