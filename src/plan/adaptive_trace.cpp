@@ -42,6 +42,8 @@ constexpr int kCloseLooks = 8;
 constexpr double kMostKink = 0.15;
 constexpr double kMostRise = 0.1;
 constexpr int kMostBends = 5;
+/// Share of its length that an arc aimed at a wall may turn out longer.
+constexpr double kToWall = 0.05;
 constexpr double kBent = 0.008;
 /// Length along a wall met over the distance from it.
 constexpr double kMeetSlope = 8;
@@ -364,18 +366,20 @@ std::optional<Tracer::Shot> Tracer::shoot() const {
 std::optional<Tracer::Shot> Tracer::steady_shot(double length, double guess) const {
   auto shot = aim(length, guess, 1);
   if (!shot) return std::nullopt;
-  const double inside = length_inside(*shot);
-  const bool meets_wall = inside < length;
-  if (meets_wall) {
-    if (inside < kShortestArc * radius_) return Shot{shot->curvature, inside, 0, true};
-    shot = aim(inside, shot->curvature, 1);
+  const double ahead = length_inside(*shot);
+  const bool to_wall = ahead < length;
+  if (to_wall) {
+    if (ahead < kShortestArc * radius_) return Shot{shot->curvature, ahead, 0, true};
+    shot = aim(ahead, shot->curvature, 1);
     if (!shot) return std::nullopt;
   }
   if (!is_steady(*shot)) shot = bend(*shot);
   if (!shot || !is_steady(*shot)) return std::nullopt;
-  if (meets_wall) {
-    shot->length = length_inside({shot->curvature, inside * 1.2, shot->kink});
-    shot->meets_wall = true;
+  if (to_wall) {
+    const double beyond = ahead * (1 + kToWall);
+    shot->length = length_inside({shot->curvature, beyond, shot->kink});
+    shot->meets_wall = shot->length < beyond;
+    if (!shot->meets_wall) shot->length = ahead;
   }
   return shot;
 }
@@ -436,8 +440,10 @@ Tracer::Next Tracer::trace() {
 /// Takes the arc up to where its contact is too high; the length taken.
 double Tracer::go(const Shot& shot) {
   const Edge edge = edge_of(shot);
-  const double within =
-      distance(edge.from, edge.to) < kShortest ? 0 : ground_.length_within(edge, limit_ + kAbove);
+  double within = distance(edge.from, edge.to) < kShortest ? 0 : ground_.length_within(edge, limit_ + kAbove);
+  // Nothing leads on from a peak.
+  if (within < shot.length && contact_after(shot, within) > limit_ + kAbove)
+    within = ground_.length_within(edge, limit_ + kAbove / 2);
   if (within < kShortest) return 0;
   contact_ = contact_after(shot, within);  // before it is cut
   take(within < shot.length ? edge.part(0, within / shot.length) : edge);
