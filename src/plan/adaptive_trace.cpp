@@ -43,7 +43,7 @@ constexpr double kMostKink = 0.15;
 constexpr double kMostRise = 0.1;
 constexpr int kMostBends = 5;
 /// Share of its length that an arc aimed at a wall may turn out longer.
-constexpr double kToWall = 0.05;
+constexpr double kToWall = 0.2;
 constexpr double kBent = 0.008;
 /// Length along a wall met over the distance from it.
 constexpr double kMeetSlope = 8;
