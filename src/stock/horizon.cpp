@@ -10,6 +10,9 @@ namespace {
 /// mm. Of two discs in one place, as a cutter and where it stands, neither reaches out of the other.
 constexpr double kCoincident = 1e-9;
 
+/// mm. What goes on without a bend is taken to reach so far beyond its end, or rounding might leave a gap.
+constexpr double kSeam = 1e-9;
+
 /// Grows with the angle of v from the x axis: -2 .. 2. v of any length > 0.
 double pseudo_angle(Vec2 v) {
   const double q = 1 - v.x / (std::abs(v.x) + std::abs(v.y));
@@ -57,90 +60,104 @@ Horizon::Bound Horizon::within_circle(Vec2 w, double its_radius) const {
   return {w, (its_radius * its_radius - squared - radius_ * radius_) * (0.5 * inverse_), squared};
 }
 
+void Horizon::remove_beyond(Vec2 normal, double q) {
+  Bounds bounds;
+  bounds.add({-normal, -q, 1});
+  remove_within(bounds);
+}
+
+void Horizon::remove(const Swept& swept) {
+  if (swept.kind == Swept::Kind::kDisc) return remove_disc(swept.from, swept.radius);
+  const double before = dot(swept.before, rest_center_ - swept.from);
+  const double after = dot(swept.after, rest_center_ - swept.to);
+  if (!may_reach(swept, before, after)) return;
+  if (before < rest_radius_ && after < rest_radius_) remove_between(swept, before, after);
+  if (swept.round_start && may_pass(swept.from, swept.before)) remove_disc(swept.from, swept.radius);
+  if (swept.round_end && may_pass(swept.to, swept.after)) remove_disc(swept.to, swept.radius);
+}
+
+/// Whether the sweep may cover any of what is left. Beyond an end that is nearest, between them the path.
+bool Horizon::may_reach(const Swept& swept, double before, double after) const {
+  const double far = swept.radius + rest_radius_, far_squared = far * far;
+  if (before > 0 && norm_squared(rest_center_ - swept.from) < far_squared) return true;
+  if (after > 0 && norm_squared(rest_center_ - swept.to) < far_squared) return true;
+  if (before > 0 || after > 0) return false;
+  if (swept.kind == Swept::Kind::kLine) return std::abs(cross(swept.after, rest_center_ - swept.from)) < far;
+  const double squared = norm_squared(rest_center_ - swept.center), outer = swept.ring + far,
+               inner = swept.ring - far;
+  return squared < outer * outer && (inner <= 0 || squared > inner * inner);
+}
+
 void Horizon::remove_disc(Vec2 at, double disc) {
   if (!may_meet(at, disc)) return;
-  const Bound bound[] = {within_circle(center_ - at, disc)};
+  Bounds bounds;
+  bounds.add(within_circle(center_ - at, disc));
   const double room = radius_ - disc + kCoincident;
-  if (room >= 0 && bound->squared <= room * room) return;
-  remove_within(bound);
+  if (room >= 0 && bounds.items[0].squared <= room * room) return;
+  remove_within(bounds);
 }
 
-void Horizon::remove_beyond(Vec2 normal, double q) {
-  const Bound bound[] = {{-normal, -q, 1}};
-  remove_within(bound);
-}
-
-// A bound of the swept part that all of what is left keeps is not looked at further.
-
-void Horizon::remove_line(const SweptLine& line) {
-  const Vec2 rest = rest_center_ - line.from;
-  const double forward = dot(rest, line.along), aside = cross(line.along, rest);
-  if (forward <= -rest_radius_ || forward >= line.length + rest_radius_ ||
-      std::abs(aside) >= line.radius + rest_radius_)
-    return;
-  const Vec2 w = center_ - line.from, left = left_of(line.along);
-  const double along = dot(w, line.along), beside = cross(line.along, w);
-  Bound bounds[4];
-  std::size_t n = 0;
-  if (aside + rest_radius_ > line.radius) bounds[n++] = within_line(left, line.radius - beside);
-  if (aside - rest_radius_ < -line.radius) bounds[n++] = within_line(-left, line.radius + beside);
-  if (forward < rest_radius_) bounds[n++] = within_line(-line.along, along);
-  if (forward + rest_radius_ > line.length) bounds[n++] = within_line(line.along, line.length - along);
-  remove_within({bounds, n});
-}
-
-void Horizon::remove_arc(const SweptArc& arc) {
-  const Vec2 rest = rest_center_ - arc.center;
-  const double before = dot(arc.before, rest), after = dot(arc.after, rest);
-  if (before >= rest_radius_ || after >= rest_radius_) return;
-  const double outer = arc.ring + arc.radius, inner = arc.ring - arc.radius;
-  const double squared = norm_squared(rest);
-  const auto lies_beyond = [&](double radius) { return radius <= 0 || squared >= radius * radius; };
-  if (lies_beyond(outer + rest_radius_)) return;
-  const double hollow = inner - rest_radius_;
-  if (hollow > 0 && !lies_beyond(hollow)) return;
-  const Vec2 w = center_ - arc.center;
-  Bound bounds[4];
-  std::size_t n = 0;
-  if (lies_beyond(outer - rest_radius_)) bounds[n++] = within_circle(w, outer);
-  if (inner > 0 && !lies_beyond(inner + rest_radius_)) {
-    const Bound hole = within_circle(w, inner);
-    bounds[n++] = {-hole.normal, -hole.most, hole.squared};
+/// The rectangle, or part of a ring, between the planes across the ends. Bounds that all of what is left keeps are not
+/// looked at further.
+void Horizon::remove_between(const Swept& swept, double before, double after) {
+  Bounds bounds;
+  if (swept.kind == Swept::Kind::kLine) {
+    bound_strip(swept, bounds);
+  } else {
+    bound_ring(swept, bounds);
   }
-  if (before > -rest_radius_) bounds[n++] = within_line(arc.before, -dot(arc.before, w));
-  if (after > -rest_radius_) bounds[n++] = within_line(arc.after, -dot(arc.after, w));
-  remove_within({bounds, n});
+  if (before > -rest_radius_) bounds.add(within_line(swept.before, swept.from, 0));
+  if (after > -rest_radius_) bounds.add(within_line(swept.after, swept.to, swept.round_end ? 0 : kSeam));
+  remove_within(bounds);
+}
+
+void Horizon::bound_strip(const Swept& line, Bounds& bounds) const {
+  const Vec2 left = left_of(line.after);
+  const double aside = dot(left, rest_center_ - line.from);
+  if (aside + rest_radius_ > line.radius) bounds.add(within_line(left, line.from, line.radius));
+  if (aside - rest_radius_ < -line.radius) bounds.add(within_line(-left, line.from, line.radius));
+}
+
+void Horizon::bound_ring(const Swept& arc, Bounds& bounds) const {
+  const double outer = arc.ring + arc.radius, inner = arc.ring - arc.radius;
+  const double squared = norm_squared(rest_center_ - arc.center);
+  const double kept = outer - rest_radius_, hollow = inner + rest_radius_;
+  if (kept <= 0 || squared > kept * kept) bounds.add(within_circle(center_ - arc.center, outer));
+  if (inner <= 0 || squared >= hollow * hollow) return;
+  const Bound hole = within_circle(center_ - arc.center, inner);
+  bounds.add({-hole.normal, -hole.most, hole.squared});
 }
 
 Horizon::Side Horizon::side_of(const Bound& bound, const Span& span) {
   const bool from_beyond = dot(bound.normal, span.from.way()) > bound.most;
   const bool to_beyond = dot(bound.normal, span.to.way()) > bound.most;
-  if (from_beyond != to_beyond) return Side::kAcross;
+  if (from_beyond != to_beyond) return from_beyond ? Side::kFromBeyond : Side::kToBeyond;
   // Between two ends on one side the bound is crossed twice, if at all.
-  const double least_squared = bound.most * bound.most;
+  const bool meets = bound.most * bound.most < bound.squared;
   if (from_beyond)
-    return (bound.most >= 0 || least_squared < bound.squared) && span.holds(-bound.normal) ? Side::kAcross
-                                                                                           : Side::kBeyond;
-  return (bound.most < 0 || least_squared < bound.squared) && span.holds(bound.normal) ? Side::kAcross
-                                                                                       : Side::kWithin;
+    return (bound.most >= 0 || meets) && span.holds(-bound.normal) ? Side::kMiddleWithin : Side::kBeyond;
+  return (bound.most < 0 || meets) && span.holds(bound.normal) ? Side::kMiddleBeyond : Side::kWithin;
 }
 
 /// The parts of a span beyond a bound that crosses it.
-void Horizon::add_beyond(const Bound& bound, const Span& span, Pieces& pieces) const {
-  const bool from_beyond = dot(bound.normal, span.from.way()) > bound.most;
-  const bool to_beyond = dot(bound.normal, span.to.way()) > bound.most;
-  const double half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most));
-  const Vec2 middle = bound.normal * (bound.most / bound.squared),
-             aside = left_of(bound.normal) * (half / bound.squared);
-  const bool apart = from_beyond == to_beyond;
+void Horizon::add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const {
+  const double inverse = 1 / bound.squared,
+               half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most)) * inverse;
+  const Vec2 middle = bound.normal * (bound.most * inverse), aside = left_of(bound.normal) * half;
   // Beyond begins at middle - aside and ends at middle + aside.
-  const End begin = !from_beyond || apart ? end_in(span, middle - aside) : span.from;
-  const End end = !to_beyond || apart ? end_in(span, middle + aside) : span.to;
-  if (from_beyond && to_beyond) {
-    pieces.add({span.from, end});
-    pieces.add({begin, span.to});
-  } else {
-    pieces.add({begin, end});
+  switch (side) {
+    case Side::kFromBeyond:
+      return pieces.add({span.from, end_in(span, middle + aside)});
+    case Side::kToBeyond:
+      return pieces.add({end_in(span, middle - aside), span.to});
+    case Side::kMiddleBeyond:
+      return pieces.add({end_in(span, middle - aside), end_in(span, middle + aside)});
+    case Side::kMiddleWithin:
+      pieces.add({span.from, end_in(span, middle + aside)});
+      return pieces.add({end_in(span, middle - aside), span.to});
+    case Side::kWithin:
+    case Side::kBeyond:
+      return;
   }
 }
 
@@ -164,26 +181,27 @@ void Horizon::Pieces::merge() {
 }
 
 /// Takes away what lies within all bounds.
-void Horizon::remove_within(std::span<const Bound> bounds) {
+void Horizon::remove_within(const Bounds& bounds) {
   bool changed = false;
   for (int i = 0; i < count_;) {
-    const Span span = items_[i];
-    const Bound* across[4];
-    int crossing = 0;
+    const Span& span = items_[i];
+    Side sides[4];
     bool beyond = false;
-    for (const Bound& bound : bounds) {
-      const Side side = side_of(bound, span);
-      beyond = side == Side::kBeyond;
-      if (beyond) break;
-      if (side == Side::kAcross) across[crossing++] = &bound;
+    int crossing = 0;
+    for (int k = 0; k < bounds.count && !beyond; ++k) {
+      sides[k] = side_of(bounds.items[k], span);
+      beyond = sides[k] == Side::kBeyond;
+      crossing += sides[k] != Side::kWithin;
     }
     if (beyond) {
       ++i;
       continue;
     }
     Pieces pieces;
-    for (int k = 0; k < crossing; ++k) add_beyond(*across[k], span, pieces);
-    pieces.merge();
+    for (int k = 0; k < bounds.count; ++k) {
+      if (sides[k] != Side::kWithin) add_beyond(bounds.items[k], sides[k], span, pieces);
+    }
+    if (crossing > 1) pieces.merge();
     const bool whole = pieces.count == 1 && pieces.items[0].from.order == span.from.order &&
                        pieces.items[0].to.order == span.to.order;
     changed |= !whole;

@@ -9,21 +9,21 @@
 
 namespace clearcut {
 
-/// A line that cutters swept: what the kernel needs of it.
-struct SweptLine {
-  Vec2 from;
-  Vec2 along;  ///< unit
-  double length = 0;
-  double radius = 0;
-};
-
-/// An arc of less than a half turn that cutters swept.
-struct SweptArc {
-  Vec2 center;
-  double ring = 0;    ///< radius of the arc
-  Vec2 before;        ///< unit, square to the ray through the start, away from the arc
-  Vec2 after;         ///< unit, square to the ray through the end, away from the arc
-  double radius = 0;  ///< of the cutter
+/// What a cutter swept on a disc, a line, or an arc of less than a half turn: the points no farther than `radius` from it.
+///
+/// Within the planes across its ends it is a rectangle or a part of a ring, beyond them it is round.
+struct Swept {
+  enum class Kind : unsigned char { kDisc, kLine, kArc };
+  Kind kind = Kind::kDisc;
+  bool round_start = true;  ///< false: another sweep covers what is beyond the start
+  bool round_end = true;    ///< false: another sweep covers what is beyond the end, and a little before
+  double radius = 0;        ///< of the cutter
+  Vec2 from;                ///< a disc's place
+  Vec2 to;
+  Vec2 before;      ///< unit, backwards at the start
+  Vec2 after;       ///< unit, onwards at the end
+  Vec2 center;      ///< of an arc
+  double ring = 0;  ///< radius of an arc
 };
 
 /// The circle of a cutter, or its front half, less what sweeps cover.
@@ -43,13 +43,8 @@ class Horizon {
     const double far = reach + rest_radius_;
     return norm_squared(at - rest_center_) <= far * far;
   }
-  /// Whether any of what is left may lie farther along `normal`, of length 1, than `at`.
-  bool may_pass(Vec2 at, Vec2 normal) const { return dot(normal, rest_center_ - at) > -rest_radius_; }
   void clear() { count_ = 0; }
-  void remove_disc(Vec2 at, double disc);
-  /// The rectangle, or part of a ring, between the discs at the ends.
-  void remove_line(const SweptLine& line);
-  void remove_arc(const SweptArc& arc);
+  void remove(const Swept& swept);
   /// Directions u with dot(normal, u) > q, normal of length 1.
   void remove_beyond(Vec2 normal, double q);
 
@@ -85,7 +80,14 @@ class Horizon {
     double most = 0;
     double squared = 1;  ///< of the normal's length
   };
-  enum class Side { kWithin, kBeyond, kAcross };
+  /// Where a bound leaves the ends of a span, and what is between them if that is not where both ends are.
+  enum class Side { kWithin, kBeyond, kFromBeyond, kToBeyond, kMiddleBeyond, kMiddleWithin };
+  /// Bounds of what is taken away, all at once.
+  struct Bounds {
+    Bound items[4];
+    int count = 0;
+    void add(const Bound& bound) { items[count++] = bound; }
+  };
   /// A few spans, ascending.
   struct Pieces {
     Span items[8];
@@ -94,13 +96,23 @@ class Horizon {
     void merge();
   };
 
+  // Everything left lies within rest_radius_ of rest_center_.
+  bool may_reach(const Swept& swept, double before, double after) const;
+  bool may_pass(Vec2 at, Vec2 normal) const { return dot(normal, rest_center_ - at) > -rest_radius_; }
+  void remove_disc(Vec2 at, double disc);
+  void remove_between(const Swept& swept, double before, double after);
+  void bound_strip(const Swept& line, Bounds& bounds) const;
+  void bound_ring(const Swept& arc, Bounds& bounds) const;
+
   static Side side_of(const Bound& bound, const Span& span);
   Bound within_circle(Vec2 from_its_center, double its_radius) const;
-  Bound within_line(Vec2 normal, double most) const { return {normal, most * inverse_, 1}; }
+  Bound within_line(Vec2 normal, Vec2 at, double beyond) const {
+    return {normal, (dot(normal, at - center_) + beyond) * inverse_, 1};
+  }
   End end_in(const Span& span, Vec2 way) const;
-  void remove_within(std::span<const Bound> bounds);
+  void remove_within(const Bounds& bounds);
   int replace(int place, const Span* pieces, int count);
-  void add_beyond(const Bound& bound, const Span& span, Pieces& pieces) const;
+  void add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const;
   void drop_narrowest();
   void look();
 
@@ -111,7 +123,6 @@ class Horizon {
   const Vec2 ahead_;
   int count_ = 1;
   Span items_[kCapacity + 1];  ///< disjoint, ascending
-  // Everything left lies within rest_radius_ of rest_center_.
   Vec2 rest_center_;
   double rest_radius_ = 0;
 };

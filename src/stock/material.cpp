@@ -5,13 +5,16 @@
 #include <limits>
 
 #include "base/error.h"
-#include "stock/horizon.h"
 
 namespace clearcut {
 namespace {
 
 /// Arcs are cut into pieces below this sweep, so that a piece is the part of a ring between two half-planes.
 constexpr double kPieceSweep = 2.0;
+/// Radians. A smaller bend between sweeps is rounding.
+constexpr double kBend = 1e-12;
+/// mm. Sweeps up to this length do not take over what is round of the sweep before or after.
+constexpr double kShort = 1e-6;
 
 double length_of(Vec2 a) {
   return std::sqrt(norm_squared(a));
@@ -84,25 +87,37 @@ void Material::Grid::remove(const Edge& path, double radius, int sweep) {
 }
 
 Material::Sweep Material::make_sweep(const Edge& path, double z_from, double z_to, double radius) {
-  Sweep sweep;
-  sweep.path = path;
-  sweep.radius = radius;
-  sweep.z_from = z_from;
-  sweep.z_to = z_to;
-  sweep.z_low = std::min(z_from, z_to);
-  sweep.z_high = std::max(z_from, z_to);
+  Sweep sweep{path, {}, z_from, z_to, std::min(z_from, z_to), std::max(z_from, z_to)};
+  Swept& shape = sweep.shape;
+  shape.radius = radius;
+  shape.from = path.from;
+  shape.to = path.to;
   if (path.from == path.to) return sweep;
   if (path.is_arc()) {
     const double side = path.turn == Turn::kCounterClockwise ? 1 : -1;
-    sweep.ring = path.radius();
-    sweep.before = left_of(unit(path.from - path.center)) * -side;
-    sweep.after = left_of(unit(path.to - path.center)) * side;
+    shape.kind = Swept::Kind::kArc;
+    shape.center = path.center;
+    shape.ring = path.radius();
+    shape.before = left_of(unit(path.from - path.center)) * -side;
+    shape.after = left_of(unit(path.to - path.center)) * side;
   } else {
-    sweep.length = length_of(path.to - path.from);
-    sweep.after = (path.to - path.from) / sweep.length;
-    sweep.before = -sweep.after;
+    shape.kind = Swept::Kind::kLine;
+    shape.after = (path.to - path.from) / length_of(path.to - path.from);
+    shape.before = -shape.after;
   }
   return sweep;
+}
+
+/// Where a sweep goes on the disc at its start is the one at the end of the sweep before; without a bend each covers
+/// what is round of the other.
+void Material::join(Sweep& last, Sweep& next) {
+  const bool goes_on = last.path.to == next.path.from && next.shape.kind != Swept::Kind::kDisc &&
+                       last.shape.radius == next.shape.radius && last.z_high <= next.z_low;
+  if (!goes_on) return;
+  next.shape.round_start = false;
+  last.shape.round_end = !(last.shape.kind != Swept::Kind::kDisc && next.z_high <= last.z_low &&
+                           norm_squared(last.shape.after + next.shape.before) < kBend * kBend &&
+                           std::min(last.path.length(), next.path.length()) > kShort);
 }
 
 void Material::add(const Move& move, double radius) {
@@ -119,7 +134,8 @@ void Material::add(const Move& move, double radius) {
 void Material::forget_beyond(std::size_t sweeps) {
   for (; sweeps_.size() > sweeps; sweeps_.pop_back()) {
     const Sweep& last = sweeps_.back();
-    for (Grid& grid : grids_) grid.remove(last.path, last.radius, static_cast<int>(sweeps_.size()) - 1);
+    for (Grid& grid : grids_) grid.remove(last.path, last.shape.radius, static_cast<int>(sweeps_.size()) - 1);
+    if (sweeps_.size() > 1) sweeps_[sweeps_.size() - 2].shape.round_end = true;
   }
 }
 
@@ -133,10 +149,7 @@ void Material::add_piece(const Edge& path, double z_from, double z_to, double ra
   const double reach = (point ? 0 : path.length() / 2) + radius;
   const Entry entry{sweep.z_low, middle, reach * (1 + 1e-12), static_cast<int>(sweeps_.size())};
   for (Grid& grid : grids_) grid.insert(path, radius, entry);
-  if (!sweeps_.empty() && !point) {
-    const Sweep& last = sweeps_.back();
-    sweep.goes_on = last.path.to == path.from && last.radius == radius && last.z_high <= sweep.z_low;
-  }
+  if (!sweeps_.empty()) join(sweeps_.back(), sweep);
   sweeps_.push_back(sweep);
 }
 
@@ -155,11 +168,11 @@ std::optional<Material::Sweep> Material::below(const Sweep& sweep, double z) {
   const double t0 = sweep.z_from > z ? t : 0, t1 = sweep.z_from > z ? 1 : t;
   const Vec2 a = sweep.path.at(t0), b = sweep.path.at(t1);
   const Edge part = a == b ? Edge::line(a, a) : sweep.path.part(t0, t1);
-  return make_sweep(part, sweep.z_low, sweep.z_low, sweep.radius);
+  return make_sweep(part, sweep.z_low, sweep.z_low, sweep.shape.radius);
 }
 
 bool Material::covers(const Sweep& sweep, Vec2 p) {
-  return distance_to_path(sweep.path, p) <= sweep.radius;
+  return distance_to_path(sweep.path, p) <= sweep.shape.radius;
 }
 
 bool Material::is_removed(Vec2 p, double z) const {
@@ -194,21 +207,6 @@ double Material::height(Vec2 p) const {
   return height;
 }
 
-/// Beside the part between its ends a sweep is the halves of the discs beyond them.
-void Material::remove_sweep(Horizon& horizon, const Sweep& sweep) {
-  const Edge& path = sweep.path;
-  if (path.from == path.to) return horizon.remove_disc(path.from, sweep.radius);
-  if (path.is_arc()) {
-    horizon.remove_arc({path.center, sweep.ring, sweep.before, sweep.after, sweep.radius});
-  } else {
-    horizon.remove_line({path.from, sweep.after, sweep.length, sweep.radius});
-  }
-  // Where it goes on, the disc at its start is the one at the end of the sweep before.
-  if (!sweep.goes_on && horizon.may_pass(path.from, sweep.before))
-    horizon.remove_disc(path.from, sweep.radius);
-  if (horizon.may_pass(path.to, sweep.after)) horizon.remove_disc(path.to, sweep.radius);
-}
-
 void Material::remove_outside(Horizon& horizon, Vec2 center, double radius) const {
   if (!plan_) return;
   horizon.remove_beyond({1, 0}, (plan_->max.x - center.x) / radius);
@@ -226,11 +224,7 @@ void Material::remove_everything(Horizon& horizon, Vec2 center, double radius, d
   for (auto entry = near->rbegin(); entry != near->rend() && !horizon.empty(); ++entry) {
     if (entry->z_low > z || !horizon.may_meet(entry->middle, entry->reach)) continue;
     const Sweep& sweep = sweeps_[static_cast<std::size_t>(entry->sweep)];
-    if (sweep.z_high <= z) {
-      remove_sweep(horizon, sweep);
-    } else {
-      remove_sweep(horizon, *below(sweep, z));
-    }
+    horizon.remove(sweep.z_high <= z ? sweep.shape : below(sweep, z)->shape);
   }
 }
 
@@ -265,7 +259,7 @@ Contact Material::engagement(const Move& move, double t, double radius) const {
   const int pieces = counts ? static_cast<int>(std::ceil(std::abs(move.path.sweep()) * t / kPieceSweep)) : 0;
   for (int i = 0; i < pieces && !horizon.empty(); ++i) {
     const Edge piece = move.path.part(t * i / pieces, t * (i + 1) / pieces);
-    remove_sweep(horizon, make_sweep(piece, z, z, radius));
+    horizon.remove(make_sweep(piece, z, z, radius).shape);
   }
   return contact_of(horizon);
 }

@@ -8,11 +8,10 @@
 
 #include "geometry/box.h"
 #include "stock/angle_set.h"
+#include "stock/horizon.h"
 #include "toolpath/move.h"
 
 namespace clearcut {
-
-class Horizon;
 
 /// Where the front half of a cutter's circle touches material, seen from its direction of travel.
 struct Contact {
@@ -78,15 +77,11 @@ class Material {
  private:
   struct Sweep {
     Edge path;  ///< a point when from == to; arcs below a third of a turn
-    double radius = 0;
+    Swept shape;
     double z_from = 0;
     double z_to = 0;
     double z_low = 0;
     double z_high = 0;
-    double length = 0;     ///< of a line
-    double ring = 0;       ///< radius of an arc
-    Vec2 before, after;    ///< unit, backwards at the start, onwards at the end
-    bool goes_on = false;  ///< the sweep before ends, no higher, where this one starts
   };
   /// A sweep in a cell's list, with a disc around it: most are turned away by that.
   struct Entry {
@@ -113,7 +108,7 @@ class Material {
   static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);
   static std::optional<Sweep> below(const Sweep& sweep, double z);
   static bool covers(const Sweep& sweep, Vec2 p);
-  static void remove_sweep(Horizon& horizon, const Sweep& sweep);
+  static void join(Sweep& last, Sweep& next);
   void remove_everything(Horizon& horizon, Vec2 center, double radius, double z) const;
   void remove_outside(Horizon& horizon, Vec2 center, double radius) const;
 
