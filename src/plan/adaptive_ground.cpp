@@ -22,6 +22,10 @@ constexpr double kBeside = 1e-3;
 constexpr double kBesidePeak = 0.01;
 /// Tool radii: cells that are known to be cleared.
 constexpr double kCell = 1.0 / 8;
+/// Points of material remembered, and radians of a circle in it that make one worth that.
+constexpr std::size_t kMostStanding = 16;
+constexpr double kWorthNoting = 1e-3;
+constexpr Vec2 kNowhere{1e100, 1e100};
 /// Radians. Peaks between looks may be higher than the limit by so much.
 constexpr double kPeak = 0.012;
 /// Looks for a peak, each nearer to it.
@@ -104,14 +108,40 @@ std::optional<double> Ground::likely_peak(const Look& a, const Look& b, double l
 }
 
 bool Ground::touches(Vec2 p, double film) const {
-  return touched(p, film).has_value();
+  const double radius = tool_radius_ - film;
+  if (is_standing_within(p, radius)) return true;
+  const auto touch = material_.circle_touch(p, radius, -1);
+  if (!touch || touch->angle <= kTouch) return false;
+  if (touch->angle > kWorthNoting) note_standing(p + touch->toward * radius);
+  return true;
 }
 
-std::optional<Vec2> Ground::touched(Vec2 p, double film) const {
+std::optional<Vec2> Ground::touched(Vec2 p, double film, Vec2 likely) const {
   const double radius = tool_radius_ - film;
+  const Vec2 beside = p + likely * (radius - kRounding);
+  if (!is_removed(beside)) return beside;
   const auto touch = material_.circle_touch(p, radius, -1);
   if (!touch || touch->angle <= kTouch) return std::nullopt;
   return p + touch->toward * radius;
+}
+
+void Ground::note_standing(Vec2 met) const {
+  if (standing_.size() < kMostStanding) standing_.resize(kMostStanding, {met, age_});
+  standing_[oldest_++ % kMostStanding] = {met, age_};
+}
+
+/// Whether any of the material met lately still stands near p.
+bool Ground::is_standing_within(Vec2 p, double radius) const {
+  const double near = radius - kRounding;
+  for (Standing& met : standing_) {
+    if (norm_squared(met.at - p) >= near * near) continue;
+    if (met.age == age_ || !is_removed(met.at)) {
+      met.age = age_;
+      return true;
+    }
+    met.at = kNowhere;
+  }
+  return false;
 }
 
 bool Ground::is_free(Vec2 a, Vec2 b, double film) const {
@@ -149,6 +179,7 @@ void Ground::cut(const Edge& edge) {
 }
 
 void Ground::take(const Edge& path, double radius) {
+  ++age_;
   sweeps_.push_back(material_.sweeps());
   material_.add(level_move(path), radius);
   cleared_.add(path, radius);

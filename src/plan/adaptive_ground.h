@@ -30,8 +30,8 @@ class Ground {
   double length_within(const Edge& edge, double limit) const;
   /// Whether a cutter smaller by `film` mm would touch material at p.
   bool touches(Vec2 p, double film) const;
-  /// The same, with a point of that material.
-  std::optional<Vec2> touched(Vec2 p, double film) const;
+  /// The same, with a point of that material; looked for first in direction `likely`, of length 1, where it stands longest.
+  std::optional<Vec2> touched(Vec2 p, double film, Vec2 likely) const;
   /// Whether the straight way is legal and touches nothing thicker than `film` mm.
   bool is_free(Vec2 a, Vec2 b, double film) const;
   /// Whether nothing stands at p any more.
@@ -48,6 +48,8 @@ class Ground {
   bool keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny);
 
  private:
+  void note_standing(Vec2 met) const;
+  bool is_standing_within(Vec2 p, double radius) const;
   void take(const Edge& path, double radius);
   /// The contact at parameter t of an edge.
   struct Look {
@@ -72,7 +74,15 @@ class Ground {
   double tool_radius_;
   Material material_;
   ClearedCells cleared_;
-  std::vector<std::size_t> sweeps_;  ///< of the material before each of the cuts
+  /// A point of material, when it was last seen.
+  struct Standing {
+    Vec2 at;
+    std::size_t age = 0;
+  };
+  mutable std::vector<Standing> standing_;  ///< material met by the last looks
+  mutable std::size_t oldest_ = 0;          ///< of those
+  std::size_t age_ = 0;                     ///< counts cuts, those forgotten, too
+  std::vector<std::size_t> sweeps_;         ///< of the material before each of the cuts
 };
 
 }  // namespace clearcut

@@ -121,11 +121,14 @@ bool Walls::touches_after(const WallPlace& place, double reach) const {
 }
 
 void Walls::update(const Ground& ground, const Box& where) {
-  for (Marks& marks : marks_) {
+  for (std::size_t w = 0; w < marks_.size(); ++w) {
+    Marks& marks = marks_[w];
     for (std::size_t i = 0; i < marks.points.size(); ++i) {
       if (marks.touching[i] != 1 || !where.contains(marks.points[i])) continue;
       if (marks.touched[i] && !ground.is_removed(*marks.touched[i])) continue;
-      marks.touched[i] = ground.touched(marks.points[i], marks.films[i]);
+      // What touches the wall goes last: only a cutter at the mark takes it.
+      const Vec2 outwards = -left_of(walls_[w].heading(static_cast<double>(i) * marks.pitch));
+      marks.touched[i] = ground.touched(marks.points[i], marks.films[i], outwards);
       marks.touching[i] = marks.touched[i] ? 1 : 0;
     }
   }
