@@ -110,8 +110,10 @@ Tracer::Next Tracer::follow_wall() {
   const double first = place_.s;
   double s = first, cut_until = std::max(first, material_s_);
   while (s - first < wall.length() * 0.999) {
-    const double next = std::min(s + step_, std::max(s + step_ / 3, wall.edge_end(s)));
-    const double contact = std::max(wall_contact(next - 1e-7), wall_contact(next + 1e-7));
+    const double end = wall.edge_end(s), next = std::min(s + step_, std::max(s + step_ / 3, end));
+    // The heading may change where an edge ends.
+    const double before = wall_contact(next - 1e-7),
+                 contact = next < end ? before : std::max(before, wall_contact(next + 1e-7));
     if (contact > limit_ && walls_.to_stop({place_.wall, s}) < kBeforeStop * radius_ &&
         !ground_.touches(wall.at(next), kThick * radius_))
       break;
