@@ -1,13 +1,14 @@
 // Adaptive clearing beside FreeCAD's: generation alone, moves, and nothing else (times of motion are the certificate's).
 //
 //   adaptive_benchmark SHAPES TABLE [RUNS]    SHAPES: folder with the outlines, TABLE: FreeCAD's figures, Markdown rows
-//                                             | shape | strategy | D | step% | ... turns in column 9, seconds in the last
+//                                             | shape | strategy | D | step% | ... moves in column 9, seconds in the last;
+//                                             freecad_adaptive.py makes it on this machine
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -53,9 +54,9 @@ std::vector<PeerRow> peer_rows(const std::string& table) {
 
 /// Seconds of this thread's work so far.
 double cpu_seconds() {
-  rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 struct Measured {
