@@ -8,83 +8,82 @@
 namespace clearcut {
 namespace {
 
-/// mm. Centres nearer than this to the corner are as good as in it; what may stay at a centre that was visited.
+/// mm. No arc need come nearer to the corner.
 constexpr double kNearest = 1e-3;
+/// mm. Centres nearer than this to each other are one; what may stay at a centre that was visited.
+constexpr double kNear = 1e-4;
 constexpr double kVisited = 2.5e-3;
-/// Tool radii. Walls that are not cut up to this near are not prepared.
+/// Tool radii. Walls that are not cut up to this near are not prepared; nor are arcs wider than this.
 constexpr double kPrepared = 1.2;
 /// Factor between the distances at which a wall is looked at.
 constexpr double kFarther = 1.25;
-/// mm. Shorter arcs are lines.
+/// mm. Shorter arcs are lines. Cusps that may stay on the wall between two arcs.
 constexpr double kShortArc = 0.006;
-/// Radians kept off the limit; and those more that are kept off it farther from the corner than kFar tool radii, for
-/// films on the walls: the first that is enough.
-constexpr double kMargin = 0.03;
-constexpr double kMargins[] = {0, 0.05, 0.12, 0.22};
-constexpr double kFar = 0.1;
-/// Radians that are no excess.
+constexpr double kCusp = 2e-3;
+/// Radians that arcs are aimed above the limit; that are no excess.
+constexpr double kAim = 0.012;
 constexpr double kAbove = 0.02;
-/// mm. Shorter cuts are not looked at again.
-constexpr double kTiny = 0.05;
-constexpr int kMostPasses = 40;
-/// The same where the walls are nearer to each other than this times the widest cut: a wider place is cut faster by what takes
-/// as much as the limit lets it, whatever the hull.
-constexpr int kMostNarrowPasses = 120;
-constexpr double kNarrow = 2;
+constexpr int kMostArcs = 400;
+/// Log of the factor that is enough for an arc; share of what a spiral gains from which on it is.
+constexpr double kGoodGain = 0.7;
+constexpr double kArcShare = 0.55;
+/// Radians kept off the limit on spirals, the first that is enough; their arcs turn by as much.
+constexpr double kMargins[] = {0, 0.05, 0.12};
+constexpr double kWidestSpiralTurn = 0.8;
+constexpr double kLeastSpiralTurn = 0.3;
 constexpr int kHalvings = 30;
+/// Factor between distances that are as good as the same.
+constexpr double kCloseTo = 1.01;
 constexpr int kArcLooks = 8;
-/// Radians of turn above the limit from which on arcs back cut, too.
-constexpr double kWideTurn = 0.45;
-/// Share of what a spiral would gain from which on an arc does; radians of its arcs.
-constexpr double kArcShare = 0.6;
-constexpr double kSpiralTurn = 0.5;
-/// A pass that comes no nearer than by this factor is none.
-constexpr double kLeastGain = 0.98;
+constexpr int kMostTries = 6;
+/// Factor between them.
+constexpr double kNotSoNear = 1.15;
+/// Radians more off the wall, at first.
+constexpr double kMoreTurn = 0.02;
+/// Of the distance from the corner: a centre that was visited touches nothing, the next ones do.
+constexpr double kAhead = 0.05;
+/// Turns of a heading until the contact is at the limit.
+constexpr int kMostTurns = 5;
+/// Nor is it worth a move along the wall.
+constexpr double kEnoughAlong = 0.8;
+/// An arc that comes no nearer than by this factor is none.
+constexpr double kLeastGain = 0.97;
 
 /// From u to v, > 0 to the left.
 double angle_between(Vec2 u, Vec2 v) {
   return std::atan2(cross(u, v), dot(u, v));
 }
 
-/// The least number of (0, most] that holds, where larger ones do; `most` when none does.
-template <typename Holds>
-double least(double most, const Holds& holds) {
-  double low = 0, high = most;
-  for (int i = 0; i < kHalvings; ++i) (holds((low + high) / 2) ? high : low) = (low + high) / 2;
-  return high;
+bool is_legal(const Edge& edge, const LegalArea& legal) {
+  if (!edge.is_arc()) return legal.holds_line(edge.from, edge.to);
+  for (int i = 0; i <= kArcLooks; ++i) {
+    if (!legal.holds(edge.at(static_cast<double>(i) / kArcLooks))) return false;
+  }
+  return true;
 }
 
 /// Distances from the corner along its first wall, side 0, and its second, side 1.
 class CornerCuts {
  public:
-  /// `margin` radians are kept off the limit farther than kFar from the corner, less nearer to it.
-  CornerCuts(const Wall& wall, const Corner& corner, const Ground& ground, double limit, double margin)
+  CornerCuts(const Wall& wall, const Corner& corner, Ground& ground, double limit)
       : wall_(wall),
-        legal_(ground.legal()),
+        ground_(ground),
         radius_(ground.tool_radius()),
         s_(corner.place.s),
         turn_(corner.turn),
-        whole_(limit - kMargin),
-        limit_(whole_),
-        margin_(margin),
-        far_(kFar * radius_) {}
+        limit_(limit) {}
 
-  /// The first wall is cut up to a before the corner, the second from b after it.
-  Path cuts(double a, double b, double film) {
-    cut_[0] = first_[0] = a;
-    cut_[1] = first_[1] = b;
-    const bool to_and_fro = turn_ - whole_ > kWideTurn;
-    const double widest = radius_ * (1 - std::cos(whole_));
-    const bool narrow = distance(at(0, a), at(1, b)) < kNarrow * widest;
-    const int most = narrow ? kMostNarrowPasses : kMostPasses;
-    for (int i = 0, side = 0; i < most && left() > film; ++i, side = to_and_fro ? 1 - side : 0) {
-      limit_ = whole_ - margin_ * std::min(1.0, std::max(cut_[0], cut_[1]) / far_);
-      if (!to_and_fro || i == 0) go_along_first();
-      if (!go_across(side)) break;
+  /// The first wall is cut up to `a` before the corner, the second from `b` after it on.
+  std::optional<CornerRound> cuts(double a, double b, double film) {
+    cut_[0] = a;
+    cut_[1] = b;
+    for (int i = 0; i < kMostArcs && left() > film; ++i) {
+      if (side_ == 0) go_along_first(i == 0 ? 1 : kEnoughAlong);
+      if (!go_across()) return std::nullopt;
     }
-    if (path_.empty() || left() > film) return {};
-    clear_cusps();
-    return std::move(path_);
+    if (path_.empty() || left() > film) return std::nullopt;
+    if (!go_to_second()) return std::nullopt;
+    return CornerRound{std::move(path_), s_ + cut_[1]};
   }
 
  private:
@@ -93,97 +92,183 @@ class CornerCuts {
   Vec2 into(int side, double x) const { return side == 0 ? wall_.heading(s_ - x) : -wall_.heading(s_ + x); }
   /// Angles are > 0 to the side of the other wall.
   static Vec2 turned(int side, Vec2 u, double angle) { return rotated(u, side == 0 ? angle : -angle); }
-  static double angle(int side, Vec2 u, Vec2 v) {
-    return side == 0 ? angle_between(u, v) : angle_between(v, u);
+
+  double angle(Vec2 u, Vec2 v) const { return side_ == 0 ? angle_between(u, v) : angle_between(v, u); }
+
+  Vec2 here() const { return path_.empty() ? at(side_, cut_[side_]) : path_.back().to; }
+
+  void take(const Edge& edge) {
+    if (distance(edge.from, edge.to) < kNear) return;
+    ground_.cut(edge);
+    path_.push_back(edge);
   }
 
-  /// Angle from the heading on a wall to the centre visited last on the other one.
-  double seen(int side, double x) const {
-    return angle(side, into(side, x), at(1 - side, cut_[1 - side]) - at(side, x));
-  }
-
-  /// As near on the first wall as the limit lets.
-  void go_along_first() {
-    if (!path_.empty()) path_.push_back(Edge::line(path_.back().to, at(0, cut_[0])));
-    const double x = least(cut_[0], [&](double to) { return seen(0, to) <= limit_; });
-    if (cut_[0] - x < kNearest / 2) return;
-    for (const Edge& edge : wall_.part(s_ - cut_[0], s_ - x)) path_.push_back(edge);
-    cut_[0] = x;
-  }
-
-  /// To the other wall, nearer than before: on an arc, or where that gains much less, on a spiral.
-  bool go_across(int side) {
-    const int other = 1 - side;
-    const Vec2 from = at(side, cut_[side]);
-    const double excess = seen(side, cut_[side]) - limit_;
-    const Vec2 heading = turned(side, into(side, cut_[side]), std::max(0.0, excess));
-    const double most = cut_[other];
-    const double by_arc = least(most, [&](double to) { return is_within(side, from, heading, to); });
-    const double by_spiral = excess > 0 ? spiral_end(side) : most;
-    const double next = most - by_arc < kArcShare * (most - by_spiral) ? by_spiral : by_arc;
-    if (next >= most * kLeastGain) return false;
-    if (next == by_arc) {
-      path_.push_back(tangent_arc(here(side), heading, at(other, next)));
-    } else {
-      go_round(side, next);
-    }
-    cut_[other] = next;
+  /// Whether it keeps the limit; if so it is taken.
+  bool take_within(const Edge& edge) {
+    if (!is_legal(edge, ground_.legal()) || ground_.length_within(edge, limit_ + kAbove) < edge.length())
+      return false;
+    take(edge);
     return true;
   }
 
-  Vec2 here(int side) const { return path_.empty() ? at(side, cut_[side]) : path_.back().to; }
+  /// The least number of (0, most] at which the contact of an edge's end keeps the limit, where larger ones do; none when `most`
+  /// does not.
+  template <typename EdgeTo>
+  std::optional<double> nearest_within(double most, const EdgeTo& edge_to) const {
+    const auto is_within = [&](double x) {
+      const Edge edge = edge_to(x);
+      return ground_.contact(edge.to, edge.tangent_at(1)) <= limit_ + kAim;
+    };
+    if (!is_within(most)) return std::nullopt;
+    double low = std::min(kNearest, most), high = most;
+    if (is_within(low)) return low;
+    // By shares: an arc may come nearer a hundredfold.
+    while (high > low * kCloseTo) {
+      const double middle = std::sqrt(low * high);
+      (is_within(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  /// As near on the first wall as the limit lets.
+  void go_along_first(double least) {
+    const double from = cut_[0];
+    const auto along = [&](double to) { return Edge::line(at(0, to + kNear), at(0, to)); };
+    const double to = nearest_within(from, along).value_or(from);
+    if (to > from * least - kNear) return;
+    for (const Edge& edge : wall_.part(s_ - from, s_ - to)) {
+      const double within = ground_.length_within(edge, limit_ + kAbove);
+      if (within < edge.length()) {
+        if (within > kNear) take(edge.part(0, within / edge.length()));
+        cut_[0] -= within;
+        return;
+      }
+      take(edge);
+      cut_[0] -= edge.length();
+    }
+  }
+
+  /// A way to the other wall and how near it comes there.
+  struct Crossing {
+    Path path;
+    double to = 0;
+  };
+
+  /// To the other wall, nearer than before: on an arc, or where that gains much less, on a spiral.
+  bool go_across() {
+    const int other = 1 - side_;
+    const double most = cut_[other];
+    const auto arc = arc_across();
+    const double gain = arc ? std::log(most / arc->to) : 0;
+    const auto spiral = gain < kGoodGain ? spiral_across(gain / kArcShare) : std::nullopt;
+    if (spiral) return go(*spiral);
+    return arc ? go(*arc) : other == 0 && go_back();
+  }
+
+  bool go(const Crossing& crossing) {
+    const int other = 1 - side_;
+    const double from = std::exchange(cut_[other], crossing.to);
+    for (const Edge& edge : crossing.path) take(edge);
+    side_ = other;
+    if (side_ == 0 && cusps_ == 0 && ground_.touches(at(0, (from + cut_[0]) / 2), kCusp)) cusps_ = from;
+    return true;
+  }
+
+  std::optional<Crossing> arc_across() {
+    const int other = 1 - side_;
+    const double most = cut_[other];
+    double turn = first_turn(), more = kMoreTurn, short_of = 1;
+    for (int i = 0; i < kMostTries; ++i) {
+      const Vec2 heading = turned(side_, into(side_, cut_[side_]), turn);
+      const auto arc_to = [&](double x) { return tangent_arc(here(), heading, at(other, x)); };
+      const double to = short_of * nearest_within(most, arc_to).value_or(most);
+      const Edge arc = arc_to(to);
+      if (to > most * kLeastGain || !is_legal(arc, ground_.legal())) return std::nullopt;
+      const double within = ground_.length_within(arc, limit_ + kAbove);
+      if (within >= arc.length()) return Crossing{{arc}, to};
+      if (within < arc.length() / 2) {
+        turn += more;
+        more *= 2;
+      } else {
+        short_of *= kNotSoNear;
+      }
+    }
+    return std::nullopt;
+  }
 
   /// The spiral about the last centre on the other wall, with the heading `limit` off the direction to it: from the pole, the
-  /// rays to the cutter shrink by exp(-turn / tan(limit)).
-  double spiral_radius(double start, double turn) const { return start * std::exp(-turn / std::tan(limit_)); }
-
-  /// Where it meets the other wall.
-  double spiral_end(int side) const {
-    const int other = 1 - side;
-    const Vec2 pole = at(other, cut_[other]), ray = at(side, cut_[side]) - pole;
-    return least(cut_[other], [&](double to) {
-      const Vec2 end = at(other, to) - pole;
-      return norm(end) <= spiral_radius(norm(ray), angle(side, ray, end));
-    });
-  }
-
-  /// Along it, up to `next` on the other wall.
-  void go_round(int side, double next) {
-    const int other = 1 - side;
-    const Vec2 pole = at(other, cut_[other]), ray = at(side, cut_[side]) - pole, end = at(other, next);
-    const double whole = angle(side, ray, end - pole);
-    const int arcs = static_cast<int>(whole / kSpiralTurn) + 1;
-    for (int i = 1; i <= arcs; ++i) {
-      const Vec2 from = here(side), way = pole - from;
-      const double turn = whole * i / arcs;
-      const Vec2 to = i == arcs ? end : pole + turned(side, unit(ray), turn) * spiral_radius(norm(ray), turn);
-      path_.push_back(tangent_arc(from, turned(side, unit(way), -limit_), to));
+  /// rays to the cutter shrink by exp(-turn / tan(limit)). None where it gains less than a factor of exp(least).
+  std::optional<Crossing> spiral_across(double least) {
+    const int other = 1 - side_;
+    if (cut_[other] >= kPrepared * radius_) return std::nullopt;
+    const Vec2 from = here(), pole = at(other, cut_[other]), ray = from - pole;
+    for (const double margin : kMargins) {
+      const double limit = limit_ - margin;
+      const auto radius = [&](double turn) { return norm(ray) * std::exp(-turn / std::tan(limit)); };
+      const auto turn_to = [&](double x) { return angle(ray, at(other, x) - pole); };
+      double low = 0, high = cut_[other];
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (low + high) / 2;
+        (cut_[other] - middle <= radius(turn_to(middle)) ? high : low) = middle;
+      }
+      if (std::log(cut_[other] / high) < least) return std::nullopt;
+      const double whole = turn_to(high);
+      for (int arcs = static_cast<int>(whole / kWidestSpiralTurn) + 1; arcs <= whole / kLeastSpiralTurn + 1;
+           ++arcs) {
+        Path path;
+        for (int i = 1; i <= arcs; ++i) {
+          const Vec2 begin = path.empty() ? from : path.back().to;
+          const double turn = whole * i / arcs;
+          const Vec2 end = i == arcs ? at(other, high) : pole + turned(side_, unit(ray), turn) * radius(turn);
+          path.push_back(tangent_arc(begin, turned(side_, unit(pole - begin), -limit), end));
+        }
+        const bool legal = std::all_of(path.begin(), path.end(),
+                                       [&](const Edge& edge) { return is_legal(edge, ground_.legal()); });
+        if (legal && ground_.keeps_limit(path, limit_ + kAbove, 0)) return Crossing{path, high};
+      }
     }
+    return std::nullopt;
   }
 
-  /// Whether the arc to the other wall keeps the limit at its end.
-  bool is_within(int side, Vec2 from, Vec2 heading, double to) const {
-    const int other = 1 - side;
-    const double chord = angle(side, heading, at(other, to) - from);
-    return angle(side, turned(side, heading, 2 * chord), at(other, cut_[other]) - at(other, to)) <= limit_;
+  /// To the first wall where it is cut already.
+  bool go_back() {
+    if (back_ == cut_[0] || !take_within(Edge::line(here(), at(0, cut_[0])))) return false;
+    back_ = cut_[0];
+    side_ = 0;
+    return true;
   }
 
-  /// Between the places where arcs met a wall, cusps stay on it.
-  void clear_cusps() {
-    if (turn_ - whole_ > kWideTurn) {
-      go_to(at(0, cut_[0]));
-      const Path along = wall_.part(s_ - first_[0], s_ - cut_[0]), back = reversed(along);
-      path_.insert(path_.end(), back.begin(), back.end());
-      // Between walls that curve into the area there is no straight way.
-      if (!legal_.holds_line(path_.back().to, at(1, cut_[1])))
-        path_.insert(path_.end(), along.begin(), along.end());
+  /// At last, over what arcs left on the first wall between them; the next cut goes along the second.
+  bool go_to_second() {
+    if (cusps_ > 0 && cut_cusps()) side_ = 0;
+    if (side_ == 1) return true;
+    const Edge line = Edge::line(here(), at(1, cut_[1]));
+    if (is_legal(line, ground_.legal())) return take_within(line);
+    // Between walls that curve into the area: along the wall again.
+    for (const Edge& edge : wall_.part(s_ - cusps_, s_ - cut_[0])) take(edge);
+    return take_within(Edge::line(here(), at(1, cut_[1])));
+  }
+
+  bool cut_cusps() {
+    if (side_ == 1 && !take_within(Edge::line(here(), at(0, cut_[0])))) return false;
+    side_ = 0;
+    const Path cusps = reversed(wall_.part(s_ - cusps_, s_ - cut_[0]));
+    return std::all_of(cusps.begin(), cusps.end(), [&](const Edge& edge) { return take_within(edge); });
+  }
+
+  /// Of a heading from along the wall to as little off it as the limit lets.
+  double first_turn() const {
+    const Vec2 from = here(), along = into(side_, cut_[side_]), way = at(1 - side_, cut_[1 - side_]) - from;
+    const double seen = angle(along, way);
+    double turn = cut_[1 - side_] < kPrepared * radius_ ? std::max(0.0, seen - limit_) : 0.0;
+    const double ahead = std::max(kNearest, kAhead * cut_[side_]);
+    for (int i = 0; i < kMostTurns; ++i) {
+      const Vec2 heading = turned(side_, along, turn);
+      const double excess = ground_.contact(from + heading * ahead, heading) - limit_ - kAim;
+      if (excess <= 0) break;
+      turn += excess;
     }
-    go_to(at(1, cut_[1]));
-    for (const Edge& edge : wall_.part(s_ + cut_[1], s_ + first_[1])) path_.push_back(edge);
-  }
-
-  void go_to(Vec2 p) {
-    if (distance(path_.back().to, p) > kNearest / 10) path_.push_back(Edge::line(path_.back().to, p));
+    return turn;
   }
 
   /// Thickness of what stays.
@@ -201,19 +286,14 @@ class CornerCuts {
   }
 
   const Wall& wall_;
-  const LegalArea& legal_;
-  double radius_, s_, turn_, whole_, limit_, margin_, far_;
-  double cut_[2] = {}, first_[2] = {};
+  Ground& ground_;
+  double radius_, s_, turn_, limit_;
+  double cut_[2] = {};
+  int side_ = 0;
+  double cusps_ = 0;  ///< on the first wall up to there
+  double back_ = -1;  ///< where it last went back to the first wall
   Path path_;
 };
-
-bool is_legal(const Edge& edge, const LegalArea& legal) {
-  if (!edge.is_arc()) return legal.holds_line(edge.from, edge.to);
-  for (int i = 0; i <= kArcLooks; ++i) {
-    if (!legal.holds(edge.at(static_cast<double>(i) / kArcLooks))) return false;
-  }
-  return true;
-}
 
 /// Distance from the corner to the first centre on a wall that touches nothing.
 std::optional<double> first_visited(const Wall& wall, double s, double sign, const Ground& ground) {
@@ -247,20 +327,19 @@ std::vector<WallPlace> places_of(const std::vector<Corner>& corners) {
   return places;
 }
 
-Path corner_cuts(const Walls& walls, const Corner& corner, Ground& ground, double limit, double film) {
+std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner, double from, Ground& ground,
+                                        double limit, double film) {
+  const std::size_t before = ground.cuts();
   const Wall& wall = walls.wall(corner.place.wall);
-  const auto a = first_visited(wall, corner.place.s, -1, ground),
-             b = first_visited(wall, corner.place.s, 1, ground);
-  if (!a || !b) return {};
-  for (const double margin : kMargins) {
-    Path found = CornerCuts(wall, corner, ground, limit, margin).cuts(*a, *b, film);
-    // Walls that curve much so near to the corner are not what the cuts were found for.
-    const bool legal = std::all_of(found.begin(), found.end(),
-                                   [&](const Edge& edge) { return is_legal(edge, ground.legal()); });
-    if (!legal || found.empty()) continue;
-    if (ground.keeps_limit(found, limit + kAbove, kTiny)) return found;
-  }
-  return {};
+  const double second =
+      first_visited(wall, corner.place.s, 1, ground).value_or(kPrepared * ground.tool_radius());
+  auto found = CornerCuts(wall, corner, ground, limit).cuts(from, second, film);
+  ground.forget_beyond(before);
+  return found;
+}
+
+std::optional<double> prepared_before(const Walls& walls, const Corner& corner, const Ground& ground) {
+  return first_visited(walls.wall(corner.place.wall), corner.place.s, -1, ground);
 }
 
 }  // namespace clearcut

@@ -1,6 +1,7 @@
 // The last tenths of a millimetre in a corner, cut without the whole fillet touching the cutter at once.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "plan/adaptive_ground.h"
@@ -17,18 +18,26 @@ struct Corner {
 std::vector<Corner> corners_of(const Walls& walls, double limit);
 std::vector<WallPlace> places_of(const std::vector<Corner>& corners);
 
-/// The cuts into one corner.
+/// The way round a corner, from its first wall to its second.
+struct CornerRound {
+  Path path;
+  double end = 0;  ///< on the wall, where it goes on
+};
+
+/// The cuts round one corner, from `from` mm before it on the first wall, which is cut up to there.
 ///
 /// A cutter driven straight into a corner meets the thin crescent that is left there on as much of its circle as
 /// the walls turn. Between two centres visited before, nothing is left but what the corner of their hull shows:
 /// a centre meets the directions between the normals of its two tangents to that hull. So along the first wall
-/// until the line to the last centre on the second wall is `limit` off the heading; from there on an arc that
-/// keeps it so, to the second wall; back, straight or where the walls turn much on such an arc, too; and again, each
-/// time a fixed share nearer.
+/// until the contact is at its limit; from there on an arc, off the wall as little as the limit lets, to the second wall,
+/// where the contact is at the limit again; back on such an arc; and again, each time a fixed share nearer. What the
+/// ground shows is taken for the contact: films on the walls count.
 ///
-/// Shape   from the first wall to the second; empty where there is nothing to cut or it was not prepared. Both
-///         walls have been cut up to near the corner.
+/// Shape   from the first wall to the second; none where the contact does not keep the limit.
 /// Error   what is left in the corner is at most `film` mm thick.
-Path corner_cuts(const Walls& walls, const Corner& corner, Ground& ground, double limit, double film);
+std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner, double from, Ground& ground,
+                                        double limit, double film);
+/// mm. How near the corner the first wall is cut; none when that is not near.
+std::optional<double> prepared_before(const Walls& walls, const Corner& corner, const Ground& ground);
 
 }  // namespace clearcut

@@ -14,16 +14,17 @@ namespace {
 /// nothing may stay: what stands between two is no thicker than 1/8 of its square.
 constexpr double kMarkPitch = 0.1;
 constexpr double kFinePitch = 0.06;
-/// Tool radii of wall that are cut after a corner before the corner itself.
+/// Tool radii. A cut that ends as near before a corner goes on round it; mm from the wall.
 constexpr double kCornerReach = 0.9;
+constexpr double kOnWall = 1e-4;
 constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
-constexpr double kCornerFilm = 2e-3;
+constexpr double kCornerFilm = 4.5e-3;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
 constexpr double kCornerFree = 3e-3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
-constexpr double kRest = 0.003;
+constexpr double kRest = 0.0055;
 /// mm. Nearer to what the cutter cannot reach nothing is a rest.
 constexpr double kReach = 5e-4;
 constexpr int kMostRests = 60;
@@ -79,18 +80,44 @@ void AdaptiveFinish::follow_walls() {
   int misses = 0;
   for (auto starts = cuts_.walls.starts(); !starts.empty(); starts = cuts_.walls.starts()) {
     const WallPlace start = cuts_.nearest(starts);
-    const bool after_corner = cuts_.walls.from_stop(start) < kCornerReach * radius_;
-    cuts_.tracer.set_reach(after_corner ? kCornerReach * radius_ : kEndless);
-    const bool cut = cuts_.cut_from(start);
-    misses = cut ? 0 : misses + 1;
-    if (!cut) {
+    const Vec2 before = path_.at();
+    if (cuts_.cut_from(start)) {
+      misses = 0;
+      if (path_.at() != before) go_on_round_corners();
+    } else {
       // Where no way leads to one place it seldom leads to the next.
-      cuts_.walls.give_up(start, 1 + misses / kPatience);
-    } else if (after_corner) {
-      finish_corner(nearest_corner(), false);
+      cuts_.walls.give_up(start, 1 + ++misses / kPatience);
     }
   }
-  for (std::size_t left = corners_.size(); left > 0; --left) finish_corner(nearest_corner(), true);
+  while (!corners_.empty()) {
+    const auto corner = nearest_corner();
+    if (const auto from = prepared_before(cuts_.walls, *corner, ground_)) finish_corner(*corner, *from);
+    corners_.erase(corner);
+  }
+}
+
+/// From the end of a cut before a corner round it and along the next wall, and so on.
+void AdaptiveFinish::go_on_round_corners() {
+  for (Vec2 before{1e300, 0}; path_.at() != before;) {
+    before = path_.at();
+    const auto corner = std::find_if(corners_.begin(), corners_.end(),
+                                     [&](const Corner& c) { return ahead(c) < kCornerReach * radius_; });
+    if (corner == corners_.end()) return;
+    const auto next = finish_corner(*corner, ahead(*corner));
+    if (!next) return;
+    corners_.erase(corner);
+    cuts_.cut_from(*next);
+  }
+}
+
+/// mm. How far along its first wall a corner is from the cutter; infinite where that is not on it.
+double AdaptiveFinish::ahead(const Corner& corner) const {
+  const Wall& wall = cuts_.walls.wall(corner.place.wall);
+  if (distance(cuts_.walls.point(corner.place), path_.at()) > kCornerReach * radius_) return kEndless;
+  const auto hit = wall.nearest(path_.at());
+  if (hit.distance > kOnWall) return kEndless;
+  const double ahead = corner.place.s - hit.s;
+  return ahead - std::floor(ahead / wall.length()) * wall.length();
 }
 
 std::vector<Corner>::iterator AdaptiveFinish::nearest_corner() {
@@ -101,13 +128,15 @@ std::vector<Corner>::iterator AdaptiveFinish::nearest_corner() {
                           [&](const Corner& a, const Corner& b) { return far(a) < far(b); });
 }
 
-/// Cuts a corner that is prepared; others wait, or are left at `last`.
-void AdaptiveFinish::finish_corner(std::vector<Corner>::iterator corner, bool last) {
-  if (corner == corners_.end()) return;
-  const Path cuts = corner_cuts(cuts_.walls, *corner, ground_, limit_, kCornerFilm);
-  const auto way = cuts.empty() ? std::nullopt : path_.way_to(cuts.front().from, kCornerFree);
-  if (way) path_.cut(cuts, *way);
-  if (way || last) corners_.erase(corner);
+/// Cuts a corner up to which its first wall is cut. Where the cut ends.
+std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, double from) {
+  const auto round = round_corner(cuts_.walls, corner, from, ground_, limit_, kCornerFilm);
+  if (!round) return std::nullopt;
+  const auto way = path_.way_to(round->path.front().from, kCornerFree);
+  if (!way) return std::nullopt;
+  path_.cut(round->path, *way);
+  cuts_.walls.update(ground_, box(round->path).grown(2 * radius_));
+  return WallPlace{corner.place.wall, round->end};
 }
 
 /// What walls still bear: by bites where that leads on, else straight along, the nearest stretch first.

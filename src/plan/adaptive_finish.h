@@ -24,8 +24,10 @@ class AdaptiveFinish {
 
  private:
   void follow_walls();
+  void go_on_round_corners();
+  double ahead(const Corner& corner) const;
   std::vector<Corner>::iterator nearest_corner();
-  void finish_corner(std::vector<Corner>::iterator corner, bool last);
+  std::optional<WallPlace> finish_corner(const Corner& corner, double from);
   void cut_walls();
   void cut_wall_ends();
   bool stands_at(Vec2 corner) const;
