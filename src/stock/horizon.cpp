@@ -66,14 +66,17 @@ void Horizon::remove_beyond(Vec2 normal, double q) {
   remove_within(bounds);
 }
 
-void Horizon::remove(const Swept& swept) {
+bool Horizon::remove(const Swept& swept) {
   if (swept.kind == Swept::Kind::kDisc) return remove_disc(swept.from, swept.radius);
   const double before = dot(swept.before, rest_center_ - swept.from);
   const double after = dot(swept.after, rest_center_ - swept.to);
-  if (!may_reach(swept, before, after)) return;
-  if (before < rest_radius_ && after < rest_radius_) remove_between(swept, before, after);
-  if (swept.round_start && may_pass(swept.from, swept.before)) remove_disc(swept.from, swept.radius);
-  if (swept.round_end && may_pass(swept.to, swept.after)) remove_disc(swept.to, swept.radius);
+  if (!may_reach(swept, before, after)) return false;
+  bool changed = false;
+  if (before < rest_radius_ && after < rest_radius_) changed = remove_between(swept, before, after);
+  if (swept.round_start && may_pass(swept.from, swept.before))
+    changed |= remove_disc(swept.from, swept.radius);
+  if (swept.round_end && may_pass(swept.to, swept.after)) changed |= remove_disc(swept.to, swept.radius);
+  return changed;
 }
 
 /// Whether the sweep may cover any of what is left. Beyond an end that is nearest, between them the path.
@@ -88,18 +91,18 @@ bool Horizon::may_reach(const Swept& swept, double before, double after) const {
   return squared < outer * outer && (inner <= 0 || squared > inner * inner);
 }
 
-void Horizon::remove_disc(Vec2 at, double disc) {
-  if (!may_meet(at, disc)) return;
+bool Horizon::remove_disc(Vec2 at, double disc) {
+  if (!may_meet(at, disc)) return false;
   Bounds bounds;
   bounds.add(within_circle(center_ - at, disc));
   const double room = radius_ - disc + kCoincident;
-  if (room >= 0 && bounds.items[0].squared <= room * room) return;
-  remove_within(bounds);
+  if (room >= 0 && bounds.items[0].squared <= room * room) return false;
+  return remove_within(bounds);
 }
 
 /// The rectangle, or part of a ring, between the planes across the ends. Bounds that all of what is left keeps are not
 /// looked at further.
-void Horizon::remove_between(const Swept& swept, double before, double after) {
+bool Horizon::remove_between(const Swept& swept, double before, double after) {
   Bounds bounds;
   if (swept.kind == Swept::Kind::kLine) {
     bound_strip(swept, bounds);
@@ -108,7 +111,7 @@ void Horizon::remove_between(const Swept& swept, double before, double after) {
   }
   if (before > -rest_radius_) bounds.add(within_line(swept.before, swept.from, 0));
   if (after > -rest_radius_) bounds.add(within_line(swept.after, swept.to, swept.round_end ? 0 : kSeam));
-  remove_within(bounds);
+  return remove_within(bounds);
 }
 
 void Horizon::bound_strip(const Swept& line, Bounds& bounds) const {
@@ -139,22 +142,26 @@ Horizon::Side Horizon::side_of(const Bound& bound, const Span& span) {
   return (bound.most < 0 || meets) && span.holds(bound.normal) ? Side::kMiddleBeyond : Side::kWithin;
 }
 
+/// Where a bound that crosses a span lets it go, seen from the bound's normal on the left (1) or on the right (-1):
+/// beyond begins on the right.
+Horizon::End Horizon::crossing(const Bound& bound, double side, const Span& span) const {
+  const double half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most));
+  const Vec2 way = bound.normal * bound.most + left_of(bound.normal) * (side * half);
+  return end_in(span, way / bound.squared);
+}
+
 /// The parts of a span beyond a bound that crosses it.
 void Horizon::add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const {
-  const double inverse = 1 / bound.squared,
-               half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most)) * inverse;
-  const Vec2 middle = bound.normal * (bound.most * inverse), aside = left_of(bound.normal) * half;
-  // Beyond begins at middle - aside and ends at middle + aside.
   switch (side) {
     case Side::kFromBeyond:
-      return pieces.add({span.from, end_in(span, middle + aside)});
+      return pieces.add({span.from, crossing(bound, 1, span)});
     case Side::kToBeyond:
-      return pieces.add({end_in(span, middle - aside), span.to});
+      return pieces.add({crossing(bound, -1, span), span.to});
     case Side::kMiddleBeyond:
-      return pieces.add({end_in(span, middle - aside), end_in(span, middle + aside)});
+      return pieces.add({crossing(bound, -1, span), crossing(bound, 1, span)});
     case Side::kMiddleWithin:
-      pieces.add({span.from, end_in(span, middle + aside)});
-      return pieces.add({end_in(span, middle - aside), span.to});
+      pieces.add({span.from, crossing(bound, 1, span)});
+      return pieces.add({crossing(bound, -1, span), span.to});
     case Side::kWithin:
     case Side::kBeyond:
       return;
@@ -181,33 +188,52 @@ void Horizon::Pieces::merge() {
 }
 
 /// Takes away what lies within all bounds.
-void Horizon::remove_within(const Bounds& bounds) {
+bool Horizon::remove_within(const Bounds& bounds) {
   bool changed = false;
   for (int i = 0; i < count_;) {
-    const Span& span = items_[i];
-    Side sides[4];
-    bool beyond = false;
-    int crossing = 0;
-    for (int k = 0; k < bounds.count && !beyond; ++k) {
-      sides[k] = side_of(bounds.items[k], span);
-      beyond = sides[k] == Side::kBeyond;
-      crossing += sides[k] != Side::kWithin;
-    }
-    if (beyond) {
+    Crossed crossed;
+    if (is_beyond_any(bounds, items_[i], crossed)) {
       ++i;
-      continue;
+    } else {
+      i = cut(i, crossed, changed);
     }
-    Pieces pieces;
-    for (int k = 0; k < bounds.count; ++k) {
-      if (sides[k] != Side::kWithin) add_beyond(bounds.items[k], sides[k], span, pieces);
-    }
-    if (crossing > 1) pieces.merge();
-    const bool whole = pieces.count == 1 && pieces.items[0].from.order == span.from.order &&
-                       pieces.items[0].to.order == span.to.order;
-    changed |= !whole;
-    i = whole ? i + 1 : replace(i, pieces.items, pieces.count);
   }
   if (changed && count_ > 0) look();
+  return changed;
+}
+
+/// Whether the whole span is beyond one of the bounds; else, those that cross it.
+bool Horizon::is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed) {
+  for (int k = 0; k < bounds.count; ++k) {
+    const Side side = side_of(bounds.items[k], span);
+    if (side == Side::kBeyond) return true;
+    if (side == Side::kWithin) continue;
+    crossed.bounds[crossed.count] = &bounds.items[k];
+    crossed.sides[crossed.count++] = side;
+  }
+  return false;
+}
+
+/// Leaves of a span what is beyond one of the bounds that cross it; returns the place after that.
+int Horizon::cut(int place, const Crossed& crossed, bool& changed) {
+  Span& span = items_[place];
+  // Nearly always one end is moved.
+  if (crossed.count == 1 && (crossed.sides[0] == Side::kFromBeyond || crossed.sides[0] == Side::kToBeyond)) {
+    const bool keeps_from = crossed.sides[0] == Side::kFromBeyond;
+    const End end = crossing(*crossed.bounds[0], keeps_from ? 1 : -1, span);
+    End& moved = keeps_from ? span.to : span.from;
+    changed |= moved.order != end.order;
+    moved = end;
+    return span.to.order > span.from.order ? place + 1 : replace(place, nullptr, 0);
+  }
+  Pieces pieces;
+  for (int k = 0; k < crossed.count; ++k) add_beyond(*crossed.bounds[k], crossed.sides[k], span, pieces);
+  if (crossed.count > 1) pieces.merge();
+  if (pieces.count == 1 && pieces.items[0].from.order == span.from.order &&
+      pieces.items[0].to.order == span.to.order)
+    return place + 1;
+  changed = true;
+  return replace(place, pieces.items, pieces.count);
 }
 
 /// Puts pieces where a span was; returns the place after them.

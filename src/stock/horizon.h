@@ -44,7 +44,8 @@ class Horizon {
     return norm_squared(at - rest_center_) <= far * far;
   }
   void clear() { count_ = 0; }
-  void remove(const Swept& swept);
+  /// Whether anything was left of what it covers.
+  bool remove(const Swept& swept);
   /// Directions u with dot(normal, u) > q, normal of length 1.
   void remove_beyond(Vec2 normal, double q);
 
@@ -77,8 +78,8 @@ class Horizon {
   /// Directions u with dot(normal, u) <= most are within.
   struct Bound {
     Vec2 normal;
-    double most = 0;
-    double squared = 1;  ///< of the normal's length
+    double most;
+    double squared;  ///< of the normal's length
   };
   /// Where a bound leaves the ends of a span, and what is between them if that is not where both ends are.
   enum class Side { kWithin, kBeyond, kFromBeyond, kToBeyond, kMiddleBeyond, kMiddleWithin };
@@ -87,6 +88,12 @@ class Horizon {
     Bound items[4];
     int count = 0;
     void add(const Bound& bound) { items[count++] = bound; }
+  };
+  /// Bounds that cross a span.
+  struct Crossed {
+    const Bound* bounds[4];
+    Side sides[4];
+    int count = 0;
   };
   /// A few spans, ascending.
   struct Pieces {
@@ -99,8 +106,8 @@ class Horizon {
   // Everything left lies within rest_radius_ of rest_center_.
   bool may_reach(const Swept& swept, double before, double after) const;
   bool may_pass(Vec2 at, Vec2 normal) const { return dot(normal, rest_center_ - at) > -rest_radius_; }
-  void remove_disc(Vec2 at, double disc);
-  void remove_between(const Swept& swept, double before, double after);
+  bool remove_disc(Vec2 at, double disc);
+  bool remove_between(const Swept& swept, double before, double after);
   void bound_strip(const Swept& line, Bounds& bounds) const;
   void bound_ring(const Swept& arc, Bounds& bounds) const;
 
@@ -109,8 +116,11 @@ class Horizon {
   Bound within_line(Vec2 normal, Vec2 at, double beyond) const {
     return {normal, (dot(normal, at - center_) + beyond) * inverse_, 1};
   }
+  End crossing(const Bound& bound, double side, const Span& span) const;
   End end_in(const Span& span, Vec2 way) const;
-  void remove_within(const Bounds& bounds);
+  bool remove_within(const Bounds& bounds);
+  static bool is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed);
+  int cut(int place, const Crossed& crossed, bool& changed);
   int replace(int place, const Span* pieces, int count);
   void add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const;
   void drop_narrowest();
