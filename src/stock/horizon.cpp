@@ -31,6 +31,18 @@ Vec2 right_of(Vec2 v) {
 
 }  // namespace
 
+bool Swept::comes_within(Vec2 p, double far) const {
+  const double far_squared = far * far;
+  if (kind == Kind::kDisc) return norm_squared(p - from) < far_squared;
+  const bool is_before = dot(before, p - from) > 0, is_after = dot(after, p - to) > 0;
+  if (is_before && norm_squared(p - from) < far_squared) return true;
+  if (is_after && norm_squared(p - to) < far_squared) return true;
+  if (is_before || is_after) return false;
+  if (kind == Kind::kLine) return std::abs(cross(after, p - from)) < far;
+  const double squared = norm_squared(p - center), outer = ring + far, inner = ring - far;
+  return squared < outer * outer && (inner <= 0 || squared > inner * inner);
+}
+
 Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
     : center_(center), radius_(radius), inverse_(1 / radius), ahead_(ahead / std::sqrt(norm_squared(ahead))) {
   const Vec2 right = right_of(ahead_);
@@ -68,27 +80,15 @@ void Horizon::remove_beyond(Vec2 normal, double q) {
 
 bool Horizon::remove(const Swept& swept) {
   if (swept.kind == Swept::Kind::kDisc) return remove_disc(swept.from, swept.radius);
+  if (!swept.comes_within(rest_center_, swept.radius + rest_radius_)) return false;
   const double before = dot(swept.before, rest_center_ - swept.from);
   const double after = dot(swept.after, rest_center_ - swept.to);
-  if (!may_reach(swept, before, after)) return false;
   bool changed = false;
   if (before < rest_radius_ && after < rest_radius_) changed = remove_between(swept, before, after);
   if (swept.round_start && may_pass(swept.from, swept.before))
     changed |= remove_disc(swept.from, swept.radius);
   if (swept.round_end && may_pass(swept.to, swept.after)) changed |= remove_disc(swept.to, swept.radius);
   return changed;
-}
-
-/// Whether the sweep may cover any of what is left. Beyond an end that is nearest, between them the path.
-bool Horizon::may_reach(const Swept& swept, double before, double after) const {
-  const double far = swept.radius + rest_radius_, far_squared = far * far;
-  if (before > 0 && norm_squared(rest_center_ - swept.from) < far_squared) return true;
-  if (after > 0 && norm_squared(rest_center_ - swept.to) < far_squared) return true;
-  if (before > 0 || after > 0) return false;
-  if (swept.kind == Swept::Kind::kLine) return std::abs(cross(swept.after, rest_center_ - swept.from)) < far;
-  const double squared = norm_squared(rest_center_ - swept.center), outer = swept.ring + far,
-               inner = swept.ring - far;
-  return squared < outer * outer && (inner <= 0 || squared > inner * inner);
 }
 
 bool Horizon::remove_disc(Vec2 at, double disc) {

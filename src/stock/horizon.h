@@ -24,6 +24,9 @@ struct Swept {
   Vec2 after;       ///< unit, onwards at the end
   Vec2 center;      ///< of an arc
   double ring = 0;  ///< radius of an arc
+
+  /// Whether the disc, line or arc comes nearer to p than `far` mm > 0. Neither roots nor divisions.
+  bool comes_within(Vec2 p, double far) const;
 };
 
 /// The circle of a cutter, or its front half, less what sweeps cover.
@@ -104,7 +107,6 @@ class Horizon {
   };
 
   // Everything left lies within rest_radius_ of rest_center_.
-  bool may_reach(const Swept& swept, double before, double after) const;
   bool may_pass(Vec2 at, Vec2 normal) const { return dot(normal, rest_center_ - at) > -rest_radius_; }
   bool remove_disc(Vec2 at, double disc);
   bool remove_between(const Swept& swept, double before, double after);

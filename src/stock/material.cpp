@@ -50,14 +50,14 @@ const std::vector<Material::Entry>* Material::Grid::at(Vec2 p) const {
   return found == cells.end() ? nullptr : &found->second;
 }
 
-/// The lists of all cells that a circle may reach the path from; each at least once.
+/// The lists of all cells from which a circle may reach what was swept along a part of its path; each at least once.
 template <typename F>
-void Material::Grid::for_lists(const Edge& path, double radius, F&& f) {
-  const double far = reach + radius;
+void Material::Grid::for_lists(const Swept& swept, const Edge& path, F&& f) {
+  const double far = reach + swept.radius;
   // Halving keeps the box of a long slanting path from covering many cells in vain.
   if (path.from != path.to && path.length() > 2 * far + 4 * cell) {
-    for_lists(path.part(0, 0.5), radius, f);
-    for_lists(path.part(0.5, 1), radius, f);
+    for_lists(swept, path.part(0, 0.5), f);
+    for_lists(swept, path.part(0.5, 1), f);
     return;
   }
   Box box = path.from == path.to ? Box{path.from, path.from} : path.box();
@@ -67,22 +67,21 @@ void Material::Grid::for_lists(const Edge& path, double radius, F&& f) {
                y0 = (std::floor(box.min.y / cell) + 0.5) * cell;
   for (double y = y0; y <= box.max.y; y += cell) {
     for (double x = x0; x <= box.max.x; x += cell) {
-      if (distance_to_path(path, {x, y}) > far + half_diagonal) continue;
-      f(cells[key({x, y})]);
+      if (swept.comes_within({x, y}, far + half_diagonal)) f(cells[key({x, y})]);
     }
   }
 }
 
-void Material::Grid::insert(const Edge& path, double radius, Entry entry) {
-  for_lists(path, radius, [&](std::vector<Entry>& list) {
+void Material::Grid::insert(const Sweep& sweep, const Entry& entry) {
+  for_lists(sweep.shape, sweep.path, [&](std::vector<Entry>& list) {
     if (list.empty() || list.back().sweep != entry.sweep) list.push_back(entry);
   });
 }
 
 /// Only the newest sweep can be removed: it comes last in all its lists.
-void Material::Grid::remove(const Edge& path, double radius, int sweep) {
-  for_lists(path, radius, [&](std::vector<Entry>& list) {
-    if (!list.empty() && list.back().sweep == sweep) list.pop_back();
+void Material::Grid::remove(const Sweep& sweep, int index) {
+  for_lists(sweep.shape, sweep.path, [&](std::vector<Entry>& list) {
+    if (!list.empty() && list.back().sweep == index) list.pop_back();
   });
 }
 
@@ -134,7 +133,7 @@ void Material::add(const Move& move, double radius) {
 void Material::forget_beyond(std::size_t sweeps) {
   for (; sweeps_.size() > sweeps; sweeps_.pop_back()) {
     const Sweep& last = sweeps_.back();
-    for (Grid& grid : grids_) grid.remove(last.path, last.shape.radius, static_cast<int>(sweeps_.size()) - 1);
+    for (Grid& grid : grids_) grid.remove(last, static_cast<int>(sweeps_.size()) - 1);
     if (sweeps_.size() > 1) sweeps_[sweeps_.size() - 2].shape.round_end = true;
   }
 }
@@ -148,7 +147,7 @@ void Material::add_piece(const Edge& path, double z_from, double z_to, double ra
   const Vec2 middle = point ? path.from : path.at(0.5);
   const double reach = (point ? 0 : path.length() / 2) + radius;
   const Entry entry{sweep.z_low, middle, reach * (1 + 1e-12), static_cast<int>(sweeps_.size())};
-  for (Grid& grid : grids_) grid.insert(path, radius, entry);
+  for (Grid& grid : grids_) grid.insert(sweep, entry);
   if (!sweeps_.empty()) join(sweeps_.back(), sweep);
   sweeps_.push_back(sweep);
 }

@@ -97,10 +97,10 @@ class Material {
     std::unordered_map<std::uint64_t, std::vector<Entry>> cells;
     std::uint64_t key(Vec2 p) const;
     const std::vector<Entry>* at(Vec2 p) const;
-    void insert(const Edge& path, double radius, Entry entry);
-    void remove(const Edge& path, double radius, int sweep);
+    void insert(const Sweep& sweep, const Entry& entry);
+    void remove(const Sweep& sweep, int index);
     template <typename F>
-    void for_lists(const Edge& path, double radius, F&& f);
+    void for_lists(const Swept& swept, const Edge& path, F&& f);
   };
 
   void add_piece(const Edge& path, double z_from, double z_to, double radius);
