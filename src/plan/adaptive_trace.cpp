@@ -8,9 +8,9 @@ namespace {
 
 // In tool radii:
 constexpr double kStep = 0.1;    // between looks along walls
-constexpr double kLook = 0.25;   // between looks at an arc before it is taken
+constexpr double kLook = 0.4;    // between looks at an arc before it is taken
 constexpr double kAside = 0.05;  // between looks at where an arc runs
-constexpr double kFirst = 0.4;   // length of an arc that is tried first
+constexpr double kFirst = 1.0;   // length of an arc that is tried first
 constexpr double kShortestArc = 0.02;
 constexpr double kLongestArc = 12;
 constexpr double kAir = 0.3;          // length without contact that ends a cut
@@ -32,6 +32,8 @@ constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
 constexpr int kLeastLeave = 4;       // looks that it takes at least to leave one wall and meet another
 constexpr double kLeaveTurn = 1.6;   // length of that look
 constexpr double kMostTurn = 2.0;    // of one arc
+/// Of the stretch of wall in which the last place to leave it is.
+constexpr int kMostHalvings = 4;
 /// mm. Shorter moves are left out.
 constexpr double kShortest = 1e-4;
 /// Cosine between the direction of travel and a wall met, above which the cut goes on along the wall.
@@ -159,7 +161,7 @@ double Tracer::latest_departure(double s_clear, double s_over, double radius, do
     good = good == s_over && s_clear > place_.s ? s_clear : good - step_ / 2;
     if (good <= least) return -1e300;
   }
-  for (int i = 0; i < 5 && good < bad; ++i) {
+  for (int i = 0; i < kMostHalvings && good < bad; ++i) {
     const double middle = (good + bad) / 2;
     (can_leave(middle, radius) ? good : bad) = middle;
   }
@@ -211,7 +213,11 @@ bool Tracer::leave(double s, double radius) {
   on_wall_ = true;
   const auto shot = shoot();
   on_wall_ = false;
-  if (shot && leaves_wall(*shot)) return go(*shot) > 0;
+  if (shot && leaves_wall(*shot)) {
+    // Much of what leads off the wall is to be taken.
+    const double within = ground_.length_within(edge_of(*shot), limit_ + kAbove);
+    if (within > 2 * off_wall(1 / shot->curvature) / shot->curvature) return go(*shot, within) > 0;
+  }
   const double turn = off_wall(radius);
   const Vec2 center = from + left_of(heading) * radius;
   state_ = {center + rotated(from - center, turn), rotated(heading, turn), 1 / radius};
@@ -219,7 +225,7 @@ bool Tracer::leave(double s, double radius) {
   return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise));
 }
 
-/// Whether an arc aimed from the wall on gets off it, and in good part keeps its limit.
+/// Whether an arc aimed from the wall on gets off it.
 bool Tracer::leaves_wall(const Shot& shot) const {
   if (shot.curvature <= 0) return false;
   const double off = off_wall(1 / shot.curvature) / shot.curvature;
@@ -231,7 +237,7 @@ bool Tracer::leaves_wall(const Shot& shot) const {
   for (int i = 0; i <= looks; ++i) {
     if (!area_.contains(after(shot, off + (shot.length - off) * i / looks).point)) return false;
   }
-  return ground_.length_within(edge_of(shot), limit_ + kAbove) > 2 * off;
+  return true;
 }
 
 /// Whether all of it was taken; what would exceed the limit is left out.
@@ -442,7 +448,13 @@ Tracer::Next Tracer::trace() {
 /// Takes the arc up to where its contact is too high; the length taken.
 double Tracer::go(const Shot& shot) {
   const Edge edge = edge_of(shot);
-  double within = distance(edge.from, edge.to) < kShortest ? 0 : ground_.length_within(edge, limit_ + kAbove);
+  return go(shot,
+            distance(edge.from, edge.to) < kShortest ? 0 : ground_.length_within(edge, limit_ + kAbove));
+}
+
+/// The same where the contact is known to be within its limit for so long.
+double Tracer::go(const Shot& shot, double within) {
+  const Edge edge = edge_of(shot);
   // Nothing leads on from a peak.
   if (within < shot.length && contact_after(shot, within) > limit_ + kAbove)
     within = ground_.length_within(edge, limit_ + kAbove / 2);

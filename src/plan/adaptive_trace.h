@@ -70,6 +70,7 @@ class Tracer {
   bool is_steady(const Shot& shot) const;
   double length_inside(const Shot& shot) const;
   double go(const Shot& shot);
+  double go(const Shot& shot, double within);
   double wall_contact(double s) const;
   bool append(const Edge& edge);
   void take(Edge edge);
