@@ -468,7 +468,10 @@ double Tracer::go(const Shot& shot, double within) {
 
 /// Runs up to the wall where the arc leaves the area, and on along it where it is met at a small angle.
 Tracer::Next Tracer::meet_wall(const Shot& shot, double inside) {
-  if (inside > kShortest && go({shot.curvature, inside, shot.kink}) < inside) return Next::kDone;
+  if (inside > kShortest) {
+    const double gone = go({shot.curvature, inside, shot.kink});
+    if (gone < inside) return gone < kShortestArc * radius_ ? Next::kDone : Next::kTrace;
+  }
   const Vec2 p = state_.point;
   WallPlace met;
   double nearest = 1e300;
