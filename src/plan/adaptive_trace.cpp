@@ -25,7 +25,7 @@ constexpr double kThick = 0.15;       // before a stop: thicker material is cut 
 constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
 constexpr double kAbove = 0.025;     // by which arcs may exceed the limit
-constexpr double kBelow = 0.015;     // by which long arcs may stay below it
+constexpr double kBelow = 0.03;      // by which long arcs may stay below it
 constexpr double kAimed = 0.006;     // contact this near to what was aimed at is good
 constexpr double kTouch = 0.02;      // less contact is none
 constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
