@@ -13,6 +13,10 @@ constexpr double kCoincident = 1e-9;
 /// mm. What goes on without a bend is taken to reach so far beyond its end, or rounding might leave a gap.
 constexpr double kSeam = 1e-9;
 
+/// Sine of the angle below which a circle is taken to meet a line or circle at that angle: tangential ends would run
+/// away infinitely fast.
+constexpr double kTangent = 1e-6;
+
 /// Grows with the angle of v from the x axis: -2 .. 2. v of any length > 0.
 double pseudo_angle(Vec2 v) {
   const double q = 1 - v.x / (std::abs(v.x) + std::abs(v.y));
@@ -46,8 +50,8 @@ bool Swept::comes_within(Vec2 p, double far) const {
 Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
     : center_(center), radius_(radius), inverse_(1 / radius), ahead_(ahead / std::sqrt(norm_squared(ahead))) {
   const Vec2 right = right_of(ahead_);
-  items_[0] = part == Part::kFront ? Span{{-1, right.x, right.y}, {1, -right.x, -right.y}}
-                                   : Span{{-2, -ahead_.x, -ahead_.y}, {2, -ahead_.x, -ahead_.y}};
+  items_[0] = part == Part::kFront ? Span{{-1, right.x, right.y, 0, 0}, {1, -right.x, -right.y, 0, 0}}
+                                   : Span{{-2, -ahead_.x, -ahead_.y, 0, 0}, {2, -ahead_.x, -ahead_.y, 0, 0}};
   look();
 }
 
@@ -56,25 +60,26 @@ double Horizon::Span::width() const {
   return is_wide() && angle <= 0 ? angle + 2 * kPi : std::max(angle, 0.0);
 }
 
-/// A direction that is in the span but for rounding, which may carry it past an end, and past straight behind.
-Horizon::End Horizon::end_in(const Span& span, Vec2 way) const {
+/// Where a bound crosses a span: there but for rounding, which may carry it past an end, and past straight behind.
+Horizon::End Horizon::end_in(const Span& span, const Bound& bound, Vec2 way) const {
   const double order = pseudo_angle({dot(ahead_, way), cross(ahead_, way)});
   const double turn = 4, before = span.from.order - order, after = order - span.to.order;
   if (before > 0) return before <= after + turn ? span.from : span.to;
   if (after > 0) return after <= before + turn ? span.to : span.from;
-  return {order, way.x, way.y};
+  const Vec2 normal = bound.normal + way * bound.round;
+  return {order, way.x, way.y, normal.x, normal.y};
 }
 
 /// The circle about the cutter's centre is within another where |w + radius u|^2 <= its_radius^2, w from that
 /// circle's centre to the cutter's.
 Horizon::Bound Horizon::within_circle(Vec2 w, double its_radius) const {
   const double squared = norm_squared(w);
-  return {w, (its_radius * its_radius - squared - radius_ * radius_) * (0.5 * inverse_), squared};
+  return {w, (its_radius * its_radius - squared - radius_ * radius_) * (0.5 * inverse_), squared, radius_};
 }
 
 void Horizon::remove_beyond(Vec2 normal, double q) {
   Bounds bounds;
-  bounds.add({-normal, -q, 1});
+  bounds.add({-normal, -q, 1, 0});
   remove_within(bounds);
 }
 
@@ -128,7 +133,7 @@ void Horizon::bound_ring(const Swept& arc, Bounds& bounds) const {
   if (kept <= 0 || squared > kept * kept) bounds.add(within_circle(center_ - arc.center, outer));
   if (inner <= 0 || squared >= hollow * hollow) return;
   const Bound hole = within_circle(center_ - arc.center, inner);
-  bounds.add({-hole.normal, -hole.most, hole.squared});
+  bounds.add({-hole.normal, -hole.most, hole.squared, -radius_});
 }
 
 Horizon::Side Horizon::side_of(const Bound& bound, const Span& span) {
@@ -147,7 +152,7 @@ Horizon::Side Horizon::side_of(const Bound& bound, const Span& span) {
 Horizon::End Horizon::crossing(const Bound& bound, double side, const Span& span) const {
   const double half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most));
   const Vec2 way = bound.normal * bound.most + left_of(bound.normal) * (side * half);
-  return end_in(span, way / bound.squared);
+  return end_in(span, bound, way / bound.squared);
 }
 
 /// The parts of a span beyond a bound that crosses it.
@@ -305,6 +310,25 @@ double Horizon::measure() const {
   double sum = 0;
   for (int i = 0; i < count_; ++i) sum += items_[i].width();
   return sum;
+}
+
+/// Radians that an end goes to the left per mm that the cutter goes ahead.
+double Horizon::drift(const End& end) const {
+  const Vec2 normal = end.normal();
+  const double least = kTangent * std::sqrt(norm_squared(normal)), across = dot(normal, left_of(end.way()));
+  if (least == 0) return 0;
+  return -dot(normal, ahead_) /
+         (radius_ * (std::abs(across) < least ? std::copysign(least, across) : across));
+}
+
+ContactChange Horizon::change() const {
+  ContactChange change;
+  for (int i = 0; i < count_; ++i) {
+    const Span& span = items_[i];
+    change.per_mm += drift(span.to) - drift(span.from);
+    change.per_radian += (span.to.normal() == Vec2{}) - (span.from.normal() == Vec2{});
+  }
+  return change;
 }
 
 Vec2 Horizon::middle_of_widest() const {

@@ -29,6 +29,12 @@ struct Swept {
   bool comes_within(Vec2 p, double far) const;
 };
 
+/// How fast what touches material changes.
+struct ContactChange {
+  double per_mm = 0;      ///< radians, going straight ahead
+  double per_radian = 0;  ///< radians, turning to the left
+};
+
 /// The circle of a cutter, or its front half, less what sweeps cover.
 ///
 /// What is left are spans between two directions. A sweep is the part of the circle within up to four bounds, each a
@@ -58,6 +64,8 @@ class Horizon {
   double measure() const;
   /// How many intervals it is.
   int parts() const { return count_; }
+  /// How it changes as the cutter moves straight ahead and as `ahead` turns.
+  ContactChange change() const;
   /// The middle of its widest interval, of length 1. Not of an empty one.
   Vec2 middle_of_widest() const;
 
@@ -66,7 +74,9 @@ class Horizon {
   struct End {
     double order;  ///< grows with the angle from `ahead`: 0 ahead, 1 on the left, +-2 behind, -1 on the right
     double x, y;   ///< the direction, of length 1
+    double nx, ny;  ///< across the line or circle that made it, of any length; none: it stays with `ahead`
     Vec2 way() const { return {x, y}; }
+    Vec2 normal() const { return {nx, ny}; }
   };
   struct Span {
     End from, to;
@@ -83,6 +93,7 @@ class Horizon {
     Vec2 normal;
     double most;
     double squared;  ///< of the normal's length
+    double round;    ///< mm; across the bound at the direction u is normal + round * u
   };
   /// Where a bound leaves the ends of a span, and what is between them if that is not where both ends are.
   enum class Side { kWithin, kBeyond, kFromBeyond, kToBeyond, kMiddleBeyond, kMiddleWithin };
@@ -108,6 +119,7 @@ class Horizon {
 
   // Everything left lies within rest_radius_ of rest_center_.
   bool may_pass(Vec2 at, Vec2 normal) const { return dot(normal, rest_center_ - at) > -rest_radius_; }
+  double drift(const End& end) const;
   bool remove_disc(Vec2 at, double disc);
   bool remove_between(const Swept& swept, double before, double after);
   void bound_strip(const Swept& line, Bounds& bounds) const;
@@ -116,10 +128,10 @@ class Horizon {
   static Side side_of(const Bound& bound, const Span& span);
   Bound within_circle(Vec2 from_its_center, double its_radius) const;
   Bound within_line(Vec2 normal, Vec2 at, double beyond) const {
-    return {normal, (dot(normal, at - center_) + beyond) * inverse_, 1};
+    return {normal, (dot(normal, at - center_) + beyond) * inverse_, 1, 0};
   }
   End crossing(const Bound& bound, double side, const Span& span) const;
-  End end_in(const Span& span, Vec2 way) const;
+  End end_in(const Span& span, const Bound& bound, Vec2 way) const;
   bool remove_within(const Bounds& bounds);
   static bool is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed);
   int cut(int place, const Crossed& crossed, bool& changed);

@@ -269,6 +269,12 @@ ContactSize Material::contact_size(Vec2 center, Vec2 direction, double radius, d
   return {horizon.measure(), horizon.parts()};
 }
 
+ContactTrend Material::contact_trend(Vec2 center, Vec2 direction, double radius, double z) const {
+  Horizon horizon(center, radius, direction, Horizon::Part::kFront);
+  remove_everything(horizon, center, radius, z);
+  return {{horizon.measure(), horizon.parts()}, horizon.change()};
+}
+
 std::optional<CircleTouch> Material::circle_touch(Vec2 center, double radius, double z) const {
   Horizon horizon(center, radius, {1, 0}, Horizon::Part::kWhole);
   remove_everything(horizon, center, radius, z);

@@ -27,6 +27,12 @@ struct ContactSize {
   int parts = 0;     ///< of the front, apart from each other
 };
 
+/// The same with how it changes as the cutter goes on. Exact but where a part begins, ends or is split just there.
+struct ContactTrend {
+  ContactSize size;
+  ContactChange change;
+};
+
 /// What of a circle is in material.
 struct CircleTouch {
   double angle = 0;  ///< radians, sum of the widths
@@ -66,6 +72,7 @@ class Material {
   Contact engagement(const Move& move, double t, double radius) const;
   /// The sum alone, for less.
   ContactSize contact_size(Vec2 center, Vec2 direction, double radius, double z) const;
+  ContactTrend contact_trend(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The parts of the whole circle in material, as absolute angles in [-pi, pi].
   AngleSet circle_in_material(Vec2 center, double radius, double z) const;
   /// Their sum and one direction alone, for less; none where the circle is free.

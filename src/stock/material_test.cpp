@@ -188,6 +188,103 @@ TEST(Material, EngagementAgreesWithSampledRandomScenes) {
   EXPECT_GT(in_material, checked / 20);
 }
 
+/// Moves as programs have them: most go on where the last one ended, many without a bend, some to and fro.
+std::vector<Move> random_chain(Random& random, int count) {
+  std::vector<Move> moves;
+  Vec2 at{random.between(-9, 9), random.between(-9, 9)}, ahead = direction_of(random.between(-3, 3));
+  for (int i = 0; i < count; ++i) {
+    const auto kind = random.below(8);
+    if (kind == 0) at = {random.between(-9, 9), random.between(-9, 9)};
+    if (kind <= 2) ahead = direction_of(random.between(-3, 3));
+    Edge path = Edge::line(at, at + ahead * random.between(0.01, 6));
+    if (kind == 3 && !moves.empty()) path = moves.back().path.reversed();
+    if (kind >= 5) {
+      const double ring = random.between(0.1, 8) * (random.below(2) == 0 ? 1 : -1);
+      const Vec2 center = at + left_of(ahead) * ring;
+      const double sweep = std::copysign(random.between(0.05, 5.5), ring);
+      path = Edge::arc(at, center + rotated(at - center, sweep), center,
+                       ring > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
+    }
+    moves.push_back(flat(path, -static_cast<double>(1 + random.below(4) / 3)));
+    at = path.to;
+    ahead = path.tangent_at(1);
+  }
+  return moves;
+}
+
+// Sweeps that go on share their discs at the joints or need none. Those run backwards and in any other order do not: both
+// must tell the same of every circle.
+TEST(Material, JoinedSweepsCoverWhatTheyCoverApart) {
+  Random random(17);
+  for (int round = 0; round < 150; ++round) {
+    const std::vector<Move> moves = random_chain(random, 24);
+    Material joined(std::nullopt, 0, {3}), apart(std::nullopt, 0, {3});
+    for (const Move& move : moves) {
+      joined.add(move, 3);
+      if (random.below(4) != 0) continue;
+      const std::size_t sweeps = joined.sweeps();
+      joined.add(flat(Edge::line(move.path.to, move.path.to + move.path.tangent_at(1)), move.z_to), 3);
+      for (const Move& other : random_chain(random, 3)) joined.add(other, 3);
+      joined.forget_beyond(sweeps);
+    }
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      Move move = moves[i * 7 % moves.size()];
+      move.path = move.path.reversed();
+      apart.add(move, 3);
+    }
+    for (int k = 0; k < 100; ++k) {
+      const Vec2 p = random.below(2) == 0 ? Vec2{random.between(-12, 12), random.between(-12, 12)}
+                                          : moves[random.below(moves.size())].path.at(random.between(0, 1));
+      const double radius = random.below(2) == 0 ? 2.9998 : random.between(0.3, 2.9),
+                   z = -random.between(0.5, 2.5);
+      const Vec2 ahead = direction_of(random.between(-3, 3));
+      const Contact contact = joined.engagement(p, ahead, radius, z);
+      ASSERT_NEAR(contact.angle, apart.engagement(p, ahead, radius, z).angle, 1e-9) << round;
+      const ContactSize size = joined.contact_size(p, ahead, radius, z);
+      ASSERT_NEAR(size.angle, contact.angle, 1e-12);
+      ASSERT_EQ(size.parts, static_cast<int>(contact.angles.intervals().size()));
+      const AngleSet circle = joined.circle_in_material(p, radius, z);
+      ASSERT_NEAR(circle.measure(), apart.circle_in_material(p, radius, z).measure(), 1e-9) << round;
+      const auto touch = joined.circle_touch(p, radius, z);
+      ASSERT_EQ(touch.has_value(), !circle.empty());
+      if (!touch || touch->angle < 1e-3) continue;
+      ASSERT_NEAR(touch->angle, circle.measure(), 1e-12);
+      ASSERT_FALSE(joined.is_removed(p + touch->toward * radius, z));
+    }
+  }
+}
+
+TEST(Material, TrendOfTheContactIsItsDerivative) {
+  Random random(23);
+  const double r = 2.9998, step = 1e-5;
+  int checked = 0, smooth = 0;
+  for (int round = 0; round < 100; ++round) {
+    Material material(Box{{-10, -9}, {9, 10}}, 0, {3});
+    for (const Move& move : random_chain(random, 12)) material.add(move, 3);
+    for (int k = 0; k < 40; ++k) {
+      const Vec2 p{random.between(-10, 10), random.between(-10, 10)},
+          ahead = direction_of(random.between(-3, 3));
+      const ContactTrend trend = material.contact_trend(p, ahead, r, -1);
+      const auto moved = [&](double by) { return material.contact_size(p + ahead * by, ahead, r, -1).angle; };
+      const auto turned = [&](double by) {
+        return material.contact_size(p, rotated(ahead, by), r, -1).angle;
+      };
+      if (trend.size.angle == 0) continue;
+      ++checked;
+      const double onwards = (moved(step) - trend.size.angle) / step,
+                   backwards = (trend.size.angle - moved(-step)) / step;
+      // Elsewhere a part begins or ends within a step, or runs away nearly along an outline.
+      if (std::abs(onwards - backwards) > 1e-3 || std::abs(onwards) > 3) continue;
+      ++smooth;
+      EXPECT_NEAR(trend.change.per_mm, (onwards + backwards) / 2, 1e-4) << round << ' ' << k;
+      EXPECT_NEAR(trend.change.per_radian, (turned(step) - turned(-step)) / (2 * step), 1e-4)
+          << round << ' ' << k;
+    }
+  }
+  EXPECT_GT(smooth, checked * 9 / 10);
+  EXPECT_GT(checked, 1000);
+}
+
 TEST(Material, OrderOfQuestionsAndRadiiDoesNotMatter) {
   Random random(3);
   const Scene scene = random_scene(random);
