@@ -248,11 +248,11 @@ bool AdaptiveFinish::bite_from_aside(const WallPlace& place) {
   return false;
 }
 
-std::optional<std::vector<Vec2>> AdaptiveFinish::way_to_bite(const WallStretch& stretch) {
+std::optional<Way> AdaptiveFinish::way_to_bite(const WallStretch& stretch) {
   const Vec2 p = cuts_.walls.point({stretch.wall, stretch.from});
   if (!path_.empty()) {
     // Bites begin near the end of the one before: straight over its film rather than round it.
-    if (ground_.is_free(path_.at(), p, kCornerFree)) return std::vector<Vec2>{p};
+    if (ground_.is_free(path_.at(), p, kCornerFree)) return Way{{p}};
     if (auto way = path_.way_to(p, Ground::kFree)) return way;
     if (auto way = path_.way_to(p, kCornerFree)) return way;
   }
@@ -275,8 +275,7 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
   if (const auto way = path_.way_to(p, radius_ * (1 - std::cos(limit_))); way && !path_.empty()) {
     // Over films: at the cutting feed.
     Path lead;
-    for (const Vec2 station : *way)
-      lead.push_back(Edge::line(lead.empty() ? path_.at() : lead.back().to, station));
+    for (const Leg& leg : *way) lead.push_back(leg.edge(lead.empty() ? path_.at() : lead.back().to));
     stretch.insert(stretch.begin(), lead.begin(), lead.end());
   } else if (!path_.empty()) {
     path_.finish_pass();

@@ -36,7 +36,7 @@ class AdaptiveFinish {
   bool peel(const WallStretch& stretch);
   bool bite_from_aside(const WallPlace& place);
   bool bite_from_aside(const WallStretch& stretch);
-  std::optional<std::vector<Vec2>> way_to_bite(const WallStretch& stretch);
+  std::optional<Way> way_to_bite(const WallStretch& stretch);
   void cut_stretch(const WallStretch& place);
   void cut_rests();
   bool is_reachable(Vec2 p) const;

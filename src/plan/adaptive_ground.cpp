@@ -22,6 +22,8 @@ constexpr double kBeside = 1e-3;
 constexpr double kBesidePeak = 0.01;
 /// Tool radii: cells that are known to be cleared.
 constexpr double kCell = 1.0 / 8;
+/// Radians of an arc between whose chord and tangents nothing lies.
+constexpr double kLegalTurn = 0.6;
 /// Points of material remembered, and radians of a circle in it that make one worth that.
 constexpr std::size_t kMostStanding = 16;
 constexpr double kWorthNoting = 1e-3;
@@ -144,16 +146,30 @@ bool Ground::is_standing_within(Vec2 p, double radius) const {
   return false;
 }
 
-bool Ground::is_free(Vec2 a, Vec2 b, double film) const {
-  if (!legal_.holds_line(a, b)) return false;
-  const int steps = static_cast<int>(distance(a, b) / (tool_radius_ * kLookStep)) + 1;
-  const auto at = [&](int look) { return lerp(a, b, static_cast<double>(look) / steps); };
+bool Ground::is_free(const Edge& way, double film) const {
+  if (!is_legal(way)) return false;
+  const int steps = static_cast<int>(way.length() / (tool_radius_ * kLookStep)) + 1;
+  const auto at = [&](int look) { return way.at(static_cast<double>(look) / steps); };
   // Most ways that are not free are seen at once by where the centre would run.
   for (int i = steps; i >= 0; --i) {
     if (!cleared_.holds(at(i), 0) && !is_removed(at(i))) return false;
   }
   for (int i = 0; i <= steps; ++i) {
     if (!cleared_.holds(at(i), tool_radius_ - film) && touches(at(i), film)) return false;
+  }
+  return true;
+}
+
+/// An arc runs between its chords and its tangents.
+bool Ground::is_legal(const Edge& way) const {
+  if (!way.is_arc()) return legal_.holds_line(way.from, way.to);
+  const int pieces = static_cast<int>(std::abs(way.sweep()) / kLegalTurn) + 1;
+  const double half = way.sweep() / (2 * pieces), out = 1 / std::cos(half);
+  for (int i = 0; i < pieces; ++i) {
+    const Vec2 a = way.at(static_cast<double>(i) / pieces), b = way.at((i + 1.0) / pieces),
+               corner = way.center + rotated(a - way.center, half) * out;
+    if (!legal_.holds_line(a, b) || !legal_.holds_line(a, corner) || !legal_.holds_line(corner, b))
+      return false;
   }
   return true;
 }

@@ -20,7 +20,7 @@ constexpr int kMostGates = 3;
 
 /// A free way to a gate, from where a short move leads to the first place of a cut.
 struct WallCuts::Approach {
-  std::vector<Vec2> way;
+  Way way;
   Path lead;  ///< at the cutting feed, through films
   WallPlace first;
 };
@@ -44,7 +44,7 @@ WallPlace WallCuts::nearest(const std::vector<WallPlace>& starts) const {
 bool WallCuts::cut_from(const WallPlace& start) {
   const auto approach = approach_to(start);
   if (!approach) return false;
-  path_.note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back());
+  path_.note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back().to);
   const Path cut = tracer.cut_from(approach->first, start.s);
   if (cut.empty()) {
     walls.give_up(start);
@@ -52,7 +52,7 @@ bool WallCuts::cut_from(const WallPlace& start) {
   }
   Path whole = approach->lead;
   for (const Edge& edge : approach->lead) ground_.cut(edge);
-  const Vec2 gate = whole.empty() ? approach->way.back() : whole.back().to;
+  const Vec2 gate = whole.empty() ? approach->way.back().to : whole.back().to;
   if (gate != cut.front().from) whole.push_back(Edge::line(gate, cut.front().from));
   whole.insert(whole.end(), cut.begin(), cut.end());
   path_.append(whole, approach->way);
@@ -110,13 +110,13 @@ std::optional<WallCuts::Approach> WallCuts::approach_through_films(const WallPla
     if (!way) continue;
     Approach approach{{}, {}, first};
     Vec2 at = path_.at();
-    for (const Vec2 station : *way) {
-      if (approach.lead.empty() && ground_.is_free(at, station, Ground::kFree)) {
-        approach.way.push_back(station);
+    for (const Leg& leg : *way) {
+      if (approach.lead.empty() && ground_.is_free(leg.edge(at), Ground::kFree)) {
+        approach.way.push_back(leg);
       } else {
-        approach.lead.push_back(Edge::line(at, station));
+        approach.lead.push_back(leg.edge(at));
       }
-      at = station;
+      at = leg.to;
     }
     const auto within = [&](const Edge& edge) { return is_within(edge); };
     if (std::all_of(approach.lead.begin(), approach.lead.end(), within)) return approach;

@@ -14,6 +14,16 @@ constexpr double kInfinity = 1e300;
 /// Halvings that bring a corner of a way near to the straight way past it.
 constexpr int kPulls = 4;
 
+/// Bulges of arcs that are tried, and halvings towards a flatter one.
+constexpr double kBulges[] = {0.2, 0.5, 0.9};
+constexpr int kFlatter = 3;
+
+Way straight_legs(const std::vector<Vec2>& stations) {
+  Way way;
+  for (const Vec2 station : stations) way.push_back({station});
+  return way;
+}
+
 }  // namespace
 
 FreeWays::FreeWays(const MedialAxis& axis, double least, double pitch) {
@@ -47,12 +57,13 @@ void FreeWays::join(int a, int b) {
   steps_[static_cast<std::size_t>(b)].push_back({a});
 }
 
-std::optional<std::vector<Vec2>> FreeWays::find(Vec2 from, Vec2 to, const Ground& ground, double film) const {
-  if (ground.is_free(from, to, film)) return std::vector<Vec2>{to};
+std::optional<Way> FreeWays::find(Vec2 from, Vec2 to, const Ground& ground, double film) const {
+  if (ground.is_free(from, to, film)) return Way{{to}};
+  if (const auto arc = one_arc(from, to, ground, film)) return Way{*arc};
   if (const auto corner = one_corner(from, to, ground, film)) {
     std::vector<Vec2> way{*corner, to};
     pull_taut(way, from, ground, film);
-    return way;
+    return straight_legs(way);
   }
   const auto& sources = sources_of(from, ground, film);
   if (sources.empty()) return std::nullopt;
@@ -74,7 +85,27 @@ std::optional<std::vector<Vec2>> FreeWays::find(Vec2 from, Vec2 to, const Ground
     next = farthest + 1;
   }
   pull_taut(way, from, ground, film);
-  return way;
+  return straight_legs(way);
+}
+
+/// The flattest arc that was found free.
+std::optional<Leg> FreeWays::one_arc(Vec2 from, Vec2 to, const Ground& ground, double film) {
+  const auto is_free = [&](double bulge) { return ground.is_free(Leg{to, bulge}.edge(from), film); };
+  for (const double side : {1.0, -1.0}) {
+    double bad = 0;
+    for (double good : kBulges) {
+      if (!is_free(side * good)) {
+        bad = good;
+        continue;
+      }
+      for (int i = 0; i < kFlatter; ++i) {
+        const double middle = (good + bad) / 2;
+        (is_free(side * middle) ? good : bad) = middle;
+      }
+      return Leg{to, side * good};
+    }
+  }
+  return std::nullopt;
 }
 
 /// Moves every corner towards the straight way past it, as far as both legs stay free.

@@ -9,19 +9,27 @@
 
 namespace clearcut {
 
-/// Ways through what is cleared: straight, else over points of the medial axis.
+/// A move of a way, straight or on an arc.
+struct Leg {
+  Vec2 to;
+  double bulge = 0;  ///< see Edge::from_bulge
+  Edge edge(Vec2 from) const { return Edge::from_bulge(from, to, bulge); }
+};
+using Way = std::vector<Leg>;
+
+/// Ways through what is cleared: straight, else over one arc, over points of the medial axis.
 class FreeWays {
  public:
   /// `least`: clearance of the axis points that the centre may use, `pitch`: distance between them, mm.
   FreeWays(const MedialAxis& axis, double least, double pitch);
 
-  /// Points from `from` (left out) to `to`, all straight ways between them free of anything thicker than
-  /// `film` mm; none when there is no way.
-  std::optional<std::vector<Vec2>> find(Vec2 from, Vec2 to, const Ground& ground, double film) const;
+  /// From `from` to `to`, free of anything thicker than `film` mm; none when there is no way.
+  std::optional<Way> find(Vec2 from, Vec2 to, const Ground& ground, double film) const;
 
  private:
   int add_node(Vec2 p);
   void join(int a, int b);
+  static std::optional<Leg> one_arc(Vec2 from, Vec2 to, const Ground& ground, double film);
   static std::optional<Vec2> one_corner(Vec2 from, Vec2 to, const Ground& ground, double film);
   static void pull_taut(std::vector<Vec2>& way, Vec2 from, const Ground& ground, double film);
   std::vector<int> nearest_free(Vec2 p, const Ground& ground, double film) const;

@@ -62,12 +62,12 @@ bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
   return true;
 }
 
-void ClearingPath::append(const Path& cut, const std::vector<Vec2>& link) {
+void ClearingPath::append(const Path& cut, const Way& way) {
   if (cut.empty()) return;
   if (pass_.path.empty()) {
     at_ = cut.front().from;
   } else {
-    for (const Vec2 station : link) link_line(station);
+    for (const Leg& leg : way) link(leg);
   }
   for (Edge edge : cut) {
     edge.from = at_;
@@ -85,11 +85,11 @@ void ClearingPath::cut_arc(Vec2 center, Vec2 to) {
   at_ = to;
 }
 
-void ClearingPath::link_line(Vec2 to) {
-  if (distance(at_, to) < kShortest) return;
-  pass_.path.push_back(Edge::line(at_, to));
+void ClearingPath::link(const Leg& leg) {
+  if (distance(at_, leg.to) < kShortest) return;
+  pass_.path.push_back(leg.edge(at_));
   pass_.kinds.push_back(MoveKind::kLink);
-  at_ = to;
+  at_ = leg.to;
 }
 
 std::optional<Edge> ClearingPath::last_arc() const {
@@ -97,17 +97,17 @@ std::optional<Edge> ClearingPath::last_arc() const {
   return pass_.path.back();
 }
 
-std::optional<std::vector<Vec2>> ClearingPath::way_to(Vec2 p, double film) const {
-  return empty() ? std::vector<Vec2>{p} : ways_.find(at_, p, ground_, film);
+std::optional<Way> ClearingPath::way_to(Vec2 p, double film) const {
+  return empty() ? Way{{p}} : ways_.find(at_, p, ground_, film);
 }
 
-std::vector<Vec2> ClearingPath::hop_to(Vec2 p) {
+Way ClearingPath::hop_to(Vec2 p) {
   finish_pass();
   pass_.starts_clear = true;
-  return {p};
+  return {{p}};
 }
 
-std::optional<std::vector<Vec2>> ClearingPath::hop_if_clear(Vec2 p) {
+std::optional<Way> ClearingPath::hop_if_clear(Vec2 p) {
   if (ground_.touches(p, Ground::kClear)) return std::nullopt;
   return hop_to(p);
 }
@@ -116,10 +116,10 @@ void ClearingPath::note_start(Vec2 p) {
   if (empty()) pass_.starts_clear = !ground_.touches(p, Ground::kClear);
 }
 
-void ClearingPath::cut(const Path& cut, const std::vector<Vec2>& link) {
+void ClearingPath::cut(const Path& cut, const Way& way) {
   note_start(cut.front().from);
   for (const Edge& edge : cut) ground_.cut(edge);
-  append(cut, link);
+  append(cut, way);
 }
 
 void ClearingPath::finish_pass() {

@@ -22,19 +22,19 @@ class ClearingPath {
   /// Goes on, right after open(), until the disc's rim is touched all round: the last turns are thinner.
   void widen_to_rim(const Disc& disc, double engagement);
 
-  /// The points of a link to p that grazes no more than `film` mm; a pass may begin anywhere.
-  std::optional<std::vector<Vec2>> way_to(Vec2 p, double film) const;
+  /// A link to p that grazes no more than `film` mm; a pass may begin anywhere.
+  std::optional<Way> way_to(Vec2 p, double film) const;
   /// Begins a new pass at p, where nothing stands any more, from above.
-  std::vector<Vec2> hop_to(Vec2 p);
+  Way hop_to(Vec2 p);
   /// The same where nothing stands.
-  std::optional<std::vector<Vec2>> hop_if_clear(Vec2 p);
+  std::optional<Way> hop_if_clear(Vec2 p);
   /// What is known about the place where a pass begins, before it is cut.
   void note_start(Vec2 p);
-  /// Goes over the points of `link` to the start of `cut` and appends it; a pass begins with its first cut. The ground is as
+  /// Goes over `link` to the start of `cut` and appends it; a pass begins with its first cut. The ground is as
   /// after the cut already.
-  void append(const Path& cut, const std::vector<Vec2>& link);
+  void append(const Path& cut, const Way& link);
   /// The same, and takes the cut from the ground.
-  void cut(const Path& cut, const std::vector<Vec2>& link);
+  void cut(const Path& cut, const Way& link);
 
   bool empty() const { return pass_.path.empty(); }
   std::optional<Edge> last_arc() const;
@@ -52,7 +52,7 @@ class ClearingPath {
   enum class Turns { kFull, kAny };
   bool widen(const Disc& disc, double engagement, Turns turns);
   void cut_arc(Vec2 center, Vec2 to);
-  void link_line(Vec2 to);
+  void link(const Leg& leg);
 
   Ground& ground_;
   const FreeWays& ways_;
