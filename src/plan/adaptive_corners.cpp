@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -18,7 +19,7 @@ constexpr double kPrepared = 1.2;
 /// Factor between the distances at which a wall is looked at.
 constexpr double kFarther = 1.25;
 /// mm. Shorter arcs are lines. Cusps that may stay on the wall between two arcs.
-constexpr double kShortArc = 0.006;
+constexpr double kShortArc = 0.003;
 constexpr double kCusp = 2e-3;
 /// Radians that arcs are aimed above the limit; that are no excess.
 constexpr double kAim = 0.012;
@@ -31,7 +32,6 @@ constexpr double kArcShare = 0.55;
 constexpr double kMargins[] = {0, 0.05, 0.12};
 constexpr double kWidestSpiralTurn = 0.8;
 constexpr double kLeastSpiralTurn = 0.3;
-constexpr int kHalvings = 30;
 /// Factor between distances that are as good as the same.
 constexpr double kCloseTo = 1.01;
 constexpr int kArcLooks = 8;
@@ -156,13 +156,17 @@ class CornerCuts {
 
   /// To the other wall, nearer than before: on an arc, or where that gains much less, on a spiral.
   bool go_across() {
-    const int other = 1 - side_;
-    const double most = cut_[other];
+    const double most = cut_[1 - side_];
+    // Each crossing is like the one before, only smaller.
+    if (spiral_arcs_[side_] > 0) {
+      if (const auto spiral = spiral_across(-std::log(kLeastGain))) return go(*spiral);
+    }
     const auto arc = arc_across();
     const double gain = arc ? std::log(most / arc->to) : 0;
-    const auto spiral = gain < kGoodGain ? spiral_across(gain / kArcShare) : std::nullopt;
-    if (spiral) return go(*spiral);
-    return arc ? go(*arc) : other == 0 && go_back();
+    if (gain < kGoodGain) {
+      if (const auto spiral = spiral_across(gain / kArcShare)) return go(*spiral);
+    }
+    return arc ? go(*arc) : side_ == 1 && go_back();
   }
 
   bool go(const Crossing& crossing) {
@@ -196,38 +200,64 @@ class CornerCuts {
     return std::nullopt;
   }
 
-  /// The spiral about the last centre on the other wall, with the heading `limit` off the direction to it: from the pole, the
-  /// rays to the cutter shrink by exp(-turn / tan(limit)). None where it gains less than a factor of exp(least).
+  /// About the last centre on the other wall, with the heading `limit` off the direction to it: from the pole, the rays to the
+  /// cutter shrink by exp(-turn / tan(limit)).
+  struct Spiral {
+    Vec2 pole;
+    Vec2 ray;  ///< where it begins, from the pole
+    double limit = 0;
+    double radius(double turn) const { return norm(ray) * std::exp(-turn / std::tan(limit)); }
+  };
+
+  /// None where it gains less than a factor of exp(least).
   std::optional<Crossing> spiral_across(double least) {
     const int other = 1 - side_;
     if (cut_[other] >= kPrepared * radius_) return std::nullopt;
-    const Vec2 from = here(), pole = at(other, cut_[other]), ray = from - pole;
-    for (const double margin : kMargins) {
-      const double limit = limit_ - margin;
-      const auto radius = [&](double turn) { return norm(ray) * std::exp(-turn / std::tan(limit)); };
-      const auto turn_to = [&](double x) { return angle(ray, at(other, x) - pole); };
-      double low = 0, high = cut_[other];
-      for (int i = 0; i < kHalvings; ++i) {
-        const double middle = (low + high) / 2;
-        (cut_[other] - middle <= radius(turn_to(middle)) ? high : low) = middle;
-      }
-      if (std::log(cut_[other] / high) < least) return std::nullopt;
-      const double whole = turn_to(high);
-      for (int arcs = static_cast<int>(whole / kWidestSpiralTurn) + 1; arcs <= whole / kLeastSpiralTurn + 1;
-           ++arcs) {
-        Path path;
-        for (int i = 1; i <= arcs; ++i) {
-          const Vec2 begin = path.empty() ? from : path.back().to;
-          const double turn = whole * i / arcs;
-          const Vec2 end = i == arcs ? at(other, high) : pole + turned(side_, unit(ray), turn) * radius(turn);
-          path.push_back(tangent_arc(begin, turned(side_, unit(pole - begin), -limit), end));
-        }
+    const Vec2 pole = at(other, cut_[other]);
+    // A little nearer to the limit, in a little fewer arcs than the last one.
+    int& arcs = spiral_arcs_[side_];
+    arcs = std::max(0, arcs - 1);
+    if (arcs == 0 && margin_ > 0) --margin_;
+    for (; margin_ < std::size(kMargins); ++margin_) {
+      const Spiral spiral{pole, here() - pole, limit_ - kMargins[margin_]};
+      const double to = end_of(spiral);
+      if (std::log(cut_[other] / to) < least) break;
+      const double whole = angle(spiral.ray, at(other, to) - pole);
+      for (arcs = std::max(arcs, static_cast<int>(whole / kWidestSpiralTurn) + 1);
+           arcs <= whole / kLeastSpiralTurn + 1; ++arcs) {
+        Path path = arcs_of(spiral, to, whole, arcs);
         const bool legal = std::all_of(path.begin(), path.end(),
                                        [&](const Edge& edge) { return is_legal(edge, ground_.legal()); });
-        if (legal && ground_.keeps_limit(path, limit_ + kAbove, 0)) return Crossing{path, high};
+        if (legal && ground_.keeps_limit(path, limit_ + kAbove, 0)) return Crossing{std::move(path), to};
       }
+      arcs = 0;
     }
+    margin_ = 0;
+    arcs = 0;
     return std::nullopt;
+  }
+
+  /// Where it meets the other wall.
+  double end_of(const Spiral& spiral) const {
+    const int other = 1 - side_;
+    double low = 0, high = cut_[other];
+    while (high - low > (kCloseTo - 1) * (cut_[other] - low)) {
+      const double middle = (low + high) / 2, turn = angle(spiral.ray, at(other, middle) - spiral.pole);
+      (cut_[other] - middle <= spiral.radius(turn) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  Path arcs_of(const Spiral& spiral, double to, double whole, int arcs) const {
+    Path path;
+    for (int i = 1; i <= arcs; ++i) {
+      const Vec2 begin = path.empty() ? here() : path.back().to;
+      const double turn = whole * i / arcs;
+      const Vec2 end = i == arcs ? at(1 - side_, to)
+                                 : spiral.pole + turned(side_, unit(spiral.ray), turn) * spiral.radius(turn);
+      path.push_back(tangent_arc(begin, turned(side_, unit(spiral.pole - begin), -spiral.limit), end));
+    }
+    return path;
   }
 
   /// To the first wall where it is cut already.
@@ -290,8 +320,10 @@ class CornerCuts {
   double radius_, s_, turn_, limit_;
   double cut_[2] = {};
   int side_ = 0;
-  double cusps_ = 0;  ///< on the first wall up to there
-  double back_ = -1;  ///< where it last went back to the first wall
+  double cusps_ = 0;         ///< on the first wall up to there
+  std::size_t margin_ = 0;   ///< of the last spiral
+  int spiral_arcs_[2] = {};  ///< of the last spiral from each side, 0: none
+  double back_ = -1;         ///< where it last went back to the first wall
   Path path_;
 };
 

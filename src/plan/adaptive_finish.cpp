@@ -20,11 +20,11 @@ constexpr double kOnWall = 1e-4;
 constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
-constexpr double kCornerFilm = 4.5e-3;
+constexpr double kCornerFilm = 5e-3;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
 constexpr double kCornerFree = 3e-3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
-constexpr double kRest = 0.0055;
+constexpr double kRest = 0.006;
 /// mm. Nearer to what the cutter cannot reach nothing is a rest.
 constexpr double kReach = 5e-4;
 constexpr int kMostRests = 60;
@@ -135,6 +135,7 @@ std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, dou
   const auto way = path_.way_to(round->path.front().from, kCornerFree);
   if (!way) return std::nullopt;
   path_.cut(round->path, *way);
+  cuts_.walls.leave_out_around({corner.place}, kMarkPitch * radius_);  // its film is thicker than those of walls
   cuts_.walls.update(ground_, box(round->path).grown(2 * radius_));
   return WallPlace{corner.place.wall, round->end};
 }

@@ -11,6 +11,8 @@ namespace {
 
 /// mm. Shorter moves are left out.
 constexpr double kShortest = 1e-6;
+/// mm. A corner nearer than this to the line past it is none.
+constexpr double kStraight = 1e-5;
 /// Tool radii that a hole must be wider than the cutter to begin in.
 constexpr double kLeastHole = 0.05;
 /// Radians by which the spiral may exceed the limit.
@@ -71,10 +73,23 @@ void ClearingPath::append(const Path& cut, const Way& way) {
   }
   for (Edge edge : cut) {
     edge.from = at_;
-    pass_.path.push_back(edge);
-    pass_.kinds.push_back(MoveKind::kCut);
+    if (goes_straight_on(edge)) {
+      pass_.path.back().to = edge.to;
+    } else {
+      pass_.path.push_back(edge);
+      pass_.kinds.push_back(MoveKind::kCut);
+    }
     at_ = edge.to;
   }
+}
+
+/// Whether the edge makes one line with the cut before it.
+bool ClearingPath::goes_straight_on(const Edge& edge) const {
+  if (pass_.path.empty() || edge.is_arc() || pass_.kinds.back() != MoveKind::kCut) return false;
+  const Edge& last = pass_.path.back();
+  const Vec2 before = last.to - last.from, way = edge.to - edge.from;
+  return !last.is_arc() && dot(before, way) > 0 &&
+         std::abs(cross(before, way)) < kStraight * norm(before + way);
 }
 
 void ClearingPath::cut_arc(Vec2 center, Vec2 to) {
