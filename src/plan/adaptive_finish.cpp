@@ -21,6 +21,8 @@ constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
 constexpr double kCornerFilm = 5e-3;
+/// Radians that films on the walls may add to what a corner shows.
+constexpr double kFilms = 0.4;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
 constexpr double kCornerFree = 3e-3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
@@ -72,7 +74,7 @@ void AdaptiveFinish::run(bool open) {
 void AdaptiveFinish::follow_walls() {
   if (path_.empty()) return;
   cuts_.walls.update(ground_, legal_.box());
-  corners_ = corners_of(cuts_.walls, limit_);
+  corners_ = corners_of(cuts_.walls, limit_ - kFilms);
   cuts_.walls.set_stops(places_of(corners_));
   for (const WallPlace& place : cuts_.walls.anywhere()) {
     if (!cuts_.cut_from(place) && bite_from_aside(place)) cuts_.walls.update(ground_, legal_.box());
