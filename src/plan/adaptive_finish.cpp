@@ -290,7 +290,8 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
 /// What still stands between the cuts: over each place that the check of the whole cover finds.
 void AdaptiveFinish::cut_rests() {
   for (int left = kMostRests; left > 0;) {
-    const auto holes = Cover(path_.moves(), radius_ + kRest).holes([&](Vec2 p) { return is_reachable(p); });
+    const Cover cover(path_.moves(), radius_ + kRest, Cover::Looks::kAtRims);
+    const auto holes = cover.holes([&](Vec2 p) { return is_reachable(p); });
     const int before = left;
     for (const Vec2 hole : holes) {
       if (left <= 0 || ground_.is_removed(hole)) continue;

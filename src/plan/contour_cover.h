@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,12 @@ namespace clearcut {
 /// the same while edges change.
 class Cover {
  public:
-  Cover(std::span<const Edge> edges, double radius);
+  /// Where holes are looked for.
+  enum class Looks {
+    kAroundRims,  ///< where circles meet others near their part of a rim, too: more places of some holes
+    kAtRims       ///< only at vertices of rims: much the cheaper where edges crowd
+  };
+  Cover(std::span<const Edge> edges, double radius, Looks looks = Looks::kAroundRims);
   /// With all that `base` holds, too; it must have the same radius. Edges outside its box are not looked at beyond
   /// it.
   Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base);
@@ -31,8 +37,10 @@ class Cover {
   ///
   /// Method  A hole of the swept area is bounded by pieces of lines and circles at `radius` from the edges;
   ///         where two of them meet, the rim has a vertex, and a vertex is no nearer than `radius` to any edge. So
-  ///         it is enough to look at the meeting points of all such lines and circles: O(n * neighbours) of them;
-  ///         those of the base alone are found once.
+  ///         it is enough to look at the meeting points of all such lines and circles; those of the base alone are
+  ///         found once. Squares that one edge clears whole have none; others are quartered until few lines and
+  ///         circles are left in them, each part with the edges near it alone: so only what runs along the swept
+  ///         area's border is met with its neighbours there.
   /// Error   none but rounding (1e-9 mm). Holes without a rim vertex do not occur: the points beside each end of an
   ///         edge are looked at, too.
   std::vector<Vec2> holes(const std::function<bool(Vec2)>& matters) const;
@@ -44,12 +52,27 @@ class Cover {
   void keep_rim(const std::function<bool(Vec2)>& matters);
 
  private:
+  /// Rays from a point, counter-clockwise from `start` to `end`.
+  struct Wedge {
+    Vec2 start, end;
+    bool over_half = false, over_quarter = false;  ///< of a turn
+
+    bool holds(Vec2 v) const;
+    Box arc_box(Vec2 center, double radius) const;
+    Box wide_box(Vec2 center, double radius) const;
+  };
   /// An edge, ready for questions of distance.
   struct Stroke {
-    Vec2 from, along;
+    Vec2 from, to, along;
     double whole = 0;  ///< squared length; < 0: an arc
-    Vec2 middle;       ///< of a disc around it
-    double reach = 0;  ///< of that disc
+    // Arcs:
+    Vec2 center;
+    Wedge wedge;
+    double radius = 0;
+
+    explicit Stroke(const Edge& edge);
+    double squared_distance(Vec2 p) const;
+    bool is_within(Vec2 p, double reach) const;
   };
   /// A line at the given distance beside an edge, or a circle.
   struct Curve {
@@ -62,43 +85,26 @@ class Cover {
   /// All that the rims of holes may consist of.
   struct Rims {
     std::vector<Curve> curves;
-    std::vector<Vec2> joints;
-    CellLists in;  ///< per cell: curves through it
+    std::vector<std::uint32_t> first;  ///< per edge, and one more: its first curve
+    std::vector<Vec2> joints;          ///< kJoints per edge
   };
-  /// Part of a cell.
-  struct Square {
-    Vec2 center;
-    double half = 0;  ///< of a side
-    std::size_t cell = 0;
-    int depth = 0;
-    /// Of two squares beside each other one holds the points between.
-    bool holds(Vec2 p) const {
-      return depth == 0 || (p.x >= center.x - half && p.x < center.x + half && p.y >= center.y - half &&
-                            p.y < center.y + half);
-    }
-  };
-  template <typename F>
-  void quarter(const Square& square, std::span<const std::uint32_t> curves, const Rims& rims,
-               const F& f) const;
+  class Search;
+
   void sort_edges();
   Rims rims() const;
-  template <typename Found>
-  void search(const Box& where, const std::function<bool(Vec2)>& matters, const Found& found) const;
-  void add_curve(const Curve& curve, Rims& rims) const;
-  void add_joint(const Edge& before, const Edge& after, Rims& rims) const;
-  /// Whether a curve passes within `reach` of a place.
-  static bool passes(const Curve& curve, Vec2 center, double reach);
-  static void add_meetings(const Curve& p, const Curve& q, std::vector<Vec2>& out);
-  bool is_within(std::uint32_t edge, Vec2 p, double reach) const;
-  double squared_distance(std::uint32_t edge, Vec2 p) const;
+  void add_sides(std::uint32_t edge, Vec2 across, Rims& rims) const;
+  void add_circle(Vec2 center, double radius, const Wedge& part, const Box& around, Rims& rims) const;
+  static std::optional<Wedge> outer_side(Vec2 in, Vec2 out);
   bool own_edge_holds(Vec2 p, std::size_t cell, double reach) const;
 
   std::shared_ptr<const Cover> base_;
   std::vector<Edge> edges_;
   std::vector<Stroke> strokes_;
   double radius_;
+  Looks looks_;
   CellGrid grid_;
-  CellLists edges_in_;  ///< per cell: edges that may clear a point of it
+  CellLists edges_in_;       ///< per cell: edges that may clear a point of it
+  std::vector<char> whole_;  ///< per cell: whether one edge clears all of it
   // Of a base: what is found once for all covers made over it.
   Rims own_rims_;
   std::vector<Vec2> rim_;
