@@ -37,14 +37,14 @@ Vec2 right_of(Vec2 v) {
 
 bool Swept::comes_within(Vec2 p, double far) const {
   const double far_squared = far * far;
-  if (kind == Kind::kDisc) return norm_squared(p - from) < far_squared;
+  if (kind == Kind::kDisc) return norm_squared(p - from) <= far_squared;
   const bool is_before = dot(before, p - from) > 0, is_after = dot(after, p - to) > 0;
-  if (is_before && norm_squared(p - from) < far_squared) return true;
-  if (is_after && norm_squared(p - to) < far_squared) return true;
+  if (is_before && norm_squared(p - from) <= far_squared) return true;
+  if (is_after && norm_squared(p - to) <= far_squared) return true;
   if (is_before || is_after) return false;
-  if (kind == Kind::kLine) return std::abs(cross(after, p - from)) < far;
+  if (kind == Kind::kLine) return std::abs(cross(after, p - from)) <= far;
   const double squared = norm_squared(p - center), outer = ring + far, inner = ring - far;
-  return squared < outer * outer && (inner <= 0 || squared > inner * inner);
+  return squared <= outer * outer && (inner <= 0 || squared >= inner * inner);
 }
 
 Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
@@ -150,9 +150,10 @@ Horizon::Side Horizon::side_of(const Bound& bound, const Span& span) {
 /// Where a bound that crosses a span lets it go, seen from the bound's normal on the left (1) or on the right (-1):
 /// beyond begins on the right.
 Horizon::End Horizon::crossing(const Bound& bound, double side, const Span& span) const {
+  const double inverse = 1 / bound.squared;
   const double half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most));
-  const Vec2 way = bound.normal * bound.most + left_of(bound.normal) * (side * half);
-  return end_in(span, bound, way / bound.squared);
+  const Vec2 way = bound.normal * (bound.most * inverse) + left_of(bound.normal) * (side * half * inverse);
+  return end_in(span, bound, way);
 }
 
 /// The parts of a span beyond a bound that crosses it.

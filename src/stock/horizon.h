@@ -25,8 +25,9 @@ struct Swept {
   Vec2 center;      ///< of an arc
   double ring = 0;  ///< radius of an arc
 
-  /// Whether the disc, line or arc comes nearer to p than `far` mm > 0. Neither roots nor divisions.
+  /// Whether the place, line or arc is no farther from p than `far` mm, > 0. Takes neither roots nor divisions.
   bool comes_within(Vec2 p, double far) const;
+  bool covers(Vec2 p) const { return comes_within(p, radius); }
 };
 
 /// How fast what touches material changes.

@@ -20,10 +20,6 @@ double length_of(Vec2 a) {
   return std::sqrt(norm_squared(a));
 }
 
-double distance_to_path(const Edge& path, Vec2 p) {
-  return path.from == path.to ? length_of(p - path.from) : distance(path, p);
-}
-
 }  // namespace
 
 Material::Material(std::optional<Box> plan, double z_top, const std::vector<double>& radii)
@@ -33,21 +29,44 @@ Material::Material(std::optional<Box> plan, double z_top, const std::vector<doub
   reaches.erase(std::unique(reaches.begin(), reaches.end()), reaches.end());
   for (const double reach : reaches) {
     CLEARCUT_ASSERT(reach > 0);
-    grids_.push_back({reach, reach / 2, {}});
+    grids_.emplace_back(reach);
   }
   CLEARCUT_ASSERT(!grids_.empty());
 }
 
-std::uint64_t Material::Grid::key(Vec2 p) const {
-  const auto part = [this](double v) {
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(v / cell)));
-  };
-  return (std::uint64_t{part(p.x)} << 32) | part(p.y);
+int Material::Grid::place(double v) const {
+  return static_cast<int>(static_cast<std::int64_t>(std::floor(v / cell)));
+}
+
+/// Where a cell is in the table, or would be.
+std::size_t Material::Grid::slot_of(int x, int y) const {
+  const std::uint64_t key =
+      (std::uint64_t{static_cast<std::uint32_t>(x)} << 32) | static_cast<std::uint32_t>(y);
+  std::size_t slot = (key * 0x9E3779B97F4A7C15u) >> shift;
+  while (table[slot] != kNone && (cells[table[slot]].x != x || cells[table[slot]].y != y))
+    slot = (slot + 1) & (table.size() - 1);
+  return slot;
 }
 
 const std::vector<Material::Entry>* Material::Grid::at(Vec2 p) const {
-  const auto found = cells.find(key(p));
-  return found == cells.end() ? nullptr : &found->second;
+  const std::uint32_t found = table[slot_of(place(p.x), place(p.y))];
+  return found == kNone ? nullptr : &cells[found].entries;
+}
+
+std::vector<Material::Entry>& Material::Grid::list(int x, int y) {
+  std::uint32_t& found = table[slot_of(x, y)];
+  if (found != kNone) return cells[found].entries;
+  found = static_cast<std::uint32_t>(cells.size());
+  cells.push_back({x, y, {}});
+  if (2 * cells.size() > table.size()) grow();
+  return cells.back().entries;
+}
+
+void Material::Grid::grow() {
+  table.assign(2 * table.size(), kNone);
+  --shift;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    table[slot_of(cells[i].x, cells[i].y)] = static_cast<std::uint32_t>(i);
 }
 
 /// The lists of all cells from which a circle may reach what was swept along a part of its path; each at least once.
@@ -60,14 +79,12 @@ void Material::Grid::for_lists(const Swept& swept, const Edge& path, F&& f) {
     for_lists(swept, path.part(0.5, 1), f);
     return;
   }
-  Box box = path.from == path.to ? Box{path.from, path.from} : path.box();
-  box = box.grown(far + cell);
+  const Box box = (path.from == path.to ? Box{path.from, path.from} : path.box()).grown(far + cell);
   const double half_diagonal = cell * 0.70711;
-  const double x0 = (std::floor(box.min.x / cell) + 0.5) * cell,
-               y0 = (std::floor(box.min.y / cell) + 0.5) * cell;
-  for (double y = y0; y <= box.max.y; y += cell) {
-    for (double x = x0; x <= box.max.x; x += cell) {
-      if (swept.comes_within({x, y}, far + half_diagonal)) f(cells[key({x, y})]);
+  const int last_x = place(box.max.x), last_y = place(box.max.y);
+  for (int y = place(box.min.y); y <= last_y; ++y) {
+    for (int x = place(box.min.x); x <= last_x; ++x) {
+      if (swept.comes_within(Vec2{x + 0.5, y + 0.5} * cell, far + half_diagonal)) f(list(x, y));
     }
   }
 }
@@ -170,10 +187,6 @@ std::optional<Material::Sweep> Material::below(const Sweep& sweep, double z) {
   return make_sweep(part, sweep.z_low, sweep.z_low, sweep.shape.radius);
 }
 
-bool Material::covers(const Sweep& sweep, Vec2 p) {
-  return distance_to_path(sweep.path, p) <= sweep.shape.radius;
-}
-
 bool Material::is_removed(Vec2 p, double z) const {
   if (z >= z_top_ || (plan_ && !plan_->contains(p))) return true;
   const std::vector<Entry>* near = grids_.front().at(p);
@@ -181,7 +194,7 @@ bool Material::is_removed(Vec2 p, double z) const {
   for (const Entry& entry : *near) {
     if (entry.z_low > z || norm_squared(entry.middle - p) > entry.reach * entry.reach) continue;
     const Sweep& sweep = sweeps_[entry.sweep];
-    if (sweep.z_high <= z ? covers(sweep, p) : covers(*below(sweep, z), p)) return true;
+    if (sweep.z_high <= z ? sweep.shape.covers(p) : below(sweep, z)->shape.covers(p)) return true;
   }
   return false;
 }
@@ -194,12 +207,12 @@ double Material::height(Vec2 p) const {
   for (const Entry& entry : *near) {
     const Sweep& sweep = sweeps_[entry.sweep];
     if (entry.z_low >= height || norm_squared(entry.middle - p) > entry.reach * entry.reach) continue;
-    if (!covers(sweep, p)) continue;
+    if (!sweep.shape.covers(p)) continue;
     double low = sweep.z_low, high = sweep.z_high;  // covered at high, perhaps not at low
-    if (covers(*below(sweep, low), p)) high = low;
+    if (below(sweep, low)->shape.covers(p)) high = low;
     while (high - low > 1e-6) {
       const double middle = (low + high) / 2;
-      (covers(*below(sweep, middle), p) ? high : low) = middle;
+      (below(sweep, middle)->shape.covers(p) ? high : low) = middle;
     }
     height = std::min(height, high);
   }

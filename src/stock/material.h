@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "geometry/box.h"
@@ -99,11 +98,24 @@ class Material {
   };
   /// Square cells, each with all sweeps that a circle of up to `reach` around any of its points may touch.
   struct Grid {
-    double reach = 0;
-    double cell = 0;
-    std::unordered_map<std::uint64_t, std::vector<Entry>> cells;
-    std::uint64_t key(Vec2 p) const;
+    explicit Grid(double largest) : reach(largest), cell(largest / 2) {}
+    struct Cell {
+      int x, y;
+      std::vector<Entry> entries;
+    };
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    double reach;
+    double cell;  ///< mm
+    std::vector<Cell> cells;
+    /// Which cell is where: a hash table of 2^(64 - shift) places.
+    std::vector<std::uint32_t> table = std::vector<std::uint32_t>(64, kNone);
+    int shift = 58;
+
+    int place(double v) const;
+    std::size_t slot_of(int x, int y) const;
     const std::vector<Entry>* at(Vec2 p) const;
+    std::vector<Entry>& list(int x, int y);
+    void grow();
     void insert(const Sweep& sweep, const Entry& entry);
     void remove(const Sweep& sweep, int index);
     template <typename F>
@@ -114,7 +126,6 @@ class Material {
   const Grid& grid_for(double radius) const;
   static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);
   static std::optional<Sweep> below(const Sweep& sweep, double z);
-  static bool covers(const Sweep& sweep, Vec2 p);
   static void join(Sweep& last, Sweep& next);
   void remove_everything(Horizon& horizon, Vec2 center, double radius, double z) const;
   void remove_outside(Horizon& horizon, Vec2 center, double radius) const;
