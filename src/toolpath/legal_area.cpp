@@ -6,6 +6,9 @@
 namespace clearcut {
 namespace {
 
+/// mm. Far above the rounding of boxes of edges.
+constexpr double kAside = 1e-6;
+
 /// Ascending, each number once.
 void keep_once(std::vector<std::size_t>& numbers) {
   std::sort(numbers.begin(), numbers.end());
@@ -33,6 +36,8 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
   columns_ = column(box_.max.x) + 1;
   rows_ = row(box_.max.y) + 1;
   cells_.resize(columns_ * rows_);
+  first_columns_.reserve(boxes_.size());
+  for (const Box& box : boxes_) first_columns_.push_back(column(box.min.x));
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     for (std::size_t r = row(boxes_[i].min.y); r <= row(boxes_[i].max.y); ++r) {
       for (std::size_t c = column(boxes_[i].min.x); c <= column(boxes_[i].max.x); ++c) {
@@ -84,11 +89,14 @@ bool LegalArea::contains(Vec2 p) const {
   const bool beside = known == end;
   const Vec2 q{beside ? box_.max.x + cell_ : cell_box(known).center().x, p.y};
   int around = beside ? 0 : inside_[known];
-  std::vector<std::size_t> between;
-  for (std::size_t cell = first; cell < known; ++cell)
-    between.insert(between.end(), cells_[cell].begin(), cells_[cell].end());
-  keep_once(between);
-  for (const std::size_t i : between) around += winding(edges_[i], p) - winding(edges_[i], q);
+  for (std::size_t cell = first; cell < known; ++cell) {
+    for (const std::size_t i : cells_[cell]) {
+      // In a row an edge stands in cells beside each other: it counts in the first of them.
+      const bool counted = cell > first && first_columns_[i] + begin < cell;
+      const bool level = p.y >= boxes_[i].min.y - kAside && p.y <= boxes_[i].max.y + kAside;
+      if (level && !counted) around += winding(edges_[i], p) - winding(edges_[i], q);
+    }
+  }
   return around != 0;
 }
 

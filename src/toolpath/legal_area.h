@@ -37,6 +37,7 @@ class LegalArea {
   Box box_;
   std::vector<Edge> edges_;
   std::vector<Box> boxes_;
+  std::vector<std::size_t> first_columns_;  ///< per edge: of the cells it stands in
   double cell_ = 1;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
