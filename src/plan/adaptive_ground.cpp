@@ -16,10 +16,8 @@ constexpr double kLookStep = 0.2;
 constexpr double kCheckStep = 0.1;
 /// Radians. No farther than this apart on arcs.
 constexpr double kCheckTurn = 0.15;
-/// Tool radii between two looks that tell how fast the contact changes; the same near a peak as a share of the way to the
-/// look before.
+/// Tool radii from the begin of an edge to the first look at it.
 constexpr double kBeside = 1e-3;
-constexpr double kBesidePeak = 0.01;
 /// Tool radii: cells that are known to be cleared.
 constexpr double kCell = 1.0 / 8;
 /// Radians of an arc between whose chord and tangents nothing lies.
@@ -51,12 +49,10 @@ double Ground::contact(Vec2 p, Vec2 heading) const {
   return material_.contact_size(p, heading, tool_radius_ - kRounding, -1).angle;
 }
 
-Ground::Look Ground::look(const Edge& edge, double t, double beside) const {
-  const auto contact_at = [&](double at) {
-    return material_.contact_size(edge.at(at), edge.tangent_at(at), tool_radius_ - kRounding, -1);
-  };
-  const ContactSize here = contact_at(t);
-  return {t, here.angle, (contact_at(t + beside).angle - here.angle) / beside, here.parts};
+Ground::Look Ground::look(const Edge& edge, double t) const {
+  const auto [size, change] =
+      material_.contact_trend(edge.at(t), edge.tangent_at(t), tool_radius_ - kRounding, -1);
+  return {t, size.angle, change.per_mm * edge.length() + change.per_radian * edge.sweep(), size.parts};
 }
 
 double Ground::length_within(const Edge& edge, double limit) const {
@@ -64,10 +60,10 @@ double Ground::length_within(const Edge& edge, double limit) const {
   const double by_length = length / (tool_radius_ * kCheckStep),
                by_turn = std::abs(edge.sweep()) / kCheckTurn;
   const int steps = static_cast<int>(std::max(by_length, by_turn)) + 1;
-  const double beside = std::min(kBeside * tool_radius_ / length, 0.1 / steps);
-  Look before = look(edge, beside, beside);
+  // Where the edge begins the cut before ends: just beyond.
+  Look before = look(edge, std::min(kBeside * tool_radius_ / length, 0.1 / steps));
   for (int i = 1; i <= steps; ++i) {
-    const Look here = look(edge, static_cast<double>(i) / steps, -beside);
+    const Look here = look(edge, static_cast<double>(i) / steps);
     if (here.contact > limit) return i == 1 ? 0 : before.t * length;
     if (const auto above = peak_above(edge, before, here, limit + kPeak, kMostPeaks))
       return (i == 1 ? last_within(edge, *above, limit) : before.t) * length;
@@ -82,7 +78,7 @@ std::optional<Ground::Stretch> Ground::peak_above(const Edge& edge, const Look& 
   if (depth == 0) return std::nullopt;
   const auto t = likely_peak(a, b, limit);
   if (!t) return std::nullopt;
-  const Look peak = look(edge, *t, (a.t - *t) * kBesidePeak);
+  const Look peak = look(edge, *t);
   if (peak.contact > limit) return Stretch{a.t, *t};
   if (const auto above = peak_above(edge, a, peak, limit, depth - 1)) return above;
   return peak_above(edge, peak, b, limit, depth - 1);

@@ -60,8 +60,7 @@ class Ground {
     double slope = 0;  ///< radians for the whole edge
     int parts = 0;     ///< of the circle that touch material
   };
-  /// The slope is that towards t + `beside`.
-  Look look(const Edge& edge, double t, double beside) const;
+  Look look(const Edge& edge, double t) const;
   /// Parameters of an edge.
   struct Stretch {
     double from = 0;
