@@ -27,7 +27,7 @@ constexpr std::size_t kMostStanding = 16;
 constexpr double kWorthNoting = 1e-3;
 constexpr Vec2 kNowhere{1e100, 1e100};
 /// Radians. Peaks between looks may be higher than the limit by so much.
-constexpr double kPeak = 0.012;
+constexpr double kPeak = 0.008;
 /// Looks for a peak, each nearer to it.
 constexpr int kMostPeaks = 5;
 /// Of the stretch in which the contact comes to exceed its limit.
