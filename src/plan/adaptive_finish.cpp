@@ -21,6 +21,8 @@ constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
 constexpr double kCornerFilm = 5e-3;
+/// The same where bites end: less than what the ways to the next ones may graze.
+constexpr double kPeelFilm = 2e-3;
 /// Radians that films on the walls may add to what a corner shows.
 constexpr double kFilms = 0.4;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
@@ -203,7 +205,7 @@ bool AdaptiveFinish::peel(const WallStretch& stretch) {
   const Walls& walls = cuts_.walls;
   Peeler peeler(ground_, walls.wall(stretch.wall), limit_);
   const auto bearing = [&](const WallStretch& within) {
-    return bearing_part(walls, within, kPeelPitch * radius_, kCornerFilm, ground_);
+    return bearing_part(walls, within, kPeelPitch * radius_, kPeelFilm, ground_);
   };
   auto left = bearing(stretch);
   const bool began = left.has_value();
