@@ -29,6 +29,11 @@ Vec2 way_of(double pseudo) {
   return {1 - q, std::copysign(q <= 1 ? q : 2 - q, pseudo)};
 }
 
+/// A radius for sure no smaller.
+double enclosing(double radius) {
+  return radius * (1 + 1e-12) + 1e-12;
+}
+
 Vec2 right_of(Vec2 v) {
   return {v.y, -v.x};
 }
@@ -48,11 +53,15 @@ bool Swept::comes_within(Vec2 p, double far) const {
 }
 
 Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
-    : center_(center), radius_(radius), inverse_(1 / radius), ahead_(ahead / std::sqrt(norm_squared(ahead))) {
+    : center_(center),
+      radius_(radius),
+      inverse_(1 / radius),
+      ahead_(ahead * (1 / std::sqrt(norm_squared(ahead)))),
+      rest_center_(center),
+      rest_radius_(enclosing(radius)) {
   const Vec2 right = right_of(ahead_);
   items_[0] = part == Part::kFront ? Span{{-1, right.x, right.y, 0, 0}, {1, -right.x, -right.y, 0, 0}}
                                    : Span{{-2, -ahead_.x, -ahead_.y, 0, 0}, {2, -ahead_.x, -ahead_.y, 0, 0}};
-  look();
 }
 
 double Horizon::Span::width() const {
@@ -280,8 +289,6 @@ void Horizon::drop_narrowest() {
 
 /// What is left lies on the circle beside the widest gap.
 void Horizon::look() {
-  rest_center_ = center_;
-  rest_radius_ = radius_ * (1 + 1e-12) + 1e-12;
   int first = 0;
   double widest = items_[0].from.order + 4 - items_[count_ - 1].to.order;
   for (int i = 1; i < count_; ++i) {
@@ -290,11 +297,15 @@ void Horizon::look() {
     widest = gap;
     first = i;
   }
-  if (widest < 2) return;  // more than a half turn
+  if (widest < 2) {  // more than a half turn is left
+    rest_center_ = center_;
+    rest_radius_ = enclosing(radius_);
+    return;
+  }
   const Vec2 from = items_[first].from.way(), to = items_[first == 0 ? count_ - 1 : first - 1].to.way();
   // The disc about the chord's middle holds the arc.
   rest_center_ = center_ + (from + to) * (0.5 * radius_);
-  rest_radius_ = radius_ * std::sqrt(norm_squared(to - from)) / 2 * (1 + 1e-12) + 1e-12;
+  rest_radius_ = enclosing(0.5 * radius_ * std::sqrt(norm_squared(to - from)));
 }
 
 AngleSet Horizon::angles() const {
