@@ -38,6 +38,7 @@ constexpr int kArcLooks = 8;
 constexpr int kMostTries = 6;
 /// Factor between them.
 constexpr double kNotSoNear = 1.15;
+constexpr double kNearer = 0.8;
 /// Radians more off the wall, at first.
 constexpr double kMoreTurn = 0.02;
 /// Of the distance from the corner: a centre that was visited touches nothing, the next ones do.
@@ -119,8 +120,11 @@ class CornerCuts {
       const Edge edge = edge_to(x);
       return ground_.contact(edge.to, edge.tangent_at(1)) <= limit_ + kAim;
     };
-    if (!is_within(most)) return std::nullopt;
-    double low = std::min(kNearest, most), high = most;
+    double high = most;
+    for (int i = 0; !is_within(high); ++i, high *= kNearer) {
+      if (i == kMostTries) return std::nullopt;
+    }
+    double low = std::min(kNearest, high);
     if (is_within(low)) return low;
     // By shares: an arc may come nearer a hundredfold.
     while (high > low * kCloseTo) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMarkPitch = 0.1;
 constexpr double kFinePitch = 0.06;
 /// Tool radii. A cut that ends as near before a corner goes on round it; mm from the wall.
-constexpr double kCornerReach = 0.9;
+constexpr double kCornerReach = 1;
 constexpr double kOnWall = 1e-4;
 constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
@@ -76,8 +76,8 @@ void AdaptiveFinish::run(bool open) {
 void AdaptiveFinish::follow_walls() {
   if (path_.empty()) return;
   cuts_.walls.update(ground_, legal_.box());
-  corners_ = corners_of(cuts_.walls, limit_ - kFilms);
-  cuts_.walls.set_stops(places_of(corners_));
+  corners_ = all_corners_ = corners_of(cuts_.walls, limit_ - kFilms);
+  cuts_.walls.set_stops(places_of(all_corners_));
   for (const WallPlace& place : cuts_.walls.anywhere()) {
     if (!cuts_.cut_from(place) && bite_from_aside(place)) cuts_.walls.update(ground_, legal_.box());
   }
@@ -100,18 +100,31 @@ void AdaptiveFinish::follow_walls() {
   }
 }
 
-/// From the end of a cut before a corner round it and along the next wall, and so on.
+/// From the end of a cut before a corner round it and along the next wall, and so on. Where it is not the corner that
+/// stopped the cut it goes on as if there were none.
 void AdaptiveFinish::go_on_round_corners() {
   for (Vec2 before{1e300, 0}; path_.at() != before;) {
     before = path_.at();
     const auto corner = std::find_if(corners_.begin(), corners_.end(),
                                      [&](const Corner& c) { return ahead(c) < kCornerReach * radius_; });
     if (corner == corners_.end()) return;
-    const auto next = finish_corner(*corner, ahead(*corner));
-    if (!next) return;
-    corners_.erase(corner);
-    cuts_.cut_from(*next);
+    const double from = ahead(*corner);
+    if (const auto next = finish_corner(*corner, from)) {
+      corners_.erase(corner);
+      cuts_.cut_from(*next);
+    } else {
+      cut_without_stop(*corner, from);
+    }
   }
+}
+
+/// On along the wall before a corner, or off it.
+void AdaptiveFinish::cut_without_stop(const Corner& corner, double from) {
+  auto stops = places_of(all_corners_);
+  std::erase(stops, corner.place);
+  cuts_.walls.set_stops(std::move(stops));
+  cuts_.cut_from({corner.place.wall, corner.place.s - from});
+  cuts_.walls.set_stops(places_of(all_corners_));
 }
 
 /// mm. How far along its first wall a corner is from the cutter; infinite where that is not on it.

@@ -25,6 +25,7 @@ class AdaptiveFinish {
  private:
   void follow_walls();
   void go_on_round_corners();
+  void cut_without_stop(const Corner& corner, double from);
   double ahead(const Corner& corner) const;
   std::vector<Corner>::iterator nearest_corner();
   std::optional<WallPlace> finish_corner(const Corner& corner, double from);
@@ -51,6 +52,7 @@ class AdaptiveFinish {
   double radius_;
   double limit_;
   WallCuts cuts_;
+  std::vector<Corner> all_corners_;
   std::vector<Corner> corners_;  ///< not yet cut
 };
 

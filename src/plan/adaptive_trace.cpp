@@ -19,9 +19,9 @@ constexpr double kLeastCut = 0.05;    // length in contact below which a cut is 
 constexpr double kLeastTurn = 0.02;   // tightest radius off a wall
 constexpr double kOffWall = 0.005;    // off a wall, where cuts are traced
 constexpr double kEnoughWall = 0.03;  // advance along a wall for which no tighter turn is looked for
-constexpr double kBeforeStop = 0.7;   // a stop this far ahead is one that cuts end before
+constexpr double kBeforeStop = 0.9;   // a stop this far ahead is one that cuts end before
 constexpr double kShortWall = 0.2;    // of wall that a cut ends before rather than follow
-constexpr double kThick = 0.15;       // before a stop: thicker material is cut like elsewhere
+constexpr double kThick = 0.5;        // before a stop: thicker material is cut like elsewhere
 constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
 constexpr double kAbove = 0.025;     // by which arcs may exceed the limit
