@@ -36,9 +36,15 @@ constexpr double kLeastSpiralTurn = 0.3;
 constexpr double kCloseTo = 1.01;
 constexpr int kArcLooks = 8;
 constexpr int kMostTries = 6;
+/// Straight ways back that are tried.
+constexpr int kMostStraight = 2;
+/// Moves round a corner beyond which nothing else is tried.
+constexpr std::size_t kLong = 12;
 /// Factor between them.
 constexpr double kNotSoNear = 1.15;
 constexpr double kNearer = 0.8;
+/// How near the first guess is.
+constexpr double kGuessed = 1.04;
 /// Radians more off the wall, at first.
 constexpr double kMoreTurn = 0.02;
 /// Of the distance from the corner: a centre that was visited touches nothing, the next ones do.
@@ -66,13 +72,15 @@ bool is_legal(const Edge& edge, const LegalArea& legal) {
 /// Distances from the corner along its first wall, side 0, and its second, side 1.
 class CornerCuts {
  public:
-  CornerCuts(const Wall& wall, const Corner& corner, Ground& ground, double limit)
+  /// The first `straight` times it goes back to the first wall straight and on along it, for no cusps to stay there.
+  CornerCuts(const Wall& wall, const Corner& corner, Ground& ground, double limit, int straight)
       : wall_(wall),
         ground_(ground),
         radius_(ground.tool_radius()),
         s_(corner.place.s),
         turn_(corner.turn),
-        limit_(limit) {}
+        limit_(limit),
+        straight_(straight) {}
 
   /// The first wall is cut up to `a` before the corner, the second from `b` after it on.
   std::optional<CornerRound> cuts(double a, double b, double film) {
@@ -86,6 +94,9 @@ class CornerCuts {
     if (!go_to_second()) return std::nullopt;
     return CornerRound{std::move(path_), s_ + cut_[1]};
   }
+
+  /// Whether it had to go along the first wall again at last.
+  bool leaves_cusps() const { return cusps_ > 0; }
 
  private:
   Vec2 at(int side, double x) const { return wall_.at(side == 0 ? s_ - x : s_ + x); }
@@ -112,24 +123,29 @@ class CornerCuts {
     return true;
   }
 
+  bool ends_within(const Edge& edge) const {
+    return ground_.contact(edge.to, edge.tangent_at(1)) <= limit_ + kAim;
+  }
+
   /// The least number of (0, most] at which the contact of an edge's end keeps the limit, where larger ones do; none when `most`
-  /// does not.
+  /// does not. Looked for near `guess` first.
   template <typename EdgeTo>
-  std::optional<double> nearest_within(double most, const EdgeTo& edge_to) const {
-    const auto is_within = [&](double x) {
-      const Edge edge = edge_to(x);
-      return ground_.contact(edge.to, edge.tangent_at(1)) <= limit_ + kAim;
-    };
-    double high = most;
-    for (int i = 0; !is_within(high); ++i, high *= kNearer) {
-      if (i == kMostTries) return std::nullopt;
+  std::optional<double> nearest_within(double most, double guess, const EdgeTo& edge_to) const {
+    double low = std::min(kNearest, most), high = guess * kGuessed;
+    if (guess > 0 && high < most && ends_within(edge_to(high))) {
+      if (guess / kGuessed > low && !ends_within(edge_to(guess / kGuessed))) low = guess / kGuessed;
+    } else {
+      high = most;
+      for (int i = 0; !ends_within(edge_to(high)); ++i, high *= kNearer) {
+        if (i == kMostTries) return std::nullopt;
+      }
+      low = std::min(low, high);
+      if (ends_within(edge_to(low))) return low;
     }
-    double low = std::min(kNearest, high);
-    if (is_within(low)) return low;
     // By shares: an arc may come nearer a hundredfold.
     while (high > low * kCloseTo) {
       const double middle = std::sqrt(low * high);
-      (is_within(middle) ? high : low) = middle;
+      (ends_within(edge_to(middle)) ? high : low) = middle;
     }
     return high;
   }
@@ -138,7 +154,8 @@ class CornerCuts {
   void go_along_first(double least) {
     const double from = cut_[0];
     const auto along = [&](double to) { return Edge::line(at(0, to + kNear), at(0, to)); };
-    const double to = nearest_within(from, along).value_or(from);
+    if (least < 1 && !ends_within(along(from * least))) return;
+    const double to = nearest_within(from, 0, along).value_or(from);
     if (to > from * least - kNear) return;
     for (const Edge& edge : wall_.part(s_ - from, s_ - to)) {
       const double within = ground_.length_within(edge, limit_ + kAbove);
@@ -160,8 +177,8 @@ class CornerCuts {
 
   /// To the other wall, nearer than before: on an arc, or where that gains much less, on a spiral.
   bool go_across() {
+    if (side_ == 1 && straight_ > 0 && go_back()) return --straight_ >= 0;
     const double most = cut_[1 - side_];
-    // Each crossing is like the one before, only smaller.
     if (spiral_arcs_[side_] > 0) {
       if (const auto spiral = spiral_across(-std::log(kLeastGain))) return go(*spiral);
     }
@@ -185,15 +202,21 @@ class CornerCuts {
   std::optional<Crossing> arc_across() {
     const int other = 1 - side_;
     const double most = cut_[other];
-    double turn = first_turn(), more = kMoreTurn, short_of = 1;
+    // Each crossing is like the one before, only smaller.
+    Crossed& before = crossed_[side_];
+    const double first = first_turn();
+    double turn = first + before.more_turn, more = kMoreTurn, short_of = 1;
     for (int i = 0; i < kMostTries; ++i) {
       const Vec2 heading = turned(side_, into(side_, cut_[side_]), turn);
       const auto arc_to = [&](double x) { return tangent_arc(here(), heading, at(other, x)); };
-      const double to = short_of * nearest_within(most, arc_to).value_or(most);
+      const double to = short_of * nearest_within(most, most * before.gain, arc_to).value_or(most);
       const Edge arc = arc_to(to);
       if (to > most * kLeastGain || !is_legal(arc, ground_.legal())) return std::nullopt;
       const double within = ground_.length_within(arc, limit_ + kAbove);
-      if (within >= arc.length()) return Crossing{{arc}, to};
+      if (within >= arc.length()) {
+        before = {to / short_of / most, (turn - first) / 2};
+        return Crossing{{arc}, to};
+      }
       if (within < arc.length() / 2) {
         turn += more;
         more *= 2;
@@ -322,9 +345,15 @@ class CornerCuts {
   const Wall& wall_;
   Ground& ground_;
   double radius_, s_, turn_, limit_;
+  int straight_;
   double cut_[2] = {};
   int side_ = 0;
-  double cusps_ = 0;         ///< on the first wall up to there
+  double cusps_ = 0;  ///< on the first wall up to there
+  /// The last arc from a side.
+  struct Crossed {
+    double gain = 0;       ///< how near it came, over how near the other wall was cut
+    double more_turn = 0;  ///< radians that it had to leave its wall by
+  } crossed_[2];
   std::size_t margin_ = 0;   ///< of the last spiral
   int spiral_arcs_[2] = {};  ///< of the last spiral from each side, 0: none
   double back_ = -1;         ///< where it last went back to the first wall
@@ -369,9 +398,15 @@ std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner
   const Wall& wall = walls.wall(corner.place.wall);
   const double second =
       first_visited(wall, corner.place.s, 1, ground).value_or(kPrepared * ground.tool_radius());
-  auto found = CornerCuts(wall, corner, ground, limit).cuts(from, second, film);
-  ground.forget_beyond(before);
-  return found;
+  std::optional<CornerRound> best;
+  for (int straight = 0; straight <= kMostStraight; ++straight) {
+    CornerCuts corner_cuts(wall, corner, ground, limit, straight);
+    auto found = corner_cuts.cuts(from, second, film);
+    ground.forget_beyond(before);
+    if (found && (!best || found->path.size() < best->path.size())) best = std::move(found);
+    if (!corner_cuts.leaves_cusps() || (best && best->path.size() > kLong)) break;
+  }
+  return best;
 }
 
 std::optional<double> prepared_before(const Walls& walls, const Corner& corner, const Ground& ground) {
