@@ -32,6 +32,8 @@ class Ground {
   bool touches(Vec2 p, double film) const;
   /// The same, with a point of that material; looked for first in direction `likely`, of length 1, where it stands longest.
   std::optional<Vec2> touched(Vec2 p, double film, Vec2 likely) const;
+  /// Whether the centre may run along the way.
+  bool is_legal(const Edge& way) const;
   /// Whether the way is legal and touches nothing thicker than `film` mm.
   bool is_free(const Edge& way, double film) const;
   bool is_free(Vec2 a, Vec2 b, double film) const { return is_free(Edge::line(a, b), film); }
@@ -49,7 +51,6 @@ class Ground {
   bool keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny);
 
  private:
-  bool is_legal(const Edge& way) const;
   void note_standing(Vec2 met) const;
   bool is_standing_within(Vec2 p, double radius) const;
   void take(const Edge& path, double radius);

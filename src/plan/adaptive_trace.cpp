@@ -22,6 +22,8 @@ constexpr double kEnoughWall = 0.03;  // advance along a wall for which no tight
 constexpr double kBeforeStop = 0.9;   // a stop this far ahead is one that cuts end before
 constexpr double kShortWall = 0.2;    // of wall that a cut ends before rather than follow
 constexpr double kThick = 0.5;        // before a stop: thicker material is cut like elsewhere
+constexpr double kLeastLead = 0.1;    // of an arc before it comes to the wall that it leads off, tried
+constexpr double kLeadStep = 0.05;    // at this pitch
 constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
 constexpr double kAbove = 0.025;     // by which arcs may exceed the limit
@@ -63,11 +65,12 @@ Tracer::Tracer(Ground& ground, const Walls& walls, const Regions& area, double l
       along_(along),
       step_(kStep * radius_) {}
 
-Path Tracer::cut_from(const WallPlace& start, double material_s) {
+Path Tracer::cut_from(const WallPlace& start, double material_s, const CanBegin& can_begin) {
   path_.clear();
   engaged_ = 0;
   place_ = start;
   material_s_ = material_s;
+  can_begin_ = can_begin;
   first_departure_ = -1e300;
   return run(Next::kWall);
 }
@@ -75,6 +78,7 @@ Path Tracer::cut_from(const WallPlace& start, double material_s) {
 Path Tracer::cut_on(Vec2 from, Vec2 heading, double curvature) {
   path_.clear();
   engaged_ = 0;
+  can_begin_ = {};
   state_ = {from, heading, curvature};
   tightest_ = radius_ / 2;
   contact_ = 0;
@@ -201,28 +205,71 @@ double Tracer::off_wall(double radius) const {
 }
 
 bool Tracer::leave(double s, double radius) {
-  const Wall& wall = walls_.wall(place_.wall);
-  if (!append_wall(place_.s, s)) return false;
-  const Vec2 from = wall.at(s), heading = wall.heading(s);
+  const double first = place_.s;
   place_.s = s;
   if (first_departure_ < -1e299) first_departure_ = s;
-  tightest_ = std::min(radius, radius_ / 2);
-  usual_ = radius;
-  state_ = {from, heading, 1 / radius};
-  contact_ = limit_;
-  on_wall_ = true;
-  const auto shot = shoot();
-  on_wall_ = false;
+  if (path_.empty() && can_begin_) {
+    const auto shot = set_off(s, radius);
+    if (shot && leaves_wall(*shot) && begin_beside(*shot)) return true;
+  }
+  if (!append_wall(first, s)) return false;
+  const auto shot = set_off(s, radius);
   if (shot && leaves_wall(*shot)) {
     // Much of what leads off the wall is to be taken.
     const double within = ground_.length_within(edge_of(*shot), limit_ + kAbove);
     if (within > 2 * off_wall(1 / shot->curvature) / shot->curvature) return go(*shot, within) > 0;
   }
+  const auto [from, heading, curvature] = state_;
   const double turn = off_wall(radius);
   const Vec2 center = from + left_of(heading) * radius;
   state_ = {center + rotated(from - center, turn), rotated(heading, turn), 1 / radius};
   contact_ = ground_.contact(state_.point, state_.heading);
   return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise));
+}
+
+/// The arc aimed off the wall at s.
+std::optional<Tracer::Shot> Tracer::set_off(double s, double radius) {
+  const Wall& wall = walls_.wall(place_.wall);
+  tightest_ = std::min(radius, radius_ / 2);
+  usual_ = radius;
+  state_ = {wall.at(s), wall.heading(s), 1 / radius};
+  contact_ = limit_;
+  on_wall_ = true;
+  const auto shot = shoot();
+  on_wall_ = false;
+  return shot;
+}
+
+/// With the arc off the wall, begun before it comes to the wall. Whether it was taken.
+bool Tracer::begin_beside(const Shot& shot) {
+  const Edge off = edge_of(shot);
+  if (off.turn != Turn::kCounterClockwise) return false;
+  const auto gate = gate_before(off);
+  if (!gate) return false;
+  const Edge arc = Edge::arc(*gate, off.to, off.center, off.turn);
+  if (!ground_.is_legal(Edge::arc(*gate, off.from, off.center, off.turn)) ||
+      ground_.length_within(arc, limit_ + kAbove) < arc.length() || !can_begin_(*gate))
+    return false;
+  contact_ = contact_after(shot, shot.length);  // before it is cut
+  take(arc);
+  state_ = after(shot, shot.length);
+  usual_ = shot.length;
+  return true;
+}
+
+/// The last free place on its circle before the arc; none where more would stay on the wall than may.
+std::optional<Vec2> Tracer::gate_before(const Edge& arc) const {
+  const double radius = arc.radius();
+  const WallPlace material{place_.wall, std::min(material_s_, place_.s)};
+  const double follows = place_.s - material.s, farthest = std::min(radius, radius_),
+               stays = radius - distance(arc.center, walls_.point(material));
+  if (follows > radius / 2 || stays > walls_.film(material)) return std::nullopt;
+  for (double lead = std::max(kLeastLead * radius_, follows / 2); lead < farthest;
+       lead += kLeadStep * radius_) {
+    const Vec2 gate = arc.center + rotated(arc.from - arc.center, -lead / radius);
+    if (!ground_.touches(gate, Ground::kFree)) return gate;
+  }
+  return std::nullopt;
 }
 
 /// Whether an arc aimed from the wall on gets off it.

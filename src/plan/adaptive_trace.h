@@ -1,6 +1,7 @@
 // Cuts that keep the engagement at its limit: the curve that the cutter's centre has to run on for that.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "plan/adaptive_ground.h"
@@ -26,7 +27,10 @@ class Tracer {
   /// One cut from a place on a wall: along the wall until the contact would exceed the limit, off it on an
   /// arc, on with the contact at its limit, until the cutter meets a wall ahead or runs into the open.
   /// Empty when nothing can be cut there within the limit. What it is after begins at `material_s`.
-  Path cut_from(const WallPlace& start, double material_s);
+  /// Where so little stays on the wall that it may, and `can_begin` agrees to the place, the cut begins beside the wall
+  /// with the arc that leads off it.
+  using CanBegin = std::function<bool(Vec2)>;
+  Path cut_from(const WallPlace& start, double material_s, const CanBegin& can_begin = {});
   /// The same from where the cutter already cuts.
   Path cut_on(Vec2 from, Vec2 heading, double curvature);
 
@@ -56,6 +60,9 @@ class Tracer {
   bool can_leave(double s, double radius);
   double off_wall(double radius) const;
   bool leave(double s, double radius);
+  std::optional<Shot> set_off(double s, double radius);
+  bool begin_beside(const Shot& shot);
+  std::optional<Vec2> gate_before(const Edge& arc) const;
   bool leaves_wall(const Shot& shot) const;
   Next trace();
   Next meet_wall(const Shot& shot, double inside);
@@ -94,6 +101,7 @@ class Tracer {
   double usual_ = 0;      ///< mm, length of the last arc
   WallPlace place_;
   double material_s_ = 0;
+  CanBegin can_begin_;
   struct {
     std::size_t moves = 0, cuts = 0;
   } before_wall_;  ///< before the way to the wall that the cut met last

@@ -42,16 +42,25 @@ WallPlace WallCuts::nearest(const std::vector<WallPlace>& starts) const {
 }
 
 bool WallCuts::cut_from(const WallPlace& start) {
-  const auto approach = approach_to(start);
+  auto approach = approach_to(start);
   if (!approach) return false;
   path_.note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back().to);
-  const Path cut = tracer.cut_from(approach->first, start.s);
+  std::optional<Way> beside;
+  const auto can_begin = [&](Vec2 gate) {
+    auto way = path_.way_to(gate, Ground::kFree);
+    if (!way || way->size() > std::max<std::size_t>(approach->way.size(), 1)) return false;
+    beside = std::move(way);
+    return true;
+  };
+  const bool free = approach->lead.empty() && !path_.empty();
+  const Path cut = tracer.cut_from(approach->first, start.s, free ? can_begin : Tracer::CanBegin{});
   if (cut.empty()) {
     walls.give_up(start);
     return true;
   }
   Path whole = approach->lead;
   for (const Edge& edge : approach->lead) ground_.cut(edge);
+  if (beside) approach->way = *beside;
   const Vec2 gate = whole.empty() ? approach->way.back().to : whole.back().to;
   if (gate != cut.front().from) whole.push_back(Edge::line(gate, cut.front().from));
   whole.insert(whole.end(), cut.begin(), cut.end());
