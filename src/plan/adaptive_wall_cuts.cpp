@@ -13,6 +13,9 @@ constexpr double kLeastAdvance = 0.03;
 /// Length along a wall of the last move onto it over the distance that it comes from.
 constexpr double kGateSlopes[] = {0, 2, 6, 16};
 constexpr double kLongestGate = 3;  // tool radii
+/// Tool radii from the end of a cut to a start that is led to at the cutting feed; mm, shortest lead.
+constexpr double kStraightOn = 0.6;
+constexpr double kShortest = 1e-4;
 /// Gates beside a wall to which a way is looked for.
 constexpr int kMostGates = 3;
 
@@ -81,11 +84,23 @@ std::optional<WallCuts::Approach> WallCuts::approach_to(const WallPlace& start) 
     if (const auto way = path_.way_to(walls.point(first), Ground::kFree)) return Approach{*way, {}, first};
     break;
   }
+  if (const auto approach = straight_on_to(start)) return approach;
   for (const double back : {0.0, 0.2, 0.5, 1.0}) {
     if (back * radius_ > farthest) break;
     if (const auto approach = approach_from_aside({start.wall, start.s - back * radius_})) return approach;
   }
   return approach_through_films(start);
+}
+
+/// From where the last cut ended at the cutting feed, where that is near.
+std::optional<WallCuts::Approach> WallCuts::straight_on_to(const WallPlace& place) const {
+  if (path_.empty()) return std::nullopt;
+  const Edge lead = Edge::line(path_.at(), walls.point(place));
+  const double length = lead.length();
+  if (length < kShortest || length > kStraightOn * radius_ ||
+      !ground_.legal().holds_line(lead.from, lead.to) || !is_within(lead))
+    return std::nullopt;
+  return Approach{{}, {lead}, place};
 }
 
 /// Over a gate beside the wall.

@@ -31,6 +31,7 @@ class WallCuts {
  private:
   struct Approach;
   std::optional<Approach> approach_to(const WallPlace& start) const;
+  std::optional<Approach> straight_on_to(const WallPlace& place) const;
   std::optional<Approach> approach_from_aside(const WallPlace& place) const;
   std::optional<Approach> approach_through_films(const WallPlace& start) const;
   bool is_within(const Edge& edge) const;
