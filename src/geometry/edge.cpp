@@ -175,7 +175,9 @@ Vec2 Edge::at(double t) const {
 
 Vec2 Edge::tangent_at(double t) const {
   if (!is_arc()) return unit(to - from);
-  const Vec2 radial = t >= 1 ? unit(to - center) : rotated(unit(from - center), std::max(t, 0.0) * sweep());
+  const Vec2 radial = t >= 1   ? unit(to - center)
+                      : t <= 0 ? unit(from - center)
+                               : rotated(unit(from - center), t * sweep());
   return turn == Turn::kCounterClockwise ? left_of(radial) : -left_of(radial);
 }
 
