@@ -1,7 +1,10 @@
 #include "toolpath/legal_area.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <memory_resource>
 
 namespace clearcut {
 namespace {
@@ -9,14 +12,53 @@ namespace {
 /// mm. Far above the rounding of boxes of edges.
 constexpr double kAside = 1e-6;
 
-/// Ascending, each number once.
-void keep_once(std::vector<std::size_t>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+/// mm. Places this near to an edge are on it.
+constexpr double kTouch = 1e-9;
+
+/// A few numbers; when there are many, some are forgotten.
+template <typename T>
+class Few {
+ public:
+  /// Whether it is new.
+  bool add(T number) {
+    const auto end = numbers_.begin() + static_cast<std::ptrdiff_t>(std::min(count_, numbers_.size()));
+    if (std::find(numbers_.begin(), end, number) != end) return false;
+    numbers_[count_++ % numbers_.size()] = number;
+    return true;
+  }
+
+ private:
+  std::array<T, 16> numbers_;
+  std::size_t count_ = 0;
+};
+
+/// Whether part / whole is in [0, 1].
+bool is_share(double part, double whole) {
+  return whole > 0 ? part >= 0 && part <= whole : part <= 0 && part >= whole;
 }
 
 double parameter_on(Vec2 a, Vec2 b, Vec2 p) {
   return dot(p - a, b - a) / norm_squared(b - a);
+}
+
+/// Whether two places lie on one side of the line through `on` along `direction`, both more than `off` from it.
+bool on_one_side(Vec2 p, Vec2 q, Vec2 on, Vec2 direction, double off) {
+  const double left = cross(direction, p - on), right = cross(direction, q - on);
+  const double least = off * off * norm_squared(direction);
+  return left * right > 0 && left * left > least && right * right > least;
+}
+
+/// Whether the straight way a-b surely passes an edge at more than `off`.
+bool is_far_from(Vec2 a, Vec2 b, const Edge& edge, double off) {
+  if (!edge.is_arc()) {
+    return on_one_side(edge.from, edge.to, a, b - a, off) ||
+           on_one_side(a, b, edge.from, edge.to - edge.from, off);
+  }
+  const double radius = std::sqrt(norm_squared(edge.from - edge.center)), inside = radius - off;
+  const double beside = cross(b - a, edge.center - a), beyond = radius + off;
+  if (beside * beside > beyond * beyond * norm_squared(b - a)) return true;
+  return inside > 0 && norm_squared(a - edge.center) < inside * inside &&
+         norm_squared(b - edge.center) < inside * inside;
 }
 
 }  // namespace
@@ -87,17 +129,23 @@ bool LegalArea::contains(Vec2 p) const {
   std::size_t known = first;
   while (known < end && !cells_[known].empty()) ++known;
   const bool beside = known == end;
-  const Vec2 q{beside ? box_.max.x + cell_ : cell_box(known).center().x, p.y};
+  const double x = beside ? box_.max.x + cell_ : cell_box(known).center().x;
   int around = beside ? 0 : inside_[known];
   for (std::size_t cell = first; cell < known; ++cell) {
     for (const std::size_t i : cells_[cell]) {
       // In a row an edge stands in cells beside each other: it counts in the first of them.
       const bool counted = cell > first && first_columns_[i] + begin < cell;
-      const bool level = p.y >= boxes_[i].min.y - kAside && p.y <= boxes_[i].max.y + kAside;
-      if (level && !counted) around += winding(edges_[i], p) - winding(edges_[i], q);
+      if (!counted) around += crossings(i, p, x);
     }
   }
   return around != 0;
+}
+
+/// How often the level way from p to x crosses an edge, from its left to its right.
+int LegalArea::crossings(std::size_t edge, Vec2 p, double x) const {
+  const Box& box = boxes_[edge];
+  if (p.y < box.min.y - kAside || p.y > box.max.y + kAside || p.x > box.max.x + kAside) return 0;
+  return winding(edges_[edge], p) - winding(edges_[edge], {x, p.y});
 }
 
 std::size_t LegalArea::column(double x) const {
@@ -108,26 +156,12 @@ std::size_t LegalArea::row(double y) const {
   return static_cast<std::size_t>(std::clamp(y - box_.min.y, 0.0, box_.height()) / cell_);
 }
 
-std::vector<std::size_t> LegalArea::edges_near(const Box& where) const {
-  std::vector<std::size_t> found;
-  if (edges_.empty() || !box_.overlaps(where)) return found;
-  for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
-    for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
-      for (const std::size_t i : cells_[r * columns_ + c]) {
-        if (boxes_[i].overlaps(where)) found.push_back(i);
-      }
-    }
-  }
-  keep_once(found);
-  return found;
-}
-
-/// Row by row, only the cells that the way passes through.
-std::vector<std::size_t> LegalArea::edges_along(Vec2 a, Vec2 b) const {
+/// Calls f(edge) for those near the way, row by row, only in the cells that the way passes through; for most once.
+template <typename F>
+void LegalArea::for_edges_along(Vec2 a, Vec2 b, const F& f) const {
   if (a.y > b.y) std::swap(a, b);
   const Box where = Edge::line(a, b).box().grown(kSlack);
-  std::vector<std::size_t> found;
-  if (edges_.empty() || !box_.overlaps(where)) return found;
+  if (edges_.empty() || !box_.overlaps(where)) return;
   const Vec2 along = unit(b - a);
   const auto touches = [&](const Box& box) {
     const double reach = std::abs(along.x) * box.height() / 2 + std::abs(along.y) * box.width() / 2;
@@ -136,6 +170,7 @@ std::vector<std::size_t> LegalArea::edges_along(Vec2 a, Vec2 b) const {
   const auto x_at = [&](double y) {
     return b.y > a.y ? std::lerp(a.x, b.x, std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0)) : a.x;
   };
+  Few<std::size_t> met;
   for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
     const double low = box_.min.y + static_cast<double>(r) * cell_ - 2 * kSlack;
     const bool level = b.y - a.y < cell_;
@@ -143,18 +178,23 @@ std::vector<std::size_t> LegalArea::edges_along(Vec2 a, Vec2 b) const {
     const std::size_t last = column(std::max(x0, x1) + kSlack);
     for (std::size_t c = column(std::min(x0, x1) - kSlack); c <= last; ++c) {
       for (const std::size_t i : cells_[r * columns_ + c]) {
-        if (touches(boxes_[i])) found.push_back(i);
+        if (touches(boxes_[i]) && met.add(i)) f(i);
       }
     }
   }
-  keep_once(found);
-  return found;
 }
 
 bool LegalArea::on_boundary(Vec2 p) const {
-  const auto near = edges_near(Box{p, p}.grown(kSlack));
-  return std::any_of(near.begin(), near.end(),
-                     [&](std::size_t i) { return distance(edges_[i], p) <= kSlack; });
+  const Box where = Box{p, p}.grown(kSlack);
+  if (edges_.empty() || !box_.overlaps(where)) return false;
+  for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
+    for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
+      for (const std::size_t i : cells_[r * columns_ + c]) {
+        if (boxes_[i].overlaps(where) && distance(edges_[i], p) <= kSlack) return true;
+      }
+    }
+  }
+  return false;
 }
 
 bool LegalArea::holds(Vec2 p) const {
@@ -174,23 +214,51 @@ bool LegalArea::surely_holds(const Box& where) const {
 
 bool LegalArea::holds_line(Vec2 a, Vec2 b) const {
   if (distance(a, b) <= kSlack) return holds(a) && holds(b);
-  const Edge way = Edge::line(a, b);
-  std::vector<double> cuts{0, 1};
-  for (const std::size_t i : edges_along(a, b)) {
-    for (const Vec2 p : intersections(way, edges_[i])) cuts.push_back(parameter_on(a, b, p));
-    // An edge along the way crosses it nowhere; where it ends the boundary turns away.
-    for (const Vec2 p : {edges_[i].from, edges_[i].to}) {
-      if (distance(way, p) <= kSlack) cuts.push_back(parameter_on(a, b, p));
-    }
-  }
+  const double length = distance(a, b);
+  std::array<std::byte, 512> memory;
+  std::pmr::monotonic_buffer_resource resource(memory.data(), memory.size());
+  std::pmr::vector<double> cuts({0, 1}, &resource);
+  cuts.reserve(memory.size() / sizeof(double) / 2);
+  for_edges_along(a, b, [&](std::size_t i) { add_cuts(a, b, edges_[i], cuts); });
   std::sort(cuts.begin(), cuts.end());
   // Between two crossings the way is all inside or all outside; where it runs outside it strays farthest in
   // between.
   for (std::size_t i = 1; i < cuts.size(); ++i) {
-    if ((cuts[i] - cuts[i - 1]) * way.length() < kSlack) continue;
+    if ((cuts[i] - cuts[i - 1]) * length < kSlack) continue;
     if (!holds(lerp(a, b, (cuts[i - 1] + cuts[i]) / 2))) return false;
   }
   return true;
+}
+
+/// Where an edge crosses the way from a to b, or ends on it: shares of the way.
+void LegalArea::add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<double>& cuts) {
+  if (is_far_from(a, b, edge, 2 * kSlack)) return;
+  if (edge.is_arc()) {
+    add_arc_cuts(a, b, edge, cuts);
+  } else {
+    const Vec2 u = b - a, v = edge.to - edge.from;
+    const double det = cross(u, v), on_way = cross(edge.from - a, v), on_edge = cross(edge.from - a, u);
+    const bool parallel = det * det <= 1e-28 * norm_squared(u) * norm_squared(v);
+    if (!parallel && is_share(on_edge, det) && is_share(on_way, det)) cuts.push_back(on_way / det);
+  }
+  // An edge along the way crosses it nowhere; where it ends the boundary turns away.
+  for (const Vec2 p : {edge.from, edge.to}) {
+    if (distance(Edge::line(a, b), p) <= kSlack) cuts.push_back(parameter_on(a, b, p));
+  }
+}
+
+void LegalArea::add_arc_cuts(Vec2 a, Vec2 b, const Edge& arc, std::pmr::vector<double>& cuts) {
+  const Vec2 u = b - a;
+  const double length = std::sqrt(norm_squared(u)), foot = parameter_on(a, b, arc.center);
+  const double off = std::abs(cross(u, arc.center - a)) / length;
+  const double radius =
+      std::sqrt(0.5 * (norm_squared(arc.from - arc.center) + norm_squared(arc.to - arc.center)));
+  const bool grazes = std::abs(off - radius) <= kTouch;
+  if (off > radius && !grazes) return;
+  const double half = grazes ? 0 : std::sqrt((radius - off) * (radius + off)) / length;
+  for (const double t : {foot - half, foot + half}) {
+    if (t >= 0 && t <= 1 && distance(arc, a + u * t) <= kTouch) cuts.push_back(t);
+  }
 }
 
 }  // namespace clearcut

@@ -1,6 +1,7 @@
 // Answers quickly and exactly whether a straight move stays where the cutter's centre may be.
 #pragma once
 
+#include <memory_resource>
 #include <vector>
 
 #include "geometry/region.h"
@@ -27,8 +28,11 @@ class LegalArea {
  private:
   void mark_empty_cells();
   Box cell_box(std::size_t cell) const;
-  std::vector<std::size_t> edges_near(const Box& where) const;
-  std::vector<std::size_t> edges_along(Vec2 a, Vec2 b) const;
+  int crossings(std::size_t edge, Vec2 p, double x) const;
+  template <typename F>
+  void for_edges_along(Vec2 a, Vec2 b, const F& f) const;
+  static void add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<double>& cuts);
+  static void add_arc_cuts(Vec2 a, Vec2 b, const Edge& arc, std::pmr::vector<double>& cuts);
   bool on_boundary(Vec2 p) const;
   std::size_t column(double x) const;
   std::size_t row(double y) const;
