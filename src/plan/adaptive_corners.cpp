@@ -19,7 +19,7 @@ constexpr double kPrepared = 1.2;
 /// Factor between the distances at which a wall is looked at.
 constexpr double kFarther = 1.25;
 /// mm. Shorter arcs are lines. Cusps that may stay on the wall between two arcs.
-constexpr double kShortArc = 0.003;
+constexpr double kShortArc = 0.0101;
 constexpr double kCusp = 2e-3;
 /// Radians that arcs are aimed above the limit; that are no excess.
 constexpr double kAim = 0.012;
@@ -27,7 +27,7 @@ constexpr double kAbove = 0.02;
 constexpr int kMostArcs = 400;
 /// Log of the factor that is enough for an arc; share of what a spiral gains from which on it is.
 constexpr double kGoodGain = 0.7;
-constexpr double kArcShare = 0.55;
+constexpr double kArcShare = 0.45;
 /// Radians kept off the limit on spirals, the first that is enough; their arcs turn by as much.
 constexpr double kMargins[] = {0, 0.05, 0.12};
 constexpr double kWidestSpiralTurn = 0.8;
