@@ -10,6 +10,10 @@ namespace {
 /// Arcs flatter than this (sagitta, mm) are lines; wider than this (radius, mm) too.
 constexpr double kFlat = 1e-4;
 constexpr double kWidest = 5000;
+/// Radians that an arc turns by at most.
+constexpr double kMostSweep = 3;
+/// Cosine of the angle between edges that are one.
+constexpr double kNoKink = 0.99;
 /// Points that make an arc.
 constexpr std::size_t kFewest = 5;
 
@@ -22,20 +26,13 @@ std::optional<Vec2> circle_center(Vec2 a, Vec2 b, Vec2 c) {
              d;
 }
 
-Edge edge_through(Vec2 a, Vec2 b, Vec2 c) {
-  const double sagitta = std::abs(cross(unit(c - a), b - a));
-  const auto center = circle_center(a, b, c);
-  if (sagitta < kFlat || !center || distance(*center, a) > kWidest) return Edge::line(a, c);
-  return Edge::arc(a, c, *center, cross(b - a, c - b) > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
-}
-
 /// The edge from first to last through a point between them, if all others are near it.
 std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
   // Through three or four points there is an arc even where they turn a corner.
   const Edge edge = points.size() < kFewest
                         ? Edge::line(points.front(), points.back())
                         : edge_through(points.front(), points[points.size() / 2], points.back());
-  if (std::abs(edge.sweep()) > 3) return std::nullopt;
+  if (std::abs(edge.sweep()) > kMostSweep) return std::nullopt;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     if (i > 0 && distance(edge, points[i]) > tolerance) return std::nullopt;
     // Between the points, too: their chords' middles may not stand off a different circle.
@@ -46,6 +43,27 @@ std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
 }
 
 }  // namespace
+
+Edge edge_through(Vec2 a, Vec2 b, Vec2 c) {
+  const double sagitta = std::abs(cross(unit(c - a), b - a));
+  const auto center = circle_center(a, b, c);
+  if (sagitta < kFlat || !center || distance(*center, a) > kWidest) return Edge::line(a, c);
+  return Edge::arc(a, c, *center, cross(b - a, c - b) > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
+}
+
+std::optional<Edge> joined(const Edge& first, const Edge& second, double tolerance) {
+  const double sweep = first.sweep() + second.sweep();
+  if (std::abs(sweep) > kMostSweep || first.is_arc() != second.is_arc() ||
+      first.sweep() * second.sweep() < 0 || dot(first.tangent_at(1), second.tangent_at(0)) < kNoKink)
+    return std::nullopt;
+  const Edge whole =
+      first.is_arc() ? edge_through(first.from, first.to, second.to) : Edge::line(first.from, second.to);
+  if (whole.is_arc() != first.is_arc()) return std::nullopt;
+  for (const Vec2 p : {first.at(0.5), first.to, second.at(0.5)}) {
+    if (distance(whole, p) > tolerance) return std::nullopt;
+  }
+  return whole;
+}
 
 Path fit_arcs(std::span<const Vec2> points, double tolerance) {
   Path out;

@@ -5,14 +5,17 @@
 #include <utility>
 
 #include "base/units.h"
+#include "plan/adaptive_arcs.h"
 
 namespace clearcut {
 namespace {
 
 /// mm. Shorter moves are left out.
 constexpr double kShortest = 1e-6;
-/// mm. A corner nearer than this to the line past it is none.
-constexpr double kStraight = 1e-5;
+/// mm. Moves are one where that runs as near to both.
+constexpr double kSame = 1e-4;
+/// The same in tool radii where no wall is as near.
+constexpr double kNearlySame = 1.5e-3;
 /// Tool radii that a hole must be wider than the cutter to begin in.
 constexpr double kLeastHole = 0.05;
 /// Radians by which the spiral may exceed the limit.
@@ -73,8 +76,8 @@ void ClearingPath::append(const Path& cut, const Way& way) {
   }
   for (Edge edge : cut) {
     edge.from = at_;
-    if (goes_straight_on(edge)) {
-      pass_.path.back().to = edge.to;
+    if (const auto whole = joined_to_last(edge)) {
+      pass_.path.back() = *whole;
     } else {
       pass_.path.push_back(edge);
       pass_.kinds.push_back(MoveKind::kCut);
@@ -83,13 +86,12 @@ void ClearingPath::append(const Path& cut, const Way& way) {
   }
 }
 
-/// Whether the edge makes one line with the cut before it.
-bool ClearingPath::goes_straight_on(const Edge& edge) const {
-  if (pass_.path.empty() || edge.is_arc() || pass_.kinds.back() != MoveKind::kCut) return false;
-  const Edge& last = pass_.path.back();
-  const Vec2 before = last.to - last.from, way = edge.to - edge.from;
-  return !last.is_arc() && dot(before, way) > 0 &&
-         std::abs(cross(before, way)) < kStraight * norm(before + way);
+/// The last cut with the edge as one move: the same, or away from walls nearly so.
+std::optional<Edge> ClearingPath::joined_to_last(const Edge& edge) const {
+  if (pass_.path.empty() || pass_.kinds.back() != MoveKind::kCut) return std::nullopt;
+  if (const auto same = joined(pass_.path.back(), edge, kSame)) return same;
+  const auto whole = joined(pass_.path.back(), edge, kNearlySame * ground_.tool_radius());
+  return whole && ground_.is_legal(*whole) ? whole : std::nullopt;
 }
 
 void ClearingPath::cut_arc(Vec2 center, Vec2 to) {

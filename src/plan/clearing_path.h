@@ -53,7 +53,7 @@ class ClearingPath {
   bool widen(const Disc& disc, double engagement, Turns turns);
   void cut_arc(Vec2 center, Vec2 to);
   void link(const Leg& leg);
-  bool goes_straight_on(const Edge& edge) const;
+  std::optional<Edge> joined_to_last(const Edge& edge) const;
 
   Ground& ground_;
   const FreeWays& ways_;
