@@ -18,6 +18,9 @@ constexpr std::size_t kMostSights = 36'000'000;
 /// Tangents about one arc; where the area is too narrow for them they are halved up to here.
 constexpr int kMostTangents = 512;
 
+/// Share of a length that sums of lengths may be off by, and much more.
+constexpr double kRounding = 1e-12;
+
 /// The answer of `look`, asked for once.
 template <typename Look>
 bool remembered(std::atomic<signed char>& known, Look&& look) {
@@ -106,9 +109,10 @@ std::optional<std::vector<Vec2>> LegalWays::way_within(const End& a, const End& 
   const std::size_t count = corners.size();
   constexpr double kFar = std::numeric_limits<double>::infinity();
   // Places 0 .. count - 1 are the corners, `count` is a, count + 1 is b.
-  const auto place = [&](std::size_t i) {
-    return i < count ? corners_[corners[i]] : i == count ? a.point : b.point;
-  };
+  std::vector<Vec2> places;
+  places.reserve(count + 2);
+  for (const std::size_t i : corners) places.push_back(corners_[i]);
+  places.insert(places.end(), {a.point, b.point});
   const auto sees = [&](std::size_t i, std::size_t j) {
     if (i >= count && j >= count) return false;
     if (i < count && j < count) return joined(corners[i], corners[j]);
@@ -119,8 +123,11 @@ std::optional<std::vector<Vec2>> LegalWays::way_within(const End& a, const End& 
   std::vector<char> done(count + 2, 0);
   length[count] = 0;
   std::vector<double> left;  // at least so far to b
-  for (std::size_t i = 0; i < count + 2; ++i) left.push_back(fast_norm(b.point - place(i)));
+  left.reserve(count + 2);
+  for (const Vec2 p : places) left.push_back(fast_norm(b.point - p));
   for (;;) {
+    // What is farther than a way that is known leads to no shorter one.
+    const double most = std::min(reach, length[count + 1] * (1 + kRounding));
     std::size_t at = count + 2;
     for (std::size_t i = 0; i < count + 2; ++i) {
       if (!done[i] && length[i] < kFar && (at == count + 2 || length[i] < length[at])) at = i;
@@ -128,16 +135,17 @@ std::optional<std::vector<Vec2>> LegalWays::way_within(const End& a, const End& 
     if (at == count + 2) return std::nullopt;
     if (at == count + 1) break;
     done[at] = 1;
+    if (length[at] + left[at] > most) continue;
     for (std::size_t j = 0; j < count + 2; ++j) {
       if (done[j]) continue;
-      const double on = length[at] + fast_norm(place(j) - place(at));
-      if (on >= length[j] || on + left[j] > reach || !sees(at, j)) continue;
+      const double on = length[at] + fast_norm(places[j] - places[at]);
+      if (on >= length[j] || on + left[j] > most || !sees(at, j)) continue;
       length[j] = on;
       before[j] = at;
     }
   }
   std::vector<Vec2> bends;
-  for (std::size_t i = before[count + 1]; i != count; i = before[i]) bends.push_back(place(i));
+  for (std::size_t i = before[count + 1]; i != count; i = before[i]) bends.push_back(places[i]);
   std::reverse(bends.begin(), bends.end());
   return bends;
 }
