@@ -27,7 +27,7 @@ constexpr double kLeadStep = 0.05;    // at this pitch
 constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
 // Radians:
 constexpr double kAbove = 0.025;     // by which arcs may exceed the limit
-constexpr double kBelow = 0.03;      // by which long arcs may stay below it
+constexpr double kBelow = 0.06;      // by which long arcs may stay below it
 constexpr double kAimed = 0.006;     // contact this near to what was aimed at is good
 constexpr double kTouch = 0.02;      // less contact is none
 constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
