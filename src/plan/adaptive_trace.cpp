@@ -48,7 +48,6 @@ constexpr double kMostRise = 0.1;
 constexpr int kMostBends = 5;
 /// Share of its length that an arc aimed at a wall may turn out longer.
 constexpr double kToWall = 0.2;
-constexpr double kBent = 0.008;
 /// Length along a wall met over the distance from it.
 constexpr double kMeetSlope = 8;
 /// Changes between wall and open without cutting, after which a cut ends.
@@ -366,8 +365,7 @@ std::optional<Tracer::Shot> Tracer::bend(Shot shot) const {
   if (contact_ < limit_ - kMostRise) return std::nullopt;
   const double whole = shot.length, half = whole / 2, q = 1 / (radius_ * std::sin(limit_));
   for (int i = 0; i < kMostBends; ++i) {
-    const double at_half = contact_after(shot, half) - limit_ - kBent,
-                 at_end = contact_after(shot, whole) - limit_ - kBent;
+    const double at_half = contact_after(shot, half) - limit_, at_end = contact_after(shot, whole) - limit_;
     if (std::max(std::abs(at_half), std::abs(at_end)) <= kAimed) return shot;
     // The contact falls by 1 per radian of heading and by q per mm to the left.
     const double a = 1 + q * half, b = half + q * half * half / 2, c = 1 + q * whole,
