@@ -42,8 +42,9 @@ constexpr double kShortest = 1e-4;
 constexpr double kSlide = 0.5;
 constexpr int kMostArcs = 20000;
 constexpr int kCloseLooks = 8;
-/// Radians. Kinks between arcs: no machine slows down for as much.
+/// Radians. Kinks between arcs: with 500 mm/s2 and a junction deviation of 0.01 mm no brake up to 2500 mm/min.
 constexpr double kMostKink = 0.15;
+/// Radians below the limit from where arcs rise to it without a kink; and corrections until one is aimed.
 constexpr double kMostRise = 0.1;
 constexpr int kMostBends = 5;
 /// Share of its length that an arc aimed at a wall may turn out longer.
