@@ -23,8 +23,9 @@ constexpr double kBeforeStop = 0.9;   // a stop this far ahead is one that cuts 
 constexpr double kShortWall = 0.2;    // of wall that a cut ends before rather than follow
 constexpr double kThick = 0.5;        // before a stop: thicker material is cut like elsewhere
 constexpr double kLeastLead = 0.1;    // of an arc before it comes to the wall that it leads off, tried
-constexpr double kLeadStep = 0.05;    // at this pitch
-constexpr double kRise = 0.5;         // length in which the contact comes back to its limit
+constexpr double kMostLead = 1.5;
+constexpr double kLeadStep = 0.05;  // at this pitch
+constexpr double kRise = 0.5;       // length in which the contact comes back to its limit
 // Radians:
 constexpr double kAbove = 0.025;     // by which arcs may exceed the limit
 constexpr double kBelow = 0.06;      // by which long arcs may stay below it
@@ -210,14 +211,13 @@ bool Tracer::leave(double s, double radius) {
   if (first_departure_ < -1e299) first_departure_ = s;
   if (path_.empty() && can_begin_) {
     const auto shot = set_off(s, radius);
-    if (shot && leaves_wall(*shot) && begin_beside(*shot)) return true;
+    if (shot && leaves_wall(*shot) && begin_beside(edge_of(*shot), least_off(*shot))) return true;
   }
   if (!append_wall(first, s)) return false;
   const auto shot = set_off(s, radius);
   if (shot && leaves_wall(*shot)) {
-    // Much of what leads off the wall is to be taken.
     const double within = ground_.length_within(edge_of(*shot), limit_ + kAbove);
-    if (within > 2 * off_wall(1 / shot->curvature) / shot->curvature) return go(*shot, within) > 0;
+    if (within > least_off(*shot)) return go(*shot, within) > 0;
   }
   const auto [from, heading, curvature] = state_;
   const double turn = off_wall(radius);
@@ -225,6 +225,29 @@ bool Tracer::leave(double s, double radius) {
   state_ = {center + rotated(from - center, turn), rotated(heading, turn), 1 / radius};
   contact_ = ground_.contact(state_.point, state_.heading);
   return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise));
+}
+
+/// mm. Much of what leads off the wall is to be taken.
+double Tracer::least_off(const Shot& shot) const {
+  return 2 * off_wall(1 / shot.curvature) / shot.curvature;
+}
+
+/// With the arc off the wall, begun before it comes to the wall. Whether at least so much of it was taken.
+bool Tracer::begin_beside(const Edge& off, double least) {
+  const auto gate = off.turn == Turn::kCounterClockwise ? gate_before(off) : std::nullopt;
+  if (!gate || !ground_.is_legal(Edge::arc(*gate, off.from, off.center, off.turn))) return false;
+  const Edge arc = Edge::arc(*gate, off.to, off.center, off.turn);
+  const double length = arc.length(), lead = length - off.length();
+  double within = ground_.length_within(arc, limit_ + kAbove);
+  // Nothing leads on from a peak.
+  if (within < length) within = std::min(within, ground_.length_within(arc, limit_ + kAbove / 2));
+  if (within < lead + least || !can_begin_(*gate)) return false;
+  const Edge part = within < length ? arc.part(0, within / length) : arc;
+  state_ = {part.to, part.tangent_at(1), 1 / off.radius()};
+  contact_ = ground_.contact(state_.point, state_.heading);  // before it is cut
+  usual_ = within - lead;
+  take(part);
+  return true;
 }
 
 /// The arc aimed off the wall at s.
@@ -240,29 +263,12 @@ std::optional<Tracer::Shot> Tracer::set_off(double s, double radius) {
   return shot;
 }
 
-/// With the arc off the wall, begun before it comes to the wall. Whether it was taken.
-bool Tracer::begin_beside(const Shot& shot) {
-  const Edge off = edge_of(shot);
-  if (off.turn != Turn::kCounterClockwise) return false;
-  const auto gate = gate_before(off);
-  if (!gate) return false;
-  const Edge arc = Edge::arc(*gate, off.to, off.center, off.turn);
-  if (!ground_.is_legal(Edge::arc(*gate, off.from, off.center, off.turn)) ||
-      ground_.length_within(arc, limit_ + kAbove) < arc.length() || !can_begin_(*gate))
-    return false;
-  contact_ = contact_after(shot, shot.length);  // before it is cut
-  take(arc);
-  state_ = after(shot, shot.length);
-  usual_ = shot.length;
-  return true;
-}
-
 /// The last free place on its circle before the arc; none where more would stay on the wall than may.
 std::optional<Vec2> Tracer::gate_before(const Edge& arc) const {
   const double radius = arc.radius();
   const WallPlace material{place_.wall, std::min(material_s_, place_.s)};
-  const double follows = place_.s - material.s, farthest = std::min(radius, radius_),
-               stays = radius - distance(arc.center, walls_.point(material));
+  const double follows = place_.s - material.s, farthest = std::min(radius, kMostLead * radius_),
+               stays = distance(arc.center, walls_.point(material)) - radius;
   if (follows > radius / 2 || stays > walls_.film(material)) return std::nullopt;
   for (double lead = std::max(kLeastLead * radius_, follows / 2); lead < farthest;
        lead += kLeadStep * radius_) {

@@ -61,7 +61,8 @@ class Tracer {
   double off_wall(double radius) const;
   bool leave(double s, double radius);
   std::optional<Shot> set_off(double s, double radius);
-  bool begin_beside(const Shot& shot);
+  double least_off(const Shot& shot) const;
+  bool begin_beside(const Edge& off, double least);
   std::optional<Vec2> gate_before(const Edge& arc) const;
   bool leaves_wall(const Shot& shot) const;
   Next trace();
