@@ -35,14 +35,13 @@ constexpr double kLeastSpiralTurn = 0.3;
 /// Factor between distances that are as good as the same.
 constexpr double kCloseTo = 1.01;
 constexpr int kArcLooks = 8;
+/// Tries at an arc; factors between their ends, where they exceed the limit, and where ends do.
 constexpr int kMostTries = 6;
-/// Straight ways back that are tried.
-constexpr int kMostStraight = 2;
-/// Moves round a corner beyond which nothing else is tried.
-constexpr std::size_t kLong = 12;
-/// Factor between them.
 constexpr double kNotSoNear = 1.15;
 constexpr double kNearer = 0.8;
+/// Straight ways back that are tried where cusps stay; moves round a corner beyond which they are not.
+constexpr int kMostStraight = 2;
+constexpr std::size_t kLong = 12;
 /// How near the first guess is.
 constexpr double kGuessed = 1.04;
 /// Radians more off the wall, at first.
@@ -51,10 +50,9 @@ constexpr double kMoreTurn = 0.02;
 constexpr double kAhead = 0.05;
 /// Turns of a heading until the contact is at the limit.
 constexpr int kMostTurns = 5;
-/// Nor is it worth a move along the wall.
-constexpr double kEnoughAlong = 0.8;
-/// An arc that comes no nearer than by this factor is none.
+/// An arc that comes no nearer than by this factor is none; nor a move along the wall.
 constexpr double kLeastGain = 0.97;
+constexpr double kEnoughAlong = 0.8;
 
 /// From u to v, > 0 to the left.
 double angle_between(Vec2 u, Vec2 v) {

@@ -71,8 +71,8 @@ void AdaptiveFinish::run(bool open) {
   cut_rests();
 }
 
-/// Along the walls within the limit; where they bear more, it is cut like any front. A corner follows when the walls on
-/// both sides of it are cut.
+/// Along the walls within the limit, round corners from one to the next; where they bear more, it is cut like any front.
+/// Corners that could not be cut then are tried again.
 void AdaptiveFinish::follow_walls() {
   if (path_.empty()) return;
   cuts_.walls.update(ground_, legal_.box());
