@@ -135,7 +135,8 @@ class LoadMeter {
   double measure_axial(JudgedMove& judged, Vec2 center, double heading, double z, const AngleSet& contact) {
     const double inside = judged.radius() - kSliver;
     double here = 0;
-    if (inside <= 0) return here;
+    const bool may_be_more = z + judged.load.axial_mm + kFilm < material_.z_top();
+    if (inside <= 0 || (!may_be_more && !options_.material)) return here;
     for (const AngleInterval& item : contact.intervals()) {
       for (const double part : {0.1, 0.5, 0.9}) {
         const double angle = heading + item.from + part * item.width();
