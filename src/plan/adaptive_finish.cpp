@@ -46,8 +46,6 @@ constexpr int kMostAside = 400;
 constexpr int kMostBites = 300;
 /// Times that all walls are gone over with bites.
 constexpr int kMostRounds = 30;
-/// Misses in a row after which one more mark is given up each time.
-constexpr int kPatience = 16;
 /// Tool radii of wall on both sides of its end that are run along where something still stands there.
 constexpr double kBeyondEnd = 0.2;
 
@@ -89,8 +87,8 @@ void AdaptiveFinish::follow_walls() {
       misses = 0;
       if (path_.at() != before) go_on_round_corners();
     } else {
-      // Where no way leads to one place it seldom leads to the next.
-      cuts_.walls.give_up(start, 1 + ++misses / kPatience);
+      // Where no way leads to one place it seldom leads to the next ones.
+      cuts_.walls.give_up(start, ++misses);
     }
   }
   while (!corners_.empty()) {
