@@ -17,7 +17,7 @@ constexpr double kLongestGate = 3;  // tool radii
 constexpr double kStraightOn = 0.6;
 constexpr double kShortest = 1e-4;
 /// Gates beside a wall to which a way is looked for.
-constexpr int kMostGates = 3;
+constexpr int kMostGates = 1;
 
 }  // namespace
 
