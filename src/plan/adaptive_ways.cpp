@@ -60,11 +60,6 @@ void FreeWays::join(int a, int b) {
 std::optional<Way> FreeWays::find(Vec2 from, Vec2 to, const Ground& ground, double film) const {
   if (ground.is_free(from, to, film)) return Way{{to}};
   if (const auto arc = one_arc(from, to, ground, film)) return Way{*arc};
-  if (const auto corner = one_corner(from, to, ground, film)) {
-    std::vector<Vec2> way{*corner, to};
-    pull_taut(way, from, ground, film);
-    return straight_legs(way);
-  }
   const auto& sources = sources_of(from, ground, film);
   if (sources.empty()) return std::nullopt;
   const auto targets = nearest_free(to, ground, film);
@@ -122,18 +117,6 @@ void FreeWays::pull_taut(std::vector<Vec2>& way, Vec2 from, const Ground& ground
     }
     way[i] = lerp(straight, way[i], good);
   }
-}
-
-/// A point beside the middle of the straight way over which the way is free.
-std::optional<Vec2> FreeWays::one_corner(Vec2 from, Vec2 to, const Ground& ground, double film) {
-  const Vec2 middle = (from + to) / 2.0, aside = left_of(to - from);
-  for (const double share : {0.1, 0.2, 0.4}) {
-    for (const double side : {share, -share}) {
-      const Vec2 corner = middle + aside * side;
-      if (ground.is_free(corner, to, film) && ground.is_free(from, corner, film)) return corner;
-    }
-  }
-  return std::nullopt;
 }
 
 const std::vector<int>& FreeWays::sources_of(Vec2 from, const Ground& ground, double film) const {

@@ -30,7 +30,6 @@ class FreeWays {
   int add_node(Vec2 p);
   void join(int a, int b);
   static std::optional<Leg> one_arc(Vec2 from, Vec2 to, const Ground& ground, double film);
-  static std::optional<Vec2> one_corner(Vec2 from, Vec2 to, const Ground& ground, double film);
   static void pull_taut(std::vector<Vec2>& way, Vec2 from, const Ground& ground, double film);
   std::vector<int> nearest_free(Vec2 p, const Ground& ground, double film) const;
   std::vector<Vec2> shortest(const std::vector<int>& sources, const std::vector<int>& targets, Vec2 from,
