@@ -296,6 +296,7 @@ bool Tracer::leaves_wall(const Shot& shot) const {
 /// Whether all of it was taken; what would exceed the limit is left out.
 bool Tracer::append_wall(double s_from, double s_to) {
   if (s_to <= s_from) return true;
+  if (path_.empty() && can_begin_ && !can_begin_(walls_.point({place_.wall, s_from}))) return false;
   for (const Edge& edge : walls_.wall(place_.wall).part(s_from, s_to)) {
     if (!append(edge)) return false;
   }

@@ -45,45 +45,82 @@ WallPlace WallCuts::nearest(const std::vector<WallPlace>& starts) const {
 }
 
 bool WallCuts::cut_from(const WallPlace& start) {
+  if (const auto settled = cut_from_clear_wall(start)) return *settled;
   auto approach = approach_to(start);
   if (!approach) return false;
   path_.note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back().to);
-  std::optional<Way> beside;
-  const auto can_begin = [&](Vec2 gate) {
-    auto way = path_.way_to(gate, Ground::kFree);
-    if (!way || way->size() > std::max<std::size_t>(approach->way.size(), 1)) return false;
-    beside = std::move(way);
-    return true;
+  const Vec2 on_wall = walls.point(approach->first);
+  const bool may_begin_beside = approach->lead.empty() && !path_.empty();
+  const auto can_begin = [&](Vec2 p) {
+    if (p == on_wall || !may_begin_beside) return p == on_wall;
+    auto way = path_.way_to(p, Ground::kFree);
+    if (way) approach->way = std::move(*way);
+    return way.has_value();
   };
-  const bool free = approach->lead.empty() && !path_.empty();
-  const Path cut = tracer.cut_from(approach->first, start.s, free ? can_begin : Tracer::CanBegin{});
+  const Path cut = tracer.cut_from(approach->first, start.s, can_begin);
   if (cut.empty()) {
     walls.give_up(start);
     return true;
   }
   Path whole = approach->lead;
   for (const Edge& edge : approach->lead) ground_.cut(edge);
-  if (beside) approach->way = *beside;
   const Vec2 gate = whole.empty() ? approach->way.back().to : whole.back().to;
   if (gate != cut.front().from) whole.push_back(Edge::line(gate, cut.front().from));
   whole.insert(whole.end(), cut.begin(), cut.end());
-  path_.append(whole, approach->way);
-  walls.update(ground_, box(cut).grown(2 * radius_));
-  if (walls.is_start(start) && !walls.advances(start, tracer.first_departure(), kLeastAdvance * radius_)) {
+  add(start, whole, approach->way);
+  return true;
+}
+
+/// From the wall where it bears nothing yet, or from beside it; nothing where no way leads there. Most cuts: only what is
+/// cut needs a way.
+std::optional<bool> WallCuts::cut_from_clear_wall(const WallPlace& start) {
+  const auto first = clear_place_before(start);
+  if (!first) return std::nullopt;
+  const Vec2 on_wall = walls.point(*first);
+  path_.note_start(on_wall);
+  std::optional<Way> way;
+  bool asked = false;
+  const auto can_begin = [&](Vec2 p) {
+    if (path_.empty() && p != on_wall) return false;
+    asked = true;
+    way = path_.way_to(p, Ground::kFree);
+    return way.has_value();
+  };
+  const Path cut = tracer.cut_from(*first, start.s, can_begin);
+  if (cut.empty() && asked && !way) return std::nullopt;
+  if (cut.empty()) {
     walls.give_up(start);
+  } else {
+    add(start, cut, *way);
   }
   return true;
 }
 
-/// Where the wall bears nothing yet; else beside it.
-std::optional<WallCuts::Approach> WallCuts::approach_to(const WallPlace& start) const {
-  const double farthest = std::min(kLongestApproach * radius_, walls.from_stop(start));
+void WallCuts::add(const WallPlace& start, const Path& cut, const Way& way) {
+  path_.append(cut, way);
+  walls.update(ground_, box(cut).grown(2 * radius_));
+  if (walls.is_start(start) && !walls.advances(start, tracer.first_departure(), kLeastAdvance * radius_)) {
+    walls.give_up(start);
+  }
+}
+
+/// The last place before the start where the wall bears nothing.
+std::optional<WallPlace> WallCuts::clear_place_before(const WallPlace& start) const {
+  const double farthest = farthest_before(start);
   for (double back = 0; back < farthest; back += kPitch * radius_ / 2) {
     const WallPlace first{start.wall, start.s - back};
-    if (ground_.touches(walls.point(first), Ground::kFree)) continue;
-    if (const auto way = path_.way_to(walls.point(first), Ground::kFree)) return Approach{*way, {}, first};
-    break;
+    if (!ground_.touches(walls.point(first), Ground::kFree)) return first;
   }
+  return std::nullopt;
+}
+
+double WallCuts::farthest_before(const WallPlace& start) const {
+  return std::min(kLongestApproach * radius_, walls.from_stop(start));
+}
+
+/// Where no clear place on the wall can be reached.
+std::optional<WallCuts::Approach> WallCuts::approach_to(const WallPlace& start) const {
+  const double farthest = farthest_before(start);
   if (const auto approach = straight_on_to(start)) return approach;
   for (const double back : {0.0, 0.2, 0.5, 1.0}) {
     if (back * radius_ > farthest) break;
@@ -125,7 +162,7 @@ std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace&
 /// Over what clearing left on the walls behind the start, within the limit.
 std::optional<WallCuts::Approach> WallCuts::approach_through_films(const WallPlace& start) const {
   if (path_.empty()) return std::nullopt;
-  const double farthest = std::min(kLongestApproach * radius_, walls.from_stop(start));
+  const double farthest = farthest_before(start);
   for (double back = 0; back < farthest; back += kPitch * radius_) {
     const WallPlace first{start.wall, start.s - back};
     const double film = walls.film(first);

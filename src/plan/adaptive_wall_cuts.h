@@ -30,6 +30,10 @@ class WallCuts {
 
  private:
   struct Approach;
+  std::optional<bool> cut_from_clear_wall(const WallPlace& start);
+  void add(const WallPlace& start, const Path& cut, const Way& way);
+  std::optional<WallPlace> clear_place_before(const WallPlace& start) const;
+  double farthest_before(const WallPlace& start) const;
   std::optional<Approach> approach_to(const WallPlace& start) const;
   std::optional<Approach> straight_on_to(const WallPlace& place) const;
   std::optional<Approach> approach_from_aside(const WallPlace& place) const;
