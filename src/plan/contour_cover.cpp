@@ -256,6 +256,12 @@ class Cover::Search {
     std::size_t column = 0, row = 0;
     int depth = 0;
   };
+  /// Where a square lies; all of it is within reach of the centre.
+  struct Place {
+    Vec2 center;
+    double reach = 0;
+    Box box;
+  };
   /// Parts of the lists.
   struct Range {
     std::size_t from = 0, to = 0;
@@ -287,50 +293,64 @@ class Cover::Search {
 
   void look_at_cell(std::size_t cell) {
     if (has_ended() || cover_.whole_[cell] || (base_ && base_->whole_[cell])) return;
+    const auto own = cover_.edges_in_.at(cell);
+    if (own.empty()) return;
     cell_ = static_cast<std::uint32_t>(cell);
-    strokes_.clear();
+    strokes_.assign(own.begin(), own.end());
     curves_.clear();
     joints_.clear();
-    for (const std::uint32_t i : cover_.edges_in_.at(cell)) {
-      strokes_.push_back(i);
-      for (std::uint32_t c = rims_.first[i]; c < rims_.first[i + 1]; ++c) curves_.push_back(c);
-      for (std::uint32_t k = 0; k < kJoints; ++k) joints_.push_back(kJoints * i + k);
+    const Square square{cell % cover_.grid_.columns, cell / cover_.grid_.columns, 0};
+    const Place place = place_of(square);
+    for (const std::uint32_t i : own) {
+      add_curves(rims_, i, 0, place);
+      for (std::uint32_t k = kJoints * i; k < kJoints * (i + 1); ++k)
+        if (holds(square, rims_.joints[k])) joints_.push_back(k);
     }
-    if (strokes_.empty()) return;
-    if (base_) {
+    if (base_ && !(curves_.empty() && joints_.empty())) {
       for (const std::uint32_t i : base_->edges_in_.at(cell)) {
         strokes_.push_back(own_strokes_ + i);
-        const auto& first = base_->own_rims_.first;
-        for (std::uint32_t c = first[i]; c < first[i + 1]; ++c) curves_.push_back(own_curves_ + c);
+        add_curves(base_->own_rims_, i, own_curves_, place);
       }
     }
-    look({cell % cover_.grid_.columns, cell / cover_.grid_.columns, 0},
-         {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
+    look_inside(square, {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
+  }
+
+  /// Those of one edge that come near; their numbers begin at `first`.
+  void add_curves(const Rims& rims, std::uint32_t edge, std::uint32_t first, const Place& place) {
+    for (std::uint32_t c = rims.first[edge]; c < rims.first[edge + 1]; ++c)
+      if (comes_near(rims.curves[c], place)) curves_.push_back(first + c);
   }
 
   /// `around`: what is near the square that this one is a part of.
   void look(const Square& square, const Near& around) {
-    const double side = cover_.grid_.cell / (1 << square.depth);
-    const Vec2 center =
-        cover_.grid_.box.min +
-        Vec2{static_cast<double>(square.column) + 0.5, static_cast<double>(square.row) + 0.5} * side;
+    const Place place = place_of(square);
     Near near;
-    if (keep_strokes(center, side * kHalfDiagonal + kBorder, around.strokes, near.strokes)) {
-      near.curves = keep_curves(center, side, around.curves);
+    if (keep_strokes(place.center, place.reach, around.strokes, near.strokes)) {
+      near.curves = keep_curves(place, around.curves);
       near.joints = keep_joints(square, around.joints);
-      const bool can_meet = near.curves.size() > 1 && curves_[near.curves.from] < own_curves_;
-      if (can_meet && near.curves.size() > kFewCurves && square.depth < kMostQuarterings) {
-        for (std::size_t k = 0; k < 4 && !has_ended(); ++k)
-          look({2 * square.column + (k & 1), 2 * square.row + (k >> 1), square.depth + 1}, near);
-      } else {
-        for (std::size_t i = near.joints.from; i < near.joints.to; ++i)
-          look_at_joint(joints_[i], near.strokes);
-        if (can_meet) meet_all(square, near);
-      }
+      look_inside(square, near);
       joints_.resize(near.joints.from);
       curves_.resize(near.curves.from);
     }
     strokes_.resize(near.strokes.from);
+  }
+
+  void look_inside(const Square& square, const Near& near) {
+    const bool can_meet = near.curves.size() > 1 && curves_[near.curves.from] < own_curves_;
+    if (can_meet && near.curves.size() > kFewCurves && square.depth < kMostQuarterings) {
+      for (std::size_t k = 0; k < 4 && !has_ended(); ++k)
+        look({2 * square.column + (k & 1), 2 * square.row + (k >> 1), square.depth + 1}, near);
+    } else {
+      for (std::size_t i = near.joints.from; i < near.joints.to; ++i) look_at_joint(joints_[i], near.strokes);
+      if (can_meet) meet_all(square, near);
+    }
+  }
+
+  Place place_of(const Square& square) const {
+    const double side = cover_.grid_.cell / (1 << square.depth);
+    const Vec2 middle{static_cast<double>(square.column) + 0.5, static_cast<double>(square.row) + 0.5};
+    const Vec2 center = cover_.grid_.box.min + middle * side;
+    return {center, side * kHalfDiagonal + kBorder, Box{center, center}.grown(side / 2 + kBorder)};
   }
 
   /// False if one stroke holds all places within `reach`.
@@ -347,13 +367,10 @@ class Cover::Search {
     return true;
   }
 
-  Range keep_curves(Vec2 center, double side, const Range& around) {
+  Range keep_curves(const Place& place, const Range& around) {
     const std::size_t from = curves_.size();
-    const Box box = Box{center, center}.grown(side / 2 + kBorder);
-    const double reach = side * kHalfDiagonal + kBorder;
     for (std::size_t i = around.from; i < around.to; ++i) {
-      const Curve& c = curve(curves_[i]);
-      if (c.box.overlaps(box) && passes(c, center, reach)) curves_.push_back(curves_[i]);
+      if (comes_near(curve(curves_[i]), place)) curves_.push_back(curves_[i]);
     }
     return {from, curves_.size()};
   }
@@ -366,11 +383,11 @@ class Cover::Search {
     return {from, joints_.size()};
   }
 
-  /// Whether a curve passes within `reach` of a place.
-  static bool passes(const Curve& curve, Vec2 center, double reach) {
-    if (!curve.circle) return std::abs(cross(curve.direction, center - curve.a)) <= reach;
-    const double least = std::max(0.0, curve.radius - reach), most = curve.radius + reach;
-    return is_between(norm_squared(center - curve.a), least * least, most * most);
+  static bool comes_near(const Curve& curve, const Place& place) {
+    if (!curve.box.overlaps(place.box)) return false;
+    if (!curve.circle) return std::abs(cross(curve.direction, place.center - curve.a)) <= place.reach;
+    const double least = std::max(0.0, curve.radius - place.reach), most = curve.radius + place.reach;
+    return is_between(norm_squared(place.center - curve.a), least * least, most * most);
   }
 
   void look_at_joint(std::uint32_t joint, const Range& near) {
