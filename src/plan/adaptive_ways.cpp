@@ -16,6 +16,7 @@ constexpr int kPulls = 4;
 
 /// Bulges of arcs that are tried, and halvings towards a flatter one.
 constexpr double kBulges[] = {0.2, 0.5, 0.9};
+constexpr double kShortestArc = 1e-3;  // mm from end to end
 constexpr int kFlatter = 3;
 
 Way straight_legs(const std::vector<Vec2>& stations) {
@@ -85,6 +86,7 @@ std::optional<Way> FreeWays::find(Vec2 from, Vec2 to, const Ground& ground, doub
 
 /// The flattest arc that was found free.
 std::optional<Leg> FreeWays::one_arc(Vec2 from, Vec2 to, const Ground& ground, double film) {
+  if (distance(from, to) < kShortestArc) return std::nullopt;
   const auto is_free = [&](double bulge) { return ground.is_free(Leg{to, bulge}.edge(from), film); };
   for (const double side : {1.0, -1.0}) {
     double bad = 0;
