@@ -27,8 +27,10 @@ constexpr double kMostLead = 1.5;
 constexpr double kLeadStep = 0.05;  // at this pitch
 constexpr double kRise = 0.5;       // length in which the contact comes back to its limit
 // Radians:
-constexpr double kAbove = 0.025;     // by which arcs may exceed the limit
-constexpr double kBelow = 0.06;      // by which long arcs may stay below it
+constexpr double kAbove = 0.025;  // by which arcs may exceed the limit
+constexpr double kBelow = 0.06;   // by which long arcs may stay below it
+constexpr double kShortBelow = 2.0;
+constexpr double kLongBelow = 0.01;
 constexpr double kAimed = 0.006;     // contact this near to what was aimed at is good
 constexpr double kTouch = 0.02;      // less contact is none
 constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
@@ -48,6 +50,8 @@ constexpr double kMostKink = 0.15;
 /// Radians below the limit from where arcs rise to it without a kink; and corrections until one is aimed.
 constexpr double kMostRise = 0.1;
 constexpr int kMostBends = 5;
+/// Radians above the limit that they are aimed at: they swing about it.
+constexpr double kBent = 0.008;
 /// Share of its length that an arc aimed at a wall may turn out longer.
 constexpr double kToWall = 0.2;
 /// Length along a wall met over the distance from it.
@@ -373,7 +377,8 @@ std::optional<Tracer::Shot> Tracer::bend(Shot shot) const {
   if (contact_ < limit_ - kMostRise) return std::nullopt;
   const double whole = shot.length, half = whole / 2, q = 1 / (radius_ * std::sin(limit_));
   for (int i = 0; i < kMostBends; ++i) {
-    const double at_half = contact_after(shot, half) - limit_, at_end = contact_after(shot, whole) - limit_;
+    const double at_half = contact_after(shot, half) - limit_ - kBent,
+                 at_end = contact_after(shot, whole) - limit_ - kBent;
     if (std::max(std::abs(at_half), std::abs(at_end)) <= kAimed) return shot;
     // The contact falls by 1 per radian of heading and by q per mm to the left.
     const double a = 1 + q * half, b = half + q * half * half / 2, c = 1 + q * whole,
@@ -397,7 +402,8 @@ bool Tracer::is_steady(const Shot& shot) const {
     missing += std::max(0.0, limit_ - contact) * shot.length / looks;
   }
   const double rise = std::max(0.0, limit_ - contact_) * kRise * radius_;
-  return missing <= kBelow * (shot.length + radius_) + rise;
+  return missing <=
+         kBelow * (std::min(shot.length, kShortBelow * radius_) + radius_) + kLongBelow * shot.length + rise;
 }
 
 /// The longest arc that was found, up to the wall ahead.
