@@ -32,6 +32,8 @@ constexpr double kRest = 0.006;
 /// mm. Nearer to what the cutter cannot reach nothing is a rest.
 constexpr double kReach = 5e-4;
 constexpr int kMostRests = 60;
+/// Tool radii of a cut round a rest, at least.
+constexpr double kLeastRound = 0.3;
 /// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
 constexpr double kMergeGap = 0.8;
 /// Tool radii from a wall from where bites towards it are tried.
@@ -328,17 +330,46 @@ Vec2 AdaptiveFinish::nearest_legal(Vec2 p) const {
   return best.point;
 }
 
-/// A short cut that ends at p, from the side that is free.
+/// A short cut that ends at p from a side that is free: straight within the limit, else round what stands there, else
+/// straight.
 bool AdaptiveFinish::cut_rest(Vec2 p) {
+  return from_gates_about(p, [&](Vec2 gate, const Way& way) { return cut_straight(gate, p, limit_, way); }) ||
+         from_gates_about(p, [&](Vec2 gate, const Way& way) { return cut_round(gate, p, way); }) ||
+         from_gates_about(p, [&](Vec2 gate, const Way& way) { return cut_straight(gate, p, kPi, way); });
+}
+
+/// Whether `cut` cuts from one of the clear places about p, the nearest first.
+template <typename Cut>
+bool AdaptiveFinish::from_gates_about(Vec2 p, const Cut& cut) {
   for (const double reach : {0.3, 0.6, 1.0, 1.5}) {
     for (int i = 0; i < 8; ++i) {
       const Vec2 gate = p + direction_of(kPi / 4 * i) * (reach * radius_);
       if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, Ground::kFree)) continue;
       const auto way = path_.way_to(gate, Ground::kFree);
-      if (!way) continue;
-      path_.cut({Edge::line(gate, p)}, *way);
+      if (way && cut(gate, *way)) return true;
+    }
+  }
+  return false;
+}
+
+bool AdaptiveFinish::cut_straight(Vec2 gate, Vec2 p, double limit, const Way& way) {
+  const Edge line = Edge::line(gate, p);
+  if (ground_.length_within(line, limit) < line.length()) return false;
+  path_.cut({line}, way);
+  return true;
+}
+
+/// With what stands about p on the right, within the limit.
+bool AdaptiveFinish::cut_round(Vec2 gate, Vec2 p, const Way& way) {
+  path_.note_start(gate);
+  for (const double turn : {0.25, 0.5, 0.0}) {
+    const std::size_t before = ground_.cuts();
+    const Path cut = cut_on(gate, rotated(unit(p - gate), turn * kPi));
+    if (length(cut) > kLeastRound * radius_) {
+      path_.append(cut, way);
       return true;
     }
+    ground_.forget_beyond(before);
   }
   return false;
 }

@@ -43,6 +43,10 @@ class AdaptiveFinish {
   bool is_reachable(Vec2 p) const;
   Vec2 nearest_legal(Vec2 p) const;
   bool cut_rest(Vec2 p);
+  template <typename Cut>
+  bool from_gates_about(Vec2 p, const Cut& cut);
+  bool cut_straight(Vec2 gate, Vec2 p, double limit, const Way& way);
+  bool cut_round(Vec2 gate, Vec2 p, const Way& way);
   bool enter_rest(Vec2 p);
 
   Ground& ground_;
