@@ -12,8 +12,8 @@ constexpr double kFlat = 1e-4;
 constexpr double kWidest = 5000;
 /// Radians that an arc turns by at most.
 constexpr double kMostSweep = 3;
-/// Cosine of the angle between edges that are one.
-constexpr double kNoKink = 0.99;
+/// Radians. Edges that are one have their headings as near to each other.
+constexpr double kSameHeading = 0.008;
 /// Points that make an arc.
 constexpr std::size_t kFewest = 5;
 
@@ -24,6 +24,10 @@ std::optional<Vec2> circle_center(Vec2 a, Vec2 b, Vec2 c) {
   return a +
          Vec2{v.y * norm_squared(u) - u.y * norm_squared(v), u.x * norm_squared(v) - v.x * norm_squared(u)} /
              d;
+}
+
+bool is_heading(Vec2 a, Vec2 b) {
+  return dot(a, b) > 0 && std::abs(cross(a, b)) < kSameHeading;
 }
 
 /// The edge from first to last through a point between them, if all others are near it.
@@ -54,11 +58,13 @@ Edge edge_through(Vec2 a, Vec2 b, Vec2 c) {
 std::optional<Edge> joined(const Edge& first, const Edge& second, double tolerance) {
   const double sweep = first.sweep() + second.sweep();
   if (std::abs(sweep) > kMostSweep || first.is_arc() != second.is_arc() ||
-      first.sweep() * second.sweep() < 0 || dot(first.tangent_at(1), second.tangent_at(0)) < kNoKink)
+      first.sweep() * second.sweep() < 0 || !is_heading(first.tangent_at(1), second.tangent_at(0)))
     return std::nullopt;
   const Edge whole =
       first.is_arc() ? edge_through(first.from, first.to, second.to) : Edge::line(first.from, second.to);
-  if (whole.is_arc() != first.is_arc()) return std::nullopt;
+  if (whole.is_arc() != first.is_arc() || !is_heading(first.tangent_at(0), whole.tangent_at(0)) ||
+      !is_heading(second.tangent_at(1), whole.tangent_at(1)))
+    return std::nullopt;
   for (const Vec2 p : {first.at(0.5), first.to, second.at(0.5)}) {
     if (distance(whole, p) > tolerance) return std::nullopt;
   }
