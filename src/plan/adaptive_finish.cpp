@@ -318,7 +318,7 @@ void AdaptiveFinish::cut_rests() {
 }
 
 bool AdaptiveFinish::is_reachable(Vec2 p) const {
-  return distance(nearest_legal(p), p) < radius_ - kReach;
+  return ground_.legal().contains(p) || ground_.legal().is_near_boundary(p, radius_ - kReach);
 }
 
 Vec2 AdaptiveFinish::nearest_legal(Vec2 p) const {

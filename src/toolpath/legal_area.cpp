@@ -184,13 +184,13 @@ void LegalArea::for_edges_along(Vec2 a, Vec2 b, const F& f) const {
   }
 }
 
-bool LegalArea::on_boundary(Vec2 p) const {
-  const Box where = Box{p, p}.grown(kSlack);
+bool LegalArea::is_near_boundary(Vec2 p, double reach) const {
+  const Box where = Box{p, p}.grown(reach);
   if (edges_.empty() || !box_.overlaps(where)) return false;
   for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
     for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
       for (const std::size_t i : cells_[r * columns_ + c]) {
-        if (boxes_[i].overlaps(where) && distance(edges_[i], p) <= kSlack) return true;
+        if (boxes_[i].overlaps(where) && distance(edges_[i], p) <= reach) return true;
       }
     }
   }
@@ -198,7 +198,7 @@ bool LegalArea::on_boundary(Vec2 p) const {
 }
 
 bool LegalArea::holds(Vec2 p) const {
-  return contains(p) || on_boundary(p);
+  return contains(p) || is_near_boundary(p, kSlack);
 }
 
 bool LegalArea::surely_holds(const Box& where) const {

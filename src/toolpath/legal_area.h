@@ -18,6 +18,8 @@ class LegalArea {
   bool holds(Vec2 p) const;
   /// Whether p is inside (on the boundary: either). Quick: most places need no look at any edge.
   bool contains(Vec2 p) const;
+  /// Whether the boundary comes within `reach` mm of p. Cost: the cells that lie so near.
+  bool is_near_boundary(Vec2 p, double reach) const;
   /// Whether all of `where` is inside and no boundary runs near it. May say no though it is so.
   bool surely_holds(const Box& where) const;
   const Box& box() const { return box_; }
@@ -33,7 +35,6 @@ class LegalArea {
   void for_edges_along(Vec2 a, Vec2 b, const F& f) const;
   static void add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<double>& cuts);
   static void add_arc_cuts(Vec2 a, Vec2 b, const Edge& arc, std::pmr::vector<double>& cuts);
-  bool on_boundary(Vec2 p) const;
   std::size_t column(double x) const;
   std::size_t row(double y) const;
 

@@ -46,7 +46,11 @@ TEST(LegalArea, ContainsWhatItsRegionsContain) {
     const Region region = Region::from_valid_loops(star(random, {0, 0}, 40, 3 + seed % 60),
                                                    {reversed(star(random, {1, 2}, 8, 3 + seed % 7))});
     const LegalArea area({region});
-    const auto same_at = [&](Vec2 p) { EXPECT_EQ(area.contains(p), region.contains(p)) << seed; };
+    const auto same_at = [&](Vec2 p) {
+      EXPECT_EQ(area.contains(p), region.contains(p)) << seed;
+      const double reach = random.between(0.1, 10);
+      EXPECT_EQ(area.is_near_boundary(p, reach), region.boundary_distance(p) <= reach) << seed;
+    };
     for (int i = 0; i < 300; ++i) same_at({random.between(-41, 41), random.between(-41, 41)});
     // Level with corners, where rays graze edges.
     for (const Edge& edge : region.edges()) same_at({random.between(-41, 41), edge.from.y});
