@@ -34,7 +34,6 @@ constexpr double kWidestSpiralTurn = 0.8;
 constexpr double kLeastSpiralTurn = 0.3;
 /// Factor between distances that are as good as the same.
 constexpr double kCloseTo = 1.01;
-constexpr int kArcLooks = 8;
 /// Tries at an arc; factors between their ends, where they exceed the limit, and where ends do.
 constexpr int kMostTries = 6;
 constexpr double kNotSoNear = 1.15;
@@ -57,14 +56,6 @@ constexpr double kEnoughAlong = 0.8;
 /// From u to v, > 0 to the left.
 double angle_between(Vec2 u, Vec2 v) {
   return std::atan2(cross(u, v), dot(u, v));
-}
-
-bool is_legal(const Edge& edge, const LegalArea& legal) {
-  if (!edge.is_arc()) return legal.holds_line(edge.from, edge.to);
-  for (int i = 0; i <= kArcLooks; ++i) {
-    if (!legal.holds(edge.at(static_cast<double>(i) / kArcLooks))) return false;
-  }
-  return true;
 }
 
 /// Distances from the corner along its first wall, side 0, and its second, side 1.
@@ -115,8 +106,7 @@ class CornerCuts {
 
   /// Whether it keeps the limit; if so it is taken.
   bool take_within(const Edge& edge) {
-    if (!is_legal(edge, ground_.legal()) || ground_.length_within(edge, limit_ + kAbove) < edge.length())
-      return false;
+    if (!ground_.is_legal(edge) || ground_.length_within(edge, limit_ + kAbove) < edge.length()) return false;
     take(edge);
     return true;
   }
@@ -209,7 +199,7 @@ class CornerCuts {
       const auto arc_to = [&](double x) { return tangent_arc(here(), heading, at(other, x)); };
       const double to = short_of * nearest_within(most, most * before.gain, arc_to).value_or(most);
       const Edge arc = arc_to(to);
-      if (to > most * kLeastGain || !is_legal(arc, ground_.legal())) return std::nullopt;
+      if (to > most * kLeastGain || !ground_.is_legal(arc)) return std::nullopt;
       const double within = ground_.length_within(arc, limit_ + kAbove);
       if (within >= arc.length()) {
         before = {to / short_of / most, (turn - first) / 2};
@@ -251,8 +241,8 @@ class CornerCuts {
       for (arcs = std::max(arcs, static_cast<int>(whole / kWidestSpiralTurn) + 1);
            arcs <= whole / kLeastSpiralTurn + 1; ++arcs) {
         Path path = arcs_of(spiral, to, whole, arcs);
-        const bool legal = std::all_of(path.begin(), path.end(),
-                                       [&](const Edge& edge) { return is_legal(edge, ground_.legal()); });
+        const bool legal =
+            std::all_of(path.begin(), path.end(), [&](const Edge& edge) { return ground_.is_legal(edge); });
         if (legal && ground_.keeps_limit(path, limit_ + kAbove, 0)) return Crossing{std::move(path), to};
       }
       arcs = 0;
@@ -298,7 +288,7 @@ class CornerCuts {
     if (cusps_ > 0 && cut_cusps()) side_ = 0;
     if (side_ == 1) return true;
     const Edge line = Edge::line(here(), at(1, cut_[1]));
-    if (is_legal(line, ground_.legal())) return take_within(line);
+    if (ground_.is_legal(line)) return take_within(line);
     // Between walls that curve into the area: along the wall again.
     for (const Edge& edge : wall_.part(s_ - cusps_, s_ - cut_[0])) take(edge);
     return take_within(Edge::line(here(), at(1, cut_[1])));

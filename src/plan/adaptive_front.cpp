@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "plan/adaptive_arcs.h"
+#include "toolpath/legal_area.h"
 
 namespace clearcut {
 namespace {
@@ -32,7 +33,7 @@ constexpr double kMostWork = 3e7;
 class FrontOutline {
  public:
   FrontOutline(const Region& legal, double tool_radius, double limit)
-      : legal_(legal), radius_(tool_radius), limit_(limit) {
+      : area_({legal}), radius_(tool_radius), limit_(limit) {
     const double wall_contact = std::acos(1 - kWallShare * (1 - std::cos(limit)));
     taper_ = std::min(kSteepestTaper, kTaperShare * std::tan(limit - wall_contact));
   }
@@ -115,7 +116,7 @@ class FrontOutline {
       if (point.aside == 0) continue;
       const double half = kLeastWidth / 2 * point.aside;
       const Vec2 p = point.wall + point.inwards * half;
-      if (legal_.contains(p) && legal_.boundary_distance(p) > 0.95 * half) continue;
+      if (area_.contains(p) && !area_.is_near_boundary(p, 0.95 * half)) continue;
       point.aside = point.aside < 0.02 * radius_ ? 0 : point.aside / 3;
       narrower = true;
     }
@@ -139,7 +140,7 @@ class FrontOutline {
     return loop;
   }
 
-  const Region& legal_;
+  LegalArea area_;
   double radius_;
   double limit_;
   double taper_ = 0;  ///< change of the distance from the wall along it

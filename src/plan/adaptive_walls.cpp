@@ -217,9 +217,17 @@ void add_unfinished(const Walls& walls, std::size_t index, double pitch, double 
   const Wall& wall = walls.wall(index);
   const int count = std::max(8, static_cast<int>(std::ceil(wall.length() / pitch)));
   const double step = wall.length() / count;
+  // A corner may bear where the places beside it do not.
+  std::vector<char> bears(static_cast<std::size_t>(count), 0);
+  double end = 0;
+  for (const Edge& edge : wall.loop()) {
+    end += edge.length();
+    if (ground.touches(edge.to, kFinished)) bears[static_cast<std::size_t>(end / step) % bears.size()] = 1;
+  }
   std::vector<int> bearing;
   for (int i = 0; i < count; ++i) {
-    if (ground.touches(wall.at(i * step), kFinished)) bearing.push_back(i);
+    if (bears[static_cast<std::size_t>(i)] || ground.touches(wall.at(i * step), kFinished))
+      bearing.push_back(i);
   }
   if (bearing.empty()) return;
   // Begin after the widest gap; a wall without one is run all round.
