@@ -101,8 +101,9 @@ void AdaptiveFinish::follow_walls() {
 }
 
 /// From the end of a cut before a corner round it and along the next wall, and so on. Where it is not the corner that
-/// stopped the cut it goes on as if there were none.
+/// stopped the cut it goes on as if there were none, once.
 void AdaptiveFinish::go_on_round_corners() {
+  std::vector<WallPlace> passed;
   for (Vec2 before{1e300, 0}; path_.at() != before;) {
     before = path_.at();
     const auto corner = std::find_if(corners_.begin(), corners_.end(),
@@ -113,6 +114,8 @@ void AdaptiveFinish::go_on_round_corners() {
       corners_.erase(corner);
       cuts_.cut_from(*next);
     } else {
+      if (std::find(passed.begin(), passed.end(), corner->place) != passed.end()) return;
+      passed.push_back(corner->place);
       cut_without_stop(*corner, from);
     }
   }
