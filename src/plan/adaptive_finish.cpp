@@ -20,7 +20,7 @@ constexpr double kOnWall = 1e-4;
 constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
-constexpr double kCornerFilm = 5e-3;
+constexpr double kCornerFilm = 3.5e-3;
 /// The same where bites end: less than what the ways to the next ones may graze.
 constexpr double kPeelFilm = 2e-3;
 /// Radians that films on the walls may add to what a corner shows.
@@ -28,7 +28,7 @@ constexpr double kFilms = 0.4;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
 constexpr double kCornerFree = 3e-3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
-constexpr double kRest = 0.006;
+constexpr double kRest = 0.0045;
 /// mm. Nearer to what the cutter cannot reach nothing is a rest.
 constexpr double kReach = 5e-4;
 constexpr int kMostRests = 60;

@@ -210,7 +210,7 @@ void Walls::leave_out_around(const std::vector<WallPlace>& places, double reach)
 namespace {
 
 /// mm. Thinner films are left.
-constexpr double kFinished = 5.5e-3;
+constexpr double kFinished = 4e-3;
 
 void add_unfinished(const Walls& walls, std::size_t index, double pitch, double gap, const Ground& ground,
                     std::vector<WallStretch>& out) {
