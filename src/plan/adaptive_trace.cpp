@@ -7,10 +7,10 @@ namespace clearcut {
 namespace {
 
 // In tool radii:
-constexpr double kStep = 0.1;    // between looks along walls
-constexpr double kLook = 0.4;    // between looks at an arc before it is taken
-constexpr double kAside = 0.05;  // between looks at where an arc runs
-constexpr double kFirst = 1.0;   // length of an arc that is tried first
+constexpr double kStep = 0.1;   // between looks along walls
+constexpr double kLook = 0.4;   // between looks at an arc before it is taken
+constexpr double kAside = 0.1;  // between looks at where an arc runs
+constexpr double kFirst = 1.0;  // length of an arc that is tried first
 constexpr double kShortestArc = 0.02;
 constexpr double kLongestArc = 12;
 constexpr double kAir = 0.3;          // length without contact that ends a cut
@@ -37,6 +37,8 @@ constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
 constexpr int kLeastLeave = 4;       // looks that it takes at least to leave one wall and meet another
 constexpr double kLeaveTurn = 1.6;   // length of that look
 constexpr double kMostTurn = 2.0;    // of one arc
+/// Radians of an arc between looks at where it runs.
+constexpr double kAsideTurn = 0.25;
 /// Of the stretch of wall in which the last place to leave it is.
 constexpr int kMostHalvings = 4;
 /// mm. Shorter moves are left out.
@@ -461,7 +463,10 @@ std::optional<Tracer::Shot> Tracer::shoot_closely(double guess) const {
 
 /// Length of the arc inside the area for cuts.
 double Tracer::length_inside(const Shot& shot) const {
-  const int looks = static_cast<int>(shot.length / (kAside * radius_)) + 1;
+  // As near to each other that no wall is passed: those that bend into the area do so by the cutter's radius at least.
+  const double by_length = shot.length / (kAside * radius_),
+               by_turn = std::abs(shot.curvature) * shot.length / kAsideTurn;
+  const int looks = static_cast<int>(std::max(by_length, by_turn)) + 1;
   const double off = on_wall_ && shot.curvature > 0 ? off_wall(1 / shot.curvature) / shot.curvature : 0;
   double inside = std::min(off, shot.length);
   for (int i = 1; i <= looks; ++i) {

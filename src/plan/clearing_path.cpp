@@ -20,6 +20,7 @@ constexpr double kNearlySame = 1.5e-3;
 constexpr double kLeastHole = 0.05;
 /// Radians by which the spiral may exceed the limit.
 constexpr double kSpiralExcess = 0.015;
+constexpr int kSpiralLooks = 8;
 /// By how much a half turn that exceeds it is taken back, and the least that it widens, in tool radii.
 constexpr double kNarrower = 0.97;
 constexpr double kLeastWidening = 0.05;
@@ -58,12 +59,20 @@ bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
   const auto end = [&] { return disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0}; };
   const auto half_turn = [&] { return Edge::arc(at_, end(), (at_ + end()) / 2.0, Turn::kCounterClockwise); };
   // The closed form is that of a circle; the half turns that widen it meet a little more.
-  while (ground_.length_within(half_turn(), engagement + kSpiralExcess) < half_turn().length() &&
-         reach > left + kLeastWidening * tool)
+  while (!keeps_limit(half_turn(), engagement + kSpiralExcess) && reach > left + kLeastWidening * tool)
     reach = left + (reach - left) * kNarrower;
   const Vec2 to = end();
   cut_arc((at_ + to) / 2.0, to);
   spiral_ = {right, reach};
+  return true;
+}
+
+/// Along a spiral the contact changes smoothly: a few looks tell.
+bool ClearingPath::keeps_limit(const Edge& half_turn, double limit) const {
+  for (int i = 1; i <= kSpiralLooks; ++i) {
+    const double t = static_cast<double>(i) / kSpiralLooks;
+    if (ground_.contact(half_turn.at(t), half_turn.tangent_at(t)) > limit) return false;
+  }
   return true;
 }
 

@@ -51,6 +51,7 @@ class ClearingPath {
  private:
   enum class Turns { kFull, kAny };
   bool widen(const Disc& disc, double engagement, Turns turns);
+  bool keeps_limit(const Edge& half_turn, double limit) const;
   void cut_arc(Vec2 center, Vec2 to);
   void link(const Leg& leg);
   std::optional<Edge> joined_to_last(const Edge& edge) const;

@@ -98,7 +98,7 @@ class Material {
   };
   /// Square cells, each with all sweeps that a circle of up to `reach` around any of its points may touch.
   struct Grid {
-    explicit Grid(double largest) : reach(largest), cell(largest / 2) {}
+    explicit Grid(double largest) : reach(largest), cell(largest * 0.7) {}
     struct Cell {
       int x, y;
       std::vector<Entry> entries;
