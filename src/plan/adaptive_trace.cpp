@@ -61,6 +61,11 @@ constexpr double kMeetSlope = 8;
 /// Changes between wall and open without cutting, after which a cut ends.
 constexpr int kMostIdle = 4;
 
+/// u turned by the angle of the direction v.
+Vec2 turned(Vec2 u, Vec2 v) {
+  return {u.x * v.x - u.y * v.y, u.x * v.y + u.y * v.x};
+}
+
 }  // namespace
 
 Tracer::Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, AlongWalls along)
@@ -325,10 +330,13 @@ void Tracer::take(Edge edge) {
 }
 
 Tracer::State Tracer::after(const Shot& shot, double length) const {
-  const double turn = shot.curvature * length;
-  const double chord = std::abs(turn) < 1e-9 ? length : 2 * std::sin(turn / 2) / shot.curvature;
-  return {state_.point + rotated(state_.heading, shot.kink + turn / 2) * chord,
-          rotated(state_.heading, shot.kink + turn), shot.curvature};
+  const double half = shot.curvature * length / 2, sine = std::sin(half);
+  const double chord = std::abs(half) < 5e-10 ? length : 2 * sine / shot.curvature;
+  // The heading turns by half of it up to the chord's, and by the other half from there.
+  const Vec2 turn{std::cos(half), sine},
+      begin = shot.kink == 0 ? state_.heading : rotated(state_.heading, shot.kink),
+      middle = turned(begin, turn);
+  return {state_.point + middle * chord, turned(middle, turn), shot.curvature};
 }
 
 double Tracer::contact_after(const Shot& shot, double length) const {
