@@ -26,7 +26,15 @@ std::optional<Vec2> circle_center(Vec2 a, Vec2 b, Vec2 c) {
              d;
 }
 
-bool is_heading(Vec2 a, Vec2 b) {
+/// The arc from a to c over b; a line where that is flat.
+Edge edge_through(Vec2 a, Vec2 b, Vec2 c) {
+  const double sagitta = std::abs(cross(unit(c - a), b - a));
+  const auto center = circle_center(a, b, c);
+  if (sagitta < kFlat || !center || distance(*center, a) > kWidest) return Edge::line(a, c);
+  return Edge::arc(a, c, *center, cross(b - a, c - b) > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
+}
+
+bool is_same_heading(Vec2 a, Vec2 b) {
   return dot(a, b) > 0 && std::abs(cross(a, b)) < kSameHeading;
 }
 
@@ -48,22 +56,15 @@ std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
 
 }  // namespace
 
-Edge edge_through(Vec2 a, Vec2 b, Vec2 c) {
-  const double sagitta = std::abs(cross(unit(c - a), b - a));
-  const auto center = circle_center(a, b, c);
-  if (sagitta < kFlat || !center || distance(*center, a) > kWidest) return Edge::line(a, c);
-  return Edge::arc(a, c, *center, cross(b - a, c - b) > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
-}
-
 std::optional<Edge> joined(const Edge& first, const Edge& second, double tolerance) {
   const double sweep = first.sweep() + second.sweep();
   if (std::abs(sweep) > kMostSweep || first.is_arc() != second.is_arc() ||
-      first.sweep() * second.sweep() < 0 || !is_heading(first.tangent_at(1), second.tangent_at(0)))
+      first.sweep() * second.sweep() < 0 || !is_same_heading(first.tangent_at(1), second.tangent_at(0)))
     return std::nullopt;
   const Edge whole =
       first.is_arc() ? edge_through(first.from, first.to, second.to) : Edge::line(first.from, second.to);
-  if (whole.is_arc() != first.is_arc() || !is_heading(first.tangent_at(0), whole.tangent_at(0)) ||
-      !is_heading(second.tangent_at(1), whole.tangent_at(1)))
+  if (whole.is_arc() != first.is_arc() || !is_same_heading(first.tangent_at(0), whole.tangent_at(0)) ||
+      !is_same_heading(second.tangent_at(1), whole.tangent_at(1)))
     return std::nullopt;
   for (const Vec2 p : {first.at(0.5), first.to, second.at(0.5)}) {
     if (distance(whole, p) > tolerance) return std::nullopt;

@@ -155,8 +155,8 @@ std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, dou
   const auto way = path_.way_to(round->path.front().from, kCornerFree);
   if (!way) return std::nullopt;
   path_.cut(round->path, *way);
-  cuts_.walls.leave_out_around({corner.place},
-                               kMarkPitch * radius_);  // its film is thicker than those of walls
+  // Its film is thicker than those of walls.
+  cuts_.walls.leave_out_around({corner.place}, kMarkPitch * radius_);
   cuts_.walls.update(ground_, box(round->path).grown(2 * radius_));
   return WallPlace{corner.place.wall, round->end};
 }

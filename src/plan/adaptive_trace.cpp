@@ -143,7 +143,6 @@ Tracer::Next Tracer::follow_wall() {
       break;
     }
     s = next;
-    if (s - first > reach_) break;
   }
   append_wall(first, std::min(s, cut_until + along_.overrun));
   return Next::kDone;
@@ -222,13 +221,13 @@ bool Tracer::leave(double s, double radius) {
   if (first_departure_ < -1e299) first_departure_ = s;
   if (path_.empty() && can_begin_) {
     const auto shot = set_off(s, radius);
-    if (shot && leaves_wall(*shot) && begin_beside(edge_of(*shot), least_off(*shot))) return true;
+    if (shot && leaves_wall(*shot) && begin_beside(edge_of(*shot), 2 * length_off(*shot))) return true;
   }
   if (!append_wall(first, s)) return false;
   const auto shot = set_off(s, radius);
   if (shot && leaves_wall(*shot)) {
     const double within = ground_.length_within(edge_of(*shot), limit_ + kAbove);
-    if (within > least_off(*shot)) return go(*shot, within) > 0;
+    if (within > 2 * length_off(*shot)) return go(*shot, within) > 0;
   }
   const auto [from, heading, curvature] = state_;
   const double turn = off_wall(radius);
@@ -238,9 +237,9 @@ bool Tracer::leave(double s, double radius) {
   return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise));
 }
 
-/// mm. Much of what leads off the wall is to be taken.
-double Tracer::least_off(const Shot& shot) const {
-  return 2 * off_wall(1 / shot.curvature) / shot.curvature;
+/// mm. Of an arc to the left off a wall, up to where it is well inside the area for cuts. Twice as much is to be taken.
+double Tracer::length_off(const Shot& shot) const {
+  return off_wall(1 / shot.curvature) / shot.curvature;
 }
 
 /// With the arc off the wall, begun before it comes to the wall. Whether at least so much of it was taken.
@@ -292,7 +291,7 @@ std::optional<Vec2> Tracer::gate_before(const Edge& arc) const {
 /// Whether an arc aimed from the wall on gets off it.
 bool Tracer::leaves_wall(const Shot& shot) const {
   if (shot.curvature <= 0) return false;
-  const double off = off_wall(1 / shot.curvature) / shot.curvature;
+  const double off = length_off(shot);
   if (off > shot.length / 2) return false;
   for (const double share : {0.15, 0.5, 1.0}) {
     if (!ground_.legal().contains(after(shot, share * off).point)) return false;
@@ -475,7 +474,7 @@ double Tracer::length_inside(const Shot& shot) const {
   const double by_length = shot.length / (kAside * radius_),
                by_turn = std::abs(shot.curvature) * shot.length / kAsideTurn;
   const int looks = static_cast<int>(std::max(by_length, by_turn)) + 1;
-  const double off = on_wall_ && shot.curvature > 0 ? off_wall(1 / shot.curvature) / shot.curvature : 0;
+  const double off = on_wall_ && shot.curvature > 0 ? length_off(shot) : 0;
   double inside = std::min(off, shot.length);
   for (int i = 1; i <= looks; ++i) {
     const double length = shot.length * i / looks;

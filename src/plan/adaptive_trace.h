@@ -22,8 +22,6 @@ class Tracer {
   /// cuts from `ground`.
   Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, AlongWalls along);
 
-  /// From now on cuts follow the wall where they begin no farther than this, mm.
-  void set_reach(double reach) { reach_ = reach; }
   /// One cut from a place on a wall: along the wall until the contact would exceed the limit, off it on an
   /// arc, on with the contact at its limit, until the cutter meets a wall ahead or runs into the open.
   /// Empty when nothing can be cut there within the limit. What it is after begins at `material_s`.
@@ -61,7 +59,7 @@ class Tracer {
   double off_wall(double radius) const;
   bool leave(double s, double radius);
   std::optional<Shot> set_off(double s, double radius);
-  double least_off(const Shot& shot) const;
+  double length_off(const Shot& shot) const;
   bool begin_beside(const Edge& off, double least);
   std::optional<Vec2> gate_before(const Edge& arc) const;
   bool leaves_wall(const Shot& shot) const;
@@ -91,7 +89,6 @@ class Tracer {
   double radius_;
   double limit_;
   AlongWalls along_;
-  double reach_ = 1e300;
   double step_;
   Path path_;
   double engaged_ = 0;  ///< mm of the cut in contact

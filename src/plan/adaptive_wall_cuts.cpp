@@ -16,8 +16,6 @@ constexpr double kLongestGate = 3;  // tool radii
 /// Tool radii from the end of a cut to a start that is led to at the cutting feed; mm, shortest lead.
 constexpr double kStraightOn = 0.6;
 constexpr double kShortest = 1e-4;
-/// Gates beside a wall to which a way is looked for.
-constexpr int kMostGates = 1;
 
 }  // namespace
 
@@ -140,10 +138,9 @@ std::optional<WallCuts::Approach> WallCuts::straight_on_to(const WallPlace& plac
   return Approach{{}, {lead}, place};
 }
 
-/// Over a gate beside the wall.
+/// Over a gate beside the wall. Where no way leads to one it seldom leads to the others.
 std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace& place) const {
   const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
-  int tries = kMostGates;
   for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
     for (const double slope : kGateSlopes) {
       const double aside = share * radius_;
@@ -152,8 +149,8 @@ std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace&
       if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, Ground::kFree) ||
           !is_within(Edge::line(gate, p)))
         continue;
-      if (const auto way = path_.way_to(gate, Ground::kFree)) return Approach{*way, {}, place};
-      if (--tries == 0) return std::nullopt;
+      const auto way = path_.way_to(gate, Ground::kFree);
+      return way ? std::optional(Approach{*way, {}, place}) : std::nullopt;
     }
   }
   return std::nullopt;
