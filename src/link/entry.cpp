@@ -9,11 +9,12 @@ namespace {
 constexpr double kWidestHelix =
     0.9;  // radius of the centre's circle / tool radius: no post is left in its middle
 constexpr double kNarrowestHelix = 0.2;
-constexpr double kHelixShrink = 0.8;   // from one trial to the next
-constexpr double kLongestRamp = 4;     // tool radii
-constexpr double kShortestRamp = 0.2;  // tool radii
-constexpr double kMostRounds = 4;      // of a ring, on the way down
-constexpr double kSameTurn = 1e-6;     // half turns
+constexpr double kHelixShrink = 0.8;      // from one trial to the next
+constexpr double kLongestRamp = 4;        // tool radii
+constexpr double kShortestRamp = 0.2;     // tool radii
+constexpr double kMostRounds = 4;         // of a ring, on the way down
+constexpr double kWidestArc = 1.6 * kPi;  // radians
+constexpr double kSameTurn = 1e-6;        // arcs
 
 struct Circle {
   Vec2 center;
@@ -40,22 +41,21 @@ std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal
   return std::nullopt;
 }
 
-/// Counter-clockwise arcs of half a turn at most round the circle, from `turned` radians before `end` to it.
+/// Counter-clockwise round the circle in as few arcs as posts print whole, from where the moves end or `turned` radians
+/// before `end` to that.
 void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, double z_to,
                   const LinkOptions& options, std::vector<Move>& moves) {
-  const int arcs = static_cast<int>(std::ceil(turned / kPi - kSameTurn));
-  const auto half_turns_before = [&](int count) { return count % 2 == 0 ? end : circle.center * 2.0 - end; };
-  Vec2 at =
-      turned == kPi * arcs ? half_turns_before(arcs) : circle.center + rotated(end - circle.center, -turned);
-  for (int i = 0; i < arcs; ++i) {
-    // The first arc is the short one: the others are half turns.
-    const double before = i == 0 ? turned : kPi * (arcs - i), after = kPi * (arcs - i - 1);
-    const Vec2 next = half_turns_before(arcs - i - 1);
-    const double drop = z_to - z_from;
-    moves.push_back({Edge::arc(at, next, circle.center, Turn::kCounterClockwise),
-                     z_from + drop * (1 - before / turned), z_to - drop * (after / turned), MoveKind::kRamp,
+  const int arcs = static_cast<int>(std::ceil(turned / kWidestArc - kSameTurn));
+  Vec2 at = moves.empty() ? circle.center + rotated(end - circle.center, -turned) : moves.back().path.to;
+  double z = z_from;
+  for (int left = arcs - 1; left >= 0; --left) {
+    const double share = static_cast<double>(left) / arcs;
+    const Vec2 next = left == 0 ? end : circle.center + rotated(end - circle.center, -turned * share);
+    const double low = z_to + (z_from - z_to) * share;
+    moves.push_back({Edge::arc(at, next, circle.center, Turn::kCounterClockwise), z, low, MoveKind::kRamp,
                      options.ramp_feed, 0});
     at = next;
+    z = low;
   }
 }
 

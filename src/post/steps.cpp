@@ -10,7 +10,8 @@ namespace clearcut {
 
 namespace {
 
-constexpr double kSmallestRadius = 0.01;       // mm
+constexpr double kSmallestArc = 0.002;         // mm, radius and chord; LinuxCNC refuses radii below 0.00127
+constexpr double kFewestSteps = 10;            // of the grid, that these are
 constexpr double kSmallestSweep = kPi / 1800;  // 0.1 degree
 constexpr double kLargestSweep = 1.9 * kPi;    // beyond it the ends are too near each other to tell side
 constexpr double kSweepSlack = 0.2;            // radians; a larger change means the wrong way round
@@ -99,9 +100,9 @@ void append_chords(const Move& move, const StepRules& rules, Ticks& at, std::vec
 }
 
 bool wants_lines(const Edge& arc, const StepRules& rules) {
-  const double radius = arc.radius();
-  return !rules.arcs || radius < kSmallestRadius || radius > rules.largest_radius ||
-         std::abs(arc.sweep()) < kSmallestSweep || distance(arc.from, arc.to) < kSmallestRadius;
+  const double radius = arc.radius(), smallest = std::max(kSmallestArc, kFewestSteps * rules.grid.step());
+  return !rules.arcs || radius < smallest || radius > rules.largest_radius ||
+         std::abs(arc.sweep()) < kSmallestSweep || distance(arc.from, arc.to) < smallest;
 }
 
 Move half(const Move& move, int which) {

@@ -66,13 +66,19 @@ TEST(Steps, RoundNumbersStayRound) {
 }
 
 TEST(Steps, TinyFlatAndWideArcsBecomeLines) {
-  for (const Move& move : {arc_move({0, 0}, 0.005, 0, 3), arc_move({0, 0}, 5, 0, 0.001),
+  for (const Move& move : {arc_move({0, 0}, 0.0009, 0, 3), arc_move({0, 0}, 5, 0, 0.001),
                            arc_move({0, 0}, 5, 0, 0.0015), arc_move({0, 0}, 20000, 0, 0.001)}) {
     const auto steps = steps_of(move, rules(4));
     ASSERT_FALSE(steps.empty());
     for (const Step& step : steps) EXPECT_EQ(step.turn, Turn::kStraight);
     EXPECT_EQ(steps.back().to, rules(4).grid.ticks(move.path.to, move.z_to));
   }
+}
+
+TEST(Steps, ArcsOfSomeGridStepsStayArcs) {
+  const Move small = arc_move({0, 0}, 0.005, 0, 1.5);
+  EXPECT_EQ(steps_of(small, rules(4)).back().turn, Turn::kCounterClockwise);
+  EXPECT_EQ(steps_of(small, rules(3)).back().turn, Turn::kStraight);
 }
 
 TEST(Steps, MotionThatRoundsToNothingIsLeftOut) {
