@@ -33,8 +33,11 @@ constexpr double kBesideAir = 0.005;
 constexpr double kNearStock = 0.05;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
-/// Tool radii beside corners that clearing leaves to them: cuts from wall to wall would come nearer by less and less.
-constexpr double kLeftToCorner = 0.7;
+/// Tool radii beside corners that clearing leaves to the arcs between their walls, from where cuts from wall to wall come nearer
+/// by less and less: this less how much nearer each arc ends, and no more than is cut to the walls there.
+constexpr double kLeftToCorner = 1.5;
+constexpr double kLeastLeft = 0.7;
+constexpr double kMostLeft = 1.1;
 
 /// Whether the cutter may be far beside what is to be removed.
 bool has_open_side(const Layer& layer) {
@@ -79,7 +82,7 @@ class AdaptivePlanner {
                   inner.clearing, limit, {kAir * radius_, 0}),
         finish_(ground_, path_, legal, inner.finishing, layer.target, limit),
         open_(layer.stock && has_open_side(layer)) {
-    clearing_.walls.leave_out_around(places_of(corners_of(clearing_.walls, limit)), kLeftToCorner * radius_);
+    leave_corners();
     for (const PredrilledHole& hole : layer.holes) ground_.remove_disc(hole.center, hole.diameter / 2);
   }
 
@@ -93,6 +96,19 @@ class AdaptivePlanner {
 
  private:
   static bool everywhere(Vec2) { return true; }
+
+  /// To the arcs between their walls, where no other corner is near. Cuts from open sides begin at what is cut of the walls.
+  void leave_corners() {
+    const auto corners = corners_of(clearing_.walls, limit_);
+    const auto places = places_of(corners);
+    const double most = open_ ? kLeastLeft : kMostLeft;
+    for (const Corner& corner : corners) {
+      const double reach =
+          std::clamp(kLeftToCorner - arc_gain(corner.turn, limit_), kLeastLeft, most) * radius_;
+      if (clearing_.walls.is_alone(corner.place, places, 2 * reach))
+        clearing_.walls.leave_out({corner.place, reach});
+    }
+  }
 
   /// The widest places one after the other, each with what is nearer to it than to the others.
   void clear_rooms() {

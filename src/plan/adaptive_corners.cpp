@@ -19,7 +19,7 @@ constexpr double kPrepared = 1.2;
 /// Factor between the distances at which a wall is looked at.
 constexpr double kFarther = 1.25;
 /// mm. Shorter arcs are lines. Cusps that may stay on the wall between two arcs.
-constexpr double kShortArc = 0.0101;
+constexpr double kShortArc = 0.0025;
 constexpr double kCusp = 2e-3;
 /// Radians that arcs are aimed above the limit; that are no excess.
 constexpr double kAim = 0.012;
@@ -357,6 +357,11 @@ std::optional<double> first_visited(const Wall& wall, double s, double sign, con
 }
 
 }  // namespace
+
+double arc_gain(double turn, double limit) {
+  const double chord = 2 * (turn - limit) / 3;
+  return std::sin(chord) / std::sin(turn - chord);
+}
 
 std::vector<Corner> corners_of(const Walls& walls, double limit) {
   std::vector<Corner> corners;

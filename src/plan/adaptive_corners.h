@@ -15,6 +15,9 @@ struct Corner {
   double turn = 0;  ///< radians
 };
 
+/// How much nearer to a corner of so much turn, radians, each arc between its walls ends.
+double arc_gain(double turn, double limit);
+
 std::vector<Corner> corners_of(const Walls& walls, double limit);
 std::vector<WallPlace> places_of(const std::vector<Corner>& corners);
 

@@ -84,6 +84,7 @@ TEST(RoundCorner, TakesFewMoves) {
   EXPECT_LE(Wedge(kPi / 2, 5).round(1.36)->path.size(), 8U);
   EXPECT_LE(Wedge(kPi / 2, 5).round(0.92)->path.size(), 14U);
   EXPECT_LE(Wedge(2 * kPi / 3, 5).round(1.36)->path.size(), 14U);
+  EXPECT_LE(Wedge(2 * kPi / 3, 5).round(0.92)->path.size(), 26U);
 }
 
 TEST(RoundCorner, IsNoneWhereTheWallsAreFarFromCut) {

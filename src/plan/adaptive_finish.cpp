@@ -15,12 +15,12 @@ namespace {
 constexpr double kMarkPitch = 0.1;
 constexpr double kFinePitch = 0.06;
 /// Tool radii. A cut that ends as near before a corner goes on round it; mm from the wall.
-constexpr double kCornerReach = 1;
+constexpr double kCornerReach = 1.2;
 constexpr double kOnWall = 1e-4;
 constexpr double kEndless = 1e300;
 /// mm. Material thinner than this may stay on walls, and in corners.
 constexpr double kWallFilm = 1.5e-3;
-constexpr double kCornerFilm = 3.5e-3;
+constexpr double kCornerFilm = 5.5e-3;
 /// The same where bites end: less than what the ways to the next ones may graze.
 constexpr double kPeelFilm = 2e-3;
 /// Radians that films on the walls may add to what a corner shows.
@@ -28,14 +28,16 @@ constexpr double kFilms = 0.4;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
 constexpr double kCornerFree = 3e-3;
 /// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
-constexpr double kRest = 0.0045;
+constexpr double kRest = 0.0065;
+/// Tool radii between looks at the border of the target.
+constexpr double kBorderPitch = 0.02;
 /// mm. Nearer to what the cutter cannot reach nothing is a rest.
 constexpr double kReach = 5e-4;
 constexpr int kMostRests = 60;
 /// Tool radii of a cut round a rest, at least.
 constexpr double kLeastRound = 0.3;
 /// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
-constexpr double kMergeGap = 0.8;
+constexpr double kMergeGap = 1.0;
 /// Tool radii from a wall from where bites towards it are tried.
 constexpr double kGates[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
 /// Tool radii between looks at a wall that is cut by bites.
@@ -68,7 +70,7 @@ void AdaptiveFinish::run(bool open) {
   follow_walls();
   cut_walls();
   if (open) cut_wall_ends();
-  cut_rests();
+  cut_rests(open);
 }
 
 /// Along the walls within the limit, round corners from one to the next; where they bear more, it is cut like any front.
@@ -156,7 +158,7 @@ std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, dou
   if (!way) return std::nullopt;
   path_.cut(round->path, *way);
   // Its film is thicker than those of walls.
-  cuts_.walls.leave_out_around({corner.place}, kMarkPitch * radius_);
+  cuts_.walls.leave_out({corner.place, kMarkPitch * radius_});
   cuts_.walls.update(ground_, box(round->path).grown(2 * radius_));
   return WallPlace{corner.place.wall, round->end};
 }
@@ -306,10 +308,11 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
 }
 
 /// What still stands between the cuts: over each place that the check of the whole cover finds.
-void AdaptiveFinish::cut_rests() {
+void AdaptiveFinish::cut_rests(bool open) {
   for (int left = kMostRests; left > 0;) {
     const Cover cover(path_.moves(), radius_ + kRest, Cover::Looks::kAtRims);
-    const auto holes = cover.holes([&](Vec2 p) { return is_reachable(p); });
+    auto holes = cover.holes([&](Vec2 p) { return is_reachable(p); });
+    if (open) add_holes_at_border(cover, holes);
     const int before = left;
     for (const Vec2 hole : holes) {
       if (left <= 0 || ground_.is_removed(hole)) continue;
@@ -317,6 +320,25 @@ void AdaptiveFinish::cut_rests() {
       if (cut_rest(p) || enter_rest(p)) --left;
     }
     if (left == before) return;
+  }
+}
+
+/// Holes that reach beyond the target may have no vertex inside it; they meet its border.
+void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& holes) const {
+  for (const Region& region : target_) {
+    for (const Edge& edge : region.edges()) {
+      const double length = edge.length();
+      bool in_hole = false;
+      for (double s = 0; s < length;) {
+        const Vec2 p = edge.at(s / length);
+        // No nearer than by how far it is inside anything ends.
+        const double inside = radius_ + kRest - cover.distance_to(p);
+        const bool hole = inside < 0 && is_reachable(p);
+        if (hole && !in_hole) holes.push_back(p);
+        in_hole = hole;
+        s += inside < 0 ? kBorderPitch * radius_ : std::max(inside, kRest);
+      }
+    }
   }
 }
 
@@ -379,7 +401,7 @@ bool AdaptiveFinish::cut_round(Vec2 gate, Vec2 p, const Way& way) {
 
 /// What no free way leads to is entered from above.
 bool AdaptiveFinish::enter_rest(Vec2 p) {
-  for (const double reach : {0.5, 0.2, 0.05}) {
+  for (const double reach : {0.5, 0.2, 0.05, 0.01, 0.002}) {
     for (int i = 0; i < 8; ++i) {
       const Vec2 from = p + direction_of(kPi / 4 * i) * (reach * radius_);
       if (!ground_.legal().holds_line(from, p)) continue;

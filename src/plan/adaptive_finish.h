@@ -6,6 +6,7 @@
 
 #include "plan/adaptive_corners.h"
 #include "plan/adaptive_wall_cuts.h"
+#include "plan/contour_cover.h"
 
 namespace clearcut {
 
@@ -39,7 +40,8 @@ class AdaptiveFinish {
   bool bite_from_aside(const WallStretch& stretch);
   std::optional<Way> way_to_bite(const WallStretch& stretch);
   void cut_stretch(const WallStretch& place);
-  void cut_rests();
+  void cut_rests(bool open);
+  void add_holes_at_border(const Cover& cover, std::vector<Vec2>& holes) const;
   bool is_reachable(Vec2 p) const;
   Vec2 nearest_legal(Vec2 p) const;
   bool cut_rest(Vec2 p);

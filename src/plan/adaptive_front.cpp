@@ -19,7 +19,10 @@ constexpr double kCornerZone = 1.2;
 constexpr double kTaperShare = 0.9;
 constexpr double kSteepestTaper = 0.4;
 /// Width of a place over the distance from its walls.
-constexpr double kLeastWidth = 10;
+constexpr double kLeastWidth = 7;
+/// Halvings until the distance from walls that is left there is found; less, in tool radii, is none.
+constexpr int kHalvings = 16;
+constexpr double kLeastAside = 0.25;
 /// Tool radii between the points of the outline.
 constexpr double kPitch = 0.1;
 constexpr double kClosePitch = 0.02;
@@ -42,7 +45,7 @@ class FrontOutline {
     place_points(loop);
     keep_corners(loop);
     taper();
-    for (int i = 0; i < 4; ++i) narrow();
+    narrow();
     return joined();
   }
 
@@ -113,14 +116,22 @@ class FrontOutline {
   void narrow() {
     bool narrower = false;
     for (Point& point : points_) {
-      if (point.aside == 0) continue;
-      const double half = kLeastWidth / 2 * point.aside;
-      const Vec2 p = point.wall + point.inwards * half;
-      if (area_.contains(p) && !area_.is_near_boundary(p, 0.95 * half)) continue;
-      point.aside = point.aside < 0.02 * radius_ ? 0 : point.aside / 3;
+      if (point.aside == 0 || is_wide(point, point.aside)) continue;
+      double wide = 0, narrow = point.aside;
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (wide + narrow) / 2;
+        (is_wide(point, middle) ? wide : narrow) = middle;
+      }
+      point.aside = wide < kLeastAside * radius_ ? 0 : wide;
       narrower = true;
     }
     if (narrower) taper();
+  }
+
+  bool is_wide(const Point& point, double aside) const {
+    const double half = kLeastWidth / 2 * aside;
+    const Vec2 p = point.wall + point.inwards * half;
+    return area_.contains(p) && !area_.is_near_boundary(p, 0.95 * half);
   }
 
   Loop joined() const {

@@ -90,7 +90,7 @@ bool RoomFinder::is_worth_entry(const Disc& disc) const {
   const double step = radius_ * (1 - std::cos(limit_));
   const double spiral = kPi * disc.radius * disc.radius / step;
   const double helix = 2 * depth_ / std::tan(3 * kPi / 180) + 40;
-  return 0.25 * spiral > helix;
+  return 0.4 * spiral > helix;
 }
 
 std::size_t nearest_room(const std::vector<Disc>& rooms, Vec2 p) {

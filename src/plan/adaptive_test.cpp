@@ -262,6 +262,44 @@ TEST(Adaptive, ContactKeepsTheLimitOnStripsBesideTheStock) {
   }
 }
 
+TEST(Adaptive, ClearsWhatIsOnlyTouchedFromBesideTheStock) {
+  // There is hardly room for the cutter beside the block, and no place where it touches more than a sliver.
+  for (const double deep : {0.1, 0.02, 0.005}) {
+    Layer layer = square_layer(10);
+    layer.stock = Box{{0, 0}, {10, 10}};
+    layer.allowed = {
+        Region::from_valid_loops(loop_from_points(std::vector<Vec2>{
+                                     {10 - deep, 0}, {16.04 - deep, 0}, {16.04 - deep, 7}, {10 - deep, 7}}),
+                                 {})};
+    std::vector<Edge> edges;
+    for (const Pass& pass : plan_adaptive(layer, {}, {}).passes)
+      edges.insert(edges.end(), pass.path.begin(), pass.path.end());
+    const Cover cover(edges, kTool + 0.007);
+    for (double y = 3; y <= 4; y += 0.01) EXPECT_TRUE(cover.holds({10 - deep, y})) << deep << " " << y;
+  }
+}
+
+int moves_in(const Layer& layer, double degrees) {
+  AdaptiveOptions options;
+  options.engagement = Radians::of_degrees(degrees);
+  int moves = 0;
+  for (const Pass& pass : plan_adaptive(layer, options, {}).passes)
+    moves += static_cast<int>(pass.path.size());
+  return moves;
+}
+
+TEST(Adaptive, TakesFewMoves) {
+  // As engineers would count them: half turns of a spiral, some three for each cut, fewer than ten for each corner.
+  EXPECT_LE(moves_in(square_layer(50), 78), 130);
+  // A slot 4/3 as wide as the cutter: cuts from wall to wall, some four moves each millimetre.
+  Layer slot = square_layer(1);
+  slot.allowed = slot.target = {Region::from_valid_loops(
+      loop_from_points(
+          std::vector<Vec2>{{0, 0}, {20, 0}, {20, 11}, {60, 11}, {60, 19}, {20, 19}, {20, 30}, {0, 30}}),
+      {})};
+  EXPECT_LE(moves_in(slot, 78), 330);
+}
+
 TEST(Adaptive, ClearsRandomPolygons) {
   Random random(11);
   for (int i = 0; i < 8; ++i) {

@@ -3,8 +3,9 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
-#include "plan/adaptive_ground.h"
+#include "plan/adaptive_aim.h"
 #include "plan/adaptive_walls.h"
 
 namespace clearcut {
@@ -36,56 +37,57 @@ class Tracer {
   double first_departure() const { return first_departure_; }
 
  private:
-  struct State {
-    Vec2 point;
-    Vec2 heading;
-    double curvature = 0;  ///< 1 / mm, > 0 to the left
-  };
   enum class Next { kDone, kTrace, kWall };
-
-  /// An arc from the state on, by curvature and length.
-  struct Shot {
-    double curvature = 0;
-    double length = 0;
-    double kink = 0;  ///< radians to the left, before it
-    bool meets_wall = false;
+  /// What was taken so far.
+  struct Mark {
+    std::size_t moves = 0, cuts = 0;
+  };
+  /// The arc off a wall, of which at least so much is to be taken, mm; and where it ends on a wall.
+  struct WayOff {
+    Edge arc;
+    double least = 0;
+    std::optional<WallPlace> met;
+  };
+  /// The arc to a wall that a cut goes on along.
+  struct Landing {
+    Edge arc;
+    WallPlace place;
   };
 
   Path run(Next next);
+  Mark mark() const;
+  void forget_beyond(const Mark& mark);
+
   Next follow_wall();
+  double wall_contact(double s) const;
   Next depart(double s_clear, double s_over);
   double latest_departure(double s_clear, double s_over, double radius, double least);
   bool can_leave(double s, double radius);
-  double off_wall(double radius) const;
-  bool leave(double s, double radius);
-  std::optional<Shot> set_off(double s, double radius);
-  double length_off(const Shot& shot) const;
-  bool begin_beside(const Edge& off, double least);
+  Next leave(double s, double radius);
+  std::optional<WayOff> way_off(double radius, double kink);
+  bool begin_beside(const WayOff& off);
   std::optional<Vec2> gate_before(const Edge& arc) const;
-  bool leaves_wall(const Shot& shot) const;
+  Next on_from(const WayOff& off);
+  void follow_from(const WallPlace& place);
+  bool append_wall(double s_from, double s_to);
+  bool append_straight(std::span<const Edge> part, double s_from);
+
   Next trace();
   Next meet_wall(const Shot& shot, double inside);
-  State after(const Shot& shot, double length) const;
-  Edge edge_of(const Shot& shot) const;
-  double contact_after(const Shot& shot, double length) const;
-  std::optional<Shot> shoot() const;
-  std::optional<Shot> steady_shot(double length, double guess) const;
-  std::optional<Shot> shoot_closely(double guess) const;
-  std::optional<Shot> aim(double length, double guess, int looks) const;
-  std::optional<Shot> bend(Shot shot) const;
-  bool is_steady(const Shot& shot) const;
-  double length_inside(const Shot& shot) const;
+  std::optional<Landing> landing_of(const Shot& shot, double inside) const;
+  bool leads_along(const WallPlace& met, Vec2 heading) const;
+  bool step_to_wall(const WallPlace& place);
+
+  bool is_within(const Edge& edge) const;
+  double length_within(const Edge& edge) const;
   double go(const Shot& shot);
-  double go(const Shot& shot, double within);
-  double wall_contact(double s) const;
+  void go(const Edge& edge, double within);
   bool append(const Edge& edge);
   void take(Edge edge);
-  bool append_wall(double s_from, double s_to);
-  void drop_way_to_wall();
 
   Ground& ground_;
   const Walls& walls_;
-  LegalArea area_;
+  ArcAimer aimer_;
   double radius_;
   double limit_;
   AlongWalls along_;
@@ -93,19 +95,13 @@ class Tracer {
   Path path_;
   double engaged_ = 0;  ///< mm of the cut in contact
   double air_ = 0;      ///< mm since the last contact
-  State state_;
-  double contact_ = 0;    ///< at the state
-  bool on_wall_ = false;  ///< the state
-  double usual_ = 0;      ///< mm, length of the last arc
+  Course course_;
   WallPlace place_;
   double material_s_ = 0;
   CanBegin can_begin_;
-  struct {
-    std::size_t moves = 0, cuts = 0;
-  } before_wall_;  ///< before the way to the wall that the cut met last
+  Mark before_wall_;  ///< before the wall that the cut follows, or the step to it
   double first_departure_ = 0;
   int critical_look_ = 0;  ///< where an arc off the wall exceeded the limit last
-  double tightest_ = 1;    ///< mm, radius of the tightest turn allowed
 };
 
 }  // namespace clearcut

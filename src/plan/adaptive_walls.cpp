@@ -120,6 +120,18 @@ bool Walls::touches_after(const WallPlace& place, double reach) const {
   return false;
 }
 
+WallPlace Walls::nearest(Vec2 p) const {
+  WallPlace place;
+  double least = 1e300;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const auto hit = walls_[w].nearest(p);
+    if (hit.distance >= least) continue;
+    least = hit.distance;
+    place = {w, hit.s};
+  }
+  return place;
+}
+
 void Walls::update(const Ground& ground, const Box& where) {
   for (std::size_t w = 0; w < marks_.size(); ++w) {
     Marks& marks = marks_[w];
@@ -192,25 +204,25 @@ void Walls::give_up(const WallPlace& place, int count) {
   }
 }
 
-void Walls::leave_out_around(const std::vector<WallPlace>& places, double reach) {
-  constexpr double kOther = 1e-6;  // mm
-  for (const WallPlace& place : places) {
-    const bool alone =
-        to_nearest(places, place, 1, kOther) > 2 * reach && to_nearest(places, place, -1, kOther) > 2 * reach;
-    if (!alone) continue;
-    Marks& marks = marks_[place.wall];
-    for (std::size_t i = 0; i < marks.points.size(); ++i) {
-      const WallPlace mark{place.wall, static_cast<double>(i) * marks.pitch};
-      if (to_nearest({place}, mark, 1) < reach || to_nearest({place}, mark, -1) < reach)
-        marks.touching[i] = 2;
-    }
+void Walls::leave_out(const Around& around) {
+  Marks& marks = marks_[around.place.wall];
+  for (std::size_t i = 0; i < marks.points.size(); ++i) {
+    const WallPlace mark{around.place.wall, static_cast<double>(i) * marks.pitch};
+    if (to_nearest({around.place}, mark, 1) < around.reach ||
+        to_nearest({around.place}, mark, -1) < around.reach)
+      marks.touching[i] = 2;
   }
+}
+
+bool Walls::is_alone(const WallPlace& place, const std::vector<WallPlace>& places, double least) const {
+  constexpr double kOther = 1e-6;  // mm
+  return to_nearest(places, place, 1, kOther) > least && to_nearest(places, place, -1, kOther) > least;
 }
 
 namespace {
 
 /// mm. Thinner films are left.
-constexpr double kFinished = 4e-3;
+constexpr double kFinished = 6e-3;
 
 void add_unfinished(const Walls& walls, std::size_t index, double pitch, double gap, const Ground& ground,
                     std::vector<WallStretch>& out) {

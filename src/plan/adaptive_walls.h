@@ -71,6 +71,8 @@ class Walls {
   double film(const WallPlace& place) const;
   /// Whether a mark on the next `reach` mm touches material.
   bool touches_after(const WallPlace& place, double reach) const;
+  /// The nearest place on all walls.
+  WallPlace nearest(Vec2 p) const;
   /// Looks again at the marks within `where`.
   void update(const Ground& ground, const Box& where);
   /// The last clear mark before each stretch that touches material.
@@ -84,9 +86,14 @@ class Walls {
   bool advances(const WallPlace& start, double s, double least);
   /// Gives up to `count` marks after a start up: nothing more can be cut from there.
   void give_up(const WallPlace& place, int count = 1);
-  /// Leaves what is within `reach` mm along the wall of one of `places` to a later stage, where no other of them is nearer
-  /// than twice that.
-  void leave_out_around(const std::vector<WallPlace>& places, double reach);
+  /// Leaves what is within `reach` mm along the wall of a place to a later stage.
+  struct Around {
+    WallPlace place;
+    double reach = 0;
+  };
+  void leave_out(const Around& around);
+  /// Whether no other of `places` is nearer along the wall than `least` mm.
+  bool is_alone(const WallPlace& place, const std::vector<WallPlace>& places, double least) const;
 
  private:
   /// mm along the wall to the nearest of `others`, not less than `least`. `sense`: 1 along the wall, -1 back.
