@@ -50,5 +50,16 @@ TEST(SideStock, FishheadIsCleanOnceItsStockIsFinished) {
   expect_clean_fishhead(1, finishing("all", 1));
 }
 
+TEST(SideStock, LeaningWallsAreCleanOnceTheirStockIsFinished) {
+  for (const char* what : {"all", "walls", "floor"}) {
+    const auto result = plan(fishhead(true, {}), finishing(what, 0.4));
+    expect_clean(result, what);
+    for (const FeatureFindings& feature : result.findings.features) {
+      const double height = feature.scallop ? feature.scallop->height_mm : 0.5;
+      EXPECT_NEAR(height, 0.5, 1e-4) << what;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut

@@ -98,7 +98,9 @@ class WorkJudge {
 
   void add_layers(FeatureWork& work) const {
     for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
-      if (part_.workplan[i].feature != work.feature) continue;
+      const Workingstep& step = part_.workplan[i];
+      // What leaves stock on the walls for a later step makes no steps in them.
+      if (step.feature != work.feature || step.operation.allowance_side > work.allowance_side) continue;
       for (const double z : program_.layers[i]) {
         if (z > work.floor.z + options_.tol.uncut) work.layers.push_back({z, false, {}});
       }

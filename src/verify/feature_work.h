@@ -28,9 +28,9 @@ struct FeatureWork {
   double allowance_floor = 0;
   std::optional<double> scallop;  ///< greatest step allowed on leaning walls, square to the wall
   LevelCoverage floor;            ///< down to the floor less its allowance
-  /// Down to each layer of the program above the floor: filled for leaning walls, where each layer has an
-  /// outline of its own, and otherwise only when something is left on the floor (a cutter that reaches the
-  /// floor has cleared what stands above it).
+  /// Down to each layer above the floor of the steps that leave no more on the walls than any: filled for leaning
+  /// walls, where each layer has an outline of its own, and otherwise only when something is left on the floor (a
+  /// cutter that reaches the floor has cleared what stands above it).
   std::vector<LevelCoverage> layers;
 };
 

@@ -557,6 +557,39 @@ TEST(Verify, EveryLayerCountsOnLeaningWalls) {
   EXPECT_NEAR(fault_of(coarse, FaultKind::kUncut).size, 1, 1e-9);
 }
 
+TEST(Verify, LayersThatLeaveStockMakeNoStepsInLeaningWalls) {
+  Part part = square_part();
+  part.features[0].wall_slope = Radians::of_degrees(30);
+  part.features[0].floor_z = -4;
+  part.workplan[0].operation.allowance_side = 0.3;
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[1].operation.allowance_side = 0;
+  part.workplan[1].operation.scallop = 0.55;
+  const auto program = [](const std::vector<double>& finished) {
+    Writer writer;
+    const auto cut = [&](const std::vector<double>& levels, double stock) {
+      double top = 0;
+      for (const double z : levels) {
+        cut_square_rings(writer, {25, 25}, {2, 6.5, 11, 15, 18, 22 - stock + z * std::tan(kPi / 6)}, top, z);
+        top = z;
+      }
+    };
+    cut({-0.8, -1.8, -2.8, -3.8}, 0.3);
+    writer.leave().tool_change(1);
+    cut(finished, 0);
+    Toolpath done = writer.done();
+    for (int i = 0; i < 2; ++i) done.sections[static_cast<std::size_t>(i)].workingstep = i;
+    return done;
+  };
+  const Findings right = verify(part, program({-1, -2, -3, -4}), {});
+  EXPECT_TRUE(right.all.clean) << report_of(right);
+  EXPECT_NEAR(right.features[1].scallop->height_mm, 0.5, 1e-9);
+  // What roughing did at -1.8 is no step.
+  const Findings coarse = verify(part, program({-1, -3, -4}), {});
+  ASSERT_TRUE(has(coarse, FaultKind::kUncut)) << report_of(coarse);
+  EXPECT_NEAR(fault_of(coarse, FaultKind::kUncut).size, 1, 1e-9);
+}
+
 TEST(Verify, WhatIsLeftIsSaidLayerByLayer) {
   Part part = pocket_part(rectangle(0, 0, 50, 50), 6, -4);
   std::vector<double> rings = kRings;
