@@ -106,7 +106,7 @@ class AdaptivePlanner {
       const double reach =
           std::clamp(kLeftToCorner - arc_gain(corner.turn, limit_), kLeastLeft, most) * radius_;
       if (clearing_.walls.is_alone(corner.place, places, 2 * reach))
-        clearing_.walls.leave_out({corner.place, reach});
+        clearing_.walls.leave_out({corner.place, reach, reach});
     }
   }
 

@@ -16,6 +16,8 @@ constexpr double kNear = 1e-4;
 constexpr double kVisited = 2.5e-3;
 /// Tool radii. Walls that are not cut up to this near are not prepared; nor are arcs wider than this.
 constexpr double kPrepared = 1.2;
+/// Tool radii between looks for cusps.
+constexpr double kCuspStep = 0.02;
 /// Factor between the distances at which a wall is looked at.
 constexpr double kFarther = 1.25;
 /// mm. Shorter arcs are lines. Cusps that may stay on the wall between two arcs.
@@ -80,8 +82,8 @@ class CornerCuts {
       if (!go_across()) return std::nullopt;
     }
     if (path_.empty() || left() > film) return std::nullopt;
-    if (!go_to_second()) return std::nullopt;
-    return CornerRound{std::move(path_), s_ + cut_[1]};
+    if (!go_to_second(film)) return std::nullopt;
+    return CornerRound{std::move(path_), s_ + cut_[1], film_before_};
   }
 
   /// Whether it had to go along the first wall again at last.
@@ -284,8 +286,8 @@ class CornerCuts {
   }
 
   /// At last, over what arcs left on the first wall between them; the next cut goes along the second.
-  bool go_to_second() {
-    if (cusps_ > 0 && cut_cusps()) side_ = 0;
+  bool go_to_second(double film) {
+    if (cusps_ > 0 && (cut_cusps_from_second(film) || cut_cusps())) side_ = 0;
     if (side_ == 1) return true;
     const Edge line = Edge::line(here(), at(1, cut_[1]));
     if (ground_.is_legal(line)) return take_within(line);
@@ -299,6 +301,23 @@ class CornerCuts {
     side_ = 0;
     const Path cusps = reversed(wall_.part(s_ - cusps_, s_ - cut_[0]));
     return std::all_of(cusps.begin(), cusps.end(), [&](const Edge& edge) { return take_within(edge); });
+  }
+
+  /// The same from the second wall at once, if no more than the film stays on the first.
+  bool cut_cusps_from_second(double film) {
+    if (side_ == 0) return false;
+    const std::size_t before = ground_.cuts();
+    if (!take_within(Edge::line(here(), at(0, cusps_)))) return false;
+    const double step = kCuspStep * radius_;
+    double x = kNearest;
+    while (x < cusps_ && !ground_.touches(at(0, x), film)) x = std::min(x * kFarther, x + step);
+    if (x >= cusps_) {
+      film_before_ = cusps_;
+      return true;
+    }
+    path_.pop_back();
+    ground_.forget_beyond(before);
+    return false;
   }
 
   /// Of a heading from along the wall to as little off it as the limit lets.
@@ -336,7 +355,8 @@ class CornerCuts {
   int straight_;
   double cut_[2] = {};
   int side_ = 0;
-  double cusps_ = 0;  ///< on the first wall up to there
+  double cusps_ = 0;        ///< on the first wall up to there
+  double film_before_ = 0;  ///< what may stay at the corner does so on the first wall up to there
   /// The last arc from a side.
   struct Crossed {
     double gain = 0;       ///< how near it came, over how near the other wall was cut

@@ -24,7 +24,8 @@ std::vector<WallPlace> places_of(const std::vector<Corner>& corners);
 /// The way round a corner, from its first wall to its second.
 struct CornerRound {
   Path path;
-  double end = 0;  ///< on the wall, where it goes on
+  double end = 0;          ///< on the wall, where it goes on
+  double film_before = 0;  ///< mm of the first wall that bear what may stay in the corner
 };
 
 /// The cuts round one corner, from `from` mm before it on the first wall, which is cut up to there.

@@ -158,7 +158,8 @@ std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, dou
   if (!way) return std::nullopt;
   path_.cut(round->path, *way);
   // Its film is thicker than those of walls.
-  cuts_.walls.leave_out({corner.place, kMarkPitch * radius_});
+  const double pitch = kMarkPitch * radius_;
+  cuts_.walls.leave_out({corner.place, round->film_before + pitch, pitch});
   cuts_.walls.update(ground_, box(round->path).grown(2 * radius_));
   return WallPlace{corner.place.wall, round->end};
 }

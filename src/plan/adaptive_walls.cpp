@@ -208,8 +208,8 @@ void Walls::leave_out(const Around& around) {
   Marks& marks = marks_[around.place.wall];
   for (std::size_t i = 0; i < marks.points.size(); ++i) {
     const WallPlace mark{around.place.wall, static_cast<double>(i) * marks.pitch};
-    if (to_nearest({around.place}, mark, 1) < around.reach ||
-        to_nearest({around.place}, mark, -1) < around.reach)
+    if (to_nearest({around.place}, mark, 1) < around.before ||
+        to_nearest({around.place}, mark, -1) < around.after)
       marks.touching[i] = 2;
   }
 }

@@ -86,10 +86,11 @@ class Walls {
   bool advances(const WallPlace& start, double s, double least);
   /// Gives up to `count` marks after a start up: nothing more can be cut from there.
   void give_up(const WallPlace& place, int count = 1);
-  /// Leaves what is within `reach` mm along the wall of a place to a later stage.
+  /// Leaves what is within so many mm along the wall before and after a place to a later stage.
   struct Around {
     WallPlace place;
-    double reach = 0;
+    double before = 0;
+    double after = 0;
   };
   void leave_out(const Around& around);
   /// Whether no other of `places` is nearer along the wall than `least` mm.
