@@ -43,9 +43,13 @@ WallPlace WallCuts::nearest(const std::vector<WallPlace>& starts) const {
 }
 
 bool WallCuts::cut_from(const WallPlace& start) {
-  if (const auto settled = cut_from_clear_wall(start)) return *settled;
+  bool idle = false;
+  if (const auto settled = cut_from_clear_wall(start, idle)) return *settled;
   auto approach = approach_to(start);
-  if (!approach) return false;
+  if (!approach) {
+    if (idle) walls.give_up(start);
+    return idle;
+  }
   path_.note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back().to);
   const Vec2 on_wall = walls.point(approach->first);
   const bool may_begin_beside = approach->lead.empty() && !path_.empty();
@@ -69,9 +73,9 @@ bool WallCuts::cut_from(const WallPlace& start) {
   return true;
 }
 
-/// From the wall where it bears nothing yet, or from beside it; nothing where no way leads there. Most cuts: only what is
-/// cut needs a way.
-std::optional<bool> WallCuts::cut_from_clear_wall(const WallPlace& start) {
+/// From the wall where it bears nothing yet, or from beside it; nothing where no way leads there, or where nothing can be
+/// cut from there: `idle`. Most cuts: only what is cut needs a way.
+std::optional<bool> WallCuts::cut_from_clear_wall(const WallPlace& start, bool& idle) {
   const auto first = clear_place_before(start);
   if (!first) return std::nullopt;
   const Vec2 on_wall = walls.point(*first);
@@ -85,12 +89,11 @@ std::optional<bool> WallCuts::cut_from_clear_wall(const WallPlace& start) {
     return way.has_value();
   };
   const Path cut = tracer.cut_from(*first, start.s, can_begin);
-  if (cut.empty() && asked && !way) return std::nullopt;
   if (cut.empty()) {
-    walls.give_up(start);
-  } else {
-    add(start, cut, *way);
+    idle = !asked || way;
+    return std::nullopt;
   }
+  add(start, cut, *way);
   return true;
 }
 

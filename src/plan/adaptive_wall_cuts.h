@@ -30,7 +30,7 @@ class WallCuts {
 
  private:
   struct Approach;
-  std::optional<bool> cut_from_clear_wall(const WallPlace& start);
+  std::optional<bool> cut_from_clear_wall(const WallPlace& start, bool& idle);
   void add(const WallPlace& start, const Path& cut, const Way& way);
   std::optional<WallPlace> clear_place_before(const WallPlace& start) const;
   double farthest_before(const WallPlace& start) const;
