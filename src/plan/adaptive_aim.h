@@ -45,14 +45,14 @@ Edge arc_to(const Course& from, double kink, Vec2 p);
 /// Aims arcs.
 class ArcAimer {
  public:
-  /// `limit`: largest contact, radians. Arcs stay inside `area`. All is kept by reference.
+  /// `limit`: largest contact, radians. Arcs stay inside `area`. The ground is kept by reference.
   ArcAimer(const Ground& ground, const Regions& area, double limit);
 
   /// The longest arc that was found that keeps the contact at the limit, up to the wall ahead.
   std::optional<Shot> shoot(const Course& from) const;
   /// Where the contact cannot be kept up, or jumps: a short one, looked at closely.
   std::optional<Shot> shoot_closely(const Course& from, double guess) const;
-  /// The arc of `radius` off a wall, if it meets another one soon.
+  /// The arc of `radius` off a wall, if it meets another one soon and loses little.
   std::optional<Shot> across(const Course& from, double radius) const;
   /// mm of the shot inside the area for cuts; of one that heads off a wall, the way off it counts as inside.
   double length_inside(const Course& from, const Shot& shot) const;
