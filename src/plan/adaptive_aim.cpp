@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/adaptive_arcs.h"
+
 namespace clearcut {
 namespace {
 
@@ -61,12 +63,10 @@ Edge edge_of(const Course& from, const Shot& shot) {
 }
 
 Edge arc_to(const Course& from, double kink, Vec2 p) {
-  const Vec2 way = p - from.point, normal = rotated(left_of(from.heading), kink);
-  const double aside = dot(normal, way), squared = norm_squared(way);
+  const Vec2 heading = rotated(from.heading, kink);
   // The sagitta is a quarter of how far p is aside of the heading.
-  if (std::abs(aside) < 4 * kShortestMove) return Edge::line(from.point, p);
-  return Edge::arc(from.point, p, from.point + normal * (squared / (2 * aside)),
-                   aside > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
+  if (std::abs(cross(heading, p - from.point)) < 4 * kShortestMove) return Edge::line(from.point, p);
+  return tangent_arc(from.point, heading, p);
 }
 
 ArcAimer::ArcAimer(const Ground& ground, const Regions& area, double limit)

@@ -14,6 +14,8 @@ constexpr double kWidest = 5000;
 constexpr double kMostSweep = 3;
 /// Radians. Edges that are one have their headings as near to each other.
 constexpr double kSameHeading = 0.008;
+/// mm that the end of an arc is aside of its heading, below which that is straight.
+constexpr double kAside = 1e-6;
 /// Points that make an arc.
 constexpr std::size_t kFewest = 5;
 
@@ -55,6 +57,14 @@ std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
 }
 
 }  // namespace
+
+Edge tangent_arc(Vec2 from, Vec2 heading, Vec2 to) {
+  const Vec2 way = to - from, normal = left_of(heading);
+  const double aside = dot(normal, way);
+  if (std::abs(aside) < kAside) return Edge::line(from, to);
+  return Edge::arc(from, to, from + normal * (norm_squared(way) / (2 * aside)),
+                   aside > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
+}
 
 std::optional<Edge> joined(const Edge& first, const Edge& second, double tolerance) {
   const double sweep = first.sweep() + second.sweep();

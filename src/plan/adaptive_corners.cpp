@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "plan/adaptive_arcs.h"
+
 namespace clearcut {
 namespace {
 
@@ -198,7 +200,7 @@ class CornerCuts {
     double turn = first + before.more_turn, more = kMoreTurn, short_of = 1;
     for (int i = 0; i < kMostTries; ++i) {
       const Vec2 heading = turned(side_, into(side_, cut_[side_]), turn);
-      const auto arc_to = [&](double x) { return tangent_arc(here(), heading, at(other, x)); };
+      const auto arc_to = [&](double x) { return arc_along(here(), heading, at(other, x)); };
       const double to = short_of * nearest_within(most, most * before.gain, arc_to).value_or(most);
       const Edge arc = arc_to(to);
       if (to > most * kLeastGain || !ground_.is_legal(arc)) return std::nullopt;
@@ -272,7 +274,7 @@ class CornerCuts {
       const double turn = whole * i / arcs;
       const Vec2 end = i == arcs ? at(1 - side_, to)
                                  : spiral.pole + turned(side_, unit(spiral.ray), turn) * spiral.radius(turn);
-      path.push_back(tangent_arc(begin, turned(side_, unit(spiral.pole - begin), -spiral.limit), end));
+      path.push_back(arc_along(begin, turned(side_, unit(spiral.pole - begin), -spiral.limit), end));
     }
     return path;
   }
@@ -341,12 +343,8 @@ class CornerCuts {
     return a * b * std::sin(turn_) / std::sqrt(a * a + b * b + 2 * a * b * std::cos(turn_));
   }
 
-  static Edge tangent_arc(Vec2 from, Vec2 heading, Vec2 to) {
-    const Vec2 way = to - from, normal = left_of(heading);
-    const double aside = dot(normal, way), squared = norm_squared(way);
-    if (squared < kShortArc * kShortArc || std::abs(aside) < 1e-6) return Edge::line(from, to);
-    return Edge::arc(from, to, from + normal * (squared / (2 * aside)),
-                     aside > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
+  static Edge arc_along(Vec2 from, Vec2 heading, Vec2 to) {
+    return distance(from, to) < kShortArc ? Edge::line(from, to) : tangent_arc(from, heading, to);
   }
 
   const Wall& wall_;

@@ -43,12 +43,12 @@ WallPlace WallCuts::nearest(const std::vector<WallPlace>& starts) const {
 }
 
 bool WallCuts::cut_from(const WallPlace& start) {
-  bool idle = false;
-  if (const auto settled = cut_from_clear_wall(start, idle)) return *settled;
+  const Outcome outcome = cut_from_clear_wall(start);
+  if (outcome == Outcome::kCut) return true;
   auto approach = approach_to(start);
   if (!approach) {
-    if (idle) walls.give_up(start);
-    return idle;
+    if (outcome == Outcome::kNothingToCut) walls.give_up(start);
+    return outcome == Outcome::kNothingToCut;
   }
   path_.note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back().to);
   const Vec2 on_wall = walls.point(approach->first);
@@ -73,11 +73,10 @@ bool WallCuts::cut_from(const WallPlace& start) {
   return true;
 }
 
-/// From the wall where it bears nothing yet, or from beside it; nothing where no way leads there, or where nothing can be
-/// cut from there: `idle`. Most cuts: only what is cut needs a way.
-std::optional<bool> WallCuts::cut_from_clear_wall(const WallPlace& start, bool& idle) {
+/// From the wall where it bears nothing yet, or from beside it. Most cuts: only what is cut needs a way.
+WallCuts::Outcome WallCuts::cut_from_clear_wall(const WallPlace& start) {
   const auto first = clear_place_before(start);
-  if (!first) return std::nullopt;
+  if (!first) return Outcome::kNoWay;
   const Vec2 on_wall = walls.point(*first);
   path_.note_start(on_wall);
   std::optional<Way> way;
@@ -89,12 +88,9 @@ std::optional<bool> WallCuts::cut_from_clear_wall(const WallPlace& start, bool& 
     return way.has_value();
   };
   const Path cut = tracer.cut_from(*first, start.s, can_begin);
-  if (cut.empty()) {
-    idle = !asked || way;
-    return std::nullopt;
-  }
+  if (cut.empty()) return asked && !way ? Outcome::kNoWay : Outcome::kNothingToCut;
   add(start, cut, *way);
-  return true;
+  return Outcome::kCut;
 }
 
 void WallCuts::add(const WallPlace& start, const Path& cut, const Way& way) {

@@ -30,7 +30,8 @@ class WallCuts {
 
  private:
   struct Approach;
-  std::optional<bool> cut_from_clear_wall(const WallPlace& start, bool& idle);
+  enum class Outcome { kCut, kNothingToCut, kNoWay };
+  Outcome cut_from_clear_wall(const WallPlace& start);
   void add(const WallPlace& start, const Path& cut, const Way& way);
   std::optional<WallPlace> clear_place_before(const WallPlace& start) const;
   double farthest_before(const WallPlace& start) const;
