@@ -15,6 +15,12 @@ constexpr double kAside = 1e-6;
 /// mm. Places this near to an edge are on it.
 constexpr double kTouch = 1e-9;
 
+/// mm. A way that strays no more than it may halfway between two crossings strays by less than that.
+constexpr double kNearEnd = 4 * LegalArea::kSlack;
+
+/// Of a cell with edges: whether it lies inside.
+constexpr char kUnknown = 2;
+
 /// A few numbers; when there are many, some are forgotten.
 template <typename T>
 class Few {
@@ -75,6 +81,7 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
   const double size = std::max({box_.width(), box_.height(), 1e-9});
   const double across = std::clamp(2 * std::sqrt(static_cast<double>(edges_.size())), 24.0, 512.0);
   cell_ = size / across;
+  cells_per_mm_ = 1 / cell_;
   columns_ = column(box_.max.x) + 1;
   rows_ = row(box_.max.y) + 1;
   cells_.resize(columns_ * rows_);
@@ -92,7 +99,6 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
 
 /// Neighbouring cells without edges lie on the same side: one exact test for each connected group.
 void LegalArea::mark_empty_cells() {
-  constexpr char kUnknown = 2;
   inside_.assign(cells_.size(), kUnknown);
   std::vector<std::size_t> open;
   for (std::size_t first = 0; first < cells_.size(); ++first) {
@@ -126,6 +132,7 @@ Box LegalArea::cell_box(std::size_t cell) const {
 bool LegalArea::contains(Vec2 p) const {
   if (edges_.empty() || !box_.contains(p)) return false;
   const std::size_t begin = row(p.y) * columns_, end = begin + columns_, first = begin + column(p.x);
+  if (inside_[first] != kUnknown) return inside_[first] != 0;
   std::size_t known = first;
   while (known < end && !cells_[known].empty()) ++known;
   const bool beside = known == end;
@@ -149,11 +156,11 @@ int LegalArea::crossings(std::size_t edge, Vec2 p, double x) const {
 }
 
 std::size_t LegalArea::column(double x) const {
-  return static_cast<std::size_t>(std::clamp(x - box_.min.x, 0.0, box_.width()) / cell_);
+  return static_cast<std::size_t>(std::clamp(x - box_.min.x, 0.0, box_.width()) * cells_per_mm_);
 }
 
 std::size_t LegalArea::row(double y) const {
-  return static_cast<std::size_t>(std::clamp(y - box_.min.y, 0.0, box_.height()) / cell_);
+  return static_cast<std::size_t>(std::clamp(y - box_.min.y, 0.0, box_.height()) * cells_per_mm_);
 }
 
 /// Calls f(edge) for those near the way, row by row, only in the cells that the way passes through; for most once.
@@ -219,15 +226,30 @@ bool LegalArea::holds_line(Vec2 a, Vec2 b) const {
   std::pmr::monotonic_buffer_resource resource(memory.data(), memory.size());
   std::pmr::vector<double> cuts({0, 1}, &resource);
   cuts.reserve(memory.size() / sizeof(double) / 2);
-  for_edges_along(a, b, [&](std::size_t i) { add_cuts(a, b, edges_[i], cuts); });
+  bool strays = false;
+  for_edges_along(a, b, [&](std::size_t i) {
+    add_cuts(a, b, edges_[i], cuts);
+    strays = strays || strays_beside(a, b, edges_[i].from) || strays_beside(a, b, edges_[i].to);
+  });
+  if (strays) return false;
   std::sort(cuts.begin(), cuts.end());
   // Between two crossings the way is all inside or all outside; where it runs outside it strays farthest in
-  // between.
+  // between, or beside a place where two edges meet.
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     if ((cuts[i] - cuts[i - 1]) * length < kSlack) continue;
     if (!holds(lerp(a, b, (cuts[i - 1] + cuts[i]) / 2))) return false;
   }
   return true;
+}
+
+/// Whether the way from a to b is outside where it passes the end of an edge closely: there it may stray farther than halfway
+/// between two crossings, up to twice as far.
+bool LegalArea::strays_beside(Vec2 a, Vec2 b, Vec2 end) const {
+  const double t = parameter_on(a, b, end);
+  if (t <= 0 || t >= 1) return false;
+  const Vec2 p = lerp(a, b, t);
+  const double aside = distance(p, end);
+  return aside > kSlack && aside < kNearEnd && !holds(p);
 }
 
 /// Where an edge crosses the way from a to b, or ends on it: shares of the way.

@@ -33,6 +33,7 @@ class LegalArea {
   int crossings(std::size_t edge, Vec2 p, double x) const;
   template <typename F>
   void for_edges_along(Vec2 a, Vec2 b, const F& f) const;
+  bool strays_beside(Vec2 a, Vec2 b, Vec2 end) const;
   static void add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<double>& cuts);
   static void add_arc_cuts(Vec2 a, Vec2 b, const Edge& arc, std::pmr::vector<double>& cuts);
   std::size_t column(double x) const;
@@ -44,6 +45,7 @@ class LegalArea {
   std::vector<Box> boxes_;
   std::vector<std::size_t> first_columns_;  ///< per edge: of the cells it stands in
   double cell_ = 1;
+  double cells_per_mm_ = 1;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
   std::vector<std::vector<std::size_t>> cells_;

@@ -29,6 +29,16 @@ TEST(LegalArea, AWayAlongTwoBoundariesIsNotLegalBetweenThem) {
   EXPECT_FALSE(area.holds_line({58, 10}, {2, 10}));
 }
 
+TEST(LegalArea, AWayOverACornerIsLegalOnlyIfItIsLegalThere) {
+  // The boundary comes up over the way between x = 10 and x = 20, farthest soon after the first.
+  const auto over = [](double high) {
+    const LegalArea area({outline({{0, -10 * high}, {11, high}, {20, 0}, {20, 10}, {0, 10}})});
+    return area.holds_line({0, 0}, {20, 0}) && area.holds_line({20, 0}, {0, 0});
+  };
+  EXPECT_TRUE(over(0.9 * LegalArea::kSlack));
+  EXPECT_FALSE(over(1.6 * LegalArea::kSlack));
+}
+
 /// A star about a place, of lines and arcs.
 Loop star(Random& random, Vec2 center, double size, int corners) {
   std::vector<BulgeVertex> vertices;
