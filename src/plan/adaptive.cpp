@@ -34,10 +34,9 @@ constexpr double kNearStock = 0.05;
 /// Tool radii of wall without contact that end a cut while clearing.
 constexpr double kAir = 0.3;
 /// Tool radii beside corners that clearing leaves to the arcs between their walls, from where cuts from wall to wall come nearer
-/// by less and less: this less how much nearer each arc ends, and no more than is cut to the walls there.
+/// by less and less: this less how much nearer each arc ends.
 constexpr double kLeftToCorner = 1.5;
 constexpr double kLeastLeft = 0.7;
-constexpr double kMostLeft = 1.1;
 
 /// Whether the cutter may be far beside what is to be removed.
 bool has_open_side(const Layer& layer) {
@@ -101,10 +100,9 @@ class AdaptivePlanner {
   void leave_corners() {
     const auto corners = corners_of(clearing_.walls, limit_);
     const auto places = places_of(corners);
-    const double most = open_ ? kLeastLeft : kMostLeft;
     for (const Corner& corner : corners) {
-      const double reach =
-          std::clamp(kLeftToCorner - arc_gain(corner.turn, limit_), kLeastLeft, most) * radius_;
+      const double left = open_ ? kLeastLeft : kLeftToCorner - arc_gain(corner.turn, limit_);
+      const double reach = std::max(left, kLeastLeft) * radius_;
       if (clearing_.walls.is_alone(corner.place, places, 2 * reach))
         clearing_.walls.leave_out({corner.place, reach, reach});
     }

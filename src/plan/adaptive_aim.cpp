@@ -17,17 +17,28 @@ constexpr double kLongestArc = 12;
 constexpr double kRightTurn = 1.0;  // tightest radius to the right
 constexpr double kOffWall = 0.005;  // off a wall, where cuts are traced
 constexpr double kRise = 0.5;       // length in which the contact comes back to its limit
+// Of arcs from wall to wall, in tool radii:
+constexpr double kTightestAcross = 0.3;
+constexpr double kLongestAcross = 3.5;
+constexpr double kLookAcross = 0.3;  // between looks
 // Radians:
 constexpr double kBelow = 0.06;  // by which long arcs may stay below the limit
 constexpr double kShortBelow = 2.0;
 constexpr double kLongBelow = 0.01;
-constexpr double kAimed = 0.006;   // contact this near to what was aimed at is good
-constexpr double kMostTurn = 2.0;  // of one arc
-constexpr double kAcrossSlack = 4;
-constexpr double kMostAcross = 1.6;   // of one from wall to wall
-constexpr double kAsideTurn = 0.25;   // of an arc between looks at where it runs
-constexpr double kLargestOff = 1.27;  // off a wall
+constexpr double kAimed = 0.006;        // contact this near to what was aimed at is good
+constexpr double kMostTurn = 2.0;       // of one arc
+constexpr double kAcrossAbove = 0.015;  // the limit, on arcs from wall to wall
+constexpr double kAsideTurn = 0.25;     // of an arc between looks at where it runs
+constexpr double kLargestOff = 1.27;    // off a wall
 constexpr int kCloseLooks = 8;
+constexpr double kFlatTurn = 5e-10;  // of half a stride that is straight
+/// Factors between curvatures that are tried for an arc from wall to wall, and that are as good as the same; most tries, and most of
+/// them after closer looks. Share of its length that it may lose.
+constexpr double kOtherCurvature = 1.15;
+constexpr double kCloseCurvature = 1.05;
+constexpr int kMostAcross = 7;
+constexpr int kMostTighter = 5;
+constexpr double kMostLost = 0.11;
 /// Radians. Kinks between arcs: with 500 mm/s2 and a junction deviation of 0.01 mm no brake up to 2500 mm/min.
 constexpr double kMostKink = 0.15;
 /// Radians below the limit from where arcs rise to it without a kink; and corrections until one is aimed.
@@ -43,15 +54,32 @@ Vec2 turned(Vec2 u, Vec2 v) {
   return {u.x * v.x - u.y * v.y, u.x * v.y + u.y * v.x};
 }
 
+/// Along a shot, one look after the other: cheaper than each of its own.
+class Strides {
+ public:
+  Strides(const Course& from, const Shot& shot, double stride)
+      : at_{from.point, shot.kink == 0 ? from.heading : rotated(from.heading, shot.kink)} {
+    const double half = shot.curvature * stride / 2;
+    half_turn_ = {std::cos(half), std::sin(half)};
+    chord_ = std::abs(half) < kFlatTurn ? stride : 2 * half_turn_.y / shot.curvature;
+  }
+
+  const Heading& next() {
+    const Vec2 middle = turned(at_.heading, half_turn_);
+    at_ = {at_.point + middle * chord_, turned(middle, half_turn_)};
+    return at_;
+  }
+
+ private:
+  Heading at_;
+  Vec2 half_turn_;
+  double chord_ = 0;
+};
+
 }  // namespace
 
 Heading after(const Course& from, const Shot& shot, double length) {
-  const double half = shot.curvature * length / 2, sine = std::sin(half);
-  const double chord = std::abs(half) < 5e-10 ? length : 2 * sine / shot.curvature;
-  // The heading turns by half of it up to the chord's, and by the other half from there.
-  const Vec2 turn{std::cos(half), sine},
-      begin = shot.kink == 0 ? from.heading : rotated(from.heading, shot.kink), middle = turned(begin, turn);
-  return {from.point + middle * chord, turned(middle, turn)};
+  return Strides(from, shot, length).next();
 }
 
 Edge edge_of(const Course& from, const Shot& shot) {
@@ -73,8 +101,11 @@ ArcAimer::ArcAimer(const Ground& ground, const Regions& area, double limit)
     : ground_(ground), area_(area), radius_(ground.tool_radius()), limit_(limit) {}
 
 double ArcAimer::contact_after(const Course& from, const Shot& shot, double length) const {
-  const auto [point, heading] = after(from, shot, length);
-  return ground_.contact(point, heading);
+  return contact_at(after(from, shot, length));
+}
+
+double ArcAimer::contact_at(const Heading& at) const {
+  return ground_.contact(at.point, at.heading);
 }
 
 std::optional<Shot> ArcAimer::shoot(const Course& from) const {
@@ -172,17 +203,18 @@ std::optional<Shot> ArcAimer::bend(const Course& from, Shot shot) const {
 }
 
 /// Whether the contact keeps to its limit all along, and does not stay far below.
-bool ArcAimer::is_steady(const Course& from, const Shot& shot, double slack) const {
+bool ArcAimer::is_steady(const Course& from, const Shot& shot) const {
   const int looks = static_cast<int>(shot.length / (kLook * radius_)) + 2;
   double missing = 0;
+  Strides strides(from, shot, shot.length / (looks + 1));
   for (int i = 1; i <= looks; ++i) {
-    const double contact = contact_after(from, shot, shot.length * i / (looks + 1));
+    const double contact = contact_at(strides.next());
     if (contact > limit_ + kAboveLimit) return false;
     missing += std::max(0.0, limit_ - contact) * shot.length / looks;
   }
   const double rise = std::max(0.0, limit_ - from.contact) * kRise * radius_;
-  return missing <= slack * kBelow * (std::min(shot.length, kShortBelow * radius_) + radius_) +
-                        kLongBelow * shot.length + rise;
+  return missing <=
+         kBelow * (std::min(shot.length, kShortBelow * radius_) + radius_) + kLongBelow * shot.length + rise;
 }
 
 std::optional<Shot> ArcAimer::shoot_closely(const Course& from, double guess) const {
@@ -192,11 +224,68 @@ std::optional<Shot> ArcAimer::shoot_closely(const Course& from, double guess) co
   return std::nullopt;
 }
 
-std::optional<Shot> ArcAimer::across(const Course& from, double radius) const {
-  const double farthest = kMostAcross * radius, inside = length_inside(from, {1 / radius, farthest});
-  const Shot shot{1 / radius, inside, 0, true};
-  if (inside >= farthest || !is_steady(from, shot, kAcrossSlack)) return std::nullopt;
-  return shot;
+std::optional<Crossing> ArcAimer::across(const Course& from, double guess) const {
+  const double tightest = 1 / (kTightestAcross * radius_);
+  std::optional<Crossing> best;
+  double exceeding = 0, missing = tightest;
+  double curvature = guess;
+  for (int i = 0; i < kMostAcross && missing > exceeding * kCloseCurvature; ++i) {
+    Crossing crossing;
+    const Fit fit = cross(from, curvature, crossing);
+    if (fit == Fit::kFits) best = crossing;
+    (fit == Fit::kExceeds ? exceeding : missing) = curvature;
+    if (exceeding == 0) {
+      curvature /= kOtherCurvature;
+    } else {
+      curvature = best || missing < curvature * kOtherCurvature
+                      ? (exceeding + missing) / 2
+                      : std::min(tightest, curvature * kOtherCurvature);
+    }
+  }
+  return best;
+}
+
+bool ArcAimer::meets_wall(const Course& from, double curvature) const {
+  const double longest = kLongestAcross * radius_;
+  return length_inside(from, {curvature, longest}) < longest;
+}
+
+/// How the arc of that curvature up to the wall ahead does, which is `crossing`.
+ArcAimer::Fit ArcAimer::cross(const Course& from, double curvature, Crossing& crossing) const {
+  const double longest = std::min(kLongestAcross * radius_, kMostTurn / curvature);
+  Shot& shot = crossing.shot;
+  shot = {curvature, length_inside(from, {curvature, longest}), 0, true};
+  if (shot.length >= longest) return Fit::kMissesWall;
+  const double full = 1 - std::cos(limit_);
+  const int looks = static_cast<int>(shot.length / (kLookAcross * radius_)) + 3;
+  Strides strides(from, shot, shot.length / looks);
+  for (int i = 1; i < looks; ++i) {
+    const double contact = contact_at(strides.next());
+    if (contact > limit_ + kAcrossAbove) return Fit::kExceeds;
+    crossing.lost += std::max(0.0, 1 - (1 - std::cos(contact)) / full) * shot.length / (looks - 1);
+  }
+  return Fit::kFits;
+}
+
+bool Crossing::loses_little() const {
+  return lost <= kMostLost * shot.length;
+}
+
+std::optional<Shot> ArcAimer::to_wall(const Course& from, const Shot& shot) const {
+  if (shot.meets_wall || shot.curvature <= 0 || !meets_wall(from, shot.curvature)) return std::nullopt;
+  const auto crossing = across(from, shot.curvature);
+  return crossing && crossing->loses_little() ? surely_within(from, crossing->shot) : std::nullopt;
+}
+
+std::optional<Shot> ArcAimer::surely_within(const Course& from, Shot across) const {
+  for (int i = 0; i < kMostTighter; ++i) {
+    const Edge edge = edge_of(from, across);
+    if (ground_.length_within(edge, limit_ + kAboveLimit) >= edge.length()) return across;
+    Crossing tighter;
+    if (cross(from, across.curvature * kCloseCurvature, tighter) != Fit::kFits) return std::nullopt;
+    across = tighter.shot;
+  }
+  return std::nullopt;
 }
 
 double ArcAimer::length_inside(const Course& from, const Shot& shot) const {
@@ -206,10 +295,12 @@ double ArcAimer::length_inside(const Course& from, const Shot& shot) const {
   const int looks = static_cast<int>(std::max(by_length, by_turn)) + 1;
   const double off = length_off(from, shot);
   double inside = std::min(off, shot.length);
+  Strides strides(from, shot, shot.length / looks);
   for (int i = 1; i <= looks; ++i) {
     const double length = shot.length * i / looks;
+    const Vec2 p = strides.next().point;
     if (length <= off) continue;
-    if (area_.contains(after(from, shot, length).point)) {
+    if (area_.contains(p)) {
       inside = length;
       continue;
     }

@@ -31,6 +31,13 @@ struct Shot {
   bool meets_wall = false;
 };
 
+/// One arc up to a wall, below the limit where it has to be.
+struct Crossing {
+  Shot shot;
+  double lost = 0;  ///< mm of a cut at the limit that would take what it leaves
+  bool loses_little() const;
+};
+
 /// Where a shot is after `length` mm.
 struct Heading {
   Vec2 point;
@@ -52,8 +59,14 @@ class ArcAimer {
   std::optional<Shot> shoot(const Course& from) const;
   /// Where the contact cannot be kept up, or jumps: a short one, looked at closely.
   std::optional<Shot> shoot_closely(const Course& from, double guess) const;
-  /// The arc of `radius` off a wall, if it meets another one soon and loses little.
-  std::optional<Shot> across(const Course& from, double radius) const;
+  /// Instead of a shot, and the ones after it: a single arc up to the wall ahead, if little is lost by that.
+  std::optional<Shot> to_wall(const Course& from, const Shot& shot) const;
+  /// The flattest arc up to the wall ahead that keeps the limit all along. Looked for near a curvature of `guess` first.
+  std::optional<Crossing> across(const Course& from, double guess) const;
+  /// Such an arc, looked at closely; a little tighter where it has to be.
+  std::optional<Shot> surely_within(const Course& from, Shot across) const;
+  /// Whether an arc of that curvature meets a wall soon.
+  bool meets_wall(const Course& from, double curvature) const;
   /// mm of the shot inside the area for cuts; of one that heads off a wall, the way off it counts as inside.
   double length_inside(const Course& from, const Shot& shot) const;
   /// Whether a shot from a wall on gets off it.
@@ -65,11 +78,14 @@ class ArcAimer {
   bool is_inside(Vec2 p) const { return area_.contains(p); }
 
  private:
+  enum class Fit { kExceeds, kFits, kMissesWall };
+  Fit cross(const Course& from, double curvature, Crossing& crossing) const;
+  double contact_at(const Heading& at) const;
   double contact_after(const Course& from, const Shot& shot, double length) const;
   std::optional<Shot> steady_shot(const Course& from, double length, double guess) const;
   std::optional<Shot> aim(const Course& from, double length, double guess, int looks) const;
   std::optional<Shot> bend(const Course& from, Shot shot) const;
-  bool is_steady(const Course& from, const Shot& shot, double slack = 1) const;
+  bool is_steady(const Course& from, const Shot& shot) const;
 
   const Ground& ground_;
   LegalArea area_;

@@ -42,7 +42,7 @@ constexpr double kCloseTo = 1.01;
 constexpr int kMostTries = 6;
 constexpr double kNotSoNear = 1.15;
 constexpr double kNearer = 0.8;
-/// Straight ways back that are tried where cusps stay; moves round a corner beyond which they are not.
+/// Ends on the second wall from which a straight way back is tried where cusps stay; moves round a corner beyond which it is not.
 constexpr int kMostStraight = 2;
 constexpr std::size_t kLong = 12;
 /// How near the first guess is.
@@ -65,7 +65,7 @@ double angle_between(Vec2 u, Vec2 v) {
 /// Distances from the corner along its first wall, side 0, and its second, side 1.
 class CornerCuts {
  public:
-  /// The first `straight` times it goes back to the first wall straight and on along it, for no cusps to stay there.
+  /// From its `straight`-th end on the second wall it goes back to the first wall straight and on along that, over the cusps there.
   CornerCuts(const Wall& wall, const Corner& corner, Ground& ground, double limit, int straight)
       : wall_(wall),
         ground_(ground),
@@ -81,9 +81,10 @@ class CornerCuts {
     cut_[1] = b;
     for (int i = 0; i < kMostArcs && left() > film; ++i) {
       if (side_ == 0) go_along_first(i == 0 ? 1 : kEnoughAlong);
-      if (!go_across()) return std::nullopt;
+      if (left() > film && !go_across()) return std::nullopt;
     }
     if (path_.empty() || left() > film) return std::nullopt;
+    if (may_end_on_first(film)) return CornerRound{std::move(path_), s_ - cut_[0], 0, aside()};
     if (!go_to_second(film)) return std::nullopt;
     return CornerRound{std::move(path_), s_ + cut_[1], film_before_};
   }
@@ -169,7 +170,7 @@ class CornerCuts {
 
   /// To the other wall, nearer than before: on an arc, or where that gains much less, on a spiral.
   bool go_across() {
-    if (side_ == 1 && straight_ > 0 && go_back()) return --straight_ >= 0;
+    if (side_ == 1 && --straight_ == 0 && go_back()) return true;
     const double most = cut_[1 - side_];
     if (spiral_arcs_[side_] > 0) {
       if (const auto spiral = spiral_across(-std::log(kLeastGain))) return go(*spiral);
@@ -281,8 +282,10 @@ class CornerCuts {
 
   /// To the first wall where it is cut already.
   bool go_back() {
-    if (back_ == cut_[0] || !take_within(Edge::line(here(), at(0, cut_[0])))) return false;
-    back_ = cut_[0];
+    const double to = std::max(cut_[0], cusps_);
+    if (back_ == to || !take_within(Edge::line(here(), at(0, to)))) return false;
+    back_ = cut_[0] = to;
+    cusps_ = 0;
     side_ = 0;
     return true;
   }
@@ -335,6 +338,14 @@ class CornerCuts {
       turn += excess;
     }
     return turn;
+  }
+
+  /// mm. How far the first wall is from the line of the second where it is cut up to.
+  double aside() const { return cut_[0] * std::sin(turn_); }
+
+  /// Whether a cut along the second wall may begin on the first, and leave a wedge.
+  bool may_end_on_first(double film) const {
+    return side_ == 0 && cusps_ == 0 && aside() <= film - Walls::kWedge;
   }
 
   /// Thickness of what stays.
@@ -415,7 +426,7 @@ std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner
     auto found = corner_cuts.cuts(from, second, film);
     ground.forget_beyond(before);
     if (found && (!best || found->path.size() < best->path.size())) best = std::move(found);
-    if (!corner_cuts.leaves_cusps() || (best && best->path.size() > kLong)) break;
+    if ((straight == 0 && !corner_cuts.leaves_cusps()) || (best && best->path.size() > kLong)) break;
   }
   return best;
 }

@@ -21,11 +21,12 @@ double arc_gain(double turn, double limit);
 std::vector<Corner> corners_of(const Walls& walls, double limit);
 std::vector<WallPlace> places_of(const std::vector<Corner>& corners);
 
-/// The way round a corner, from its first wall to its second.
+/// The way round a corner, from its first wall to its second, or to where a straight cut along that may begin.
 struct CornerRound {
   Path path;
   double end = 0;          ///< on the wall, where it goes on
   double film_before = 0;  ///< mm of the first wall that bear what may stay in the corner
+  double wedge = 0;  ///< mm. So thick a wedge stays along the second wall, from the way's end on the first
 };
 
 /// The cuts round one corner, from `from` mm before it on the first wall, which is cut up to there.

@@ -81,10 +81,26 @@ TEST(RoundCorner, GoesFromWallToWallWithinTheLimitAndLeavesNoMoreThanTheFilm) {
 }
 
 TEST(RoundCorner, TakesFewMoves) {
-  EXPECT_LE(Wedge(kPi / 2, 5).round(1.36)->path.size(), 8U);
-  EXPECT_LE(Wedge(kPi / 2, 5).round(0.92)->path.size(), 14U);
-  EXPECT_LE(Wedge(2 * kPi / 3, 5).round(1.36)->path.size(), 14U);
-  EXPECT_LE(Wedge(2 * kPi / 3, 5).round(0.92)->path.size(), 26U);
+  EXPECT_LE(Wedge(kPi / 2, 5).round(1.36)->path.size(), 6U);
+  EXPECT_LE(Wedge(kPi / 2, 5).round(0.92)->path.size(), 12U);
+  EXPECT_LE(Wedge(2 * kPi / 3, 5).round(1.36)->path.size(), 12U);
+  EXPECT_LE(Wedge(2 * kPi / 3, 5).round(0.92)->path.size(), 24U);
+}
+
+TEST(RoundCorner, LeavesAWedgeThatTheWallsAllowUpToTheEndOfTheSecond) {
+  Wedge wedge(kPi / 2, 5);
+  const auto round = wedge.round(1.36);
+  ASSERT_GT(round->wedge, 0);
+  EXPECT_LE(round->wedge, kFilm);
+  for (const Edge& edge : round->path) wedge.ground.cut(edge);
+  wedge.ground.cut(Edge::line(round->path.back().to, wedge.away * (20 * wedge.radius)));
+  const auto bears = [&] {
+    wedge.walls.update(wedge.ground, wedge.region.box());
+    return wedge.walls.touches_after({0, wedge.corner(1.36).place.s + 0.2 * wedge.radius}, 5 * wedge.radius);
+  };
+  EXPECT_TRUE(bears()) << "thicker than what may stay on walls";
+  wedge.walls.leave_wedge(wedge.corner(1.36).place, round->wedge);
+  EXPECT_FALSE(bears());
 }
 
 TEST(RoundCorner, IsNoneWhereTheWallsAreFarFromCut) {

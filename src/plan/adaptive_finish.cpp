@@ -160,6 +160,7 @@ std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, dou
   // Its film is thicker than those of walls.
   const double pitch = kMarkPitch * radius_;
   cuts_.walls.leave_out({corner.place, round->film_before + pitch, pitch});
+  if (round->wedge > 0) cuts_.walls.leave_wedge(corner.place, round->wedge);
   cuts_.walls.update(ground_, box(round->path).grown(2 * radius_));
   return WallPlace{corner.place.wall, round->end};
 }

@@ -290,14 +290,14 @@ int moves_in(const Layer& layer, double degrees) {
 
 TEST(Adaptive, TakesFewMoves) {
   // As engineers would count them: half turns of a spiral, some three for each cut, fewer than ten for each corner.
-  EXPECT_LE(moves_in(square_layer(50), 78), 130);
+  EXPECT_LE(moves_in(square_layer(50), 78), 115);
   // A slot 4/3 as wide as the cutter: cuts from wall to wall, some four moves each millimetre.
   Layer slot = square_layer(1);
   slot.allowed = slot.target = {Region::from_valid_loops(
       loop_from_points(
           std::vector<Vec2>{{0, 0}, {20, 0}, {20, 11}, {60, 11}, {60, 19}, {20, 19}, {20, 30}, {0, 30}}),
       {})};
-  EXPECT_LE(moves_in(slot, 78), 330);
+  EXPECT_LE(moves_in(slot, 78), 305);
 }
 
 TEST(Adaptive, ClearsRandomPolygons) {

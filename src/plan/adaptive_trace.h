@@ -42,8 +42,10 @@ class Tracer {
   struct Mark {
     std::size_t moves = 0, cuts = 0;
   };
-  /// The arc off a wall, of which at least so much is to be taken, mm; and where it ends on a wall.
+  /// The arc off a wall at s, of which at least so much is to be taken, mm; and where it ends on a wall.
   struct WayOff {
+    double s = 0;
+    Course from;
     Edge arc;
     double least = 0;
     std::optional<WallPlace> met;
@@ -60,21 +62,26 @@ class Tracer {
 
   Next follow_wall();
   double wall_contact(double s) const;
+  double end_of_cut(double cut_until) const;
   Next depart(double s_clear, double s_over);
+  double last_within(double s_clear, double s_over) const;
   double latest_departure(double s_clear, double s_over, double radius, double least);
   bool can_leave(double s, double radius);
   Next leave(double s, double radius);
-  std::optional<WayOff> way_off(double radius, double kink);
+  Course course_at(double s, double radius, double kink) const;
+  std::optional<WayOff> way_off(double s, double radius, double kink) const;
+  std::optional<WayOff> way_across(const WayOff& off) const;
+  WayOff up_to_wall(double s, const Course& from, Shot shot) const;
   bool begin_beside(const WayOff& off);
-  std::optional<Vec2> gate_before(const Edge& arc) const;
+  std::optional<Vec2> gate_before(double s, const Edge& arc) const;
   Next on_from(const WayOff& off);
   void follow_from(const WallPlace& place);
   bool append_wall(double s_from, double s_to);
-  bool append_straight(std::span<const Edge> part, double s_from);
+  bool append_as_one(std::span<const Edge> part, double s_from);
 
   Next trace();
   Next meet_wall(const Shot& shot, double inside);
-  std::optional<Landing> landing_of(const Shot& shot, double inside) const;
+  std::optional<Landing> landing_of(const Course& from, const Shot& shot, double inside) const;
   bool leads_along(const WallPlace& met, Vec2 heading) const;
   bool step_to_wall(const WallPlace& place);
 

@@ -96,13 +96,18 @@ WallCuts::Outcome WallCuts::cut_from_clear_wall(const WallPlace& start) {
 void WallCuts::add(const WallPlace& start, const Path& cut, const Way& way) {
   path_.append(cut, way);
   walls.update(ground_, box(cut).grown(2 * radius_));
-  if (walls.is_start(start) && !walls.advances(start, tracer.first_departure(), kLeastAdvance * radius_)) {
-    walls.give_up(start);
-  }
+  if (!walls.is_start(start)) return;
+  const bool advances = walls.advances(start, tracer.first_departure(), kLeastAdvance * radius_);
+  stuck_ = advances ? 0 : stuck_ + 1;
+  // The next ones seldom get farther.
+  if (!advances) walls.give_up(start, (stuck_ + 1) / 2);
 }
 
 /// The last place before the start where the wall bears nothing.
 std::optional<WallPlace> WallCuts::clear_place_before(const WallPlace& start) const {
+  // Rather where an edge ends than just before it: that would be one more move.
+  const WallPlace end{start.wall, walls.wall(start.wall).edge_end(start.s)};
+  if (end.s < start.s + kPitch * radius_ && !ground_.touches(walls.point(end), Ground::kFree)) return end;
   const double farthest = farthest_before(start);
   for (double back = 0; back < farthest; back += kPitch * radius_ / 2) {
     const WallPlace first{start.wall, start.s - back};

@@ -45,6 +45,7 @@ class WallCuts {
   ClearingPath& path_;
   double radius_;
   double limit_;
+  int stuck_ = 0;  ///< cuts that did not get farther along the wall than the one before
 };
 
 }  // namespace clearcut

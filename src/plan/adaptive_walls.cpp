@@ -198,9 +198,10 @@ void Walls::give_up(const WallPlace& place, int count) {
   Marks& marks = marks_[place.wall];
   const std::size_t i = mark_at(place);
   for (int k = 1; k <= count; ++k) {
-    char& touching = marks.touching[(i + static_cast<std::size_t>(k)) % marks.points.size()];
-    if (touching == 0) return;
-    touching = 2;
+    const std::size_t mark = (i + static_cast<std::size_t>(k)) % marks.points.size();
+    if (marks.touching[mark] == 0) return;
+    marks.touching[mark] = 2;
+    marks.left_at[mark] = std::max(marks.left_at[mark], marks.left_at[i]);
   }
 }
 
@@ -211,6 +212,17 @@ void Walls::leave_out(const Around& around) {
     if (to_nearest({around.place}, mark, 1) < around.before ||
         to_nearest({around.place}, mark, -1) < around.after)
       marks.touching[i] = 2;
+  }
+}
+
+void Walls::leave_wedge(const WallPlace& place, double film) {
+  const double length = walls_[place.wall].edge_end(place.s) - place.s;
+  Marks& marks = marks_[place.wall];
+  for (std::size_t i = 0; i < marks.points.size(); ++i) {
+    const double along = to_nearest({place}, {place.wall, static_cast<double>(i) * marks.pitch}, -1);
+    if (along >= length) continue;
+    marks.films[i] = std::max(marks.films[i], film * (1 - along / length) + kWedge);
+    marks.touched[i].reset();
   }
 }
 

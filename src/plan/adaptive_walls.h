@@ -93,6 +93,9 @@ class Walls {
     double after = 0;
   };
   void leave_out(const Around& around);
+  /// Up to the end of the edge that begins at a place a wedge may stay that is `film` mm thick at the place, and kWedge more.
+  void leave_wedge(const WallPlace& place, double film);
+  static constexpr double kWedge = 5e-4;  // mm
   /// Whether no other of `places` is nearer along the wall than `least` mm.
   bool is_alone(const WallPlace& place, const std::vector<WallPlace>& places, double least) const;
 
