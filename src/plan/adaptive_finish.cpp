@@ -33,6 +33,8 @@ constexpr double kRest = 0.0065;
 constexpr double kBorderPitch = 0.02;
 /// mm. Nearer to what the cutter cannot reach nothing is a rest.
 constexpr double kReach = 5e-4;
+/// mm. So far beyond its reach the cutter still touches the border of the target.
+constexpr double kTouched = 1e-6;
 constexpr int kMostRests = 60;
 /// Tool radii of a cut round a rest, at least.
 constexpr double kLeastRound = 0.3;
@@ -335,7 +337,7 @@ void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& 
         const Vec2 p = edge.at(s / length);
         // No nearer than by how far it is inside anything ends.
         const double inside = radius_ + kRest - cover.distance_to(p);
-        const bool hole = inside < 0 && is_reachable(p);
+        const bool hole = inside < 0 && is_within_reach(p, radius_ + kTouched);
         if (hole && !in_hole) holes.push_back(p);
         in_hole = hole;
         s += inside < 0 ? kBorderPitch * radius_ : std::max(inside, kRest);
@@ -345,7 +347,11 @@ void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& 
 }
 
 bool AdaptiveFinish::is_reachable(Vec2 p) const {
-  return ground_.legal().contains(p) || ground_.legal().is_near_boundary(p, radius_ - kReach);
+  return is_within_reach(p, radius_ - kReach);
+}
+
+bool AdaptiveFinish::is_within_reach(Vec2 p, double reach) const {
+  return ground_.legal().contains(p) || ground_.legal().is_near_boundary(p, reach);
 }
 
 Vec2 AdaptiveFinish::nearest_legal(Vec2 p) const {

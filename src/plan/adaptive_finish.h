@@ -43,6 +43,7 @@ class AdaptiveFinish {
   void cut_rests(bool open);
   void add_holes_at_border(const Cover& cover, std::vector<Vec2>& holes) const;
   bool is_reachable(Vec2 p) const;
+  bool is_within_reach(Vec2 p, double reach) const;
   Vec2 nearest_legal(Vec2 p) const;
   bool cut_rest(Vec2 p);
   template <typename Cut>

@@ -279,6 +279,30 @@ TEST(Adaptive, ClearsWhatIsOnlyTouchedFromBesideTheStock) {
   }
 }
 
+TEST(Adaptive, TouchesTheBorderThroughAGapThatIsHardlyOpen) {
+  // A pocket that narrows to 0.028 mm where the stock ends: from outside the cutter gets 33 nm deep there.
+  Layer layer = square_layer(1);
+  layer.stock = Box{{0, 0}, {18, 20}};
+  layer.target = {Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{0, 0}, {10, 0}, {18, 9.986}, {18, 10.014}, {10, 20}, {0, 20}}),
+      {})};
+  layer.allowed = {Region::from_valid_loops(loop_from_points(std::vector<Vec2>{{0, 0},
+                                                                               {10, 0},
+                                                                               {18, 9.986},
+                                                                               {18, -40},
+                                                                               {90, -40},
+                                                                               {90, 60},
+                                                                               {18, 60},
+                                                                               {18, 10.014},
+                                                                               {10, 20},
+                                                                               {0, 20}}),
+                                            {})};
+  std::vector<Edge> edges;
+  for (const Pass& pass : plan_adaptive(layer, {}, {}).passes)
+    edges.insert(edges.end(), pass.path.begin(), pass.path.end());
+  EXPECT_TRUE(Cover(edges, kTool + 0.007).holds({18, 10}));
+}
+
 int moves_in(const Layer& layer, double degrees) {
   AdaptiveOptions options;
   options.engagement = Radians::of_degrees(degrees);
