@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "base/file.h"
-#include "plan/adaptive.h"
-#include "plan/layers.h"
+#include "plan/adaptive/adaptive.h"
+#include "plan/common/layers.h"
 #include "read/outline/outline_reader.h"
 
 namespace {
@@ -64,11 +64,11 @@ struct Measured {
   std::size_t moves = 0;
 };
 
-Measured measure(const Layer& layer, const AdaptiveOptions& options, int runs) {
+Measured measure(const Layer& layer, const plan::adaptive::AdaptiveOptions& options, int runs) {
   Measured result;
   for (int i = 0; i < runs; ++i) {
     const double start = cpu_seconds();
-    const LayerPasses planned = plan_adaptive(layer, options, {});
+    const LayerPasses planned = plan::adaptive::plan_adaptive(layer, options, {});
     result.seconds = std::min(result.seconds, cpu_seconds() - start);
     result.moves = 0;
     for (const Pass& pass : planned.passes) result.moves += pass.path.size();
@@ -78,9 +78,9 @@ Measured measure(const Layer& layer, const AdaptiveOptions& options, int runs) {
 
 void run(const std::string& folder, const PeerRow& peer, int runs) {
   const std::string file = folder + "/" + peer.shape + ".json";
-  const Part part = read_outline_json(read_file(file), file, Tolerances{});
-  const Layer layer = layers_of(part.features.at(0), Operation{}, peer.diameter / 2, {}).at(0);
-  AdaptiveOptions options;
+  const Part part = read::read_outline_json(read_file(file), file, Tolerances{});
+  const Layer layer = plan::layers_of(part.features.at(0), Operation{}, peer.diameter / 2, {}).at(0);
+  plan::adaptive::AdaptiveOptions options;
   options.engagement = Radians::of(std::acos(1 - 2 * peer.stepover));
   const Measured ours = measure(layer, options, runs);
   fmt::print("| {} | {} | {:.0f} | {:.1f} | {:.1f} | {:.1f} | {} | {} | {:.1f} |\n", peer.shape,

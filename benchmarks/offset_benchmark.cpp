@@ -15,7 +15,7 @@
 
 #include "base/units.h"
 #include "geometry/clearance.h"
-#include "part/fishhead.h"
+#include "studies/fishhead.h"
 
 namespace clearcut {
 namespace {
@@ -68,7 +68,7 @@ Input wavy_with_islands() {
 
 /// The pockets of the fishhead part, levels 5, 5.5, 6 ... mm: its 10 mm cutter at small steps.
 void register_fishhead() {
-  for (const Feature& feature : fishhead(false, kTol).features) {
+  for (const Feature& feature : studies::fishhead(false, kTol).features) {
     if (feature.kind != FeatureKind::kClosedPocket) continue;
     const Region region = feature.target.front();
     benchmark::RegisterBenchmark(("fishhead " + feature.name).c_str(), [region](benchmark::State& state) {

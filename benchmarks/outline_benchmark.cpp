@@ -33,11 +33,11 @@ Part wavy_part(int n) {
 
 void plan_and_certify(benchmark::State& state) {
   const Part part = wavy_part(static_cast<int>(state.range(0)));
-  PlanOptions options;
-  options.tools = {parse_tool("endmill:6")};
+  resolve::PlanOptions options;
+  options.tools = {resolve::parse_tool("endmill:6")};
   bool clean = true;
   for (auto _ : state) {
-    const auto result = plan(part, options);
+    const auto result = pipeline::plan(part, options);
     clean = clean && result.findings.all.clean;
     benchmark::DoNotOptimize(result.program.data());
   }

@@ -30,14 +30,14 @@ Part wavy_part(int vertices) {
 }
 
 void judge_outline(benchmark::State& state) {
-  PlanOptions options;
-  options.tools = {parse_tool("endmill:10")};
+  resolve::PlanOptions options;
+  options.tools = {resolve::parse_tool("endmill:10")};
   options.strategy = "contour";
-  const PlanResult result = plan(wavy_part(static_cast<int>(state.range(0))), options);
+  const pipeline::PlanResult result = pipeline::plan(wavy_part(static_cast<int>(state.range(0))), options);
   std::size_t moves = 0;
   for (const Section& section : result.toolpath.sections) moves += section.moves.size();
   for (auto _ : state) {
-    const Findings findings = verify(result.part, result.toolpath, {});
+    const Findings findings = verify::verify(result.part, result.toolpath, {});
     if (!findings.all.clean) state.SkipWithError("not clean");
   }
   state.counters["moves"] = static_cast<double>(moves);
@@ -48,7 +48,7 @@ BENCHMARK(judge_outline)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmar
 /// A cutter that follows a pass at half a diameter among earlier passes of `range` mm moves.
 void contact_between_passes(benchmark::State& state) {
   const double radius = 5, step = static_cast<double>(state.range(0)) / 10;
-  Material material(std::nullopt, 0, {radius});
+  stock::Material material(std::nullopt, 0, {radius});
   for (double y = 0; y < 50; y += radius) {
     for (double x = 0; x < 200; x += step) {
       material.add({Edge::line({x, y}, {x + step, y}), -1, -1, MoveKind::kCut, MmPerMin::of(1000), 0},

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
-#include "pipeline/left_over.h"
+#include "resolve/left_over.h"
 #include "read/gcode/gcode.h"
 
 namespace {
@@ -40,9 +40,9 @@ bool is_small(const Toolpath& toolpath) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   try {
-    options.earlier = read_gcode({reinterpret_cast<const char*>(data), size}, "fuzz").toolpath;
+    options.earlier = read::gcode::read_gcode({reinterpret_cast<const char*>(data), size}, "fuzz").toolpath;
   } catch (const InputError&) {
     return 0;
   }
@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Part part = pocket();
   const Layer layer{
       .z = -2, .target = part.features[0].target, .allowed = part.features[0].allowed, .tool_radius = 1.5};
-  const Regions left = left_over(part, 0, layer, options);
+  const Regions left = resolve::left_over(part, 0, layer, options);
   CLEARCUT_ASSERT(area(left) <= 40 * 30 + 1e-6);
   CLEARCUT_ASSERT(area(subtract(left, layer.target, options.tol)) < 1e-3);
   return 0;

@@ -8,7 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;
   try {
-    read_elements_text({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
+    read::read_elements_text({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
   } catch (const InputError& error) {
     if (std::string_view(error.what()).find('\n') != std::string_view::npos) __builtin_trap();
   }

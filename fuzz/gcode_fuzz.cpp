@@ -10,14 +10,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   Toolpath toolpath;
   try {
-    toolpath = read_gcode(text, "fuzz").toolpath;
+    toolpath = read::gcode::read_gcode(text, "fuzz").toolpath;
   } catch (const InputError&) {
     return 0;
   }
   fuzz::require_sound(toolpath);
   if (!fuzz::is_small(toolpath)) return 0;
-  PostOptions options;
-  options.dialect = post_dialects()[size % post_dialects().size()];
+  post::PostOptions options;
+  options.dialect = post::post_dialects()[size % post::post_dialects().size()];
   options.inch = size % 3 == 0;
   fuzz::post_and_read_again(toolpath, options);
   return 0;

@@ -8,7 +8,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;
   try {
-    read_job_text({reinterpret_cast<const char*>(data), size}, "/nowhere/fuzz.toml");
+    read::read_job_text({reinterpret_cast<const char*>(data), size}, "/nowhere/fuzz.toml");
   } catch (const InputError&) {
   }
   return 0;

@@ -12,14 +12,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (text.find("BEGIN PGM") == std::string::npos) text = "0 BEGIN PGM A MM\n" + text;
   Toolpath toolpath;
   try {
-    toolpath = read_gcode(text, "fuzz.h").toolpath;
+    toolpath = read::gcode::read_gcode(text, "fuzz.h").toolpath;
   } catch (const InputError& error) {
     CLEARCUT_ASSERT(std::string_view(error.what()).find('\n') == std::string_view::npos);
     return 0;
   }
   fuzz::require_sound(toolpath);
   if (!fuzz::is_small(toolpath)) return 0;
-  PostOptions options;
+  post::PostOptions options;
   options.dialect = "heidenhain";
   options.inch = size % 2 == 0;
   fuzz::post_and_read_again(toolpath, options);

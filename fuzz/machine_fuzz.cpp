@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;
   try {
-    const Machine machine = read_machine_text({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
+    const Machine machine = read::read_machine_text({reinterpret_cast<const char*>(data), size}, "fuzz.toml");
     CLEARCUT_ASSERT(machine.rapid.mm_per_min() > 0 && machine.acceleration > 0 &&
                     machine.junction_deviation > 0);
     CLEARCUT_ASSERT(std::isfinite(home_z(machine)));

@@ -35,14 +35,14 @@ inline bool is_small(const Toolpath& toolpath) {
   return moves < 1000;
 }
 
-inline void post_and_read_again(const Toolpath& toolpath, const PostOptions& options) {
+inline void post_and_read_again(const Toolpath& toolpath, const post::PostOptions& options) {
   std::string text;
   try {
-    text = post(toolpath, Part{}, options);
+    text = post::post(toolpath, Part{}, options);
   } catch (const InputError&) {
     return;  // a feed move without feed
   }
-  require_sound(read_gcode(text, "posted").toolpath);
+  require_sound(read::gcode::read_gcode(text, "posted").toolpath);
 }
 
 }  // namespace clearcut::fuzz

@@ -5,20 +5,20 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "pipeline/genetic_study.h"
+#include "studies/genetic_study.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;
-  GeneticStudyOptions options;
+  studies::GeneticStudyOptions options;
   options.runs = 1;
   options.generations = 2;
   options.side = 3;
   options.threads = 1;
-  static const GeneticStudy study = genetic_study("spread", options);
+  static const studies::GeneticStudy study = studies::genetic_study("spread", options);
   const std::string text(data, data + size);
   try {
-    const std::string once = study_csv(study, options, run_genetic_study(study, options, text));
-    const std::string twice = study_csv(study, options, run_genetic_study(study, options, once));
+    const std::string once = studies::study_csv(study, options, studies::run_genetic_study(study, options, text));
+    const std::string twice = studies::study_csv(study, options, studies::run_genetic_study(study, options, once));
     CLEARCUT_ASSERT(once == twice);
   } catch (const InputError& error) {
     CLEARCUT_ASSERT(std::string_view(error.what()).find('\n') == std::string_view::npos);

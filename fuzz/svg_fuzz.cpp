@@ -7,10 +7,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;
-  ReadOptions options;
+  read::ReadOptions options;
   options.depth_if_missing = 1;
   try {
-    read_svg({reinterpret_cast<const char*>(data), size}, "fuzz.svg", options);
+    read::read_svg({reinterpret_cast<const char*>(data), size}, "fuzz.svg", options);
   } catch (const InputError&) {
   }
   return 0;

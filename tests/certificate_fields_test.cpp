@@ -12,10 +12,10 @@
 namespace clearcut {
 namespace {
 
-PlanResult plan_example(PlanOptions options) {
+pipeline::PlanResult plan_example(resolve::PlanOptions options) {
   const std::string file = std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21";
   options.strategy = "contour";
-  return plan(read_part(file, {}), options);
+  return pipeline::plan(read::read_part(file, {}), options);
 }
 
 void expect_figures(const nlohmann::json& json, const std::string& where) {
@@ -30,10 +30,10 @@ void expect_figures(const nlohmann::json& json, const std::string& where) {
 }
 
 TEST(CertificateFields, AreAllThereInAllAndPerFeatureAndLayer) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.shop.material = "aluminium";
   const auto result = plan_example(options);
-  const auto json = nlohmann::json::parse(certificate_json(result.part, result.findings, {}));
+  const auto json = nlohmann::json::parse(report::certificate_json(result.part, result.findings, {}));
   for (const char* key : {"version", "seed", "input_hash", "features", "faults"})
     EXPECT_TRUE(json.contains(key)) << key;
   expect_figures(json, "all");
@@ -48,11 +48,11 @@ TEST(CertificateFields, AreAllThereInAllAndPerFeatureAndLayer) {
 
 TEST(LeaningWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
   CLEARCUT_SKIP_WITHOUT_DATA();
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.strategy = "contour";
   options.scallop = 0.3;
-  const auto part = read_part(*test_support::data_folder() / "stepnc/fishhead_sloped.p21", {});
-  const auto result = plan(part, options);
+  const auto part = read::read_part(*test_support::data_folder() / "stepnc/fishhead_sloped.p21", {});
+  const auto result = pipeline::plan(part, options);
   EXPECT_TRUE(result.findings.all.clean);
   for (const auto& feature : result.findings.features) {
     if (feature.name != "POCKET3") continue;
@@ -65,7 +65,7 @@ TEST(LeaningWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
     ASSERT_TRUE(feature.scallop);
     EXPECT_NEAR(feature.scallop->height_mm, highest, 1e-3);
     EXPECT_EQ(feature.scallop->asked_mm, 0.3);
-    const auto json = nlohmann::json::parse(certificate_json(result.part, result.findings, {}));
+    const auto json = nlohmann::json::parse(report::certificate_json(result.part, result.findings, {}));
     for (const auto& one : json.at("features")) {
       EXPECT_EQ(one.contains("scallop_mm"), one.at("name") == "POCKET3") << one.at("name");
       if (one.contains("scallop_mm")) {

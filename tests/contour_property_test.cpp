@@ -11,7 +11,7 @@
 
 #include "geometry/clearance.h"
 #include "pipeline/run.h"
-#include "post/outline_writer.h"
+#include "post/part/outline_writer.h"
 #include "support/random_regions.h"
 
 namespace clearcut {
@@ -60,11 +60,11 @@ Tool endmill(double diameter) {
 
 /// What is wrong, or nothing.
 std::string fault_of(const RandomRegion& random_region, double diameter) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.strategy = "contour";
   options.stepdown = 2;
   options.tools = {endmill(diameter)};
-  const auto result = plan(pocket_of(random_region.region), options);
+  const auto result = pipeline::plan(pocket_of(random_region.region), options);
   if (result.findings.all.clean) return {};
   return result.findings.faults.empty() ? "not clean" : result.findings.faults.front().text;
 }
@@ -73,7 +73,7 @@ std::string fault_of(const RandomRegion& random_region, double diameter) {
 void leave_outline(const std::string& name, const Region& region) {
   const auto folder = std::filesystem::path(CLEARCUT_BINARY_DIR) / "debug";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / ("contour-" + name + ".json")) << write_outline_json(pocket_of(region));
+  std::ofstream(folder / ("contour-" + name + ".json")) << post::write_outline_json(pocket_of(region));
 }
 
 TEST(ContourProperty, IsCleanAtTheFirstAttempt) {

@@ -1,6 +1,6 @@
 // Contour-parallel passes, linked: what is left, what is gouged, what a rapid meets, on real and on awkward
 // shapes.
-#include "plan/contour.h"
+#include "plan/contour/contour.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "base/random.h"
 #include "link/link.h"
 #include "pipeline/run.h"
-#include "plan/layers.h"
+#include "plan/common/layers.h"
 #include "read/outline/outline_reader.h"
 #include "support/data.h"
 #include "support/raster_simulator.h"
@@ -44,15 +44,15 @@ Loop square_loop(Vec2 center, double half) {
 }
 
 Section linked(const std::vector<LayerPasses>& layers, double radius, std::optional<Box> stock = {}) {
-  LinkOptions options;
+  link::LinkOptions options;
   options.tool_radius = radius;
   options.stock = stock;
-  return link_layers(layers, options, kTol);
+  return link::link_layers(layers, options, kTol);
 }
 
-test_support::RasterFindings cut(const Layer& layer, const ContourOptions& options,
+test_support::RasterFindings cut(const Layer& layer, const plan::contour::ContourOptions& options,
                                  Section* section = nullptr) {
-  const auto passes = plan_contour(layer, options, kTol);
+  const auto passes = plan::contour::plan_contour(layer, options, kTol);
   const auto moves = linked({passes}, layer.tool_radius);
   if (section) *section = moves;
   test_support::RasterJob job{layer.target, layer.allowed, layer.tool_radius,     layer.wall_stock,
@@ -66,9 +66,9 @@ void expect_clean(const test_support::RasterFindings& found, const std::string& 
   EXPECT_EQ(found.rapid_cells, 0) << what;
 }
 
-ContourOptions stepping(const std::string& rule) {
-  ContourOptions options;
-  options.step = parse_step_rule(rule);
+plan::contour::ContourOptions stepping(const std::string& rule) {
+  plan::contour::ContourOptions options;
+  options.step = plan::contour::parse_step_rule(rule);
   return options;
 }
 
@@ -81,7 +81,7 @@ double total_length(const LayerPasses& layer) {
 TEST(Contour, TriangleOfTheResultFile) {
   const double a = 79.9861;
   const Layer layer = pocket_layer(polygon({{0, 0}, {a, 0}, {a / 2, a * std::sqrt(3) / 2}}), 10);
-  const auto passes = plan_contour(layer, stepping("7.01mm"), kTol);
+  const auto passes = plan::contour::plan_contour(layer, stepping("7.01mm"), kTol);
   ASSERT_EQ(passes.passes.size(), 3u);
   const double levels[] = {5, 12.01, 19.02};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -89,7 +89,7 @@ TEST(Contour, TriangleOfTheResultFile) {
     EXPECT_EQ(passes.passes[i].path.size(), 3u);
     EXPECT_EQ(passes.passes[i].parent, static_cast<int>(i) - 1);
   }
-  const double passage = passage_length(7.01, kPi / 3);
+  const double passage = plan::contour::passage_length(7.01, kPi / 3);
   EXPECT_NEAR(passage, 14.02, 1e-9);
   EXPECT_NEAR(total_length(passes) + 2 * passage, 373.4802, 0.001);
   bool first_edge_found = false;
@@ -100,15 +100,15 @@ TEST(Contour, TriangleOfTheResultFile) {
 }
 
 TEST(Contour, StepsFollowTheSmallestAngle) {
-  const auto passes = plan_contour(pocket_layer(rectangle(100, 60), 8), stepping("lom"), kTol);
+  const auto passes = plan::contour::plan_contour(pocket_layer(rectangle(100, 60), 8), stepping("lom"), kTol);
   ASSERT_GE(passes.passes.size(), 3u);
-  EXPECT_NEAR(passes.passes[1].offset - passes.passes[0].offset, 8 * kappa(kPi / 2), 1e-9);
+  EXPECT_NEAR(passes.passes[1].offset - passes.passes[0].offset, 8 * plan::contour::kappa(kPi / 2), 1e-9);
 }
 
 /// The simulator that the other tests rely on sees what a plain wide step leaves (CPO-kappa fig. 9).
 TEST(Contour, APlainWideStepLeavesMaterialInCorners) {
   auto options = stepping("0.98");
-  options.residuals = ResidualRule::kNone;
+  options.residuals = plan::contour::ResidualRule::kNone;
   const auto found = cut(pocket_layer(rectangle(100, 60), 8), options);
   EXPECT_GT(found.uncut_mm2, 1);
   EXPECT_GT(found.uncut_depth, 0.2);
@@ -142,7 +142,7 @@ std::string text_of(const std::string& shape) {
 std::vector<Shape> data_shapes() {
   std::vector<Shape> shapes;
   for (const char* name : kDataShapes) {
-    const auto part = read_outline_json(text_of(name), name, kTol);
+    const auto part = read::read_outline_json(text_of(name), name, kTol);
     for (const auto& region : part.features.at(0).target) shapes.push_back({name, region});
   }
   return shapes;
@@ -164,12 +164,12 @@ TEST(Contour, ClearsEveryDataShapeWithEveryCutter) {
 TEST(Contour, EveryDataShapeIsCertifiedClean) {
   CLEARCUT_SKIP_WITHOUT_DATA();
   for (const char* name : kDataShapes) {
-    const auto part = read_outline_json(text_of(name), name, kTol);
+    const auto part = read::read_outline_json(text_of(name), name, kTol);
     for (const double diameter : {6.0, 10.0}) {
-      PlanOptions options;
+      resolve::PlanOptions options;
       options.strategy = "contour";
-      options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
-      const auto result = plan(part, options);
+      options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
+      const auto result = pipeline::plan(part, options);
       EXPECT_TRUE(result.findings.all.clean) << name << " " << diameter;
       for (const auto& fault : result.findings.faults)
         ADD_FAILURE() << name << " " << diameter << ": " << fault.text;
@@ -212,15 +212,15 @@ TEST(Contour, ClearsTheBreakersOfOtherPrograms) {
 
 TEST(Contour, ACutterAsWideAsTheSlotRunsOnceAlongIt) {
   for (const double width : {2.0, 2.0 + 1e-6, 2.0 - 1e-6}) {
-    const auto passes = plan_contour(pocket_layer(rectangle(30, width), 2), stepping("widest"), kTol);
+    const auto passes = plan::contour::plan_contour(pocket_layer(rectangle(30, width), 2), stepping("widest"), kTol);
     ASSERT_EQ(passes.passes.size(), 1u) << width;
     EXPECT_NEAR(length(passes.passes[0].path), 28, 0.01) << width;
   }
 }
 
 TEST(Contour, ACutterThatDoesNotFitHasNoPasses) {
-  EXPECT_TRUE(plan_contour(pocket_layer(rectangle(30, 2), 2.1), stepping("widest"), kTol).passes.empty());
-  EXPECT_TRUE(linked({plan_contour(pocket_layer(rectangle(30, 2), 2.1), stepping("widest"), kTol)}, 1.05)
+  EXPECT_TRUE(plan::contour::plan_contour(pocket_layer(rectangle(30, 2), 2.1), stepping("widest"), kTol).passes.empty());
+  EXPECT_TRUE(linked({plan::contour::plan_contour(pocket_layer(rectangle(30, 2), 2.1), stepping("widest"), kTol)}, 1.05)
                   .moves.empty());
 }
 
@@ -254,19 +254,19 @@ Region six_pointed_star() {
 /// CPO-kappa table I, CPO-rho table 3: what others add costs more way than it saves.
 TEST(Contour, PublishedAdditionsClearTheStarAtAPrice) {
   const Layer layer = pocket_layer(six_pointed_star(), 8);
-  const auto length_with = [&](ResidualRule rule) {
+  const auto length_with = [&](plan::contour::ResidualRule rule) {
     auto options = stepping("0.9");
     options.residuals = rule;
     Section section;
     const auto found = cut(layer, options, &section);
     EXPECT_LE(found.gouge, kTol.gouge);
-    EXPECT_EQ(found.uncut_cells == 0, rule != ResidualRule::kNone);
+    EXPECT_EQ(found.uncut_cells == 0, rule != plan::contour::ResidualRule::kNone);
     return feed_length(section);
   };
   Section ours;
   expect_clean(cut(layer, {}, &ours), "ours");
-  const double plain = length_with(ResidualRule::kNone), spurs = length_with(ResidualRule::kOurs);
-  const double loops = length_with(ResidualRule::kLoops), bisectors = length_with(ResidualRule::kBisectors);
+  const double plain = length_with(plan::contour::ResidualRule::kNone), spurs = length_with(plan::contour::ResidualRule::kOurs);
+  const double loops = length_with(plan::contour::ResidualRule::kLoops), bisectors = length_with(plan::contour::ResidualRule::kBisectors);
   EXPECT_LT(plain, spurs);
   EXPECT_LT(spurs, loops);
   EXPECT_LT(loops, bisectors);
@@ -277,9 +277,9 @@ TEST(Contour, PublishedAdditionsClearTheStarAtAPrice) {
 TEST(Contour, RunsWithTheWallOnTheSideAskedFor) {
   const Layer layer = pocket_layer(rectangle(50, 40), 6);
   for (const bool right : {true, false}) {
-    ContourOptions options;
+    plan::contour::ContourOptions options;
     options.wall_on_right = right;
-    const auto passes = plan_contour(layer, options, kTol);
+    const auto passes = plan::contour::plan_contour(layer, options, kTol);
     ASSERT_EQ(passes.passes.size(), 1u);
     double turning = 0;
     for (const auto& e : passes.passes[0].path) {
@@ -298,10 +298,10 @@ std::pair<double, double> depths_of(const Pass& way, const Region& region) {
 
 TEST(Contour, RunsOutsideInOnRequestWithTheWallOnTheSameSide) {
   const Region pocket = rectangle(50, 40);
-  ContourOptions options;
-  const auto inside_out = plan_contour(pocket_layer(pocket, 6), options, kTol);
+  plan::contour::ContourOptions options;
+  const auto inside_out = plan::contour::plan_contour(pocket_layer(pocket, 6), options, kTol);
   options.outside_in = true;
-  const auto outside_in = plan_contour(pocket_layer(pocket, 6), options, kTol);
+  const auto outside_in = plan::contour::plan_contour(pocket_layer(pocket, 6), options, kTol);
   ASSERT_EQ(inside_out.passes.size(), 1u);
   ASSERT_EQ(outside_in.passes.size(), 1u);
   EXPECT_NEAR(depths_of(inside_out.passes[0], pocket).second, 3, 1e-6);
@@ -320,7 +320,7 @@ TEST(Contour, RunsOutsideInOnRequestWithTheWallOnTheSameSide) {
 TEST(Contour, RingsRunOutsideInOnRequest) {
   auto options = stepping("0.5");
   options.outside_in = true;
-  const auto section = linked({plan_contour(pocket_layer(rectangle(50, 40), 6), options, kTol)}, 3);
+  const auto section = linked({plan::contour::plan_contour(pocket_layer(rectangle(50, 40), 6), options, kTol)}, 3);
   const auto first_cut = std::find_if(section.moves.begin(), section.moves.end(),
                                       [](const Move& m) { return m.kind == MoveKind::kCut; });
   ASSERT_NE(first_cut, section.moves.end());
@@ -328,7 +328,7 @@ TEST(Contour, RingsRunOutsideInOnRequest) {
 }
 
 TEST(Contour, BeginsWhereAsked) {
-  ContourOptions options;
+  plan::contour::ContourOptions options;
   options.start = Vec2{12, 31};
   const Layer layer = pocket_layer(rectangle(50, 40), 6);
   Section section;
@@ -337,7 +337,7 @@ TEST(Contour, BeginsWhereAsked) {
 }
 
 TEST(Contour, LayersOfOneOutlineArePlannedOnce) {
-  const Strategy planner = once_per_outline([](const Layer& layer) { return plan_contour(layer, {}, kTol); });
+  const Strategy planner = plan::once_per_outline([](const Layer& layer) { return plan::contour::plan_contour(layer, {}, kTol); });
   Layer layer = pocket_layer(rectangle(50, 40), 6);
   const auto first = planner(layer);
   layer.z_top = -2;
@@ -357,8 +357,8 @@ TEST(Link, LayersFollowEachOtherWithoutTouchingMaterialInRapids) {
   Operation operation;
   operation.stepdown = 4;
   std::vector<LayerPasses> layers;
-  for (const auto& layer : layers_of(feature, operation, 3, kTol))
-    layers.push_back(plan_contour(layer, {}, kTol));
+  for (const auto& layer : plan::layers_of(feature, operation, 3, kTol))
+    layers.push_back(plan::contour::plan_contour(layer, {}, kTol));
   ASSERT_EQ(layers.size(), 3u);
   const auto section = linked(layers, 3);
   double lowest_rapid_end = 0;
@@ -387,7 +387,7 @@ TEST(Link, AFaceIsEnteredFromTheAir) {
   layer.tool_radius = 10;
   layer.target = {rectangle(100, 80, {boss})};
   layer.allowed = {Region::from_valid_loops(square_loop({50, 40}, 1000), {boss})};
-  const auto passes = plan_contour(layer, {}, kTol);
+  const auto passes = plan::contour::plan_contour(layer, {}, kTol);
   const auto section = linked({passes}, 10, Box{{0, 0}, {100, 80}});
   ASSERT_FALSE(section.moves.empty());
   const Vec2 entry = section.moves.front().path.from;
@@ -397,13 +397,13 @@ TEST(Link, AFaceIsEnteredFromTheAir) {
 }
 
 TEST(Link, ConventionalRunsTheOtherWay) {
-  const auto passes = plan_contour(pocket_layer(rectangle(40, 30), 6), stepping("lom"), kTol);
-  LinkOptions options;
+  const auto passes = plan::contour::plan_contour(pocket_layer(rectangle(40, 30), 6), stepping("lom"), kTol);
+  link::LinkOptions options;
   options.tool_radius = 3;
   const auto area_of_last_ring = [&](CutDirection direction) {
     options.direction = direction;
     Loop ring;
-    for (const auto& m : link_layers({passes}, options, kTol).moves) {
+    for (const auto& m : link::link_layers({passes}, options, kTol).moves) {
       if (m.kind == MoveKind::kCut && std::abs(m.path.at(0.5).x - 20) > 16.9) ring.push_back(m.path);
     }
     double doubled = 0;

@@ -1,9 +1,9 @@
 // A part keeps its program on the way through another format.
 #include <gtest/gtest.h>
 
-#include "pipeline/prepare.h"
+#include "resolve/prepare.h"
 #include "pipeline/run.h"
-#include "post/stepnc_writer.h"
+#include "post/part/stepnc_writer.h"
 #include "read/read_part.h"
 #include "support/data.h"
 #include "support/programs.h"
@@ -30,20 +30,20 @@ std::vector<Drawing> drawings() {
 }
 
 /// The program without its header, whose first lines name the part's file and format.
-std::string program_of(const Part& part, const PlanOptions& options) {
-  const std::string program = plan(part, options).program;
+std::string program_of(const Part& part, const resolve::PlanOptions& options) {
+  const std::string program = pipeline::plan(part, options).program;
   return program.substr(program.find("G21"));
 }
 
 TEST(Convert, ADrawingAsStepNcHasTheSameProgram) {
   for (const Drawing& drawing : drawings()) {
-    ReadOptions reading;
+    read::ReadOptions reading;
     reading.depth_if_missing = 2;
-    const Part drawn = read_part(drawing.file, reading);
-    PlanOptions options;
-    options.tools = {parse_tool(drawing.tool)};
+    const Part drawn = read::read_part(drawing.file, reading);
+    resolve::PlanOptions options;
+    options.tools = {resolve::parse_tool(drawing.tool)};
     const std::string wanted = program_of(drawn, options);
-    const Part stepnc = read_part_text(write_stepnc(with_tools(drawn, options)), "again.p21", {});
+    const Part stepnc = read::read_part_text(post::write_stepnc(resolve::with_tools(drawn, options)), "again.p21", {});
     EXPECT_EQ(test_support::first_difference(program_of(stepnc, options), wanted), "") << drawing.file;
   }
 }

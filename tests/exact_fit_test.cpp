@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "pipeline/prepare.h"
+#include "resolve/prepare.h"
 #include "pipeline/run.h"
 
 namespace clearcut {
@@ -37,10 +37,10 @@ Part random_pocket(int seed) {
   return part_of(outline);
 }
 
-PlanOptions with_diameter(double diameter) {
+resolve::PlanOptions with_diameter(double diameter) {
   Tool tool;
   tool.diameter = diameter;
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.tools = {tool};
   return options;
 }
@@ -48,12 +48,12 @@ PlanOptions with_diameter(double diameter) {
 TEST(ExactFit, TheWidestCutterIsPlannedCleanAndAWiderOneRefused) {
   for (int seed = 0; seed < 30; ++seed) {
     const Part part = random_pocket(seed);
-    const double widest = largest_fitting_diameter(part.features[0], {});
+    const double widest = resolve::largest_fitting_diameter(part.features[0], {});
     for (const double over : {-0.0004, 0.0, 0.0006}) {
-      const auto result = plan(part, with_diameter(widest + over));
+      const auto result = pipeline::plan(part, with_diameter(widest + over));
       EXPECT_TRUE(result.findings.all.clean) << seed << " over by " << over;
     }
-    EXPECT_THROW(plan(part, with_diameter(widest + 0.01)), InputError) << seed;
+    EXPECT_THROW(pipeline::plan(part, with_diameter(widest + 0.01)), InputError) << seed;
   }
 }
 
@@ -130,10 +130,10 @@ TEST(ExactFit, PlannerAndVerifierAgreeAboutSlotsOfTheCuttersWidthToMicrometres) 
     const double diameter = random.between(2, 10), over = random.between(-0.003, 0.003);
     constexpr std::array kMakers{neck, comb, slot};
     const Part part = kMakers[seed % kMakers.size()](diameter + over, diameter, random);
-    PlanOptions options = with_diameter(diameter);
+    resolve::PlanOptions options = with_diameter(diameter);
     options.strategy = "contour";
     try {
-      const auto result = plan(part, options);
+      const auto result = pipeline::plan(part, options);
       EXPECT_TRUE(result.findings.all.clean) << seed << " over by " << over;
       ++planned;
     } catch (const InputError&) {

@@ -21,7 +21,7 @@ Part pocket_with_island(double diameter) {
 
 TEST(Feeds, EveryKindOfMoveHasItsOwn) {
   for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive"}) {
-    PlanOptions options;
+    resolve::PlanOptions options;
     options.strategy = strategy;
     options.cutting.feed = MmPerMin::of(1000);
     options.cutting.plunge_feed = MmPerMin::of(111);
@@ -31,7 +31,7 @@ TEST(Feeds, EveryKindOfMoveHasItsOwn) {
     options.shop.link_feed = MmPerMin::of(444);
     options.lead = 1;
     options.entry = EntryKind::kHelix;
-    const auto result = plan(pocket_with_island(6), options);
+    const auto result = pipeline::plan(pocket_with_island(6), options);
     ASSERT_TRUE(result.findings.all.clean) << strategy;
     std::set<double> level;
     for (const auto& section : result.toolpath.sections) {
@@ -55,10 +55,10 @@ TEST(Feeds, EveryKindOfMoveHasItsOwn) {
 }
 
 /// Degrees of the cutter's circle in material, at most, on level moves faster than `feed`.
-double widest_contact_above(const PlanResult& result, double feed) {
+double widest_contact_above(const pipeline::PlanResult& result, double feed) {
   const double radius = result.part.tools.front().radius();
   const auto& stock = result.part.stock;
-  Material material(stock ? std::optional(stock->plan) : std::nullopt, 0, {radius});
+  stock::Material material(stock ? std::optional(stock->plan) : std::nullopt, 0, {radius});
   double widest = 0;
   for (const auto& section : result.toolpath.sections) {
     for (const Move& move : section.moves) {
@@ -82,12 +82,12 @@ TEST(Feeds, WhatIsFasterThanTheCuttingFeedCutsNothing) {
       Random random(static_cast<std::uint64_t>(i) + 1);
       const Part part = test_support::random_part(random, random.between(3, 8));
       if (part.features.front().target.empty()) continue;
-      PlanOptions options;
+      resolve::PlanOptions options;
       options.strategy = strategy;
       options.threads = 1;
       if (i % 2) options.shop.link_feed = MmPerMin::of(3000);
       try {
-        const auto result = plan(part, options);
+        const auto result = pipeline::plan(part, options);
         const double feed = result.part.workplan.front().operation.cutting.feed->mm_per_min();
         EXPECT_LT(widest_contact_above(result, feed), 5) << strategy << ", seed " << i + 1;
       } catch (const InputError&) {

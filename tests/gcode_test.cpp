@@ -29,8 +29,8 @@ std::vector<fs::path> corpus(const std::string& folder) {
   return files;
 }
 
-Program load(const fs::path& file) {
-  return read_gcode(read_file(file.string()), file.filename().string());
+read::gcode::Program load(const fs::path& file) {
+  return read::gcode::read_gcode(read_file(file.string()), file.filename().string());
 }
 
 std::vector<Move> moves_of(const Toolpath& toolpath) {
@@ -64,7 +64,7 @@ TEST(GcodeCorpus, GoodProgramsLoad) {
   ASSERT_GT(files.size(), 15U);
   for (const fs::path& file : files) {
     SCOPED_TRACE(file.filename());
-    const Program program = load(file);
+    const read::gcode::Program program = load(file);
     expect_sound(program.toolpath);
   }
 }
@@ -107,7 +107,7 @@ TEST(GcodeCorpus, OtherDialectsMeanWhatTheySay) {
   };
   for (const Row& row : rows) {
     SCOPED_TRACE(row.file);
-    const Program program = load(fs::path(CLEARCUT_SOURCE_DIR) / "tests/corpus/gcode/other" / row.file);
+    const read::gcode::Program program = load(fs::path(CLEARCUT_SOURCE_DIR) / "tests/corpus/gcode/other" / row.file);
     EXPECT_EQ(program.ended, row.ended);
     ASSERT_EQ(program.toolpath.sections.size(), row.sections);
     double cut = 0;
@@ -154,7 +154,7 @@ TEST(GcodeCorpus, DamagedProgramsAreRefusedOrSound) {
   for (int n = 0; n < 6000; ++n) {
     const std::string text = mutated(texts[random.below(texts.size())], random);
     try {
-      expect_sound(read_gcode(text, "damaged").toolpath);
+      expect_sound(read::gcode::read_gcode(text, "damaged").toolpath);
       ++read;
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()).rfind("damaged:", 0), 0U) << error.what();

@@ -58,10 +58,10 @@ bool is_solid(const Example& example) {
   return fs::path(example.file).extension() == ".step";
 }
 
-PlanOptions options_of(const Case& c, bool inch) {
-  PlanOptions options;
-  if (c.example.file == std::string("bracket.toml")) options.machine = read_job(file_of(c.example)).machine;
-  if (c.example.tool) options.tools = {parse_tool(*c.example.tool)};
+resolve::PlanOptions options_of(const Case& c, bool inch) {
+  resolve::PlanOptions options;
+  if (c.example.file == std::string("bracket.toml")) options.machine = read::read_job(file_of(c.example)).machine;
+  if (c.example.tool) options.tools = {resolve::parse_tool(*c.example.tool)};
   options.stepdown = c.example.stepdown;
   options.post.dialect = c.dialect;
   options.post.inch = inch;
@@ -70,7 +70,7 @@ PlanOptions options_of(const Case& c, bool inch) {
 
 std::string golden(const Case& c, bool inch, const std::string& program) {
   const fs::path file = fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden/examples" / c.example.folder /
-                        (c.dialect + (inch ? "-inch" : "-mm") + file_extension_of(c.dialect));
+                        (c.dialect + (inch ? "-inch" : "-mm") + post::file_extension_of(c.dialect));
   if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) {
     fs::create_directories(file.parent_path());
     std::ofstream(file, std::ios::binary) << program;
@@ -94,12 +94,12 @@ void expect_accepted(const std::string& dialect, const std::string& program) {
 
 /// Plans, compares with the golden program, and judges what stands there.
 Toolpath checked_program(const Case& c, bool inch) {
-  const Part part = read_part(file_of(c.example), {});
-  const PlanOptions options = options_of(c, inch);
-  const std::string program = plan(part, options).program;
+  const Part part = read::read_part(file_of(c.example), {});
+  const resolve::PlanOptions options = options_of(c, inch);
+  const std::string program = pipeline::plan(part, options).program;
   const std::string wanted = golden(c, inch, program);
   EXPECT_EQ(test_support::first_difference(program, wanted), "");
-  const JudgeResult judged = judge(part, wanted, "golden", options);
+  const pipeline::JudgeResult judged = pipeline::judge(part, wanted, "golden", options);
   EXPECT_TRUE(judged.findings.all.clean)
       << (judged.findings.faults.empty() ? "" : judged.findings.faults[0].text);
   expect_accepted(c.dialect, wanted);
@@ -117,15 +117,15 @@ void expect_same_path(const Toolpath& one, const Toolpath& other, double limit) 
 
 /// mm; what rounding to either unit's decimals may part, and 1 um.
 double limit_of(const std::string& dialect) {
-  PostOptions metric, inch;
+  post::PostOptions metric, inch;
   metric.dialect = inch.dialect = dialect;
   inch.inch = true;
-  return 0.001 + 2 * rounding_of(metric) + 2 * rounding_of(inch);
+  return 0.001 + 2 * post::rounding_of(metric) + 2 * post::rounding_of(inch);
 }
 
 TEST_P(ExampleProgram, IsTheGoldenOneAndCleanInBothUnits) {
   const Case& c = GetParam();
-  if (is_solid(c.example) && !solids_can_be_read())
+  if (is_solid(c.example) && !read::solids_can_be_read())
     GTEST_SKIP() << "built without Open CASCADE: STEP solids cannot be read";
   expect_same_path(checked_program(c, false), checked_program(c, true), limit_of(c.dialect));
 }
@@ -134,20 +134,20 @@ TEST(OtherFormsOfTheBracket, GiveItsGoldenProgram) {
   for (const char* file : {"bracket.json", "bracket.svg", "bracket.step"}) {
     SCOPED_TRACE(file);
     const Case c{{file, kBracket.folder, kBracket.tool, kBracket.stepdown}, "linuxcnc"};
-    if (is_solid(c.example) && !solids_can_be_read()) continue;
-    const PlanResult result = plan(read_part(file_of(c.example), {}), options_of(c, false));
+    if (is_solid(c.example) && !read::solids_can_be_read()) continue;
+    const pipeline::PlanResult result = pipeline::plan(read::read_part(file_of(c.example), {}), options_of(c, false));
     EXPECT_TRUE(result.findings.all.clean);
     const std::string wanted =
         read_file((fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden/examples/bracket/linuxcnc-mm.ngc").string());
-    expect_same_path(result.toolpath, read_gcode(wanted, "golden").toolpath,
-                     2 * rounding_of(options_of(c, false).post));
+    expect_same_path(result.toolpath, read::gcode::read_gcode(wanted, "golden").toolpath,
+                     2 * post::rounding_of(options_of(c, false).post));
   }
 }
 
 /// The grid's own reduction leaves corners uncut; all else is as for any other program.
 Toolpath checked_elements(const std::string& dialect, bool inch) {
   const Case c{kFivePockets, dialect};
-  const ElementsResult result = plan_elements(read_elements(file_of(kFivePockets)), options_of(c, inch));
+  const pipeline::ElementsResult result = pipeline::plan_elements(read::read_elements(file_of(kFivePockets)), options_of(c, inch));
   const std::string wanted = golden(c, inch, result.plan.program);
   EXPECT_EQ(test_support::first_difference(result.plan.program, wanted), "");
   for (const Fault& fault : result.plan.findings.faults)
@@ -157,7 +157,7 @@ Toolpath checked_elements(const std::string& dialect, bool inch) {
 }
 
 TEST(FivePockets, AreTheGoldenProgramsInBothUnits) {
-  for (const std::string& dialect : post_dialects()) {
+  for (const std::string& dialect : post::post_dialects()) {
     SCOPED_TRACE(dialect);
     expect_same_path(checked_elements(dialect, false), checked_elements(dialect, true), limit_of(dialect));
   }
@@ -166,7 +166,7 @@ TEST(FivePockets, AreTheGoldenProgramsInBothUnits) {
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const Example& example : kExamples)
-    for (const std::string& dialect : post_dialects()) all.push_back({example, dialect});
+    for (const std::string& dialect : post::post_dialects()) all.push_back({example, dialect});
   return all;
 }
 

@@ -17,7 +17,7 @@
 #include "plan/grid/reduce.h"
 #include "plan/grid/visit.h"
 #include "read/elements/read_elements.h"
-#include "report/grid_picture.h"
+#include "report/picture/grid_picture.h"
 #include "support/command.h"
 
 namespace clearcut {
@@ -30,7 +30,7 @@ using ::testing::IsEmpty;
 const std::string kExample = std::string(CLEARCUT_SOURCE_DIR) + "/examples/five_pockets.toml";
 
 ElementJob job_with(const std::string& elements, const std::string& head = "") {
-  return read_elements_text(head + R"(
+  return read::read_elements_text(head + R"(
 [stock]
 x = [0, 60]
 y = [0, 60]
@@ -78,8 +78,8 @@ class Table1 : public ::testing::TestWithParam<Table1Row> {};
 
 TEST_P(Table1, CountsAreThePrintedOnes) {
   const auto& row = GetParam();
-  const auto job = read_elements_text(square_pocket(row.side, row.radius, row.rule), "row.toml");
-  const PointTable table = grid::tabulate(job);
+  const auto job = read::read_elements_text(square_pocket(row.side, row.radius, row.rule), "row.toml");
+  const PointTable table = plan::grid::tabulate(job);
   EXPECT_EQ(table.points.size(), row.squares);
   EXPECT_EQ(count_reduced(table), row.reduced);
 }
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Table1Row{30, 3, "keep", 961, 81}, Table1Row{30, 3, "strict", 961, 64}));
 
 TEST(GridTable, EveryOrderIsProvenWithinTheirSeconds) {
-  const TextTable table = grid_reduction_table();
+  const report::TextTable table = pipeline::grid_reduction_table();
   ASSERT_EQ(table.rows.size(), 6u);
   for (const auto& row : table.rows) {
     EXPECT_EQ(row[7], "optimal") << row[0];
@@ -141,12 +141,12 @@ TEST(LinearInterpolator, ActivatesTheSquaresOnTheLine) {
     const SquareGrid grid = grid_with(cell);
     const Vec2 a{random.between(5, 45), random.between(5, 45)},
         b{random.between(5, 45), random.between(5, 45)};
-    const auto points = grid::interpolate_line(a, b, cell);
-    const auto squares = grid::activate(points, grid);
+    const auto points = plan::grid::interpolate_line(a, b, cell);
+    const auto squares = plan::grid::activate(points, grid);
     const std::set<Square> active(squares.begin(), squares.end());
     for (const Square s : squares) ASSERT_TRUE(line_meets(a, b, grid.center(s), cell / 2));
     const double spacing = distance(a, b) / static_cast<double>(points.size() - 1);
-    for (const Square s : grid::activate_near(a, b, 2 * cell, grid)) {
+    for (const Square s : plan::grid::activate_near(a, b, 2 * cell, grid)) {
       if (length_inside(a, b, grid.center(s), cell / 2) > spacing * (1 + 1e-9)) {
         ASSERT_TRUE(active.count(s)) << "column " << s.column << " row " << s.row;
       }
@@ -156,12 +156,12 @@ TEST(LinearInterpolator, ActivatesTheSquaresOnTheLine) {
 }
 
 TEST(LinearInterpolator, ThriceAsManyPointsAsMillimetres) {
-  EXPECT_EQ(grid::interpolate_line({0, 0}, {3, 4}, 1).size(), 15u);
-  EXPECT_EQ(grid::interpolate_line({0, 0}, {3, 4}, 0.5).size(), 30u);
+  EXPECT_EQ(plan::grid::interpolate_line({0, 0}, {3, 4}, 1).size(), 15u);
+  EXPECT_EQ(plan::grid::interpolate_line({0, 0}, {3, 4}, 0.5).size(), 30u);
 }
 
 TEST(LinearInterpolator, SteepLinesHaveNoGaps) {
-  const auto squares = grid::activate(grid::interpolate_line({10, 0}, {11, 30}, 1), grid_with(1));
+  const auto squares = plan::grid::activate(plan::grid::interpolate_line({10, 0}, {11, 30}, 1), grid_with(1));
   std::set<int> rows;
   for (const Square s : squares) rows.insert(s.row);
   EXPECT_EQ(rows.size(), 31u);
@@ -182,8 +182,8 @@ TEST(CircularInterpolator, ActivatesTheSquaresOnTheArc) {
   for (int trial = 0; trial < 60; ++trial) {
     const double cell = random.between(0.5, 2);
     const SquareGrid grid = grid_with(cell);
-    const Edge arc = grid::arc_of(random_arc(random));
-    const auto squares = grid::activate(grid::interpolate_arc(arc, cell), grid);
+    const Edge arc = plan::grid::arc_of(random_arc(random));
+    const auto squares = plan::grid::activate(plan::grid::interpolate_arc(arc, cell), grid);
     const std::set<Square> active(squares.begin(), squares.end());
     // Walk along the true arc in steps far smaller than a square, and measure the stay in each one.
     const int steps = static_cast<int>(arc.length() / cell * 200) + 1;
@@ -210,19 +210,19 @@ TEST(CircularInterpolator, FindsBothCentresAndChoosesByDirection) {
   Random random(3);
   for (int trial = 0; trial < 200; ++trial) {
     const DesignElement element = random_arc(random);
-    for (const Vec2 center : grid::arc_centers(element.from, element.to, element.radius)) {
+    for (const Vec2 center : plan::grid::arc_centers(element.from, element.to, element.radius)) {
       EXPECT_NEAR(distance(center, element.from), element.radius, 1e-9);
       EXPECT_NEAR(distance(center, element.to), element.radius, 1e-9);
     }
-    const Edge arc = grid::arc_of(element);
+    const Edge arc = plan::grid::arc_of(element);
     EXPECT_LE(std::abs(arc.sweep()), kPi + 1e-6) << "at most half a turn";
     EXPECT_EQ(arc.sweep() > 0, element.direction == Turn::kCounterClockwise);
   }
 }
 
 TEST(CircularInterpolator, StepsOfAMicronMirroredToTheLowerHalf) {
-  EXPECT_EQ(grid::circle_step(10, 1), 0.001);
-  const auto circle = grid::circle_at_origin(10, 0.001);
+  EXPECT_EQ(plan::grid::circle_step(10, 1), 0.001);
+  const auto circle = plan::grid::circle_at_origin(10, 0.001);
   EXPECT_EQ(circle.size(), 2u * 20001u);
   for (std::size_t i = 0; i < circle.size(); ++i) {
     ASSERT_NEAR(norm(circle[i]), 10, 1e-9);
@@ -238,7 +238,7 @@ TEST(RectangleInterpolator, IsTheSameFromEveryCornerAndHoldsExactlyTheSquaresIns
     const int length = 1 + int(random.below(30)), width = 1 + int(random.below(30));
     const SquareGrid grid = grid_with(1);
     const double left = x, low = y, right = x + length, high = y + width;
-    const auto squares = grid::activate_rectangle(rectangle({left, low}, length, width), grid);
+    const auto squares = plan::grid::activate_rectangle(rectangle({left, low}, length, width), grid);
     std::vector<Square> inside;
     for (int row = 0; row < 60; ++row) {
       for (int column = 0; column < 60; ++column) {
@@ -247,15 +247,15 @@ TEST(RectangleInterpolator, IsTheSameFromEveryCornerAndHoldsExactlyTheSquaresIns
     }
     EXPECT_EQ(squares, inside) << "row by row from the lower left";
     using enum Corner;
-    EXPECT_EQ(squares, grid::activate_rectangle(rectangle({right, low}, length, width, kLowerRight), grid));
-    EXPECT_EQ(squares, grid::activate_rectangle(rectangle({left, high}, length, width, kUpperLeft), grid));
-    EXPECT_EQ(squares, grid::activate_rectangle(rectangle({right, high}, length, width, kUpperRight), grid));
+    EXPECT_EQ(squares, plan::grid::activate_rectangle(rectangle({right, low}, length, width, kLowerRight), grid));
+    EXPECT_EQ(squares, plan::grid::activate_rectangle(rectangle({left, high}, length, width, kUpperLeft), grid));
+    EXPECT_EQ(squares, plan::grid::activate_rectangle(rectangle({right, high}, length, width, kUpperRight), grid));
   }
 }
 
 // --- Reductions: always a subset, in ascending places.
 
-void expect_subset(const grid::Places& places, std::size_t size) {
+void expect_subset(const plan::grid::Places& places, std::size_t size) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     ASSERT_LT(places[i], size);
     if (i > 0) {
@@ -268,8 +268,8 @@ TEST(EdgePointSearch, FindsTheGeometricEdges) {
   Random random(5);
   for (int trial = 0; trial < 100; ++trial) {
     const int columns = 2 + int(random.below(15)), rows = 2 + int(random.below(15));
-    const auto squares = grid::activate_rectangle(rectangle({3, 4}, columns - 1, rows - 1), grid_with(1));
-    grid::ElementEdges expected;
+    const auto squares = plan::grid::activate_rectangle(rectangle({3, 4}, columns - 1, rows - 1), grid_with(1));
+    plan::grid::ElementEdges expected;
     for (std::size_t i = 0; i < squares.size(); ++i) {
       const int column = squares[i].column - 3, row = squares[i].row - 4;
       if (column == 0) expected.left.push_back(i);
@@ -278,7 +278,7 @@ TEST(EdgePointSearch, FindsTheGeometricEdges) {
       if (row == 0 && between) expected.lower.push_back(i);
       if (row == rows - 1 && between) expected.upper.push_back(i);
     }
-    const auto edges = grid::find_edges(squares);
+    const auto edges = plan::grid::find_edges(squares);
     ASSERT_EQ(edges.left, expected.left);
     ASSERT_EQ(edges.right, expected.right);
     ASSERT_EQ(edges.lower, expected.lower);
@@ -287,10 +287,10 @@ TEST(EdgePointSearch, FindsTheGeometricEdges) {
 }
 
 TEST(CurveReduction, KeepsWhatLiesOnTheToolsPeripheryFromBothEnds) {
-  const auto squares = grid::activate(grid::interpolate_line({0, 5}, {20, 5}, 1), grid_with(1));
-  EXPECT_THAT(grid::reduce_curve(squares, 3), ElementsAre(3, 6, 9, 11, 14, 17));
-  EXPECT_THAT(grid::reduce_curve(squares, 5), ElementsAre(5, 10, 15));
-  EXPECT_THAT(grid::reduce_curve(squares, 30), IsEmpty());
+  const auto squares = plan::grid::activate(plan::grid::interpolate_line({0, 5}, {20, 5}, 1), grid_with(1));
+  EXPECT_THAT(plan::grid::reduce_curve(squares, 3), ElementsAre(3, 6, 9, 11, 14, 17));
+  EXPECT_THAT(plan::grid::reduce_curve(squares, 5), ElementsAre(5, 10, 15));
+  EXPECT_THAT(plan::grid::reduce_curve(squares, 30), IsEmpty());
 }
 
 TEST(CurveReduction, NoKeptSquareIsNearerToTheEndsThanTheToolsRadius) {
@@ -298,9 +298,9 @@ TEST(CurveReduction, NoKeptSquareIsNearerToTheEndsThanTheToolsRadius) {
   for (int trial = 0; trial < 300; ++trial) {
     const Vec2 a{random.between(5, 45), random.between(5, 45)},
         b{random.between(5, 45), random.between(5, 45)};
-    const auto squares = grid::activate(grid::interpolate_line(a, b, 1), grid_with(1));
+    const auto squares = plan::grid::activate(plan::grid::interpolate_line(a, b, 1), grid_with(1));
     const double radius = random.between(1, 6);
-    const auto kept = grid::reduce_curve(squares, radius);
+    const auto kept = plan::grid::reduce_curve(squares, radius);
     expect_subset(kept, squares.size());
     if (distance(a, b) < 2 * radius + 4) continue;  // too short to stay away from both ends
     for (const std::size_t i : kept) {
@@ -315,11 +315,11 @@ TEST(CurveReduction, NoKeptSquareIsNearerToTheEndsThanTheToolsRadius) {
 
 TEST(RectangleReduction, MiddleRowByBothRules) {
   using enum MiddleRow;
-  EXPECT_THAT(grid::kept_rows(0, 12, 3, kKeep), ElementsAre(3, 6, 9)) << "d3 = 0: counted once";
-  EXPECT_THAT(grid::kept_rows(0, 12, 3, kStrict), ElementsAre(3, 9)) << "d3 = 0: dropped";
-  EXPECT_THAT(grid::kept_rows(0, 13, 3, kKeep), ElementsAre(3, 6, 7, 10)) << "d3 = 1";
-  EXPECT_THAT(grid::kept_rows(0, 13, 3, kStrict), ElementsAre(3, 10)) << "d3 = 1 is not > 1";
-  EXPECT_THAT(grid::kept_rows(0, 14, 3, kStrict), ElementsAre(3, 6, 8, 11)) << "d3 = 2";
+  EXPECT_THAT(plan::grid::kept_rows(0, 12, 3, kKeep), ElementsAre(3, 6, 9)) << "d3 = 0: counted once";
+  EXPECT_THAT(plan::grid::kept_rows(0, 12, 3, kStrict), ElementsAre(3, 9)) << "d3 = 0: dropped";
+  EXPECT_THAT(plan::grid::kept_rows(0, 13, 3, kKeep), ElementsAre(3, 6, 7, 10)) << "d3 = 1";
+  EXPECT_THAT(plan::grid::kept_rows(0, 13, 3, kStrict), ElementsAre(3, 10)) << "d3 = 1 is not > 1";
+  EXPECT_THAT(plan::grid::kept_rows(0, 14, 3, kStrict), ElementsAre(3, 6, 8, 11)) << "d3 = 2";
 }
 
 TEST(RectangleReduction, StaysOffTheWallsAndCoversThem) {
@@ -328,8 +328,8 @@ TEST(RectangleReduction, StaysOffTheWallsAndCoversThem) {
     const double radius = random.between(1, 5);
     const int length = int(random.between(2 * radius + 2, 50)),
               width = int(random.between(2 * radius + 2, 50));
-    const auto squares = grid::activate_rectangle(rectangle({0, 0}, length, width), grid_with(1));
-    const auto kept = grid::reduce_rectangle(squares, radius, MiddleRow::kKeep);
+    const auto squares = plan::grid::activate_rectangle(rectangle({0, 0}, length, width), grid_with(1));
+    const auto kept = plan::grid::reduce_rectangle(squares, radius, MiddleRow::kKeep);
     expect_subset(kept, squares.size());
     ASSERT_FALSE(kept.empty());
     int low = length, high = 0;
@@ -349,9 +349,9 @@ TEST(AreaReduction, KeepsNoTwoWithinARadiusAndLeavesNoneFarFromThem) {
   for (int trial = 0; trial < 60; ++trial) {
     const Vec2 a{random.between(10, 40), random.between(10, 40)},
         b{random.between(10, 40), random.between(10, 40)};
-    const auto squares = grid::activate_near(a, b, random.between(1, 8), grid_with(1));
+    const auto squares = plan::grid::activate_near(a, b, random.between(1, 8), grid_with(1));
     const double radius = random.between(1, 5);
-    const auto kept = grid::reduce_area(squares, radius);
+    const auto kept = plan::grid::reduce_area(squares, radius);
     expect_subset(kept, squares.size());
     const auto apart = [&](std::size_t i, std::size_t k) {
       return std::hypot(squares[i].column - squares[k].column, squares[i].row - squares[k].row);
@@ -370,10 +370,10 @@ TEST(AreaReduction, KeepsNoTwoWithinARadiusAndLeavesNoneFarFromThem) {
 }
 
 TEST(AreaReduction, FirstPhaseLeavesNoNeighboursOffTheBoundary) {
-  const auto squares = grid::activate_rectangle(rectangle({0, 0}, 20, 20), grid_with(1));
-  const auto boundary = grid::boundary_of(squares);
+  const auto squares = plan::grid::activate_rectangle(rectangle({0, 0}, 20, 20), grid_with(1));
+  const auto boundary = plan::grid::boundary_of(squares);
   EXPECT_EQ(boundary.size(), 80u);
-  const auto kept = grid::reduce_neighbours(squares);
+  const auto kept = plan::grid::reduce_neighbours(squares);
   expect_subset(kept, squares.size());
   EXPECT_TRUE(std::includes(kept.begin(), kept.end(), boundary.begin(), boundary.end()));
   EXPECT_EQ(kept.size(), 80u + 181u) << "of 19 x 19 inner squares one colour of the chessboard";
@@ -382,7 +382,7 @@ TEST(AreaReduction, FirstPhaseLeavesNoNeighboursOffTheBoundary) {
 // --- Whole jobs.
 
 /// Every reduced point is visited once, and the program's own feed moves reach it.
-void expect_all_visited(const ElementsResult& result) {
+void expect_all_visited(const pipeline::ElementsResult& result) {
   std::set<int> visits;
   for (const auto& point : result.points.points) {
     EXPECT_EQ(point.visit > 0, point.reduced);
@@ -404,9 +404,9 @@ void expect_all_visited(const ElementsResult& result) {
 }
 
 TEST(ElementJob, FivePocketsBecomeAProgramThatGougesNothingAndSaysWhatTheRuleLeaves) {
-  const auto job = read_elements(kExample);
+  const auto job = read::read_elements(kExample);
   ASSERT_EQ(job.elements.size(), 5u);
-  const auto result = plan_elements(job, {});
+  const auto result = pipeline::plan_elements(job, {});
   EXPECT_EQ(result.points.points.size(), 441u + 4 * 231u);
   EXPECT_EQ(count_reduced(result.points), 5 * 36u);
   expect_all_visited(result);
@@ -421,11 +421,11 @@ TEST(ElementJob, FivePocketsBecomeAProgramThatGougesNothingAndSaysWhatTheRuleLea
   }
   for (const auto& fault : result.plan.findings.faults)
     EXPECT_EQ(fault.kind, FaultKind::kUncut) << fault.text;
-  EXPECT_EQ(plan_elements(job, {}).plan.program, result.plan.program) << "same job, same bytes";
+  EXPECT_EQ(pipeline::plan_elements(job, {}).plan.program, result.plan.program) << "same job, same bytes";
 }
 
 TEST(ElementJob, ToolsFollowEachOtherInTheJobsOrder) {
-  const auto result = plan_elements(read_elements(kExample), {});
+  const auto result = pipeline::plan_elements(read::read_elements(kExample), {});
   std::vector<int> tools;
   for (const auto& section : result.plan.toolpath.sections) tools.push_back(section.tool_number);
   EXPECT_THAT(tools, ElementsAre(1, 2, 2, 2, 2));
@@ -484,7 +484,7 @@ depth = 3
 )";
 
 TEST(ElementJob, EveryKindIsCutWithoutGougeAndExactFitsAreClean) {
-  const auto result = plan_elements(job_with(kEveryKind), {});
+  const auto result = pipeline::plan_elements(job_with(kEveryKind), {});
   expect_all_visited(result);
   ASSERT_EQ(result.plan.findings.features.size(), 7u);
   std::set<std::string> clean;
@@ -502,7 +502,7 @@ TEST(ElementJob, FinerSquaresLeaveLessAtTheEndsOfSlantedGrooves) {
   const std::string line =
       "[[element]]\nkind = \"line\"\nfrom = [5, 12]\nto = [38, 20]\ntool = 2\ndepth = 2\n";
   const auto left_at = [&](const std::string& resolution) {
-    return plan_elements(job_with(line, "resolution = " + resolution), {})
+    return pipeline::plan_elements(job_with(line, "resolution = " + resolution), {})
         .plan.findings.all.uncut_thickness_mm;
   };
   EXPECT_LT(left_at("0.05"), left_at("1.0"));
@@ -510,8 +510,8 @@ TEST(ElementJob, FinerSquaresLeaveLessAtTheEndsOfSlantedGrooves) {
 }
 
 TEST(ElementJob, AToolRadiusBetweenSquaresIsToldAndStaysOffTheWall) {
-  const auto job = read_elements_text(square_pocket(20, 2.4, "keep"), "off.toml");
-  const auto result = plan_elements(job, {});
+  const auto job = read::read_elements_text(square_pocket(20, 2.4, "keep"), "off.toml");
+  const auto result = pipeline::plan_elements(job, {});
   EXPECT_LE(result.plan.findings.all.gouge_mm, 0.001);
   bool told = false;
   for (const auto& item : result.plan.part.diagnostics.items())
@@ -535,7 +535,7 @@ class Validation : public ::testing::TestWithParam<Rule> {};
 
 TEST_P(Validation, NamesTheFault) {
   const auto job = job_with(std::string("[[element]]\nid = \"e\"\n") + GetParam().element);
-  const auto faults = grid::faults_of(job);
+  const auto faults = plan::grid::faults_of(job);
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_THAT(faults.front().text, HasSubstr(GetParam().message));
   EXPECT_THAT(faults.front().place, HasSubstr("job.toml:12"));
@@ -584,7 +584,7 @@ diameter = 3
 depth = 1
 )");
   try {
-    grid::check(job);
+    plan::grid::check(job);
     FAIL() << "accepted";
   } catch (const InputError& error) {
     const std::string message = error.what();
@@ -598,24 +598,24 @@ depth = 1
 }
 
 TEST(ElementJob, AnEmptyStrictReductionIsAFaultBeforePlanning) {
-  const auto job = read_elements_text(square_pocket(5, 2, "strict"), "strict.toml");
-  ASSERT_EQ(grid::faults_of(job).size(), 1u);
-  EXPECT_THAT(grid::faults_of(job).front().text, HasSubstr("middle_row = \"keep\""));
+  const auto job = read::read_elements_text(square_pocket(5, 2, "strict"), "strict.toml");
+  ASSERT_EQ(plan::grid::faults_of(job).size(), 1u);
+  EXPECT_THAT(plan::grid::faults_of(job).front().text, HasSubstr("middle_row = \"keep\""));
 }
 
 TEST(ElementJob, AbsurdSizesAreRefusedAtOnce) {
   const char* pocket =
       "[[element]]\nkind = \"rectangle\"\nbase = [5, 5]\nlength = 20\nwidth = 20\ndepth = 1\n";
   for (const char* resolution : {"1e-300", "1e-9", "0.001", "100.0", "1e300"})
-    EXPECT_FALSE(grid::faults_of(job_with(pocket, std::string("resolution = ") + resolution)).empty())
+    EXPECT_FALSE(plan::grid::faults_of(job_with(pocket, std::string("resolution = ") + resolution)).empty())
         << resolution;
   const char* huge =
       "[[element]]\nkind = \"rectangle\"\nbase = [5, 5]\nlength = 1e300\nwidth = 1e12\ndepth = 1\n";
-  EXPECT_FALSE(grid::faults_of(job_with(huge)).empty());
+  EXPECT_FALSE(plan::grid::faults_of(job_with(huge)).empty());
   const char* arc =
       "[[element]]\nkind = \"arc\"\nfrom = [5, 5]\nto = [30, 5]\nradius = 1e200\ndirection = \"cw\"\ndepth = "
       "1\n";
-  EXPECT_FALSE(grid::faults_of(job_with(arc)).empty());
+  EXPECT_FALSE(plan::grid::faults_of(job_with(arc)).empty());
 }
 
 TEST(ElementJob, SpellingMistakesAreFound) {
@@ -631,9 +631,9 @@ TEST(ElementJob, SpellingMistakesAreFound) {
 // --- What is written.
 
 TEST(PointTable, SavesOneLineForEveryPoint) {
-  const auto job = read_elements(kExample);
-  const auto result = plan_elements(job, {});
-  const std::string csv = points_csv(job, result.points);
+  const auto job = read::read_elements(kExample);
+  const auto result = pipeline::plan_elements(job, {});
+  const std::string csv = report::points_csv(job, result.points);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 1365);
   EXPECT_THAT(
       csv, HasSubstr("point,element,id,kind,column,row,x,y,tool,diameter,depth,feed,spindle,reduced,visit\n"
@@ -647,9 +647,9 @@ std::size_t occurrences(const std::string& text, const std::string& of) {
 }
 
 TEST(GridPicture, DrawsEverySquareAndEveryReducedOne) {
-  const auto job = read_elements(kExample);
-  const auto result = plan_elements(job, {});
-  const std::string svg = grid_picture(job, result.points, result.plan.toolpath);
+  const auto job = read::read_elements(kExample);
+  const auto result = pipeline::plan_elements(job, {});
+  const std::string svg = report::grid_picture(job, result.points, result.plan.toolpath);
   EXPECT_EQ(occurrences(svg, "<rect"), 1u + 3u + 1365u + 180u) << "page, stocks, squares, reduced squares";
   EXPECT_EQ(occurrences(svg, "<path"), 10u) << "swept area and centre line of five pockets";
 }

@@ -56,7 +56,7 @@ bool descends_on_a_helix(const Toolpath& toolpath) {
 }
 
 TEST(Holes, ADrillOfItsSizeGoesStraightDownOnce) {
-  const auto result = plan(part_with_hole(6, 10), with_tools({"drill:6"}));
+  const auto result = pipeline::plan(part_with_hole(6, 10), resolve::with_tools({"drill:6"}));
   expect_clean(result, "6 in 6");
   EXPECT_NEAR(result.findings.all.plunge_mm, 11, 1e-6);
   EXPECT_THAT(result.program, HasSubstr("G98 G81 X2.54 Y-5.08 Z-10 R1 F"));
@@ -65,18 +65,18 @@ TEST(Holes, ADrillOfItsSizeGoesStraightDownOnce) {
 }
 
 TEST(Holes, DeepOnesArePeckedAndTheControlSaysSoInOneBlock) {
-  const auto result = plan(part_with_hole(6, 30), with_tools({"drill:6"}));
+  const auto result = pipeline::plan(part_with_hole(6, 30), resolve::with_tools({"drill:6"}));
   expect_clean(result, "6 mm, 30 deep");
   EXPECT_THAT(result.program, HasSubstr("G98 G83 X2.54 Y-5.08 Z-30 R1 Q6 F"));
 }
 
 TEST(Holes, EveryControlMakesTheSameHole) {
-  for (const auto& dialect : post_dialects()) {
+  for (const auto& dialect : post::post_dialects()) {
     for (const bool inch : {false, true}) {
-      PlanOptions options = with_tools({"drill:6"});
+      resolve::PlanOptions options = resolve::with_tools({"drill:6"});
       options.post.dialect = dialect;
       options.post.inch = inch;
-      const auto result = plan(part_with_hole(6, 30), options);
+      const auto result = pipeline::plan(part_with_hole(6, 30), options);
       expect_clean(result, dialect);
       EXPECT_NEAR(result.findings.all.plunge_mm, 31 + 5 * 0.254, 0.5) << dialect;
       const bool cycles = dialect != "grbl" && dialect != "marlin" && dialect != "heidenhain";
@@ -87,7 +87,7 @@ TEST(Holes, EveryControlMakesTheSameHole) {
 
 TEST(Holes, TheControlsOwnInterpreterDrillsAsWeRead) {
   CLEARCUT_SKIP_WITHOUT_RS274();
-  const auto result = plan(part_with_hole(6, 30), with_tools({"drill:6"}));
+  const auto result = pipeline::plan(part_with_hole(6, 30), resolve::with_tools({"drill:6"}));
   const auto canon = test_support::run_rs274(result.program);
   ASSERT_TRUE(canon.accepted) << canon.message;
   double lowest = 0;
@@ -104,7 +104,7 @@ TEST(Holes, TheDrillIsPreferredToAMillAndUsedForHolesOnly) {
   pocket.floor_z = -3;
   part.features.push_back(pocket);
   part.workplan.push_back({"POCKETING", "", 1, {}});
-  const auto result = plan(part, with_tools({"endmill:5:T1", "drill:6:T2", "drill:8:T3"}));
+  const auto result = pipeline::plan(part, resolve::with_tools({"endmill:5:T1", "drill:6:T2", "drill:8:T3"}));
   expect_clean(result, "drill and mill");
   EXPECT_EQ(result.findings.features[0].tool_number, 2);
   EXPECT_EQ(result.findings.features[1].tool_number, 1);
@@ -112,7 +112,7 @@ TEST(Holes, TheDrillIsPreferredToAMillAndUsedForHolesOnly) {
 
 TEST(Holes, ADrillNeverMills) {
   Part part = part_with_hole(12, 4);
-  const auto result = plan(part, with_tools({"drill:6"}));
+  const auto result = pipeline::plan(part, resolve::with_tools({"drill:6"}));
   EXPECT_FALSE(result.findings.all.clean) << "a ring is left, and the certificate says so";
   EXPECT_GT(result.findings.all.uncut_thickness_mm, 2.9);
   for (const Section& section : result.toolpath.sections) {
@@ -122,7 +122,7 @@ TEST(Holes, ADrillNeverMills) {
       Region::from_valid_loops(loop_from_points(std::vector<Vec2>{{0, 0}, {20, 0}, {20, 20}, {0, 20}}), {})};
   part.features[0].kind = FeatureKind::kClosedPocket;
   try {
-    plan(part, with_tools({"drill:6"}));
+    pipeline::plan(part, resolve::with_tools({"drill:6"}));
     FAIL() << "a square drilled";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("only makes round holes; HOLE needs a mill"));
@@ -134,7 +134,7 @@ TEST(Holes, SmallerMillsBoreAlongAHelixAndCloseTheFloor) {
   for (int i = 0; i < 40; ++i) {
     const double tool = random.between(2, 12), hole = tool * random.between(1.12, 1.9);
     const auto result =
-        plan(part_with_hole(hole, random.between(1, 20)), with_tools({"endmill:" + std::to_string(tool)}));
+        pipeline::plan(part_with_hole(hole, random.between(1, 20)), resolve::with_tools({"endmill:" + std::to_string(tool)}));
     expect_clean(result, std::to_string(tool) + " in " + std::to_string(hole));
     EXPECT_TRUE(descends_on_a_helix(result.toolpath)) << tool << " in " << hole;
     EXPECT_LE(result.findings.all.max_axial_mm, tool / 2 + 0.01);
@@ -143,10 +143,10 @@ TEST(Holes, SmallerMillsBoreAlongAHelixAndCloseTheFloor) {
 
 TEST(Holes, BoringClimbsWithTheSpindleEitherWayRound) {
   for (const bool clockwise : {true, false}) {
-    PlanOptions options = with_tools({"endmill:6"});
+    resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
     Part part = part_with_hole(10, 6);
     part.workplan[0].operation.cutting.spindle_clockwise = clockwise;
-    const auto result = plan(part, options);
+    const auto result = pipeline::plan(part, options);
     expect_clean(result, "10 by 6");
     for (const Move& move : result.toolpath.sections[0].moves) {
       if (!move.path.is_arc()) continue;
@@ -156,9 +156,9 @@ TEST(Holes, BoringClimbsWithTheSpindleEitherWayRound) {
 }
 
 TEST(Holes, StockIsLeftInABore) {
-  PlanOptions options = with_tools({"endmill:6"});
+  resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
   options.allowance = 0.25;
-  const auto result = plan(part_with_hole(10, 6), options);
+  const auto result = pipeline::plan(part_with_hole(10, 6), options);
   expect_clean(result, "with stock to leave");
   double farthest = 0;
   for (const Move& move : result.toolpath.sections[0].moves)
@@ -167,14 +167,14 @@ TEST(Holes, StockIsLeftInABore) {
 }
 
 TEST(Holes, WideOnesAreClearedLikePockets) {
-  const auto result = plan(part_with_hole(30, 6), with_tools({"endmill:6"}));
+  const auto result = pipeline::plan(part_with_hole(30, 6), resolve::with_tools({"endmill:6"}));
   expect_clean(result, "30 by 6");
 }
 
 TEST(Holes, PublishedSampleIsDrilledAndClean) {
   CLEARCUT_SKIP_WITHOUT_DATA();
   const auto file = *test_support::data_folder() / "stepnc/ufsc_hole_slot_step_pocket.p21";
-  const auto result = plan(read_part(file, {}), {});
+  const auto result = pipeline::plan(read::read_part(file, {}), {});
   expect_clean(result, "ufsc");
   EXPECT_THAT(result.program, HasSubstr("G81 X20 Y10 Z30"));
   EXPECT_THAT(result.program, Not(HasSubstr("SKIPPED")));
@@ -183,7 +183,7 @@ TEST(Holes, PublishedSampleIsDrilledAndClean) {
 TEST(Holes, DrilledThenReamedAsTheStandardsExampleAsks) {
   CLEARCUT_SKIP_WITHOUT_DATA();
   const auto file = *test_support::data_folder() / "stepnc/iso14649_11_ex1_nist.stp";
-  const auto result = plan(read_part(file, {}), {});
+  const auto result = pipeline::plan(read::read_part(file, {}), {});
   expect_clean(result, "example 1");
   EXPECT_EQ(result.findings.features[1].tool_diameter, 20);
   EXPECT_EQ(result.findings.features[2].tool_diameter, 22);
@@ -210,7 +210,7 @@ Part pocket_with_drilled_hole(double drill, double hole_depth) {
 }
 
 /// Ways of the mill down into the pocket beside the hole.
-int entries_beside_hole(const PlanResult& result) {
+int entries_beside_hole(const pipeline::PlanResult& result) {
   int beside = 0;
   for (const Section& section : result.toolpath.sections) {
     if (section.tool_number != 1) continue;
@@ -224,19 +224,19 @@ int entries_beside_hole(const PlanResult& result) {
 
 TEST(Holes, ADrilledHoleIsTheWayDownIntoThePocketRoundIt) {
   for (const std::string strategy : {"contour", "zigzag", "spiral", "adaptive", "tour", "auto"}) {
-    PlanOptions options;
+    resolve::PlanOptions options;
     options.strategy = strategy;
-    const auto result = plan(pocket_with_drilled_hole(8, 6), options);
+    const auto result = pipeline::plan(pocket_with_drilled_hole(8, 6), options);
     expect_clean(result, strategy);
     EXPECT_EQ(entries_beside_hole(result), 0) << strategy;
   }
 }
 
 TEST(Holes, AHoleThatIsTooShallowOrTooNarrowIsNoWayDown) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.strategy = "contour";
   for (const Part& part : {pocket_with_drilled_hole(8, 4), pocket_with_drilled_hole(5, 6)}) {
-    const auto result = plan(part, options);
+    const auto result = pipeline::plan(part, options);
     EXPECT_GT(entries_beside_hole(result), 0);
   }
 }

@@ -25,22 +25,22 @@ Region scanned_star(int vertices, double noise) {
   return Region::from_valid_loops(loop_from_points(points), {});
 }
 
-EdgeTree tree_of(const Regions& regions) {
+verify::EdgeTree tree_of(const Regions& regions) {
   std::vector<Edge> edges;
   for (const Region& region : regions) {
     for (const Edge& edge : region.edges()) edges.push_back(edge);
   }
-  return EdgeTree(std::move(edges));
+  return verify::EdgeTree(std::move(edges));
 }
 
 TEST(LargeOutline, OffsetsLieAtTheirDistanceAndMissNothing) {
   const Region region = scanned_star(100000, 0.003);
-  const EdgeTree outline = tree_of({region});
+  const verify::EdgeTree outline = tree_of({region});
   const std::vector<double> levels{0.5, 3, 10, 40, 90};
   const auto insets = Clearance(region, {}).insets(levels);
   Random random(2);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const EdgeTree inset = tree_of(insets[i]);
+    const verify::EdgeTree inset = tree_of(insets[i]);
     ASSERT_FALSE(inset.empty()) << levels[i];
     double worst = 0;
     for (const Edge& edge : inset.edges()) {

@@ -7,7 +7,7 @@
 
 #include "base/file.h"
 #include "geometry/boolean.h"
-#include "pipeline/method_study.h"
+#include "studies/method_study.h"
 #include "pipeline/run.h"
 #include "pipeline/tool_sets.h"
 #include "read/read_part.h"
@@ -28,12 +28,12 @@ TEST(LengthsAndAngles, AreConvertedToOutlinesAndStepNc) {
   const ScratchFolder folder;
   const auto input =
       folder.file("plate.edges", "start 10 5\norientation 30\ndepth 4\n60 90 8\n40 90\n60 90 5\n40 90\n");
-  const Part part = read_part(input, {});
+  const Part part = read::read_part(input, {});
   for (const char* name : {"plate.json", "plate.p21"}) {
     const auto result = run_clearcut({"convert", input, "-o", folder.path(name)});
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, HasSubstr("closing error 0 mm"));
-    const Part again = read_part(folder.path(name), {});
+    const Part again = read::read_part(folder.path(name), {});
     ASSERT_EQ(again.features.size(), 1u);
     EXPECT_NEAR(area(subtract(again.features[0].target, part.features[0].target, {})), 0, 1e-3) << name;
     EXPECT_NEAR(area(again.features[0].target), area(part.features[0].target), 1e-6) << name;
@@ -44,7 +44,7 @@ TEST(LengthsAndAngles, StepNcNamesTheToolAskedFor) {
   const ScratchFolder folder;
   const auto input = folder.file("triangle.edges", kTriangle);
   ASSERT_EQ(run_clearcut({"convert", input, "-o", folder.path("a.p21"), "--tool", "endmill:7"}).exit_code, 0);
-  EXPECT_EQ(read_part(folder.path("a.p21"), {}).tools.at(0).diameter, 7);
+  EXPECT_EQ(read::read_part(folder.path("a.p21"), {}).tools.at(0).diameter, 7);
   const auto result = run_clearcut({"convert", input, "-o", folder.path("b.p21")});
   EXPECT_THAT(result.err, HasSubstr("an end mill of 23 mm is written"));
 }
@@ -60,17 +60,17 @@ TEST(Methods, ToolsAreDrivenByTheirSpeeds) {
   Tool tool;
   tool.diameter = 10;
   tool.teeth = 3;
-  const CuttingData data = driven(tool, 36.6, 0.05);
+  const CuttingData data = pipeline::driven(tool, 36.6, 0.05);
   EXPECT_NEAR(*data.spindle_rpm, 1165.0, 0.1);
   EXPECT_NEAR(data.feed->mm_per_min(), 174.8, 0.05);
 }
 
 /// Every subset of the cutters that leaves no more than the smallest, planned as one job with rest machining.
 double fastest_by_trial(const Part& part, const std::vector<Tool>& tools, double tool_change_s,
-                        PlanOptions options) {
+                        resolve::PlanOptions options) {
   const auto planned = [&](const std::vector<Tool>& of) {
     options.tools = of;
-    return plan(part, options).findings.all;
+    return pipeline::plan(part, options).findings.all;
   };
   options.shop.rest = true;
   const double corners = planned({tools.front()}).unreachable_mm2;
@@ -92,18 +92,18 @@ TEST(Methods, NoSubsetOfTheCuttersIsFasterThanTheBestSequence) {
   const char* sharp = "name sharp\ndepth 4\n140 90\n90 90\n140 90\n90 90\n";
   const char* round = "name round\ndepth 4\n100 90 12\n60 90 12\n100 90 12\n60 90 12\n";
   for (const char* outline : {sharp, round}) {
-    const Part part = read_part(folder.file("part.edges", outline), {});
+    const Part part = read::read_part(folder.file("part.edges", outline), {});
     std::vector<Tool> tools(4);
     for (std::size_t i = 0; i < tools.size(); ++i) {
       tools[i].diameter = std::array{4.0, 8.0, 14.0, 20.0}[i];
       tools[i].number = static_cast<int>(i) + 1;
     }
-    PlanOptions options;
+    resolve::PlanOptions options;
     options.tools = tools;
     options.strategy = "lom-corrected";
-    ToolSpeeds speeds;
+    pipeline::ToolSpeeds speeds;
     speeds.tool_change_s = 5;
-    const auto sequence = fastest_sequence(part, speeds, options);
+    const auto sequence = pipeline::fastest_sequence(part, speeds, options);
     ASSERT_TRUE(sequence) << outline;
     const double by_trial = fastest_by_trial(part, tools, speeds.tool_change_s, options);
     EXPECT_LE(sequence->time_s, by_trial * 1.02) << outline;
@@ -150,7 +150,7 @@ TEST(Methods, CompareShowsWhatEveryRivalAdds) {
 TEST(Methods, OnRandomPocketsOursIsCleanAndNeverSlowerThanACleanRival) {
   std::map<std::string, int> clean, causes;
   int cases = 0;
-  study_methods(30, 1, {}, [&](const StudyCase& one) {
+  study_methods(30, 1, {}, [&](const studies::StudyCase& one) {
     ++cases;
     EXPECT_FALSE(one.faster) << "seed " << one.seed << ": " << one.faster.value_or("");
     for (const auto& [method, outcome] : one.outcomes) {

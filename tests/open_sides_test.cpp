@@ -47,7 +47,7 @@ Part random_block(Random& random, double diameter) {
   return part.stock ? part : Part{};
 }
 
-bool meets_material(const Material& material, Vec2 center, double radius, double z) {
+bool meets_material(const stock::Material& material, Vec2 center, double radius, double z) {
   constexpr int kRings = 6, kRays = 24;
   for (int r = 0; r <= kRings; ++r) {
     for (int k = 0; k < kRays; ++k) {
@@ -79,9 +79,9 @@ struct Entries {
 };
 
 /// Runs of feed moves downwards, by what is under the cutter before.
-Entries entries_of(const PlanResult& result) {
+Entries entries_of(const pipeline::PlanResult& result) {
   const double radius = result.part.tools.front().radius();
-  Material material(result.part.stock->plan, 0, {radius});
+  stock::Material material(result.part.stock->plan, 0, {radius});
   const Regions reached = reached_from_outside(result.part);
   Entries entries;
   bool down = false;
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Strategies, OpenSides,
                          [](const auto& strategy) { return strategy.param; });
 
 TEST_P(OpenSides, AreWhereTheCutterComesIn) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.strategy = GetParam();
   options.threads = 1;
   int parts = 0, outside = 0, unclean = 0, needless = 0;
@@ -133,7 +133,7 @@ TEST_P(OpenSides, AreWhereTheCutterComesIn) {
     const Part part = seed % 2 ? random_notch(random, diameter) : random_block(random, diameter);
     if (part.features.empty()) continue;
     try {
-      const auto result = plan(part, options);
+      const auto result = pipeline::plan(part, options);
       const Entries entries = entries_of(result);
       ++parts;
       unclean += !result.findings.all.clean;

@@ -23,19 +23,19 @@ using test_support::largest_distance;
 struct Case {
   std::string folder;
   std::vector<std::string> dialects;
-  PostOptions options;
+  post::PostOptions options;
 };
 
 std::vector<Case> cases() {
-  PostOptions lines;
+  post::PostOptions lines;
   lines.arcs = false;
   lines.tol.chord = 0.01;
-  PostOptions by_hand;
+  post::PostOptions by_hand;
   by_hand.tool_changer = false;
   by_hand.exact_stop = true;
   by_hand.spindle_wait = Seconds::of(4);
-  return {{"two-tools", post_dialects(), {}},
-          {"circles", post_dialects(), {}},
+  return {{"two-tools", post::post_dialects(), {}},
+          {"circles", post::post_dialects(), {}},
           {"lines-only", {"grbl", "marlin"}, lines},
           {"by-hand", {"linuxcnc", "mach4", "fanuc"}, by_hand}};
 }
@@ -58,8 +58,8 @@ Part golden_part() {
   return part;
 }
 
-PostOptions options_of(const Case& c, const std::string& dialect, bool inch) {
-  PostOptions options = c.options;
+post::PostOptions options_of(const Case& c, const std::string& dialect, bool inch) {
+  post::PostOptions options = c.options;
   options.dialect = dialect;
   options.inch = inch;
   options.program_name = c.folder;
@@ -83,18 +83,18 @@ void expect_same(const Toolpath& wanted, const Toolpath& got, double tolerance) 
 }
 
 void check(const Case& c, const std::string& dialect, bool inch) {
-  const PostOptions options = options_of(c, dialect, inch);
-  const fs::path file = folder_of(c) / (dialect + (inch ? "-inch" : "-mm") + file_extension_of(dialect));
+  const post::PostOptions options = options_of(c, dialect, inch);
+  const fs::path file = folder_of(c) / (dialect + (inch ? "-inch" : "-mm") + post::file_extension_of(dialect));
   SCOPED_TRACE(file);
-  const Toolpath input = read_gcode(read_file((folder_of(c) / "input.ngc").string()), "input.ngc").toolpath;
-  const std::string text = post(input, golden_part(), options);
+  const Toolpath input = read::gcode::read_gcode(read_file((folder_of(c) / "input.ngc").string()), "input.ngc").toolpath;
+  const std::string text = post::post(input, golden_part(), options);
   if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) std::ofstream(file, std::ios::binary) << text;
   ASSERT_TRUE(fs::exists(file));
   const std::string wanted = read_file(file.string());
   EXPECT_EQ(first_difference(text, wanted), "");
-  const Program program = read_gcode(wanted, file.filename().string());
+  const read::gcode::Program program = read::gcode::read_gcode(wanted, file.filename().string());
   EXPECT_TRUE(program.ended);
-  expect_same(input, program.toolpath, 2 * rounding_of(options) + options.tol.chord);
+  expect_same(input, program.toolpath, 2 * post::rounding_of(options) + options.tol.chord);
   if (dialect == "grbl") {
     for (const auto& fault : test_support::grbl_faults(wanted))
       ADD_FAILURE() << fault.error << ": " << fault.text;

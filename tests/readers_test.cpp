@@ -12,7 +12,7 @@
 #include "base/units.h"
 #include "geometry/boolean.h"
 #include "order/tsplib.h"
-#include "post/outline_writer.h"
+#include "post/part/outline_writer.h"
 #include "read/gcode/gcode.h"
 #include "read/job/job_file.h"
 #include "read/job/machine_file.h"
@@ -29,14 +29,14 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-ReadOptions depth_2() {
-  ReadOptions options;
+read::ReadOptions depth_2() {
+  read::ReadOptions options;
   options.depth = 2;
   return options;
 }
 
 Part drawing(const std::string& name) {
-  return read_part(*test_support::data_folder() / "drawings" / name, depth_2());
+  return read::read_part(*test_support::data_folder() / "drawings" / name, depth_2());
 }
 
 std::size_t loops_of(const Part& part) {
@@ -71,8 +71,8 @@ void expect_valid(const Part& part) {
     for (const Region& region : feature.target) {
       std::vector<Loop> loops{region.outer()};
       loops.insert(loops.end(), region.islands().begin(), region.islands().end());
-      for (const Meeting& meeting : meetings(loops, 100000, "test"))
-        EXPECT_EQ(meeting.kind, MeetingKind::kTouch);
+      for (const read::Meeting& meeting : read::meetings(loops, 100000, "test"))
+        EXPECT_EQ(meeting.kind, read::MeetingKind::kTouch);
     }
   }
 }
@@ -164,10 +164,10 @@ TEST(Shapes, AllLoadWithoutMendsAndSurviveARoundTrip) {
   for (const auto& entry : fs::directory_iterator(*test_support::data_folder() / "shapes")) {
     if (entry.path().extension() != ".json") continue;
     ++count;
-    const Part part = read_part(entry.path(), {});
+    const Part part = read::read_part(entry.path(), {});
     EXPECT_EQ(said(part, Severity::kRepair), 0) << entry.path();
     expect_valid(part);
-    const Part again = read_outline_json(write_outline_json(part), "again.json", Tolerances{});
+    const Part again = read::read_outline_json(post::write_outline_json(part), "again.json", Tolerances{});
     ASSERT_EQ(again.features.size(), part.features.size());
     EXPECT_NEAR(area_of(again), area_of(part), 1e-6);
     EXPECT_EQ(again.features[0].top_z, part.features[0].top_z);
@@ -179,9 +179,9 @@ TEST(Shapes, AllLoadWithoutMendsAndSurviveARoundTrip) {
 
 TEST(Shapes, OpenSidesStockAndKindsSurviveTheOutlineFormat) {
   CLEARCUT_SKIP_WITHOUT_DATA();
-  const Part part = read_part(*test_support::data_folder() / "stepnc" / "fishhead.p21", {});
-  const std::string text = write_outline_json(part);
-  const Part again = read_outline_json(text, "again.json", Tolerances{});
+  const Part part = read::read_part(*test_support::data_folder() / "stepnc" / "fishhead.p21", {});
+  const std::string text = post::write_outline_json(part);
+  const Part again = read::read_outline_json(text, "again.json", Tolerances{});
   ASSERT_TRUE(again.stock);
   EXPECT_EQ(again.stock->plan.max, part.stock->plan.max);
   std::size_t regions = 0;
@@ -207,12 +207,12 @@ void expect_near(const Region& a, const Region& b, double limit) {
 /// The same region in three formats: everything in one and not in the other is thinner than 1 um.
 TEST(Examples, BracketIsTheSameRegionAsDxfSvgAndJson) {
   const fs::path examples = fs::path(CLEARCUT_SOURCE_DIR) / "examples";
-  const Part json = read_part(examples / "bracket.json", {});
+  const Part json = read::read_part(examples / "bracket.json", {});
   ASSERT_EQ(json.features.size(), 1u);
   const double expected = 80 * 50 - 36 * (4 - kPi) - 32 * kPi - 36 * kPi - (12 * 8 + 16 * kPi);
   EXPECT_NEAR(area_of(json), expected, 1e-9);
   for (const char* name : {"bracket.dxf", "bracket.svg"}) {
-    const Part part = read_part(examples / name, {});
+    const Part part = read::read_part(examples / name, {});
     ASSERT_EQ(part.features.size(), 1u) << name;
     EXPECT_TRUE(part.diagnostics.items().empty()) << name;
     EXPECT_DOUBLE_EQ(part.features[0].floor_z, json.features[0].floor_z) << name;
@@ -222,9 +222,9 @@ TEST(Examples, BracketIsTheSameRegionAsDxfSvgAndJson) {
   }
 }
 
-std::string refusal(const std::string& path, const ReadOptions& options = depth_2()) {
+std::string refusal(const std::string& path, const read::ReadOptions& options = depth_2()) {
   try {
-    read_part(path, options);
+    read::read_part(path, options);
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     return error.what();
@@ -262,7 +262,7 @@ TEST(ReadPart, ContentDecidesWhereTheNameDoesNot) {
   const fs::path examples = fs::path(CLEARCUT_SOURCE_DIR) / "examples";
   for (const char* name : {"bracket.dxf", "bracket.svg", "bracket.json"}) {
     const std::string copy = folder.file(std::string(name) + ".txt", read_file((examples / name).string()));
-    EXPECT_NEAR(area_of(read_part(copy, depth_2())), area_of(read_part(examples / name, {})), 1e-6) << name;
+    EXPECT_NEAR(area_of(read::read_part(copy, depth_2())), area_of(read::read_part(examples / name, {})), 1e-6) << name;
   }
 }
 
@@ -274,7 +274,7 @@ TEST(Corpus, EveryFileIsReadOrRefused) {
     ASSERT_TRUE(fs::is_directory(corpus / kind)) << kind;
     for (const auto& entry : fs::directory_iterator(corpus / kind)) {
       try {
-        read_part(entry.path(), depth_2());
+        read::read_part(entry.path(), depth_2());
         ++read;
       } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << entry.path();
@@ -317,7 +317,7 @@ TEST(Corpus, HabitsOfOtherProgramsGiveTheRightAreas) {
   };
   const fs::path corpus = fs::path(CLEARCUT_SOURCE_DIR) / "tests" / "corpus";
   for (const Row& row : rows)
-    EXPECT_NEAR(area_of(read_part(corpus / row.file, depth_2())), row.area, 0.05) << row.file;
+    EXPECT_NEAR(area_of(read::read_part(corpus / row.file, depth_2())), row.area, 0.05) << row.file;
 }
 
 /// The same for jobs and tool libraries.
@@ -329,11 +329,11 @@ TEST(Corpus, EveryJobAndToolLibraryIsReadOrRefused) {
     for (const auto& entry : fs::directory_iterator(corpus / kind)) {
       try {
         if (kind == "job") {
-          read_job(entry.path());
+          read::read_job(entry.path());
         } else if (kind == "machine") {
-          read_machine(entry.path());
+          read::read_machine(entry.path());
         } else {
-          read_tool_library(entry.path(), {});
+          read::read_tool_library(entry.path(), {});
         }
         ++read;
       } catch (const InputError& error) {
@@ -357,7 +357,7 @@ TEST(Corpus, EveryTourAndKlartextIsReadOrRefused) {
       const std::string name = entry.path().string();
       try {
         if (kind == "klartext") {
-          read_gcode(text.starts_with("0") ? text : "0 BEGIN PGM A MM\n" + text, name);
+          read::gcode::read_gcode(text.starts_with("0") ? text : "0 BEGIN PGM A MM\n" + text, name);
         } else if (name.ends_with(".tour")) {
           order::read_tsplib_tour(text, name, 6);
         } else {
@@ -376,7 +376,7 @@ TEST(Corpus, EveryTourAndKlartextIsReadOrRefused) {
 
 TEST(Examples, TheJobOfTheBracketIsReadWhole) {
   const fs::path examples = fs::path(CLEARCUT_SOURCE_DIR) / "examples";
-  const Part part = read_part(examples / "bracket.toml", {});
+  const Part part = read::read_part(examples / "bracket.toml", {});
   ASSERT_EQ(part.features.size(), 1u);
   EXPECT_EQ(part.tools.size(), 2u);
   ASSERT_EQ(part.workplan.size(), 2u);
@@ -384,7 +384,7 @@ TEST(Examples, TheJobOfTheBracketIsReadWhole) {
   EXPECT_DOUBLE_EQ(part.workplan[0].operation.allowance_side, 0.2);
   ASSERT_TRUE(part.stock);
   EXPECT_DOUBLE_EQ(part.stock->plan.width(), 90);
-  const JobFile job = read_job(examples / "bracket.toml");
+  const read::JobFile job = read::read_job(examples / "bracket.toml");
   EXPECT_EQ(job.machine.name, "desktop mill");
 }
 

@@ -22,12 +22,12 @@ bool is_refused(const Part& part, const std::string& feature) {
 /// Every pocket is clean, or refused by name.
 void expect_clean_or_refused(const std::string& file, double diameter) {
   SCOPED_TRACE(file + " with " + std::to_string(diameter));
-  ReadOptions read;
+  read::ReadOptions read;
   read.depth = 2;
-  PlanOptions options;
-  options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
+  resolve::PlanOptions options;
+  options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
   const auto result =
-      plan(read_part(test_support::data_folder()->string() + "/drawings/" + file, read), options);
+      pipeline::plan(read::read_part(test_support::data_folder()->string() + "/drawings/" + file, read), options);
   EXPECT_GT(result.findings.all.feed_mm, 0);
   for (const auto& fault : result.findings.faults) {
     if (fault.kind == FaultKind::kNothingCut && is_refused(result.part, fault.feature)) continue;
@@ -50,11 +50,11 @@ TEST(RealParts, EverySampleOfStepNcIsCleanWithCuttersThatFit) {
   const std::string folder = test_support::data_folder()->string() + "/stepnc/";
   for (const char* name : {"unb_final_test.p21", "ufsc_hole_slot_step_pocket.p21", "ufsc_slot_rounded_u.p21",
                            "iso14649_11_ex1.stp", "iso14649_11_ex1_nist.stp"}) {
-    PlanOptions options;
+    resolve::PlanOptions options;
     // It asks for a ball end mill on a flat floor.
     if (std::string(name) == "unb_final_test.p21")
-      options.tools = {parse_tool("endmill:4"), parse_tool("endmill:6")};
-    const auto result = plan(read_part(folder + name, {}), options);
+      options.tools = {resolve::parse_tool("endmill:4"), resolve::parse_tool("endmill:6")};
+    const auto result = pipeline::plan(read::read_part(folder + name, {}), options);
     for (const auto& fault : result.findings.faults) ADD_FAILURE() << name << ": " << fault.text;
   }
 }

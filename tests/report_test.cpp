@@ -7,11 +7,11 @@
 #include "base/file.h"
 #include "base/units.h"
 #include "pipeline/run.h"
-#include "report/html.h"
+#include "report/viewer/html.h"
 #include "report/sample_job.h"
-#include "report/svg.h"
+#include "report/picture/svg.h"
 #include "support/command.h"
-#include "toolpath/kinematics.h"
+#include "kinematics/kinematics.h"
 
 namespace clearcut {
 namespace {
@@ -27,7 +27,7 @@ TEST(Picture, BecomesAPngOfTheWidthAskedFor) {
   if (!installed("rsvg-convert")) GTEST_SKIP() << "rsvg-convert is absent; install the package librsvg2-bin";
   const test_support::ScratchFolder folder;
   const std::string svg_file =
-      folder.file("part.svg", svg(sample::part(), sample::toolpath(), sample::findings()));
+      folder.file("part.svg", report::svg(sample::part(), sample::toolpath(), sample::findings()));
   const std::string png_file = folder.path("part.png"), errors = folder.path("errors");
   ASSERT_EQ(std::system(("rsvg-convert -w 1600 " + svg_file + " -o " + png_file + " 2>" + errors).c_str()), 0)
       << read_file(errors);
@@ -58,7 +58,7 @@ TEST(Page, PlaysInABrowser) {
   std::string program;
   for (int line = 1; line < 60; ++line)
     program += "N" + std::to_string(line) + " <G1> & X" + std::to_string(line) + "\n";
-  const std::string page = html(sample::part(), sample::toolpath(), sample::findings(), {Machine{}, program});
+  const std::string page = report::html(sample::part(), sample::toolpath(), sample::findings(), {Machine{}, program});
 
   const std::string at_line = document_in_browser(page, "#line=17");
   EXPECT_THAT(at_line, HasSubstr(">sample &lt;part&gt; &amp; \"name\"</h1>"));
@@ -71,7 +71,7 @@ TEST(Page, PlaysInABrowser) {
 
   // A fault without a line is shown when its feature is done.
   const std::string at_fault = document_in_browser(page, "#fault=0");
-  const long seconds = std::lround(kinematic_time(sample::pocket_section().moves, Machine{}).seconds());
+  const long seconds = std::lround(kinematics::kinematic_time(sample::pocket_section().moves, Machine{}).seconds());
   const std::string clock =
       std::to_string(seconds / 60) + ":" + (seconds % 60 < 10 ? "0" : "") + std::to_string(seconds % 60);
   EXPECT_THAT(at_fault, HasSubstr("\">" + clock + " / ")) << "clock";
@@ -90,14 +90,14 @@ TEST(Page, ColoursWhatIsLeft) {
   feature.floor_z = -2;
   part.features = {feature};
   part.workplan.push_back({});
-  PlanOptions options;
-  options.tools = {parse_tool("endmill:8")};
+  resolve::PlanOptions options;
+  options.tools = {resolve::parse_tool("endmill:8")};
   options.strategy = "fixed";
-  const auto result = plan(part, options);
+  const auto result = pipeline::plan(part, options);
   ASSERT_FALSE(result.findings.all.clean);
   const auto page = [&](const char* moment) {
     return document_in_browser(
-        html(result.part, result.toolpath, result.findings, {Machine{}, result.program}), moment);
+        report::html(result.part, result.toolpath, result.findings, {Machine{}, result.program}), moment);
   };
   const std::string at_end = page("#t=1e9"), left = "data-left-mm2=\"";
   const auto found = at_end.find(left);

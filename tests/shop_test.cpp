@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "link/lead.h"
-#include "part/work_material.h"
+#include "model/work_material.h"
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"
 #include "read/read_part.h"
@@ -58,10 +58,10 @@ TEST(Entries, NoneIsSteeperThanAskedForAndNonePlungesIntoMaterial) {
   for (const char* tool : {"endmill:6", "endmill:6:noplunge"}) {
     for (const EntryKind entry : {EntryKind::kHelix, EntryKind::kRamp, EntryKind::kZigzagRamp}) {
       for (const double angle : {2.0, 8.0}) {
-        PlanOptions options = with_tools({tool});
+        resolve::PlanOptions options = resolve::with_tools({tool});
         options.entry = entry;
         options.entry_angle = Radians::of_degrees(angle);
-        const auto result = plan(part_of({rectangle(40, 25)}, 5), options);
+        const auto result = pipeline::plan(part_of({rectangle(40, 25)}, 5), options);
         expect_clean(result, tool);
         EXPECT_GT(steepest(result.toolpath), 0);
         EXPECT_LE(steepest(result.toolpath), std::tan(angle * kPi / 180) * 1.01);
@@ -75,17 +75,17 @@ TEST(Entries, NoneIsSteeperThanAskedForAndNonePlungesIntoMaterial) {
 }
 
 TEST(Entries, HelixKeepsItsDiameterOrGivesWayAndSaysSo) {
-  PlanOptions options = with_tools({"endmill:6"});
+  resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
   options.entry = EntryKind::kHelix;
   options.shop.helix_widest = 3;
-  const auto wide = plan(part_of({rectangle(40, 25)}, 3), options);
+  const auto wide = pipeline::plan(part_of({rectangle(40, 25)}, 3), options);
   expect_clean(wide, "helix of 3 mm");
   for (const Move& move : moves_of(wide.toolpath)) {
     const bool helix = move.path.is_arc() && move.z_to < move.z_from;
     EXPECT_NEAR(helix ? move.path.radius() : 1.5, 1.5, 0.01);
   }
   options.shop.helix_widest = options.shop.helix_narrowest = 30;
-  const auto none = plan(part_of({rectangle(40, 25)}, 3), options);
+  const auto none = pipeline::plan(part_of({rectangle(40, 25)}, 3), options);
   expect_clean(none, "no helix of 30 mm");
   bool said = false;
   for (const auto& entry : none.part.diagnostics.items())
@@ -94,10 +94,10 @@ TEST(Entries, HelixKeepsItsDiameterOrGivesWayAndSaysSo) {
 }
 
 TEST(Entries, APredrilledHoleIsTheWayDownForACutterThatMayNotPlunge) {
-  PlanOptions options = with_tools({"endmill:6:noplunge"});
+  resolve::PlanOptions options = resolve::with_tools({"endmill:6:noplunge"});
   options.entry = EntryKind::kPlunge;
-  options.predrilled = {parse_predrilled("20,12.5:7")};
-  const auto result = plan(part_of({rectangle(40, 25)}, 5), options);
+  options.predrilled = {resolve::parse_predrilled("20,12.5:7")};
+  const auto result = pipeline::plan(part_of({rectangle(40, 25)}, 5), options);
   expect_clean(result, "predrilled");
   int plunges = 0;
   for (const Move& move : moves_of(result.toolpath)) {
@@ -106,8 +106,8 @@ TEST(Entries, APredrilledHoleIsTheWayDownForACutterThatMayNotPlunge) {
     ++plunges;
   }
   EXPECT_GT(plunges, 0);
-  EXPECT_THROW(parse_predrilled("20,12"), InputError);
-  EXPECT_THROW(parse_predrilled("20,12:-1"), InputError);
+  EXPECT_THROW(resolve::parse_predrilled("20,12"), InputError);
+  EXPECT_THROW(resolve::parse_predrilled("20,12:-1"), InputError);
 }
 
 TEST(Leads, TouchThePassAndStayInTheLegalArea) {
@@ -117,14 +117,14 @@ TEST(Leads, TouchThePassAndStayInTheLegalArea) {
     const double width = random.between(4, 40), height = random.between(4, 40),
                  radius = random.between(0.2, 6);
     const Regions legal{rectangle(width, height)};
-    const Path path = begun_at(legal[0].outer(), random.between(0, width + height));
-    const auto lead = lead_for(path, legal, {radius, std::nullopt, 0});
+    const Path path = link::begun_at(legal[0].outer(), random.between(0, width + height));
+    const auto lead = link::lead_for(path, legal, {radius, std::nullopt, 0});
     if (!lead) {
       EXPECT_LT(std::min(width, height), radius / 4 * 0.75) << "a quarter of the length fits";
       continue;
     }
     ++found;
-    const Path begun = begun_at(path, lead->along);
+    const Path begun = link::begun_at(path, lead->along);
     EXPECT_NEAR(distance(lead->in.to, begun.front().from), 0, 1e-9);
     const double met = lead->in.is_arc() ? 1 : std::sqrt(0.5);  // a line where no arc has room
     EXPECT_NEAR(dot(lead->in.tangent_at(1), begun.front().tangent_at(0)), met, 1e-9) << "tangential in";
@@ -141,7 +141,7 @@ TEST(Leads, TouchThePassAndStayInTheLegalArea) {
 TEST(Leads, ARingBegunElsewhereIsTheSameRing) {
   const Loop ring = rectangle(30, 20).outer();
   for (const double along : {0.0, 10.0, 30.0, 45.5, 99.999}) {
-    const Path path = begun_at(ring, along);
+    const Path path = link::begun_at(ring, along);
     EXPECT_NEAR(length(path), 100, 1e-9);
     EXPECT_EQ(path.front().from, path.back().to);
     for (std::size_t i = 1; i < path.size(); ++i) EXPECT_EQ(path[i].from, path[i - 1].to);
@@ -150,10 +150,10 @@ TEST(Leads, ARingBegunElsewhereIsTheSameRing) {
 
 TEST(SlotFeed, RulesWhereTheCutterIsInAllRoundAndOnlyThere) {
   const Part part = part_of({rectangle(60, 40)}, 2);
-  PlanOptions options = with_tools({"endmill:6"});
-  const auto fast = plan(part, options);
+  resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
+  const auto fast = pipeline::plan(part, options);
   options.cutting.slot_feed = MmPerMin::of(250);
-  const auto slow = plan(part, options);
+  const auto slow = pipeline::plan(part, options);
   expect_clean(slow, "with slot feed");
   EXPECT_NEAR(slow.findings.all.feed_mm, fast.findings.all.feed_mm, 0.01) << "the same way";
   double slotted = 0, other = 0;
@@ -167,11 +167,11 @@ TEST(SlotFeed, RulesWhereTheCutterIsInAllRoundAndOnlyThere) {
 }
 
 TEST(Finishing, LeavesStockFirstAndNothingAtTheEnd) {
-  PlanOptions options = with_tools({"endmill:6"});
+  resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
   options.shop.finish = "all";
   options.shop.finish_stock = 0.4;
   options.shop.finish_depths = 2;
-  const auto result = plan(part_of({rectangle(40, 30)}, 6), options);
+  const auto result = pipeline::plan(part_of({rectangle(40, 30)}, 6), options);
   expect_clean(result, "finished");
   ASSERT_EQ(result.toolpath.sections.size(), 3u) << "rough, floor, walls";
   const auto nearest_to_wall = [&](const Section& section) {
@@ -189,12 +189,12 @@ TEST(Finishing, LeavesStockFirstAndNothingAtTheEnd) {
 
 TEST(Finishing, WallsAreMetAndLeftByLeadsAndRunOverTheirStart) {
   for (const bool lines : {false, true}) {
-    PlanOptions options = with_tools({"endmill:6"});
+    resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
     options.shop.finish = "walls";
     if (lines) options.lead_angle = Radians::of_degrees(30);
-    const auto plain = plan(part_of({rectangle(40, 30)}, 3), options);
+    const auto plain = pipeline::plan(part_of({rectangle(40, 30)}, 3), options);
     options.shop.lead_overlap = 2;
-    const auto over = plan(part_of({rectangle(40, 30)}, 3), options);
+    const auto over = pipeline::plan(part_of({rectangle(40, 30)}, 3), options);
     for (const auto* result : {&plain, &over}) {
       expect_clean(*result, "finished walls");
       const auto& moves = result->toolpath.sections.back().moves;
@@ -217,11 +217,11 @@ TEST(Finishing, WallsAreMetAndLeftByLeadsAndRunOverTheirStart) {
 
 TEST(Rest, SmallerToolsCutOnlyWhatLargerOnesLeave) {
   Part part = part_of({rectangle(60, 40)}, 2);
-  PlanOptions options = with_tools({"endmill:12", "endmill:4"});
+  resolve::PlanOptions options = resolve::with_tools({"endmill:12", "endmill:4"});
   options.shop.rest = true;
-  const auto both = plan(part, options);
+  const auto both = pipeline::plan(part, options);
   expect_clean(both, "12 then 4");
-  const auto fine = plan(part, with_tools({"endmill:4"}));
+  const auto fine = pipeline::plan(part, resolve::with_tools({"endmill:4"}));
   ASSERT_EQ(both.findings.features.size(), 2u);
   EXPECT_EQ(both.findings.features[1].tool_diameter, 4);
   EXPECT_LT(both.findings.features[1].figures.feed_mm, 0.25 * fine.findings.all.feed_mm);
@@ -232,39 +232,39 @@ TEST(Rest, SmallerToolsCutOnlyWhatLargerOnesLeave) {
 TEST(Rest, RandomPocketsAreCleanWithTwoTools) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
-    PlanOptions options = with_tools({"endmill:9", "endmill:3.5"});
+    resolve::PlanOptions options = resolve::with_tools({"endmill:9", "endmill:3.5"});
     options.shop.rest = true;
     const double size = random.between(20, 50);
     const Vec2 corners[] = {
         {0, 0}, {size, random.between(-5, 5)}, {size * 0.9, size}, {size * 0.5, size * 0.7}, {0, size}};
-    const auto result = plan(part_of({Region::from_valid_loops(loop_from_points(corners), {})}, 3), options);
+    const auto result = pipeline::plan(part_of({Region::from_valid_loops(loop_from_points(corners), {})}, 3), options);
     expect_clean(result, "seed " + std::to_string(seed));
   }
 }
 
 /// What the widest cutters leave in corners is cut before the pockets under it, also where rest machining is not asked for.
 TEST(Rest, SeveralCuttersChosenBySizeLeaveNothingOverWhatLiesUnder) {
-  const Part part = read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
+  const Part part = read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
   for (const bool rest : {false, true}) {
-    PlanOptions options;
+    resolve::PlanOptions options;
     for (const char* tool : {"facemill:40", "endmill:20", "endmill:10", "endmill:6", "endmill:4"})
-      options.tools.push_back(parse_tool(tool));
+      options.tools.push_back(resolve::parse_tool(tool));
     options.strategy = "zigzag";
     options.shop.rest = rest;
-    for (const auto& fault : plan(part, options).findings.faults) ADD_FAILURE() << fault.text;
+    for (const auto& fault : pipeline::plan(part, options).findings.faults) ADD_FAILURE() << fault.text;
   }
 }
 
 TEST(Rest, AnEarlierProgramIsTakenIntoAccountAndCertifiedWith) {
   const Part part = part_of({rectangle(60, 40)}, 2);
-  const auto before = plan(part, with_tools({"endmill:12:T3"}));
-  PlanOptions options = with_tools({"endmill:12:T3", "endmill:4:T1"});
-  options.earlier = read_gcode(before.program, "before.ngc").toolpath;
-  const auto after = plan(part, options);
+  const auto before = pipeline::plan(part, resolve::with_tools({"endmill:12:T3"}));
+  resolve::PlanOptions options = resolve::with_tools({"endmill:12:T3", "endmill:4:T1"});
+  options.earlier = read::gcode::read_gcode(before.program, "before.ngc").toolpath;
+  const auto after = pipeline::plan(part, options);
   expect_clean(after, "after");
   EXPECT_EQ(after.toolpath.sections.at(0).tool_number, 1);
-  EXPECT_LT(after.findings.all.feed_mm, 0.25 * plan(part, with_tools({"endmill:4"})).findings.all.feed_mm);
-  JudgeResult alone = judge(part, after.program, "after.ngc", with_tools({"endmill:4:T1"}));
+  EXPECT_LT(after.findings.all.feed_mm, 0.25 * pipeline::plan(part, resolve::with_tools({"endmill:4"})).findings.all.feed_mm);
+  pipeline::JudgeResult alone = pipeline::judge(part, after.program, "after.ngc", resolve::with_tools({"endmill:4:T1"}));
   EXPECT_FALSE(alone.findings.all.clean) << "without the earlier program nearly all is left";
 }
 
@@ -274,16 +274,16 @@ TEST(Rest, AfterAProgramOfTheSameCutterNothingIsCut) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
     const Part part = test_support::random_part(random, 6);
-    PlanOptions options;
+    resolve::PlanOptions options;
     options.strategy = seed % 2 ? "contour" : "zigzag";
-    PlanResult before;
+    pipeline::PlanResult before;
     try {
-      before = plan(part, options);
+      before = pipeline::plan(part, options);
     } catch (const InputError&) {
       continue;
     }
-    options.earlier = read_gcode(before.program, "before.ngc").toolpath;
-    const auto after = plan(part, options);
+    options.earlier = read::gcode::read_gcode(before.program, "before.ngc").toolpath;
+    const auto after = pipeline::plan(part, options);
     EXPECT_EQ(after.findings.all.feed_mm, 0) << "seed " << seed;
     EXPECT_EQ(after.findings.all.clean, before.findings.all.clean) << "seed " << seed;
     ++programs;
@@ -293,23 +293,23 @@ TEST(Rest, AfterAProgramOfTheSameCutterNothingIsCut) {
 
 TEST(Shop, ImpossibleOptionsAreRefusedByName) {
   const auto refused = [](auto&& change) {
-    PlanOptions options;
+    resolve::PlanOptions options;
     change(options);
     try {
-      check(options);
+      resolve::check(options);
     } catch (const InputError& error) {
       return std::string(error.what());
     }
     return std::string("accepted");
   };
   using ::testing::HasSubstr;
-  EXPECT_THAT(refused([](PlanOptions& o) { o.shop.finish = "ceiling"; }),
+  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish = "ceiling"; }),
               HasSubstr("--finish: must be walls, floor or all"));
-  EXPECT_THAT(refused([](PlanOptions& o) { o.shop.finish_depths = 1.5; }), HasSubstr("--finish-depths"));
-  EXPECT_THAT(refused([](PlanOptions& o) { o.shop.material = "cheese"; }),
+  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish_depths = 1.5; }), HasSubstr("--finish-depths"));
+  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.material = "cheese"; }),
               HasSubstr("'cheese' is unknown; use one of"));
-  EXPECT_THAT(refused([](PlanOptions& o) { o.lead = -1; }), HasSubstr("--lead"));
-  EXPECT_THAT(refused([](PlanOptions& o) { o.entry_angle = Radians::of_degrees(95); }),
+  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.lead = -1; }), HasSubstr("--lead"));
+  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.entry_angle = Radians::of_degrees(95); }),
               HasSubstr("--entry-angle"));
 }
 

@@ -1,7 +1,7 @@
 // Stock on walls: what earlier steps leave stands over later features, and is cut in layers like all else.
 #include <gtest/gtest.h>
 
-#include "part/fishhead.h"
+#include "studies/fishhead.h"
 #include "pipeline/run.h"
 #include "support/plans.h"
 
@@ -11,7 +11,7 @@ namespace {
 using test_support::expect_clean;
 
 Part fishhead_with(double corner_radius) {
-  Part part = fishhead(false, {});
+  Part part = studies::fishhead(false, {});
   if (corner_radius <= 0) return part;
   for (Tool& tool : part.tools) {
     if (tool.kind != ToolKind::kEndMill) continue;
@@ -22,18 +22,18 @@ Part fishhead_with(double corner_radius) {
 }
 
 /// No fault means, among others, that no cut is deeper than the stepdown.
-void expect_clean_fishhead(double corner_radius, const PlanOptions& options) {
-  expect_clean(plan(fishhead_with(corner_radius), options), "corners " + std::to_string(corner_radius));
+void expect_clean_fishhead(double corner_radius, const resolve::PlanOptions& options) {
+  expect_clean(pipeline::plan(fishhead_with(corner_radius), options), "corners " + std::to_string(corner_radius));
 }
 
-PlanOptions leaving(double stock) {
-  PlanOptions options;
+resolve::PlanOptions leaving(double stock) {
+  resolve::PlanOptions options;
   options.allowance = stock;
   return options;
 }
 
-PlanOptions finishing(const std::string& what, double stock) {
-  PlanOptions options;
+resolve::PlanOptions finishing(const std::string& what, double stock) {
+  resolve::PlanOptions options;
   options.shop.finish = what;
   options.shop.finish_stock = stock;
   return options;
@@ -52,7 +52,7 @@ TEST(SideStock, FishheadIsCleanOnceItsStockIsFinished) {
 
 TEST(SideStock, LeaningWallsAreCleanOnceTheirStockIsFinished) {
   for (const char* what : {"all", "walls", "floor"}) {
-    const auto result = plan(fishhead(true, {}), finishing(what, 0.4));
+    const auto result = pipeline::plan(studies::fishhead(true, {}), finishing(what, 0.4));
     expect_clean(result, what);
     for (const FeatureFindings& feature : result.findings.features) {
       const double height = feature.scallop ? feature.scallop->height_mm : 0.5;

@@ -14,9 +14,9 @@
 #include "base/file.h"
 #include "base/random.h"
 #include "base/units.h"
-#include "pipeline/prepare.h"
+#include "resolve/prepare.h"
 #include "pipeline/run.h"
-#include "post/stepnc_writer.h"
+#include "post/part/stepnc_writer.h"
 #include "read/read_part.h"
 #include "read/step_solid/apart.h"
 #include "read/step_solid/solid_model.h"
@@ -32,7 +32,7 @@ using test_support::with_tool;
 using ::testing::HasSubstr;
 
 #define SKIP_WITHOUT_OPEN_CASCADE() \
-  if (!solids_can_be_read()) GTEST_SKIP() << "built without Open CASCADE: STEP solids cannot be read"
+  if (!read::solids_can_be_read()) GTEST_SKIP() << "built without Open CASCADE: STEP solids cannot be read"
 
 fs::path example(const std::string& name) {
   return fs::path(CLEARCUT_SOURCE_DIR) / "examples" / name;
@@ -54,7 +54,7 @@ double rounded_area(double width, double height, double radius) {
 
 TEST(StepSolid, BracketIsTheSameRegionAsInEveryOtherFormat) {
   SKIP_WITHOUT_OPEN_CASCADE();
-  const Part solid = read_part(example("bracket.step"), {});
+  const Part solid = read::read_part(example("bracket.step"), {});
   ASSERT_EQ(solid.features.size(), 1u);
   EXPECT_EQ(solid.features[0].kind, FeatureKind::kClosedPocket);
   EXPECT_EQ(skipped(solid), "");
@@ -63,7 +63,7 @@ TEST(StepSolid, BracketIsTheSameRegionAsInEveryOtherFormat) {
   EXPECT_NEAR(solid.stock->plan.max.y, 60, 1e-6);
   EXPECT_NEAR(solid.stock->z_bottom, -15, 1e-6);
   for (const char* name : {"bracket.json", "bracket.dxf", "bracket.svg"}) {
-    const Part drawn = read_part(example(name), {});
+    const Part drawn = read::read_part(example(name), {});
     EXPECT_NEAR(solid.features[0].top_z, drawn.features[0].top_z, 1e-6) << name;
     EXPECT_NEAR(solid.features[0].floor_z, drawn.features[0].floor_z, 1e-6) << name;
     EXPECT_LT(boundary_gap(solid.features[0].target, drawn.features[0].target), 0.001) << name;
@@ -75,8 +75,8 @@ TEST(StepSolid, BracketIsTheSameRegionAsInEveryOtherFormat) {
 /// The solid as a STEP-NC program, printed and read again: still the same regions.
 TEST(StepSolid, BracketIsTheSameRegionAsItsStepNcProgram) {
   SKIP_WITHOUT_OPEN_CASCADE();
-  Part solid = prepare(read_part(example("bracket.step"), {}), with_tool(6));
-  const Part program = read_part_text(write_stepnc(solid), "bracket.stpnc", {});
+  Part solid = resolve::prepare(read::read_part(example("bracket.step"), {}), with_tool(6));
+  const Part program = read::read_part_text(post::write_stepnc(solid), "bracket.stpnc", {});
   ASSERT_EQ(program.features.size(), 1u);
   EXPECT_LT(boundary_gap(solid.features[0].target, program.features[0].target), 0.001);
 }
@@ -84,7 +84,7 @@ TEST(StepSolid, BracketIsTheSameRegionAsItsStepNcProgram) {
 /// See examples/solids/write_solids.cpp for the measures.
 TEST(StepSolid, NestedPocketsBossOpenSideAndHoleAreFound) {
   SKIP_WITHOUT_OPEN_CASCADE();
-  const Part part = read_part(example("nested.step"), {});
+  const Part part = read::read_part(example("nested.step"), {});
   EXPECT_EQ(skipped(part), "");
   ASSERT_EQ(part.features.size(), 4u);
   const Feature& notch = part.features[0];
@@ -128,7 +128,7 @@ const Feature* feature_at(const Part& part, double floor_z) {
 
 TEST(StepSolid, WhatACutterFromAboveCannotMakeIsNamed) {
   SKIP_WITHOUT_OPEN_CASCADE();
-  const Part part = read_part(example("awkward.step"), {});
+  const Part part = read::read_part(example("awkward.step"), {});
   const std::string left_out = skipped(part);
   EXPECT_THAT(left_out, HasSubstr("cylinder, x 67.5..72.5"));
   EXPECT_THAT(left_out, HasSubstr("1 floor(s) look along -Z"));
@@ -140,7 +140,7 @@ TEST(StepSolid, WhatACutterFromAboveCannotMakeIsNamed) {
 
 TEST(StepSolid, TheRestOfAnAwkwardSolidIsFoundAllTheSame) {
   SKIP_WITHOUT_OPEN_CASCADE();
-  const Part part = read_part(example("awkward.step"), {});
+  const Part part = read::read_part(example("awkward.step"), {});
   ASSERT_EQ(part.features.size(), 4u);
   const Feature *pocket = feature_at(part, -8), *sunk = feature_at(part, -10),
                 *drilled = feature_at(part, -12), *corner = feature_at(part, -30);
@@ -161,7 +161,7 @@ TEST(StepSolid, TheRestOfAnAwkwardSolidIsFoundAllTheSame) {
 
 /// Plans the whole solid and expects a clean certificate of every feature whose walls close.
 void expect_clean_pockets(const std::string& name, double tool, std::size_t closed) {
-  const PlanResult result = plan(read_part(example(name), {}), with_tool(tool));
+  const pipeline::PlanResult result = pipeline::plan(read::read_part(example(name), {}), with_tool(tool));
   ASSERT_EQ(result.findings.features.size(), result.part.features.size()) << name;
   std::size_t judged = 0;
   for (std::size_t i = 0; i < result.part.features.size(); ++i) {
@@ -187,7 +187,7 @@ TEST(StepSolid, ThePlansOfTheExamplesAreCertifiedClean) {
 
 std::string refusal(const std::string& text) {
   try {
-    read_part_text(text, "s.step", {});
+    read::read_part_text(text, "s.step", {});
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     return error.what();
@@ -200,7 +200,7 @@ const std::string kHead =
     "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n";
 
 TEST(StepSolid, WithoutTheComponentTheMessageNamesThePackage) {
-  if (solids_can_be_read()) GTEST_SKIP() << "built with Open CASCADE";
+  if (read::solids_can_be_read()) GTEST_SKIP() << "built with Open CASCADE";
   EXPECT_THAT(refusal(read_file(example("bracket.step").string())), HasSubstr("libocct-data-exchange-dev"));
 }
 
@@ -234,14 +234,14 @@ TEST(StepSolid, DamagedFilesAreReadOrRefused) {
 
 TEST(DoneApart, HandsOverMoreThanAPipeHolds) {
   const std::string long_text(1 << 20, 'x');
-  EXPECT_EQ(done_apart({"/bin/cat"}, long_text, 10), long_text);
+  EXPECT_EQ(read::done_apart({"/bin/cat"}, long_text, 10), long_text);
 }
 
 TEST(DoneApart, CrashesErrorsAndEndlessWorkAreNothing) {
-  EXPECT_EQ(done_apart({"/bin/sh", "-c", "echo half; kill -SEGV $$"}, "", 10), std::nullopt);
-  EXPECT_EQ(done_apart({"/bin/sh", "-c", "echo half; exit 3"}, "", 10), std::nullopt);
-  EXPECT_EQ(done_apart({"/bin/sh", "-c", "while :; do :; done"}, "", 1), std::nullopt);
-  EXPECT_EQ(done_apart({"/nonexistent/program"}, "", 10), std::nullopt);
+  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "echo half; kill -SEGV $$"}, "", 10), std::nullopt);
+  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "echo half; exit 3"}, "", 10), std::nullopt);
+  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "while :; do :; done"}, "", 1), std::nullopt);
+  EXPECT_EQ(read::done_apart({"/nonexistent/program"}, "", 10), std::nullopt);
 }
 
 }  // namespace

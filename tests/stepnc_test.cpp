@@ -12,8 +12,8 @@
 #include "base/file.h"
 #include "base/random.h"
 #include "geometry/boolean.h"
-#include "part/fishhead.h"
-#include "post/stepnc_writer.h"
+#include "studies/fishhead.h"
+#include "post/part/stepnc_writer.h"
 #include "read/outline/outline_reader.h"
 #include "support/data.h"
 #include "support/same_regions.h"
@@ -34,7 +34,7 @@ std::string content(const fs::path& path) {
 }
 
 Part read_data(const std::string& name) {
-  return read_stepnc(content(*test_support::data_folder() / "stepnc" / name), name, {});
+  return read::stepnc::read_stepnc(content(*test_support::data_folder() / "stepnc" / name), name, {});
 }
 
 std::string diagnostics_of(const Part& part) {
@@ -134,7 +134,7 @@ TEST_P(Fishhead, OutlinesAreThoseOfTheShapesWithinAMicrometre) {
     std::string name = f.name;
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
     const fs::path path = *test_support::data_folder() / "shapes" / ("fishhead_" + name + ".json");
-    const Part shape = read_outline_json(content(path), path.filename().string(), Tolerances{});
+    const Part shape = read::read_outline_json(content(path), path.filename().string(), Tolerances{});
     const double limit = f.name == "POCKET5" ? 0.0014 : 0.001;
     const Region& expected = shape.features[0].target[0];
     const Region& got = f.target[0];
@@ -310,10 +310,10 @@ TEST(StepNcRoundTrip, EveryFile) {
   for (const char* name : kFiles) {
     SCOPED_TRACE(name);
     const Part part = read_data(name);
-    const std::string text = write_stepnc(part);
-    const Part again = read_stepnc(text, "again.p21", {});
+    const std::string text = post::write_stepnc(part);
+    const Part again = read::stepnc::read_stepnc(text, "again.p21", {});
     expect_same_part(part, again);
-    EXPECT_EQ(write_stepnc(again), text) << "writing what was read changes nothing more";
+    EXPECT_EQ(post::write_stepnc(again), text) << "writing what was read changes nothing more";
   }
 }
 
@@ -535,9 +535,9 @@ TEST(StepNcRoundTrip, RandomParts) {
                                               [](const Feature& f) { return f.top_z > f.floor_z + 1e-6; });
     if (part.features.empty() || !something_to_cut) continue;
     features += static_cast<int>(part.features.size());
-    const std::string text = write_stepnc(part);
-    ASSERT_EQ(text, write_stepnc(part));
-    const Part again = read_stepnc(text, "again.p21", {});
+    const std::string text = post::write_stepnc(part);
+    ASSERT_EQ(text, post::write_stepnc(part));
+    const Part again = read::stepnc::read_stepnc(text, "again.p21", {});
     expect_same_part(part, again);
     if (HasFailure()) break;
   }
@@ -560,7 +560,7 @@ constexpr Example kExamples[] = {{"fishhead.p21", false}, {"fishhead_sloped.p21"
 // CLEARCUT_WRITE_EXAMPLES=1 writes the files instead of comparing them.
 TEST(StepNcExamples, AreWhatTheTableOfDimensionsGives) {
   for (const Example& example : kExamples) {
-    const std::string text = write_stepnc(fishhead(example.sloped, {}));
+    const std::string text = post::write_stepnc(studies::fishhead(example.sloped, {}));
     if (std::getenv("CLEARCUT_WRITE_EXAMPLES") != nullptr)
       write_files({{(examples() / example.name).string(), text}});
     EXPECT_EQ(content(examples() / example.name), text) << example.name;
@@ -569,15 +569,15 @@ TEST(StepNcExamples, AreWhatTheTableOfDimensionsGives) {
 
 TEST(StepNcExamples, ReadToThePartsTheyWereWrittenFrom) {
   for (const Example& example : kExamples)
-    expect_same_part(fishhead(example.sloped, {}),
-                     read_stepnc(content(examples() / example.name), example.name, {}));
+    expect_same_part(studies::fishhead(example.sloped, {}),
+                     read::stepnc::read_stepnc(content(examples() / example.name), example.name, {}));
 }
 
 TEST(StepNcExamples, HaveTheRegionsOfTheThesisFile) {
   CLEARCUT_SKIP_WITHOUT_DATA();
   for (const Example& example : kExamples) {
     const Part printed = read_data(example.name);
-    const Part ours = read_stepnc(content(examples() / example.name), example.name, {});
+    const Part ours = read::stepnc::read_stepnc(content(examples() / example.name), example.name, {});
     ASSERT_EQ(ours.features.size(), printed.features.size());
     for (std::size_t i = 0; i < ours.features.size(); ++i)
       expect_same_feature(printed.features[i], ours.features[i]);
@@ -603,7 +603,7 @@ TEST(StepNcCorpus, EveryFileLoadsOrIsRefusedWithTheMessageInItsFirstLine) {
     const std::string expected = text.substr(3, end - 3);
     std::string got = "ok";
     try {
-      read_stepnc(text, "f", {});
+      read::stepnc::read_stepnc(text, "f", {});
     } catch (const InputError& error) {
       got = error.what();
     }
@@ -627,7 +627,7 @@ TEST(StepNcCorpus, DamagedFilesAreReadOrRefused) {
       text.replace(std::min(place, text.size()), random.below(6), pieces[random.below(15)]);
     }
     try {
-      read_stepnc(text, "damaged.p21", {});
+      read::stepnc::read_stepnc(text, "damaged.p21", {});
       ++read;
     } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);

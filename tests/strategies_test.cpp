@@ -17,17 +17,17 @@
 namespace clearcut {
 namespace {
 
-PlanOptions options_for(const std::string& strategy) {
-  PlanOptions options;
+resolve::PlanOptions options_for(const std::string& strategy) {
+  resolve::PlanOptions options;
   options.strategy = strategy;
   return options;
 }
 
 /// "" when the plan is certified clean, else its worst fault. Where the cutter fits nowhere, or not into one of several
 /// regions, that is said and no fault of the strategy.
-std::string fault_of(const Part& part, const PlanOptions& options) {
+std::string fault_of(const Part& part, const resolve::PlanOptions& options) {
   try {
-    for (const auto& fault : plan(part, options).findings.faults) {
+    for (const auto& fault : pipeline::plan(part, options).findings.faults) {
       if (fault.kind != FaultKind::kNothingCut) return fault.text;
     }
   } catch (const InputError&) {
@@ -59,10 +59,10 @@ TEST_P(EveryStrategy, ClearsEveryDataShapeWithEveryCutter) {
   std::sort(shapes.begin(), shapes.end());
   ASSERT_GT(shapes.size(), 10u);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const Part part = read_part(shapes[i].string(), {});
+    const Part part = read::read_part(shapes[i].string(), {});
     for (const double diameter : cutters_for(static_cast<int>(i), GetParam())) {
       auto options = options_for(GetParam());
-      options.tools = {parse_tool("endmill:" + std::to_string(diameter))};
+      options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
       options.stepdown = 100;
       EXPECT_EQ(fault_of(part, options), "") << shapes[i].filename() << " " << diameter;
     }
@@ -94,11 +94,11 @@ TEST(Adaptive, ClearsRandomParts) {
 TEST_P(EveryStrategy, WritesTheSameProgramAgain) {
   Random random(5);
   const Part part = test_support::random_part(random, 4);
-  const auto first = plan(part, options_for(GetParam())).program;
-  EXPECT_EQ(plan(part, options_for(GetParam())).program, first);
+  const auto first = pipeline::plan(part, options_for(GetParam())).program;
+  EXPECT_EQ(pipeline::plan(part, options_for(GetParam())).program, first);
   auto threaded = options_for(GetParam());
   threaded.threads = 3;
-  EXPECT_EQ(plan(part, threaded).program, first);
+  EXPECT_EQ(pipeline::plan(part, threaded).program, first);
 }
 
 TEST(Zigzag, KeepsTheDirectionAskedFor) {
@@ -107,7 +107,7 @@ TEST(Zigzag, KeepsTheDirectionAskedFor) {
   for (const double angle : {0.0, 30.0, 90.0, -45.0}) {
     auto options = options_for("zigzag");
     options.angle_deg = angle;
-    const auto result = plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
+    const auto result = pipeline::plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
     EXPECT_TRUE(result.findings.all.clean);
     double along = 0, inside = 0;
     for (const auto& move : result.toolpath.sections.front().moves) {
@@ -128,7 +128,7 @@ TEST(Zigzag, LinesAreNoFartherApartThanAskedFor) {
   auto options = options_for("zigzag");
   options.angle_deg = 0;
   options.stepover = "0.3";
-  const auto result = plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
+  const auto result = pipeline::plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
   std::vector<double> heights;
   for (const auto& move : result.toolpath.sections.front().moves) {
     const Vec2 d = move.path.to - move.path.from;
@@ -140,7 +140,7 @@ TEST(Zigzag, LinesAreNoFartherApartThanAskedFor) {
   // The outermost are those along the walls.
   for (std::size_t i = 2; i + 1 < heights.size(); ++i) EXPECT_LT(heights[i] - heights[i - 1], 0.3 * 6 + 1e-3);
   options.stepover = "lom";
-  EXPECT_THROW(plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options),
+  EXPECT_THROW(pipeline::plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options),
                InputError);
 }
 
@@ -170,17 +170,17 @@ TEST(Tour, ClearsTheCornersOfOpenBlocks) {
 
 /// Between walls that differ from layer to layer only the side of a rounded cutter reaches some of what stands.
 TEST(RoundedCutters, CutTheFishheadClean) {
-  const Part part = read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
+  const Part part = read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
   for (const char* tool : {"bullnose:10:corner=1", "bullnose:8:corner=2"}) {
     auto options = options_for("zigzag");
-    options.tools = {parse_tool(tool)};
+    options.tools = {resolve::parse_tool(tool)};
     EXPECT_EQ(fault_of(part, options), "") << tool;
   }
 }
 
 /// What is left on a floor stands over the features that begin there: their first layer takes it along.
 TEST(FloorStock, CountsForTheFeaturesUnderIt) {
-  const Part part = read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
+  const Part part = read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {});
   auto options = options_for("zigzag");
   options.shop.finish = "floor";
   options.shop.finish_stock_floor = 0.5;
@@ -191,7 +191,7 @@ TEST(Auto, KeepsTheFastestOfThosePlannedAndListsAll) {
   for (const std::uint64_t seed : {1u, 2u, 4u, 6u}) {
     Random random(seed);
     const Part part = test_support::random_part(random, random.between(3, 8));
-    const auto result = plan(part, options_for("auto"));
+    const auto result = pipeline::plan(part, options_for("auto"));
     ASSERT_TRUE(result.findings.all.clean) << seed;
     ASSERT_EQ(result.contests.size(), 1u);
     const auto& contest = result.contests.front();
@@ -216,10 +216,10 @@ TEST(Auto, LeavesOutOnlyWhatCannotWin) {
   for (const double width : {30.0, 60.0, 110.0}) {
     const Part part =
         test_support::part_of(rectangle(width, 40), rectangle(width, 40), FeatureKind::kClosedPocket, 6);
-    const auto contest = plan(part, options_for("auto")).contests.front();
+    const auto contest = pipeline::plan(part, options_for("auto")).contests.front();
     for (const auto& one : contest.contestants) {
       if (one.least_s == 0) continue;
-      EXPECT_GE(plan(part, options_for(one.strategy)).findings.all.time_s, one.least_s) << one.strategy;
+      EXPECT_GE(pipeline::plan(part, options_for(one.strategy)).findings.all.time_s, one.least_s) << one.strategy;
     }
   }
 }
@@ -227,7 +227,7 @@ TEST(Auto, LeavesOutOnlyWhatCannotWin) {
 TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
   auto options = options_for("auto");
   options.engagement_deg = 60;
-  const auto result = plan(
+  const auto result = pipeline::plan(
       test_support::part_of(rectangle(50, 40), rectangle(50, 40), FeatureKind::kClosedPocket, 6), options);
   EXPECT_EQ(result.contests.front().kept(), "adaptive");
   EXPECT_TRUE(result.findings.all.clean);
@@ -235,12 +235,12 @@ TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
 
 TEST(Auto, DoesNotDependOnTheNumberOfThreads) {
   CLEARCUT_SKIP_WITHOUT_DATA();
-  const Part part = read_part((*test_support::data_folder() / "shapes/fishhead_pocket5.json").string(), {});
+  const Part part = read::read_part((*test_support::data_folder() / "shapes/fishhead_pocket5.json").string(), {});
   auto options = options_for("auto");
-  options.tools = {parse_tool("endmill:6")};
-  const auto one = plan(part, options);
+  options.tools = {resolve::parse_tool("endmill:6")};
+  const auto one = pipeline::plan(part, options);
   options.threads = 4;
-  const auto four = plan(part, options);
+  const auto four = pipeline::plan(part, options);
   EXPECT_EQ(one.program, four.program);
   EXPECT_EQ(one.contests.front().kept(), four.contests.front().kept());
 }

@@ -36,12 +36,12 @@ Part small_part(double depth) {
   return part;
 }
 
-PlanResult planned(double depth) {
-  PlanOptions options;
-  options.tools = {parse_tool("endmill:4")};
+pipeline::PlanResult planned(double depth) {
+  resolve::PlanOptions options;
+  options.tools = {resolve::parse_tool("endmill:4")};
   options.stepdown = 2;
   options.strategy = "contour";
-  return plan(small_part(depth), options);
+  return pipeline::plan(small_part(depth), options);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -58,7 +58,7 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 Findings judged(const Part& part, const std::string& text) {
-  return verify(part, read_gcode(text, "x.ngc").toolpath, {});
+  return verify::verify(part, read::gcode::read_gcode(text, "x.ngc").toolpath, {});
 }
 
 bool has(const Findings& findings, FaultKind kind) {
@@ -67,7 +67,7 @@ bool has(const Findings& findings, FaultKind kind) {
 }
 
 TEST(VerifyPrograms, TheVerdictNeedsNoCommentNorLabel) {
-  const PlanResult result = planned(4);
+  const pipeline::PlanResult result = planned(4);
   ASSERT_TRUE(result.findings.all.clean);
   const std::string bare = std::regex_replace(result.program, std::regex("\\([^)]*\\)"), "");
   ASSERT_NE(bare, result.program);
@@ -81,17 +81,17 @@ TEST(VerifyPrograms, TheVerdictNeedsNoCommentNorLabel) {
 }
 
 TEST(VerifyPrograms, LabelsThatLieChangeNoVerdict) {
-  const PlanResult result = planned(4);
+  const pipeline::PlanResult result = planned(4);
   Toolpath lying = result.toolpath;
   for (Section& section : lying.sections) {
     section.label = "SOMETHING ELSE";
     section.workingstep = 17;
   }
-  EXPECT_TRUE(verify(result.part, lying, {}).all.clean);
+  EXPECT_TRUE(verify::verify(result.part, lying, {}).all.clean);
 }
 
 TEST(VerifyPrograms, ALevelLeftOutOfTheTextIsFound) {
-  const PlanResult result = planned(4);
+  const pipeline::PlanResult result = planned(4);
   std::vector<std::string> lines = lines_of(result.program);
   const auto is_level = [](const std::string& line) { return line.find("Z-2") != std::string::npos; };
   const auto from = std::find_if(lines.begin(), lines.end(), is_level);
@@ -197,7 +197,7 @@ std::string spoilt(const std::string& program, Random& random) {
 // 0.02 mm along a move, which hides up to 0.1 um beside a wall; what is left is seen on a grid of 0.1 mm,
 // legal centres too.
 TEST(VerifyPrograms, SpoiltProgramsAreJudgedAsSamplingJudgesThem) {
-  const PlanResult result = planned(2);
+  const pipeline::PlanResult result = planned(2);
   ASSERT_TRUE(result.findings.all.clean);
   const Region& region = result.part.features[0].target[0];
   const SlowJudge slow(region);
@@ -209,12 +209,12 @@ TEST(VerifyPrograms, SpoiltProgramsAreJudgedAsSamplingJudgesThem) {
     const std::string text = spoilt(result.program, random);
     Toolpath toolpath;
     try {
-      toolpath = read_gcode(text, "spoilt.ngc").toolpath;
+      toolpath = read::gcode::read_gcode(text, "spoilt.ngc").toolpath;
     } catch (const InputError&) {
       ++refused;  // an arc whose ends no longer fit its centre
       continue;
     }
-    const Findings findings = verify(result.part, toolpath, {});
+    const Findings findings = verify::verify(result.part, toolpath, {});
     const double gouge = slow.gouge(toolpath), uncut = slow.uncut(toolpath, -2);
     gouged += gouge > 0.002;
     left += uncut > 0.02;
@@ -241,7 +241,7 @@ TEST(VerifyPrograms, SpoiltProgramsAreJudgedAsSamplingJudgesThem) {
 }
 
 /// Replaces the first line of a program that matches, and judges what that makes of it.
-Findings with_line(const PlanResult& result, const std::string& pattern, const std::string& line) {
+Findings with_line(const pipeline::PlanResult& result, const std::string& pattern, const std::string& line) {
   auto lines = lines_of(result.program);
   const auto found = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
     return std::regex_search(text, std::regex(pattern));
@@ -252,7 +252,7 @@ Findings with_line(const PlanResult& result, const std::string& pattern, const s
 }
 
 /// A program that cannot be read is not called clean either.
-bool called_clean(const PlanResult& result, const std::string& pattern, const std::string& line) {
+bool called_clean(const pipeline::PlanResult& result, const std::string& pattern, const std::string& line) {
   try {
     return with_line(result, pattern, line).all.clean;
   } catch (const InputError&) {
@@ -261,7 +261,7 @@ bool called_clean(const PlanResult& result, const std::string& pattern, const st
 }
 
 TEST(VerifyPrograms, UnitsPlanesAndModesThatAreNotMeant) {
-  const PlanResult result = planned(4);
+  const pipeline::PlanResult result = planned(4);
   ASSERT_TRUE(result.findings.all.clean);
   EXPECT_TRUE(called_clean(result, "^G21", "G21"));
   EXPECT_FALSE(called_clean(result, "^G21", "G20"));  // numbers in mm, read as inches

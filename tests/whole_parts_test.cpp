@@ -70,7 +70,7 @@ Part part_of_pockets(Random& random) {
 }
 
 /// Plans, posts, certifies and simulates random parts; a cutter that fits nowhere is no fault.
-void expect_clean_parts(const PlanOptions& options, int count,
+void expect_clean_parts(const resolve::PlanOptions& options, int count,
                         const std::function<void(Part&, Random&)>& changed = {}) {
   int cut = 0;
   for (int seed = 1; seed <= count; ++seed) {
@@ -79,7 +79,7 @@ void expect_clean_parts(const PlanOptions& options, int count,
     if (part.workplan.empty()) continue;
     if (changed) changed(part, random);
     try {
-      const PlanResult result = plan(part, options);
+      const pipeline::PlanResult result = pipeline::plan(part, options);
       for (const auto& fault : result.findings.faults) {
         if (fault.kind != FaultKind::kNothingCut) ADD_FAILURE() << "seed " << seed << ": " << fault.text;
       }
@@ -98,19 +98,19 @@ INSTANTIATE_TEST_SUITE_P(Filling, WholeParts, testing::Values("auto", "zigzag", 
                          [](const auto& strategy) { return strategy.param; });
 
 TEST_P(WholeParts, AreCleanInAFieldOfHeights) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.strategy = GetParam();
   expect_clean_parts(options, test_support::random_count(6));
 }
 
 TEST(WholePart, IsCleanWithAllCuttersEachOnWhatIsLeft) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.shop.rest = true;
   expect_clean_parts(options, test_support::random_count(4));
 }
 
 TEST(WholePart, IsCleanWithFinishing) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.shop.finish = "all";
   expect_clean_parts(options, test_support::random_count(4));
 }
@@ -129,7 +129,7 @@ TEST(WholePart, IsCleanWithStockLeftInEveryStep) {
 }
 
 TEST(WholePart, IsCleanWithStockThatIsFinishedAfterwards) {
-  PlanOptions options;
+  resolve::PlanOptions options;
   options.shop.finish = "all";
   options.shop.finish_stock = 0.8;
   options.shop.finish_stock_floor = 0.4;

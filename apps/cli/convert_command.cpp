@@ -5,20 +5,20 @@
 #include "base/file.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/prepare.h"
+#include "resolve/prepare.h"
 #include "plan_arguments.h"
-#include "post/outline_writer.h"
-#include "post/stepnc_writer.h"
+#include "post/part/outline_writer.h"
+#include "post/part/stepnc_writer.h"
 
 namespace clearcut::cli {
 namespace {
 
 std::string converted(Part& part, const PlanArguments& arguments, const std::string& output) {
   const auto extension = std::filesystem::path(output).extension();
-  if (extension == ".json") return write_outline_json(part);
+  if (extension == ".json") return post::write_outline_json(part);
   if (extension == ".p21" || extension == ".stpnc") {
-    part = with_tools(std::move(part), arguments.options());
-    return write_stepnc(part);
+    part = resolve::with_tools(std::move(part), arguments.options());
+    return post::write_stepnc(part);
   }
   throw InputError(output, "the kind of file is unknown; name it .json (outline) or .p21 (STEP-NC)");
 }
@@ -48,7 +48,7 @@ void add_init_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", *output, "Job to write (default: standard output)");
   command->callback([state, output, &exit_code] {
     const std::string path = output->empty() ? "-" : *output;
-    write_files({{path, job_text(state->read(), state->input())}});
+    write_files({{path, read::job_text(state->read(), state->input())}});
     exit_code = kClean;
   });
 }

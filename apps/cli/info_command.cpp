@@ -5,7 +5,7 @@
 #include "base/format.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/prepare.h"
+#include "resolve/prepare.h"
 #include "plan_arguments.h"
 
 namespace clearcut::cli {
@@ -34,7 +34,7 @@ void print_feature(const Feature& feature, const Tolerances& tol) {
   print_line(fmt::format("    z {} to {}, {}, area {} mm2", trimmed(feature.top_z, 3),
                          trimmed(feature.floor_z, 3), extent(box(feature.target)),
                          trimmed(area(feature.target), 2)));
-  const double fits = largest_fitting_diameter(feature, tol);
+  const double fits = resolve::largest_fitting_diameter(feature, tol);
   print_line(fmt::format("    {}, largest cutter {}", shape(feature),
                          fits > kOpenReach ? "any (open)" : trimmed(fits, 3) + " mm"));
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/plan_options.h"
+#include "resolve/plan_options.h"
 #include "read/job/job_file.h"
 #include "read/read_part.h"
 
@@ -24,19 +24,19 @@ class PlanArguments {
   void add_cutting_options(CLI::App& command);
 
   Part read() const;
-  PlanOptions options() const;
+  resolve::PlanOptions options() const;
   const std::string& input() const { return input_; }
   /// The job file, when the input is one.
-  std::optional<JobFile> job() const;
+  std::optional<read::JobFile> job() const;
 
  private:
   std::vector<Tool> tools() const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
-  PostOptions post(const JobOutput& job) const;
-  Machine machine(const std::optional<JobFile>& job) const;
-  ShopOptions shop(const JobFile& job) const;
-  std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
+  post::PostOptions post::post(const read::JobOutput& job) const;
+  Machine machine(const std::optional<read::JobFile>& job) const;
+  ShopOptions shop(const read::JobFile& job) const;
+  std::optional<Toolpath> earlier(const read::JobFile& job, const Machine& machine) const;
 
   std::string input_;
   std::vector<std::string> tools_;

@@ -10,9 +10,9 @@
 #include "plan_arguments.h"
 #include "report/certificate.h"
 #include "report/contest_table.h"
-#include "report/html.h"
+#include "report/viewer/html.h"
 #include "report/result.h"
-#include "report/svg.h"
+#include "report/picture/svg.h"
 #include "report/table.h"
 
 namespace clearcut::cli {
@@ -28,9 +28,9 @@ struct PlanCommand {
   bool quiet = false;
 };
 
-CertificateInfo certificate_info(const PlanCommand& command, const PlanOptions& options,
-                                 const PlanResult& result) {
-  CertificateInfo info;
+report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
+                                 const pipeline::PlanResult& result) {
+  report::CertificateInfo info;
   info.version = kVersion;
   info.seed = options.seed;
   info.input_hash = content_hash(read_file(command.arguments.input()));
@@ -40,20 +40,20 @@ CertificateInfo certificate_info(const PlanCommand& command, const PlanOptions& 
   return info;
 }
 
-std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
-                                     const PlanResult& result) {
+std::vector<OutputFile> output_files(const PlanCommand& command, const resolve::PlanOptions& options,
+                                     const pipeline::PlanResult& result) {
   std::vector<OutputFile> files{{command.output, result.program}};
   const auto add = [&](const std::string& path, auto&& content) {
     if (!path.empty()) files.push_back({path, content()});
   };
   add(command.certificate, [&] {
-    return certificate_json(result.part, result.findings, certificate_info(command, options, result));
+    return report::certificate_json(result.part, result.findings, certificate_info(command, options, result));
   });
-  add(command.svg, [&] { return svg(result.part, result.toolpath, result.findings, {}); });
+  add(command.svg, [&] { return report::svg(result.part, result.toolpath, result.findings, {}); });
   add(command.html, [&] {
-    return html(result.part, result.toolpath, result.findings, {options.machine, result.program});
+    return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
   });
-  add(command.result, [&] { return result_file(result.toolpath, {result.part.name, result.contours}); });
+  add(command.result, [&] { return report::result_file(result.toolpath, {result.part.name, result.contours}); });
   return files;
 }
 
@@ -62,7 +62,7 @@ std::string in_folder_of(const std::string& job_file, const std::string& name) {
 }
 
 /// Files that the command line leaves open are written where the job says.
-void take_outputs_from(const JobFile& job, PlanCommand& command) {
+void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
   const auto take = [&](std::string& path, const std::optional<std::string>& from_job) {
     if (path.empty() && from_job) path = in_folder_of(job.file, *from_job);
   };
@@ -76,14 +76,14 @@ void take_outputs_from(const JobFile& job, PlanCommand& command) {
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
-  const PlanOptions options = command.arguments.options();
-  const PlanResult result = plan(command.arguments.read(), options);
+  const resolve::PlanOptions options = command.arguments.options();
+  const pipeline::PlanResult result = pipeline::plan(command.arguments.read(), options);
   write_files(output_files(command, options, result));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
-      if (options.strategy == "auto") print_line(plain(contest_table(result.contests)));
-      print_line(table(result.part, result.findings));
+      if (options.strategy == "auto") print_line(report::plain(report::contest_table(result.contests)));
+      print_line(report::table(result.part, result.findings));
     }
   }
   return result.findings.all.clean ? kClean : kFault;

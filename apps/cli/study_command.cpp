@@ -9,7 +9,7 @@
 #include "base/file.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/genetic_study.h"
+#include "studies/genetic_study.h"
 
 namespace clearcut::cli {
 namespace {
@@ -18,7 +18,7 @@ struct StudyCommand {
   std::string name;
   std::string csv;
   std::string svg;
-  GeneticStudyOptions options;
+  studies::GeneticStudyOptions options;
   bool as_markdown = false;
   bool quiet = false;
 };
@@ -26,31 +26,31 @@ struct StudyCommand {
 constexpr auto kEvery = std::chrono::seconds(5);
 
 /// Saves what there is every few seconds, so that a study that was stopped goes on where it was.
-auto saver(const StudyCommand& command, const GeneticStudy& study) {
+auto saver(const StudyCommand& command, const studies::GeneticStudy& study) {
   using Clock = std::chrono::steady_clock;
   auto saved = std::make_shared<Clock::time_point>(Clock::now());
   const bool shows = !command.quiet && isatty(STDERR_FILENO) != 0;
   return [&command, &study, saved, shows](int done, int total,
-                                          const std::function<std::vector<StudyRow>()>& rows) {
+                                          const std::function<std::vector<studies::StudyRow>()>& rows) {
     if (shows) std::fprintf(stderr, "\r%d of %d runs%s", done, total, done == total ? "\n" : "");
     if (command.csv.empty() || command.csv == "-" || Clock::now() - *saved < kEvery) return;
-    write_files({{command.csv, study_csv(study, command.options, rows())}});
+    write_files({{command.csv, studies::study_csv(study, command.options, rows())}});
     *saved = Clock::now();
   };
 }
 
 void run(StudyCommand& command) {
-  const GeneticStudy study = genetic_study(command.name, command.options);
+  const studies::GeneticStudy study = studies::genetic_study(command.name, command.options);
   const bool resumes = !command.csv.empty() && command.csv != "-" && std::filesystem::exists(command.csv);
   const std::string earlier = resumes ? read_file(command.csv) : "";
   command.options.progress = saver(command, study);
-  const auto rows = run_genetic_study(study, command.options, earlier);
+  const auto rows = studies::run_genetic_study(study, command.options, earlier);
   std::vector<OutputFile> files;
-  if (!command.csv.empty()) files.push_back({command.csv, study_csv(study, command.options, rows)});
-  if (!command.svg.empty()) files.push_back({command.svg, study_svg(study, rows)});
+  if (!command.csv.empty()) files.push_back({command.csv, studies::study_csv(study, command.options, rows)});
+  if (!command.svg.empty()) files.push_back({command.svg, studies::study_svg(study, rows)});
   write_files(files);
-  const auto table = study_table(study, rows);
-  if (!command.quiet && command.csv != "-") print_line(command.as_markdown ? markdown(table) : plain(table));
+  const auto table = studies::study_table(study, rows);
+  if (!command.quiet && command.csv != "-") print_line(command.as_markdown ? report::markdown(table) : report::plain(table));
 }
 
 }  // namespace

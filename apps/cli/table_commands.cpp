@@ -9,11 +9,11 @@
 #include "commands.h"
 #include "output.h"
 #include "pipeline/compare.h"
-#include "pipeline/method_study.h"
-#include "pipeline/reproduce.h"
+#include "studies/method_study.h"
+#include "studies/reproduce.h"
 #include "pipeline/tool_sets.h"
 #include "plan_arguments.h"
-#include "post/outline_writer.h"
+#include "post/part/outline_writer.h"
 
 namespace clearcut::cli {
 
@@ -27,26 +27,26 @@ struct CompareCommand {
   std::string slower;
 };
 
-void print(const TextTable& table, bool as_markdown) {
-  print_line(as_markdown ? markdown(table) : plain(table));
+void print(const report::TextTable& table, bool as_markdown) {
+  print_line(as_markdown ? report::markdown(table) : report::plain(table));
 }
 
 /// A pocket on which a rival is faster than ours, as an outline whose name says by how much.
-void write_slower(const StudyCase& one, const std::string& folder) {
+void write_slower(const studies::StudyCase& one, const std::string& folder) {
   Part part = one.part;
   part.name +=
       fmt::format(", endmill:{}, contour {:.2f} s, {} {:.2f} s", part.tools.front().diameter,
                   one.outcomes.at("contour").time_s, *one.faster, one.outcomes.at(*one.faster).time_s);
   std::filesystem::create_directories(folder);
-  write_files({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}});
+  write_files({{folder + "/" + std::to_string(one.seed) + ".json", post::write_outline_json(part)}});
 }
 
 void compare_at_random(const CompareCommand& command) {
   const auto options = command.arguments.options();
-  const auto study = study_methods(command.random, options.seed, options, [&](const StudyCase& one) {
+  const auto study = studies::study_methods(command.random, options.seed, options, [&](const studies::StudyCase& one) {
     if (one.faster && !command.slower.empty()) write_slower(one, command.slower);
   });
-  print(study_table(study), command.as_markdown);
+  print(studies::study_table(study), command.as_markdown);
 }
 
 }  // namespace
@@ -69,14 +69,14 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     if (state->random > 0) return compare_at_random(*state);
     if (state->arguments.input().empty())
       throw InputError("compare", "give a part, or --random and how many");
-    print(compare(state->arguments.read(), state->arguments.options()), state->as_markdown);
+    print(pipeline::compare(state->arguments.read(), state->arguments.options()), state->as_markdown);
   });
 }
 
 void add_tools_command(CLI::App& app, int& exit_code) {
   struct ToolsCommand {
     PlanArguments arguments;
-    ToolSpeeds speeds;
+    pipeline::ToolSpeeds speeds;
     bool as_markdown = false;
   };
   auto* command = app.add_subcommand("tools", "Plan a part with each of several cutters, in one table");
@@ -92,7 +92,7 @@ void add_tools_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
   command->callback([state, &exit_code] {
-    print(tool_table(state->arguments.read(), state->speeds, state->arguments.options()), state->as_markdown);
+    print(pipeline::tool_table(state->arguments.read(), state->speeds, state->arguments.options()), state->as_markdown);
     exit_code = kClean;
   });
 }
@@ -102,8 +102,8 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
   auto name = std::make_shared<std::string>();
   command->add_option("TABLE", *name, "One table; default all");
   command->callback([name, &exit_code] {
-    const auto names = name->empty() ? reproducible_tables() : std::vector<std::string>{*name};
-    for (const auto& table : names) print_line(plain(reproduce(table)));
+    const auto names = name->empty() ? studies::reproducible_tables() : std::vector<std::string>{*name};
+    for (const auto& table : names) print_line(report::plain(studies::reproduce(table)));
     exit_code = kClean;
   });
 }

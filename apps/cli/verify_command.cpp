@@ -7,7 +7,7 @@
 #include "pipeline/run.h"
 #include "plan_arguments.h"
 #include "report/certificate.h"
-#include "report/svg.h"
+#include "report/picture/svg.h"
 #include "report/table.h"
 
 namespace clearcut::cli {
@@ -21,9 +21,9 @@ struct VerifyCommand {
   bool quiet = false;
 };
 
-CertificateInfo certificate_info(const VerifyCommand& command, const PlanOptions& options,
+report::CertificateInfo certificate_info(const VerifyCommand& command, const resolve::PlanOptions& options,
                                  const std::string& program) {
-  CertificateInfo info;
+  report::CertificateInfo info;
   info.version = kVersion;
   info.seed = options.seed;
   info.input_hash = content_hash(read_file(command.arguments.input()));
@@ -33,20 +33,20 @@ CertificateInfo certificate_info(const VerifyCommand& command, const PlanOptions
 }
 
 int run(const VerifyCommand& command) {
-  const PlanOptions options = command.arguments.options();
+  const resolve::PlanOptions options = command.arguments.options();
   const std::string program = read_file(command.program);
-  const JudgeResult result = judge(command.arguments.read(), program, command.program, options);
+  const pipeline::JudgeResult result = pipeline::judge(command.arguments.read(), program, command.program, options);
   std::vector<OutputFile> files;
   if (!command.json.empty()) {
-    files.push_back({command.json, certificate_json(result.part, result.findings,
+    files.push_back({command.json, report::certificate_json(result.part, result.findings,
                                                     certificate_info(command, options, program))});
   }
   if (!command.svg.empty())
-    files.push_back({command.svg, svg(result.part, result.toolpath, result.findings, {})});
+    files.push_back({command.svg, report::svg(result.part, result.toolpath, result.findings, {})});
   write_files(files);
   if (!command.quiet) {
     print(result.part.diagnostics, true);
-    if (command.json != "-") print_line(table(result.part, result.findings));
+    if (command.json != "-") print_line(report::table(result.part, result.findings));
   }
   return result.findings.all.clean ? kClean : kFault;
 }

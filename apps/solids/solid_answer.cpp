@@ -20,7 +20,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "read/outline/curve_fit.h"
+#include "read/common/curve_fit.h"
 #include "read/step_solid/model_bytes.h"
 
 namespace clearcut {
@@ -84,7 +84,7 @@ Path projected(const TopoDS_Edge& edge) {
              std::abs(curve.Circle().Axis().Direction().Z()) > 1 - kSquare * kSquare) {
     path = circular(curve.Circle(), first, last);
   } else {
-    append_fitted([&](double t) { return plan_of(curve.Value(first + t * (last - first))); }, kCurveTolerance,
+    append_fitted([&](double t) { return plan_of(curve.Value(first + t * (last - first))); }, read::kCurveTolerance,
                   path);
   }
   return edge.Orientation() == TopAbs_REVERSED ? reversed(path) : path;
@@ -102,7 +102,7 @@ gp_Vec outward(const BRepAdaptor_Surface& surface, const TopoDS_Face& face, doub
 }
 
 /// By the normals on a grid over the face; one of them for a plane.
-Facing facing_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face) {
+read::Facing facing_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face) {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   BRepTools::UVBounds(face, u0, u1, v0, v1);
   const int steps = surface.GetType() == GeomAbs_Plane ? 1 : 16;
@@ -114,21 +114,21 @@ Facing facing_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& face) {
       down = down || z < -kSquare;
     }
   }
-  if (up && down) return Facing::kMixed;
-  if (up) return Facing::kUp;
-  return down ? Facing::kDown : Facing::kUpright;
+  if (up && down) return read::Facing::kMixed;
+  if (up) return read::Facing::kUp;
+  return down ? read::Facing::kDown : read::Facing::kUpright;
 }
 
-std::optional<WallFront> front_of(const gp_Vec& normal, const Box& plan) {
+std::optional<read::WallFront> front_of(const gp_Vec& normal, const Box& plan) {
   if (std::abs(normal.Z()) > kSquare) return std::nullopt;
   if (std::abs(normal.X()) > kSquare && std::abs(normal.Y()) > kSquare) return std::nullopt;
   const Vec2 outward_plan{std::round(normal.X()), std::round(normal.Y())};
-  return WallFront{outward_plan, plan.center() + outward_plan * 0.01};
+  return read::WallFront{outward_plan, plan.center() + outward_plan * 0.01};
 }
 
-SolidFace face_of(const TopoDS_Face& face, int number) {
+read::SolidFace face_of(const TopoDS_Face& face, int number) {
   const BRepAdaptor_Surface surface(face);
-  SolidFace out;
+  read::SolidFace out;
   out.number = number;
   out.surface = surface_name(surface.GetType());
   out.facing = facing_of(surface, face);
@@ -143,7 +143,7 @@ SolidFace face_of(const TopoDS_Face& face, int number) {
     if (out.level) out.z_low = out.z_high = surface.Plane().Location().Z();
     out.front = front_of(normal, out.plan);
   }
-  if (out.facing != Facing::kUp) return out;
+  if (out.facing != read::Facing::kUp) return out;
   for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
     Path path = projected(TopoDS::Edge(edges.Current()));
     if (!path.empty()) out.outline.push_back(std::move(path));
@@ -156,11 +156,11 @@ void take_nearest(double& value, double candidate) {
 }
 
 /// The box of the whole, exact where lines, circles and levels make it.
-void set_box(const Bnd_Box& box, SolidModel& solid) {
+void set_box(const Bnd_Box& box, read::SolidModel& solid) {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   box.Get(x0, y0, solid.z_bottom, x1, y1, solid.z_top);
   Box edges;
-  for (const SolidFace& face : solid.faces) {
+  for (const read::SolidFace& face : solid.faces) {
     for (const Path& path : face.outline) edges.add(clearcut::box(path));
     if (!face.level) continue;
     take_nearest(solid.z_bottom, face.z_low);
@@ -174,8 +174,8 @@ void set_box(const Bnd_Box& box, SolidModel& solid) {
   take_nearest(solid.plan.max.y, edges.max.y);
 }
 
-SolidModel model_of(const TopoDS_Shape& shape, const std::string& file_name) {
-  SolidModel solid;
+read::SolidModel model_of(const TopoDS_Shape& shape, const std::string& file_name) {
+  read::SolidModel solid;
   Bnd_Box box;
   box.SetGap(0);
   for (TopExp_Explorer bodies(shape, TopAbs_SOLID); bodies.More(); bodies.Next()) {
@@ -192,7 +192,7 @@ SolidModel model_of(const TopoDS_Shape& shape, const std::string& file_name) {
   return solid;
 }
 
-SolidModel read_with_kernel(std::string_view text, const std::string& file_name) {
+read::SolidModel read_with_kernel(std::string_view text, const std::string& file_name) {
   STEPControl_Reader reader;
   std::istringstream stream{std::string(text)};
   if (reader.ReadStream(file_name.c_str(), stream) != IFSelect_RetDone)
@@ -214,7 +214,7 @@ std::string one_line(std::string text) {
 
 std::string solid_answer(std::string_view text, const std::string& file_name) {
   try {
-    return "S" + bytes_of(read_with_kernel(text, file_name));
+    return "S" + read::bytes_of(read_with_kernel(text, file_name));
   } catch (const InputError& error) {
     return std::string("E") + error.what();
   } catch (const Standard_Failure& failure) {

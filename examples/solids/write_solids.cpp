@@ -66,7 +66,7 @@ Loop circle(Vec2 center, double radius) {
 }
 
 TopoDS_Shape bracket(const std::filesystem::path& examples) {
-  const Part part = read_part(examples / "bracket.json", {});
+  const Part part = read::read_part(examples / "bracket.json", {});
   return BRepAlgoAPI_Cut(block({{-10, -10}, {90, 60}}, 15), swept(part.features[0].target[0], 5));
 }
 

@@ -9,7 +9,7 @@
 #include "base/format.h"
 #include "base/xml_text.h"
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 namespace {
 
@@ -139,4 +139,4 @@ std::string SvgFrames::picture() const {
   return text + "</svg>\n";
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 /// Takes primitives as plain numbers in mm, x right and y up, so that every folder can draw. Colours are
 /// SVG's.
@@ -71,4 +71,4 @@ class SvgFrames : public DebugSink {
   std::vector<std::filesystem::path> written_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -8,7 +8,7 @@
 
 #include "base/file.h"
 
-namespace clearcut {
+namespace clearcut::inline base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ TEST_F(Frames, NumbersThatAreNotFiniteAreLeftOutAndCounted) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline base

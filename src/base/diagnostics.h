@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 enum class Severity {
   kNote,     ///< a documented default or reading was chosen
@@ -45,4 +45,4 @@ class Diagnostics {
   std::vector<Diagnostic> items_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

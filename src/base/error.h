@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 /// A bad file, bad arguments or an impossible job. One line for the user: "place: what, and what to do".
 /// Maps to exit code 2.
@@ -26,7 +26,7 @@ class InternalError : public std::logic_error {
   throw InternalError(std::string(file) + ":" + std::to_string(line) + ": broken promise: " + promise);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base
 
 #define CLEARCUT_ASSERT(promise)                                                    \
   do {                                                                              \

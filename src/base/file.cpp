@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::inline base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -125,4 +125,4 @@ std::string content_hash(const std::string& bytes) {
   return fmt::format("{:016x}", hash);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 /// The bytes of a file. Throws InputError naming the path when it cannot be read or is larger than `limit`
 /// bytes.
@@ -24,4 +24,4 @@ void write_files(const std::vector<OutputFile>& files);
 /// FNV-1a, 64 bit, as 16 hexadecimal digits: names an input, is no protection against intent.
 std::string content_hash(const std::string& bytes);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/format.h"
 
-namespace clearcut {
+namespace clearcut::inline base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ TEST(Format, NumbersAreTrimmedAndNeverNegativeZero) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 std::string trimmed(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", value, decimals);
@@ -25,4 +25,4 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

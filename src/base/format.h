@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 /// Fixed notation with `decimals` digits, trailing zeros and a trailing point removed, never "-0".
 std::string trimmed(double value, int decimals);
@@ -12,4 +12,4 @@ std::string trimmed(double value, int decimals);
 /// The parts between separators: one more than there are separators, empty ones included.
 std::vector<std::string> split(const std::string& text, char separator);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace clearcut {
+namespace clearcut::inline base {
 namespace {
 
 using ::testing::ElementsAre;
@@ -21,4 +21,4 @@ TEST(Format, SplitKeepsEmptyParts) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 /// xoshiro256** 1.0 seeded by splitmix64 (Blackman & Vigna, public domain algorithm). Not for secrets.
 class Random {
@@ -44,4 +44,4 @@ class Random {
   std::uint64_t state_[4];
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -1,7 +1,7 @@
 // Every tolerance has a name, a unit and a reason, and is passed in.
 #pragma once
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 struct Tolerances {
   /// mm. Two points nearer than this are one point. Below the resolution of any controller (0.1 um printed).
@@ -21,4 +21,4 @@ struct Tolerances {
   double gouge = 0.001;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -4,7 +4,7 @@
 
 #include <compare>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
@@ -57,4 +57,4 @@ class Seconds {
   double value_ = 0;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

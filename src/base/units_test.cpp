@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace clearcut {
+namespace clearcut::inline base {
 namespace {
 
 template <class A, class B>
@@ -23,4 +23,4 @@ TEST(Units, NamedFactoriesAndAccessorsAgree) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline base

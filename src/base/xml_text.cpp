@@ -1,6 +1,6 @@
 #include "base/xml_text.h"
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::string xml_escaped(std::string_view text) {
   return result;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

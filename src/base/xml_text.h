@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-namespace clearcut {
+namespace clearcut::inline base {
 
 /// For XML and HTML text and attributes: & < > " ' escaped, characters that XML forbids and broken UTF-8
 /// replaced by '?'.
 std::string xml_escaped(std::string_view text);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline base

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace clearcut {
+namespace clearcut::inline base {
 namespace {
 
 TEST(XmlText, KeepsGoodUtf8AndReplacesTheRest) {
@@ -16,4 +16,4 @@ TEST(XmlText, KeepsGoodUtf8AndReplacesTheRest) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline base

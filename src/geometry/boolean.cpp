@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 using ClipperLib::IntPoint;
@@ -312,4 +312,4 @@ Regions resolve_nonzero(std::span<const Loop> loops, const Tolerances& tol) {
   return resolved(loops, ClipperLib::pftNonZero, tol);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

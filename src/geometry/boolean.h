@@ -4,7 +4,7 @@
 #include "base/tolerances.h"
 #include "geometry/region.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 
 /// Shape   disjoint regions, islands and nesting resolved. Arcs of the input come back as arcs on the same
 /// circle. Error   results are within tol.chord of the exact ones; parts thinner than that may vanish. Cost
@@ -19,4 +19,4 @@ Regions resolve_even_odd(std::span<const Loop> loops, const Tolerances& tol);
 /// The same under the non-zero rule: loops' orientations count.
 Regions resolve_nonzero(std::span<const Loop> loops, const Tolerances& tol);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -5,7 +5,7 @@
 #include "base/random.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 const Tolerances kTol;
@@ -134,4 +134,4 @@ TEST(Boolean, AreasOfRandomPairsAddUp) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -6,7 +6,7 @@
 
 #include "geometry/vec2.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 
 /// Empty when min > max (the default).
 struct Box {
@@ -40,4 +40,4 @@ struct Box {
   }
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -8,7 +8,7 @@
 #include "base/tolerances.h"
 #include "geometry/region.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 
 /// A point of the medial axis with its clearance (distance to the boundary), mm.
 struct AxisPoint {
@@ -78,4 +78,4 @@ Regions inset(const Region& region, double d, const Tolerances& tol);
 /// All points within distance d of the regions (round corners). mm, d >= 0.
 Regions dilate(const Regions& regions, double d, const Tolerances& tol);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -5,7 +5,7 @@
 #include "base/random.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 const Tolerances kTol;
@@ -327,4 +327,4 @@ TEST(Axis, FilletsLeaveTheRidgeAndItsForks) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -4,7 +4,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 Loop rectangle(const Box& box) {
@@ -45,4 +45,4 @@ Regions dilate(const Regions& regions, double d, const Tolerances& tol) {
   return all;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 /// mm. Edges nearer than this meet: far above the rounding of coordinates in metres, far below any tolerance.
@@ -314,4 +314,4 @@ Box box(const Path& path) {
   return all;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

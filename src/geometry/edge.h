@@ -7,7 +7,7 @@
 #include "geometry/box.h"
 #include "geometry/vec2.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 
 enum class Turn : signed char { kClockwise = -1, kStraight = 0, kCounterClockwise = 1 };
 
@@ -73,4 +73,4 @@ double length(const Path& path);
 Path reversed(const Path& path);
 Box box(const Path& path);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -5,7 +5,7 @@
 #include "base/random.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 Edge arc_by_angles(Vec2 center, double r, double start, double sweep) {
@@ -208,4 +208,4 @@ TEST(Path, ReversedRunsBackwards) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

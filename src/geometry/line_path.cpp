@@ -1,6 +1,6 @@
 #include "geometry/line_path.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 /// 1 - cosine of the largest change of direction between lines that are drawn as one (0.001 degree).
@@ -22,4 +22,4 @@ Path line_path(std::span<const Vec2> points) {
   return path;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -5,10 +5,10 @@
 
 #include "geometry/edge.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 
 /// Lines through the points, without those points that lie on the way between their neighbours (within 0.001 degree)
 /// or repeat the one before. Empty for fewer than two different points. Cost O(points).
 Path line_path(std::span<const Vec2> points);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 /// Side of p against the directed chord: > 0 left, < 0 right. Points on it fall as they do for a ray towards
@@ -155,4 +155,4 @@ bool contains(const Regions& regions, Vec2 p) {
                      [p](const Region& region) { return region.contains(p); });
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

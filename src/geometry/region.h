@@ -6,7 +6,7 @@
 
 #include "geometry/edge.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 
 /// A closed run of edges: each ends exactly where the next begins, the last where the first begins.
 using Loop = std::vector<Edge>;
@@ -60,4 +60,4 @@ std::size_t edge_count(const Regions& regions);
 Box box(const Regions& regions);
 bool contains(const Regions& regions, Vec2 p);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -5,7 +5,7 @@
 #include "base/random.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 Loop square(double half) {
@@ -118,4 +118,4 @@ TEST(Regions, AreaBoxContainsOfAll) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 namespace {
 
 Vec2 direction(double angle) {
@@ -76,4 +76,4 @@ Loop closed_by_compass_rule(const Path& trace) {
   return loop;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

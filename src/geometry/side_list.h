@@ -14,7 +14,7 @@
 
 #include "geometry/region.h"
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 
 struct Side {
   /// mm, straight: between the places where the arcs of its corners begin.
@@ -46,4 +46,4 @@ Vec2 closing_error(const Path& trace);
 /// compass rule), so that no edge turns by more than the error over its length.
 Loop closed_by_compass_rule(const Path& trace);
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

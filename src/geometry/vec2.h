@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::inline geometry {
 
 struct Vec2 {
   double x = 0;
@@ -56,4 +56,4 @@ constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) {
   return a + (b - a) * t;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::inline geometry

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 constexpr double kWidestHelix =
@@ -138,4 +138,4 @@ Entry entry_at(const EntryPlace& place, const Regions& legal, const LinkOptions&
   return {{{down, place.z_above, place.z, MoveKind::kPlunge, options.plunge_feed, 0}}, EntryKind::kPlunge};
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

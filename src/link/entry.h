@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "link/link.h"
-#include "toolpath/legal_area.h"
-#include "toolpath/move.h"
+#include "geometry/route/legal_area.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 /// Where a pass begins and what is known about the way to it.
 struct EntryPlace {
@@ -41,4 +41,4 @@ struct Entry {
 /// Cost     O(edges near the entry).
 Entry entry_at(const EntryPlace& place, const Regions& legal, const LinkOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::link

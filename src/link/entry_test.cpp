@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 Regions square(double side) {
@@ -90,4 +90,4 @@ TEST(Entry, PlungeGoesStraightDown) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::link

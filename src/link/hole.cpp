@@ -5,7 +5,7 @@
 
 #include "link/moves.h"
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 /// Of the tool's radius. A wider helix leaves a post in the middle.
@@ -66,4 +66,4 @@ Section bore_hole(const HoleWork& hole, double stepdown, const LinkOptions& opti
   return section_of(list, options);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -3,7 +3,7 @@
 
 #include "link/link.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 /// What is to be taken out: a cylinder about `center` from z_top down to z. mm.
 struct HoleWork {
@@ -27,4 +27,4 @@ bool can_bore(const HoleWork& hole, double tool_radius);
 /// the depth, to the middle and out. Climb or conventional as the options say.
 Section bore_hole(const HoleWork& hole, double stepdown, const LinkOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "toolpath/legal_area.h"
+#include "geometry/route/legal_area.h"
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 /// Of the radius asked for.
@@ -143,4 +143,4 @@ Path overlapped(Path path, double overlap) {
   return path;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

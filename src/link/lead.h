@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "geometry/region.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 struct LeadShape {
   double size = 0;               ///< mm; radius of arcs, length of lines
@@ -36,4 +36,4 @@ Path begun_at(const Path& path, double along);
 /// The closed path with its first `overlap` mm once more at its end; at most once round.
 Path overlapped(Path path, double overlap);
 
-}  // namespace clearcut
+}  // namespace clearcut::link

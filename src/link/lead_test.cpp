@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "geometry/region.h"
-#include "toolpath/legal_area.h"
+#include "geometry/route/legal_area.h"
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 Region rectangle(double width, double height) {
@@ -83,4 +83,4 @@ TEST(Lead, ThePassRunsOverItsStartBeforeItIsLeft) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::link

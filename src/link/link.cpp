@@ -6,9 +6,9 @@
 #include "link/linker.h"
 #include "link/short_order.h"
 #include "link/work.h"
-#include "toolpath/kinematics.h"
+#include "kinematics/kinematics.h"
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 /// Seconds. What is faster by less is rounding, and the order found first stays.
@@ -21,7 +21,7 @@ class Fastest {
 
   void add(Linker& linker) {
     auto moves = linker.take_moves();
-    const double time = kinematic_time(moves, options_.machine).seconds();
+    const double time = kinematics::kinematic_time(moves, options_.machine).seconds();
     if (!section_.moves.empty() && time >= time_ - kFaster) return;
     time_ = time;
     section_.moves = std::move(moves);
@@ -78,4 +78,4 @@ Section link_layers(const std::vector<LayerPasses>& layers, const LinkOptions& o
   return fastest.take();
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -6,11 +6,11 @@
 
 #include "base/tolerances.h"
 #include "link/lead.h"
-#include "part/part.h"
-#include "toolpath/machine.h"
-#include "toolpath/pass.h"
+#include "model/part.h"
+#include "model/machine.h"
+#include "model/pass.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 struct LinkOptions {
   double tool_radius = 0;  ///< mm
@@ -61,4 +61,4 @@ struct LinkOptions {
 Section link_layers(const std::vector<LayerPasses>& layers, const LinkOptions& options,
                     const Tolerances& tol);
 
-}  // namespace clearcut
+}  // namespace clearcut::link

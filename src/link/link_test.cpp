@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "link/work.h"
-#include "toolpath/kinematics.h"
+#include "kinematics/kinematics.h"
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 Region square(Vec2 center, double half) {
@@ -97,4 +97,4 @@ TEST(Link, WayThroughAreasInARowIsTheShortOne) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::link

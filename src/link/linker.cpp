@@ -6,9 +6,9 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "link/entry.h"
-#include "toolpath/kinematics.h"
+#include "kinematics/kinematics.h"
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 /// mm over the material where ramps and helices begin.
@@ -69,7 +69,7 @@ std::vector<Move> Linker::take_moves() {
 }
 
 double Linker::rapid_time(double length) const {
-  return travel_time(length, options_.machine.rapid.mm_per_s(), options_.machine.acceleration);
+  return kinematics::travel_time(length, options_.machine.rapid.mm_per_s(), options_.machine.acceleration);
 }
 
 /// Seconds to lift, cross and come down again.
@@ -297,4 +297,4 @@ MmPerMin Linker::feed_of(MoveKind kind) const {
   return kind == MoveKind::kLeadIn || kind == MoveKind::kLeadOut ? lead_feed() : options_.feed;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -14,7 +14,7 @@
 #include "link/ways_in.h"
 #include "link/work.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 /// A pass to be cut next; it begins at `start`, or at the nearest place.
 struct Task {
@@ -111,4 +111,4 @@ class Linker {
   int without_lead_ = 0;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::link

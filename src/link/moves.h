@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "toolpath/move.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 class MoveList {
  public:
@@ -59,4 +59,4 @@ class MoveList {
   double z_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace clearcut {
+namespace clearcut::link {
 
 Path rotated_to(const Path& path, const PassStart& start) {
   const Edge& edge = path[start.edge];
@@ -36,4 +36,4 @@ PassStart nearest_start(const Pass& pass, Vec2 p) {
   return best;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -1,9 +1,9 @@
 // Where on a pass cutting begins.
 #pragma once
 
-#include "toolpath/pass.h"
+#include "model/pass.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 struct PassStart {
   Vec2 point;
@@ -18,4 +18,4 @@ Path rotated_to(const Path& path, const PassStart& start);
 /// Nearest to p: anywhere on a closed pass, an end of a reversible one, else where it begins. Cost O(edges).
 PassStart nearest_start(const Pass& pass, Vec2 p);
 
-}  // namespace clearcut
+}  // namespace clearcut::link

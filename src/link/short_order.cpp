@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "toolpath/visit_order.h"
+#include "order/visit/visit_order.h"
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 /// Where rings may begin: at the places nearest to so many others.
@@ -42,36 +42,36 @@ class ShortOrder {
 
   std::vector<Task> tasks() {
     if (runs_.size() < 2) return {};
-    VisitQuestion question;
+    order::VisitQuestion question;
     for (const Run& run : runs_) add_visit(run, question);
     question.precedence = precedence();
     question.fixed_first = work_.layer(0).layer().start || work_.layer(0).open();
     question.ordered_before = true;
     const auto begins = beginnings(question);
-    const auto travel = [&](const VisitStep& a, const VisitStep& b, bool low) {
+    const auto travel = [&](const order::VisitStep& a, const order::VisitStep& b, bool low) {
       const Run& from = runs_[a.visit];
       const CutterAt at{question.visits[a.visit].ways[a.way].end,
                         work_.layer_of(cuts_[from.last - 1].item).layer().z};
       return linker_.travel(at, begins[b.visit][b.way], low);
     };
-    question.travel = [&](const VisitStep& a, const VisitStep& b) { return travel(a, b, true); };
-    question.far_travel = [&](const VisitStep& a, const VisitStep& b) { return travel(a, b, false); };
-    return tasks_of(order_visits(question));
+    question.travel = [&](const order::VisitStep& a, const order::VisitStep& b) { return travel(a, b, true); };
+    question.far_travel = [&](const order::VisitStep& a, const order::VisitStep& b) { return travel(a, b, false); };
+    return tasks_of(order::order_visits(question));
   }
 
  private:
-  std::vector<std::vector<Beginning>> beginnings(const VisitQuestion& question) const {
+  std::vector<std::vector<Beginning>> beginnings(const order::VisitQuestion& question) const {
     std::vector<std::vector<Beginning>> begins(runs_.size());
     for (std::size_t r = 0; r < runs_.size(); ++r) {
-      for (const VisitWay& way : question.visits[r].ways)
+      for (const order::VisitWay& way : question.visits[r].ways)
         begins[r].push_back(linker_.beginning(cuts_[runs_[r].first].item, way.begin));
     }
     return begins;
   }
 
-  void add_visit(const Run& run, VisitQuestion& question) {
+  void add_visit(const Run& run, order::VisitQuestion& question) {
     const Cut& first = cuts_[run.first];
-    Visit visit;
+    order::Visit visit;
     std::vector<PassStart> starts{first.start};
     visit.ways.push_back({first.begin, cuts_[run.last - 1].end, 0});
     const Pass& pass = work_.pass(first.item);
@@ -119,9 +119,9 @@ class ShortOrder {
     return {pairs.begin(), pairs.end()};
   }
 
-  std::vector<Task> tasks_of(const std::vector<VisitStep>& steps) const {
+  std::vector<Task> tasks_of(const std::vector<order::VisitStep>& steps) const {
     std::vector<Task> tasks;
-    for (const VisitStep& step : steps) {
+    for (const order::VisitStep& step : steps) {
       const Run& run = runs_[step.visit];
       for (std::size_t i = run.first; i < run.last; ++i) {
         tasks.push_back({cuts_[i].item, std::nullopt});
@@ -145,4 +145,4 @@ std::vector<Task> short_order(const Work& work, const Linker& linker, Together t
   return ShortOrder(work, linker, together).tasks();
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -5,7 +5,7 @@
 
 #include "link/linker.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 /// What is kept together while the order is looked for.
 enum class Together {
@@ -18,4 +18,4 @@ enum class Together {
 /// Cost: see toolpath/visit_order.h.
 std::vector<Task> short_order(const Work& work, const Linker& linker, Together together);
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 constexpr double kStepsPerRadius = 8;
@@ -13,7 +13,7 @@ constexpr double kTouching = 1;
 constexpr double kFilm = 1e-3;
 
 /// One of the equal steps of a move, slow or not.
-std::vector<bool> slow_steps(const Move& move, double radius, Radians limit, const Material& material) {
+std::vector<bool> slow_steps(const Move& move, double radius, Radians limit, const stock::Material& material) {
   const int count = std::max(1, static_cast<int>(std::ceil(move.path.length() * kStepsPerRadius / radius)));
   std::vector<bool> slow;
   Move lifted = move;
@@ -53,7 +53,7 @@ void append_by_speed(const Move& move, const std::vector<bool>& slow, MmPerMin s
 
 }  // namespace
 
-void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, Material& material) {
+void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, stock::Material& material) {
   std::vector<Move> moves;
   const auto append = [&](const Move& move, Radians limit, MmPerMin feed, std::vector<Move>& out) {
     if (feed < move.feed) {
@@ -77,4 +77,4 @@ void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, Ma
   section.moves = std::move(moves);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -3,9 +3,9 @@
 
 #include "base/units.h"
 #include "stock/material.h"
-#include "toolpath/move.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 struct SlowFeeds {
   Radians limit;  ///< engagement above which the slot feed rules
@@ -20,6 +20,6 @@ struct SlowFeeds {
 /// part may begin and end up to a step early. Leads, links and cuts alike. Cost as Material's questions.
 ///
 /// Links faster than `cut_feed` get that wherever they touch material.
-void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, Material& material);
+void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, stock::Material& material);
 
-}  // namespace clearcut
+}  // namespace clearcut::link

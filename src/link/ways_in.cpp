@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 /// mm. A cutter may be this much wider than a predrilled hole.
@@ -154,4 +154,4 @@ std::optional<Path> WaysIn::to(Vec2 p, std::size_t item) const {
   return best;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

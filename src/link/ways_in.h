@@ -7,7 +7,7 @@
 #include "link/pass_start.h"
 #include "link/work.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 /// Looks for them at one moment of the work. All is kept by reference.
 class WaysIn {
@@ -45,4 +45,4 @@ class WaysIn {
   const Progress& progress_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::link

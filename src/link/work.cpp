@@ -4,7 +4,7 @@
 
 #include "geometry/clearance.h"
 
-namespace clearcut {
+namespace clearcut::link {
 namespace {
 
 /// Of the tool's radius: how far from a pass its entry or lead may sweep.
@@ -163,4 +163,4 @@ bool Progress::clear_above(std::size_t layer, const Box& way) const {
   return true;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::link

@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "toolpath/legal_area.h"
-#include "toolpath/legal_route.h"
-#include "toolpath/pass.h"
+#include "geometry/route/legal_area.h"
+#include "geometry/route/legal_route.h"
+#include "model/pass.h"
 
-namespace clearcut {
+namespace clearcut::link {
 
 /// One layer: its passes, and where the cutter may be.
 class LayerWork {
@@ -110,4 +110,4 @@ class Progress {
   std::size_t first_undone_ = 0;  ///< all items before it are done
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::link

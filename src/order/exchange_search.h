@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/random.h"
-#include "order/array_tour.h"
-#include "order/neighbours.h"
+#include "order/length/array_tour.h"
+#include "order/near/neighbours.h"
 #include "order/objective.h"
 #include "order/stop.h"
 

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "order/lattice.h"
 #include "order/moves.h"
-#include "order/neighbours.h"
+#include "order/near/neighbours.h"
 #include "order/test_support.h"
 
 namespace clearcut::order {

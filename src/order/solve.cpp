@@ -11,11 +11,11 @@
 #include "order/exact.h"
 #include "order/exchange_search.h"
 #include "order/lattice.h"
-#include "order/lattice_bounds.h"
-#include "order/length_search.h"
-#include "order/line_cover.h"
-#include "order/one_tree.h"
-#include "order/run_cover.h"
+#include "order/bounds/lattice_bounds.h"
+#include "order/length/length_search.h"
+#include "order/bounds/line_cover.h"
+#include "order/bounds/one_tree.h"
+#include "order/bounds/run_cover.h"
 
 namespace clearcut::order {
 

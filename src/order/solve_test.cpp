@@ -9,9 +9,9 @@
 
 #include "order/exact.h"
 #include "order/lattice.h"
-#include "order/lattice_bounds.h"
-#include "order/line_cover.h"
-#include "order/run_cover.h"
+#include "order/bounds/lattice_bounds.h"
+#include "order/bounds/line_cover.h"
+#include "order/bounds/run_cover.h"
 #include "order/test_support.h"
 
 namespace clearcut::order {

@@ -8,11 +8,11 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
-#include "part/round_hole.h"
+#include "stock/round_hole.h"
 #include "read/gcode/gcode.h"
 #include "verify/verify.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 std::string stock_line(const Part& part) {
@@ -58,11 +58,11 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
 }
 
 std::string post_with(const std::optional<Figures>& verdict, const Toolpath& toolpath, const Part& part,
-                      const PlanOptions& options) {
-  PostOptions post_options = options.post;
+                      const resolve::PlanOptions& options) {
+  post::PostOptions post_options = options.post;
   post_options.header = header(part, verdict);
   if (post_options.program_name.empty()) post_options.program_name = part.name;
-  return post(toolpath, part, post_options);
+  return post::post(toolpath, part, post_options);
 }
 
 /// mm over all that stands, where nothing is said.
@@ -78,11 +78,11 @@ double crossing_z(const Part& part, const Operation& operation) {
   return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
 }
 
-LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const PlanOptions& options) {
+link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const resolve::PlanOptions& options) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
   const auto& operation = step.operation;
-  LinkOptions link;
-  link.tool_radius = tool_of(part, step).radius();
+  link::LinkOptions link;
+  link.tool_radius = report::tool_of(part, step).radius();
   link.safe_z = part.safe_z();
   link.cross_z = crossing_z(part, operation);
   link.direction = *operation.direction;
@@ -92,7 +92,7 @@ LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, con
   link.ramp_feed = *operation.cutting.ramp_feed;
   link.entry = operation.entry.value_or(entry);
   if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
-  link.may_plunge = tool_of(part, step).center_cutting;
+  link.may_plunge = report::tool_of(part, step).center_cutting;
   link.helix_widest = options.shop.widest_helix(operation.entry_size);
   link.zigzag_length = operation.entry_size.value_or(0);
   link.helix_narrowest = options.shop.helix_narrowest;
@@ -100,7 +100,7 @@ LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, con
   link.lead_feed = options.shop.lead_feed;
   link.link_feed = options.shop.link_feed;
   link.link_lift = options.shop.link_lift.value_or(0);
-  link.predrilled = holes_before(part, workingstep, options.tol);
+  link.predrilled = stock::holes_before(part, workingstep, options.tol);
   if (part.stock) link.stock = part.stock->plan;
   link.machine = options.machine;
   return link;
@@ -108,9 +108,9 @@ LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, con
 
 void describe(Section& section, int workingstep, const Part& part) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  section.label = feature_of(part, step).name;
+  section.label = report::feature_of(part, step).name;
   section.workingstep = workingstep;
-  section.tool_number = tool_of(part, step).number;
+  section.tool_number = report::tool_of(part, step).number;
   section.spindle_rpm = *step.operation.cutting.spindle_rpm;
   section.spindle_clockwise = step.operation.cutting.spindle_clockwise;
   section.coolant = step.operation.cutting.coolant;
@@ -133,34 +133,34 @@ std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
 }
 
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
-                  const PlanOptions& options) {
-  Section section = link_layers(passes, link_options(part, workingstep, entry, options), options.tol);
+                  const resolve::PlanOptions& options) {
+  Section section = link::link_layers(passes, link_options(part, workingstep, entry, options), options.tol);
   describe(section, workingstep, part);
   section.contours = contour_levels(passes);
   return section;
 }
 
-VerifyOptions verify_options(const PlanOptions& options) {
-  VerifyOptions verify;
+verify::VerifyOptions verify_options(const resolve::PlanOptions& options) {
+  verify::VerifyOptions verify;
   verify.tol = options.tol;
   verify.machine = options.machine;
   verify.engagement_limit_deg = options.engagement_deg;
-  verify.threads = thread_count(options);
+  verify.threads = resolve::thread_count(options);
   if (options.earlier) verify.earlier = &*options.earlier;
   if (options.shop.material) verify.material = work_material_named(*options.shop.material);
   return verify;
 }
 
-void certify(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
+void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
   result.program = post_with(std::nullopt, planned, result.part, options);
-  result.toolpath = read_gcode(result.program, "program", home_z(options.machine)).toolpath;
-  result.findings = verify(result.part, result.toolpath, verify_options(options));
+  result.toolpath = read::gcode::read_gcode(result.program, "program", home_z(options.machine)).toolpath;
+  result.findings = verify::verify(result.part, result.toolpath, verify_options(options));
 }
 
-void sign(PlanResult& result, const Toolpath& planned, const PlanOptions& options) {
+void sign(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
   result.program = post_with(result.findings.all, planned, result.part, options);
-  const auto again = read_gcode(result.program, "program", home_z(options.machine)).toolpath;
+  const auto again = read::gcode::read_gcode(result.program, "program", home_z(options.machine)).toolpath;
   CLEARCUT_ASSERT(same_moves(again, result.toolpath));
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

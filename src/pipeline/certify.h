@@ -5,17 +5,17 @@
 
 #include "link/link.h"
 #include "pipeline/run.h"
-#include "toolpath/pass.h"
+#include "model/pass.h"
 #include "verify/verify.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// Where rapids of a step cross: its retract plane, over all that stands.
 double crossing_z(const Part& part, const Operation& operation);
 
 /// How a workingstep of a prepared part is linked, by its place in the workplan. `entry` is how to go down where the operation
 /// does not say.
-LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const PlanOptions& options);
+link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const resolve::PlanOptions& options);
 
 /// Writes into `section` whose work it is and how its tool is driven.
 void describe(Section& section, int workingstep, const Part& part);
@@ -23,14 +23,14 @@ void describe(Section& section, int workingstep, const Part& part);
 /// The section of one workingstep, by its place in the workplan, through its passes layer by layer. The part
 /// is prepared. `entry` is how to go down where the operation does not say.
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
-                  const PlanOptions& options);
+                  const resolve::PlanOptions& options);
 
-VerifyOptions verify_options(const PlanOptions& options);
+verify::VerifyOptions verify_options(const resolve::PlanOptions& options);
 
 /// Posts `planned` for result.part, reads it back, and judges what was read.
-void certify(PlanResult& result, const Toolpath& planned, const PlanOptions& options);
+void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options);
 
 /// Puts the verdict into the program's header and makes sure that nothing else has changed.
-void sign(PlanResult& result, const Toolpath& planned, const PlanOptions& options);
+void sign(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "plan/adaptive.h"
-#include "plan/spiral_turn.h"
-#include "plan/tour.h"
+#include "plan/adaptive/adaptive.h"
+#include "plan/spiral/turn.h"
+#include "plan/tour/tour.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 /// So many of the attempts are planned in any case.
@@ -19,9 +19,9 @@ constexpr std::size_t kFirst = 2;
 /// mm. What a strategy has to travel at least, from the area that can be cleared (SPEC F6).
 double least_way(const std::string& strategy, const StepPlan& known, double radius) {
   const double plain = known.reached_mm2 / (2 * radius);
-  if (strategy == "spiral") return plain + kSpiralFall * known.legal_rim_mm / 2;
+  if (strategy == "spiral") return plain + plan::spiral::kSpiralFall * known.legal_rim_mm / 2;
   if (strategy == "adaptive") {
-    return known.reached_mm2 / (radius * (1 - std::cos(AdaptiveOptions{}.engagement.radians())));
+    return known.reached_mm2 / (radius * (1 - std::cos(plan::adaptive::AdaptiveOptions{}.engagement.radians())));
   }
   return plain;
 }
@@ -38,7 +38,7 @@ bool is_worthwhile(const std::string& strategy, const StepPlan& known, double le
                    double radius) {
   const double size = std::pow(std::max(1.0, static_cast<double>(known.edges) / kFewEdges), 0.125);
   if (strategy == "tour") {
-    const double pitch = TourGridOptions{}.pitch * 2 * radius;
+    const double pitch = plan::tour::TourGridOptions{}.pitch * 2 * radius;
     return known.reached_mm2 / (pitch * pitch) <= kMostPoints && best_s > 1.35 * size * least_s;
   }
   return best_s > (strategy == "spiral" ? 1.15 : 1.0) * size * least_s;
@@ -53,7 +53,7 @@ void in_parallel(std::size_t count, int threads, Work&& work) {
 }  // namespace
 
 Choice::Choice(std::vector<ChoiceStep> steps, Attempts attempts, StepPlanner planner,
-               const PlanOptions& options)
+               const resolve::PlanOptions& options)
     : steps_(std::move(steps)),
       attempts_(std::move(attempts)),
       planner_(std::move(planner)),
@@ -78,15 +78,15 @@ void Choice::plan_into(std::size_t step, Try& one) const {
   }
 }
 
-void Choice::plan_first(const PlanOptions& options) {
+void Choice::plan_first(const resolve::PlanOptions& options) {
   const std::size_t each = std::min(kFirst, attempts_.contest.size());
-  in_parallel(steps_.size() * each, thread_count(options), [&](std::size_t i) {
+  in_parallel(steps_.size() * each, resolve::thread_count(options), [&](std::size_t i) {
     const std::size_t step = i / each, k = i % each;
     plan_into(step, candidates_[step].tries[k]);
   });
 }
 
-void Choice::plan_others(const PlanOptions& options) {
+void Choice::plan_others(const resolve::PlanOptions& options) {
   std::vector<std::pair<std::size_t, std::size_t>> work;
   for (std::size_t step = 0; step < steps_.size(); ++step) {
     auto& tries = candidates_[step].tries;
@@ -109,7 +109,7 @@ void Choice::plan_others(const PlanOptions& options) {
       }
     }
   }
-  in_parallel(work.size(), thread_count(options), [&](std::size_t i) {
+  in_parallel(work.size(), resolve::thread_count(options), [&](std::size_t i) {
     plan_into(work[i].first, candidates_[work[i].first].tries[work[i].second]);
   });
 }
@@ -165,4 +165,4 @@ std::vector<Contest> Choice::contests() const {
   return contests;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "pipeline/strategies.h"
-#include "toolpath/contest.h"
-#include "toolpath/move.h"
+#include "model/contest.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// What one strategy made of one workingstep.
 struct StepPlan {
@@ -39,7 +39,7 @@ class Choice {
  public:
   /// Plans the first two strategies of `attempts` everywhere, then those others that may be faster by their least
   /// length and are worth the effort; all in parallel. Throws what the planner throws for the first strategy.
-  Choice(std::vector<ChoiceStep> steps, Attempts attempts, StepPlanner planner, const PlanOptions& options);
+  Choice(std::vector<ChoiceStep> steps, Attempts attempts, StepPlanner planner, const resolve::PlanOptions& options);
 
   const Section& section(std::size_t step) const;
   /// Takes the next best plan after one that was not certified clean: a slower one, else a fallback. False when
@@ -61,8 +61,8 @@ class Choice {
     std::size_t planned = 0;
     std::size_t fallbacks = 0;  ///< used
   };
-  void plan_first(const PlanOptions& options);
-  void plan_others(const PlanOptions& options);
+  void plan_first(const resolve::PlanOptions& options);
+  void plan_others(const resolve::PlanOptions& options);
   void sort(Candidates& candidates) const;
   void plan_into(std::size_t step, Try& one) const;
 
@@ -72,4 +72,4 @@ class Choice {
   std::vector<Candidates> candidates_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -9,7 +9,7 @@
 #include "pipeline/run.h"
 #include "pipeline/strategies.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 constexpr double kTau = 0.177;  // s, CPO-rho section 4
@@ -20,7 +20,7 @@ struct Row {
   std::string refusal;
 };
 
-Row row_of(const std::string& strategy, const Part& part, PlanOptions options) {
+Row row_of(const std::string& strategy, const Part& part, resolve::PlanOptions options) {
   options.strategy = strategy;
   try {
     return {strategy, plan(part, options).findings.all, ""};
@@ -68,14 +68,14 @@ double published_time(double naive_s, int discontinuities) {
   return naive_s + 2 * (1 + discontinuities) * kTau;
 }
 
-TextTable compare(const Part& part, const PlanOptions& options) {
+report::TextTable compare(const Part& part, const resolve::PlanOptions& options) {
   std::vector<Row> rows;
   for (const auto& name : strategy_names()) rows.push_back(row_of(name, part, options));
   if (std::none_of(rows.begin(), rows.end(), [](const Row& row) { return row.figures.has_value(); }))
     throw InputError("", rows.front().refusal);
-  TextTable table;
+  report::TextTable table;
   table.title = part.name;
-  table.columns = {{"strategy", Align::kLeft},
+  table.columns = {{"strategy", report::Align::kLeft},
                    {"feed mm"},
                    {"vs fixed"},
                    {"x bound"},
@@ -87,7 +87,7 @@ TextTable compare(const Part& part, const PlanOptions& options) {
                    {"gouge mm"},
                    {"eng max"},
                    {"mean"},
-                   {"clean", Align::kLeft}};
+                   {"clean", report::Align::kLeft}};
   const Row* best = fastest_clean(rows);
   const auto fixed =
       std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.strategy == "fixed"; });
@@ -100,4 +100,4 @@ TextTable compare(const Part& part, const PlanOptions& options) {
   return table;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -9,19 +9,19 @@
 #include "geometry/clearance.h"
 #include "order/solve.h"
 #include "pipeline/certify.h"
-#include "pipeline/prepare.h"
+#include "resolve/prepare.h"
 #include "plan/grid/check.h"
 #include "plan/grid/shape.h"
 #include "plan/grid/visit.h"
-#include "plan/layers.h"
+#include "plan/common/layers.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 constexpr double kSearchSeconds = 2;  // for one order, where options set nothing
 constexpr long long kSearchRounds = 200;
 
-order::Solution shortest_visit(const std::vector<Vec2>& points, const PlanOptions& options) {
+order::Solution shortest_visit(const std::vector<Vec2>& points, const resolve::PlanOptions& options) {
   order::Problem problem;
   problem.points = points;
   problem.shape = order::Shape::kOpenPath;
@@ -40,22 +40,22 @@ Workingstep step_of(std::size_t element, const ElementJob& job) {
   step.source = from.source;
   step.feature = static_cast<int>(element);
   step.operation.name = from.id;
-  step.operation.tool = static_cast<int>(tool_of(job, from) - job.tools.data());
+  step.operation.tool = static_cast<int>(report::tool_of(job, from) - job.tools.data());
   step.operation.cutting = from.cutting;
   step.operation.stepdown = from.stepdown;
   return step;
 }
 
 /// The part that the elements describe, its workplan in the order of the visits.
-Part part_of(const ElementJob& job, const std::vector<grid::ElementVisit>& visits, const Tolerances& tol) {
+Part part_of(const ElementJob& job, const std::vector<plan::grid::ElementVisit>& visits, const Tolerances& tol) {
   Part part;
   part.name = job.name;
   part.source_file = job.source_file;
   part.stock = job.stock;
   part.tools = job.tools;
-  for (const auto& element : job.elements) part.features.push_back(grid::feature_of(element, job));
+  for (const auto& element : job.elements) part.features.push_back(plan::grid::feature_of(element, job));
   for (const auto& visit : visits) part.workplan.push_back(step_of(visit.element, job));
-  for (const auto& noticed : grid::off_grid(job)) part.diagnostics.warn(noticed.place, noticed.text);
+  for (const auto& noticed : plan::grid::off_grid(job)) part.diagnostics.warn(noticed.place, noticed.text);
   stack_tops(part, tol);
   return part;
 }
@@ -67,14 +67,14 @@ Regions legal_of(const Region& target, double tool_radius, const Tolerances& tol
   return legal.empty() ? clearance.inset(tool_radius - tol.fit) : legal;
 }
 
-std::vector<LayerPasses> passes_of(const grid::ElementVisit& visit, const Part& part, const Workingstep& step,
+std::vector<LayerPasses> passes_of(const plan::grid::ElementVisit& visit, const Part& part, const Workingstep& step,
                                    const Tolerances& tol) {
-  const auto& feature = feature_of(part, step);
-  const double radius = tool_of(part, step).radius();
+  const auto& feature = plan::grid::feature_of(part, step);
+  const double radius = report::tool_of(part, step).radius();
   const Regions legal = legal_of(feature.target.front(), radius, tol);
   std::vector<LayerPasses> layers;
   double top = feature.top_z;
-  for (const double z : layer_heights(feature.top_z, feature.floor_z, *step.operation.stepdown)) {
+  for (const double z : plan::layer_heights(feature.top_z, feature.floor_z, *step.operation.stepdown)) {
     LayerPasses layer;
     layer.z_top = top;
     layer.z = z;
@@ -96,8 +96,8 @@ void drop_standing_moves(Section& section) {
                 [](const Move& move) { return move.path.from == move.path.to && move.z_from == move.z_to; });
 }
 
-Toolpath toolpath_of(const std::vector<grid::ElementVisit>& visits, const Part& part,
-                     const PlanOptions& options) {
+Toolpath toolpath_of(const std::vector<plan::grid::ElementVisit>& visits, const Part& part,
+                     const resolve::PlanOptions& options) {
   Toolpath toolpath;
   for (std::size_t i = 0; i < visits.size(); ++i) {
     const auto passes = passes_of(visits[i], part, part.workplan[i], options.tol);
@@ -109,8 +109,8 @@ Toolpath toolpath_of(const std::vector<grid::ElementVisit>& visits, const Part& 
 }
 
 std::vector<ElementFigures> figures_of(const ElementJob& job, const PointTable& table,
-                                       const std::vector<grid::ElementVisit>& visits) {
-  std::vector<ElementFigures> figures(job.elements.size());
+                                       const std::vector<plan::grid::ElementVisit>& visits) {
+  std::vector<ElementFigures> order::figures(job.elements.size());
   for (std::size_t i = 0; i < figures.size(); ++i) figures[i].id = job.elements[i].id;
   for (const auto& point : table.points) {
     auto& own = figures[static_cast<std::size_t>(point.element) - 1];
@@ -156,9 +156,9 @@ ElementJob job_of(const PrintedRow& row) {
 std::vector<std::string> cells_of(const PrintedRow& row) {
   const auto start = std::chrono::steady_clock::now();
   const ElementJob job = job_of(row);
-  PointTable table = grid::tabulate(job);
+  PointTable table = plan::grid::tabulate(job);
   order::Solution solution;
-  grid::plan_visits(job, table, [&](const std::vector<Vec2>& points) {
+  plan::grid::plan_visits(job, table, [&](const std::vector<Vec2>& points) {
     solution = shortest_visit(points, {});
     return solution.tour;
   });
@@ -179,24 +179,24 @@ std::vector<std::string> cells_of(const PrintedRow& row) {
 
 }  // namespace
 
-ElementsResult plan_elements(const ElementJob& job, const PlanOptions& options) {
-  grid::check(job);
+ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& options) {
+  plan::grid::check(job);
   ElementsResult result;
-  result.points = grid::tabulate(job);
-  const auto visits = grid::plan_visits(job, result.points, [&](const std::vector<Vec2>& points) {
+  result.points = plan::grid::tabulate(job);
+  const auto visits = plan::grid::plan_visits(job, result.points, [&](const std::vector<Vec2>& points) {
     return shortest_visit(points, options).tour;
   });
   result.elements = figures_of(job, result.points, visits);
-  result.plan.part = prepare(part_of(job, visits, options.tol), options);
+  result.plan.part = resolve::prepare(part_of(job, visits, options.tol), options);
   const Toolpath planned = toolpath_of(visits, result.plan.part, options);
   certify(result.plan, planned, options);
   sign(result.plan, planned, options);
   return result;
 }
 
-TextTable element_table(const ElementsResult& result) {
-  TextTable table;
-  table.columns = {{"element", Align::kLeft}, {"squares"}, {"reduced"}, {"kept %"}, {"visit mm"}};
+report::TextTable element_table(const ElementsResult& result) {
+  report::TextTable table;
+  table.columns = {{"element", report::Align::kLeft}, {"squares"}, {"reduced"}, {"kept %"}, {"visit mm"}};
   for (const auto& element : result.elements) {
     const double share = 100.0 * static_cast<double>(element.reduced) / static_cast<double>(element.squares);
     table.add({element.id, std::to_string(element.squares), std::to_string(element.reduced),
@@ -205,12 +205,12 @@ TextTable element_table(const ElementsResult& result) {
   return table;
 }
 
-TextTable grid_reduction_table() {
-  TextTable table;
+report::TextTable grid_reduction_table() {
+  report::TextTable table;
   table.title = "Squares after interpolation and reduction, and the time to an order of visits";
   table.columns = {
-      {"pocket mm"},      {"tool R mm"}, {"middle row", Align::kLeft}, {"squares"}, {"reduced"},
-      {"visit mm"},       {"bound mm"},  {"proven", Align::kLeft},     {"time ms"}, {"printed all"},
+      {"pocket mm"},      {"tool R mm"}, {"middle row", report::Align::kLeft}, {"squares"}, {"reduced"},
+      {"visit mm"},       {"bound mm"},  {"proven", report::Align::kLeft},     {"time ms"}, {"printed all"},
       {"printed reduced"}};
   for (const auto& row : kTable1) table.add(cells_of(row));
   table.notes = {"Time: interpolation, reduction and search for the shortest open path, on one thread.",
@@ -219,4 +219,4 @@ TextTable grid_reduction_table() {
   return table;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "part/design_element.h"
-#include "pipeline/plan_options.h"
+#include "model/design_element.h"
+#include "resolve/plan_options.h"
 #include "pipeline/run.h"
 #include "report/text_table.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// One element as it was planned.
 struct ElementFigures {
@@ -28,13 +28,13 @@ struct ElementsResult {
 /// options: post, machine, tol, seed, time_s (longest search for one order, default 2 s) count; the rest
 /// comes from the job. What the reduction leaves uncut is in the findings, as everywhere. Throws InputError
 /// with all faults of the job on one line.
-ElementsResult plan_elements(const ElementJob& job, const PlanOptions& options);
+ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& options);
 
 /// The elements with their squares, reduced squares and lengths of visit.
-TextTable element_table(const ElementsResult& result);
+report::TextTable element_table(const ElementsResult& result);
 
 /// Table 1 of the grid paper: squares before and after reduction, and the time to an order of visits with
 /// what is proven of it, beside the printed times of its genetic algorithm.
-TextTable grid_reduction_table();
+report::TextTable grid_reduction_table();
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

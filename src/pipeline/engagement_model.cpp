@@ -8,9 +8,9 @@
 
 #include "base/units.h"
 #include "stock/material.h"
-#include "toolpath/legal_area.h"
+#include "geometry/route/legal_area.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 struct Pixel {
@@ -198,7 +198,7 @@ class ExactEngagement final : public EngagementModel {
       const Move cutting = flat(move[i - 1], move[i]);
       const int samples = 1 + static_cast<int>(8 * piece / task().radius);
       for (int k = 0; k < samples; ++k) {
-        const Contact contact = material_.engagement(cutting, (k + 0.5) / samples, task().radius);
+        const stock::Contact contact = material_.engagement(cutting, (k + 0.5) / samples, task().radius);
         sum += contact.angle / kPi * piece / samples;
       }
       length += piece;
@@ -213,7 +213,7 @@ class ExactEngagement final : public EngagementModel {
   static Move flat(Vec2 from, Vec2 to) {
     return {Edge::line(from, to), -1, -1, MoveKind::kCut, MmPerMin::of(1000), 0};
   }
-  Material material_;
+  stock::Material material_;
 };
 
 class Engagement final : public order::Objective {
@@ -281,7 +281,7 @@ const std::vector<double>& EngagementModel::along(std::span<const int> tour) {
     if (i == 0) {
       plunge(task_.points[static_cast<std::size_t>(tour[0])]);
     } else {
-      engagement_.push_back(cut(move_points(tour[i - 1], tour[i])));
+      engagement_.push_back(cut(order::move_points(tour[i - 1], tour[i])));
     }
   }
   last_.assign(tour.begin(), tour.end());
@@ -305,4 +305,4 @@ order::ObjectivePtr engagement_objective(double target,
   return std::make_shared<Engagement>(target, std::move(make));
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -9,14 +9,14 @@
 
 #include "geometry/region.h"
 #include "order/objective.h"
-#include "plan/tour.h"
+#include "plan/tour/tour.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// What the models need to know about a tour.
 struct EngagementTask {
   std::vector<Vec2> points;
-  WayFunction way;  ///< bends between two points; empty: straight
+  plan::tour::WayFunction way;  ///< bends between two points; empty: straight
   Regions target;   ///< material before the first move, plan view
   double radius = 0;
 };
@@ -43,7 +43,7 @@ class EngagementModel {
 
  private:
   const std::vector<Vec2>& bends(int a, int b);
-  std::vector<Vec2> move_points(int a, int b);
+  std::vector<Vec2> order::move_points(int a, int b);
 
   EngagementTask task_;
   std::unordered_map<unsigned long long, std::vector<Vec2>> bends_;
@@ -69,4 +69,4 @@ double engagement_cost(double deviation);
 order::ObjectivePtr engagement_objective(double target,
                                          std::function<std::unique_ptr<EngagementModel>()> make);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -10,9 +10,9 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "pipeline/tour_solver.h"
-#include "toolpath/kinematics.h"
+#include "kinematics/kinematics.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 Region square(double side) {
@@ -89,8 +89,8 @@ TEST(Engagement, TooMuchCostsMoreThanTooLittle) {
   EXPECT_GT(engagement_cost(0.2), 2 * engagement_cost(0.1));
 }
 
-TEST(TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
-  TourTask task;
+TEST(plan::tour::TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
+  plan::tour::TourTask task;
   task.points = grid_task().points;
   Layer layer;
   layer.target = grid_task().target;
@@ -98,7 +98,7 @@ TEST(TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
   task.layer = &layer;
   task.pitch = 5;
   for (const char* objective : {"length", "time", "1:length,20:turns,5:engagement"}) {
-    PlanOptions options;
+    resolve::PlanOptions options;
     options.objective = objective;
     const auto one = tour_solver(options, MmPerMin::of(1000))(task);
     options.threads = 2;
@@ -120,8 +120,8 @@ TEST(MachineTime, IsTheKinematicTimeOfLongMoves) {
     run.push_back({Edge::line(problem.points[i - 1], problem.points[i]), -1, -1, MoveKind::kCut, feed, 0});
   const double ends = feed.mm_per_min() / 60 / machine.acceleration;  // from rest and to rest: v / a
   EXPECT_NEAR(order::evaluate(*machine_time_objective(machine, feed), moves, tour) + ends,
-              kinematic_time(run, machine).seconds(), 1e-9);
+              kinematics::kinematic_time(run, machine).seconds(), 1e-9);
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/plan_options.h"
-#include "plan/layer.h"
-#include "toolpath/move.h"
+#include "resolve/plan_options.h"
+#include "model/layer.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// The section of a workingstep that is made as a hole; nothing where it is to be cleared layer by layer.
 ///
@@ -18,6 +18,6 @@ namespace clearcut {
 ///          asked for.
 /// `layers` are those of the step, the part is prepared.
 std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingstep, const Part& part,
-                                 const PlanOptions& options);
+                                 const resolve::PlanOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

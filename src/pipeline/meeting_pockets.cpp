@@ -5,10 +5,10 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "pipeline/left_over.h"
-#include "plan/layers.h"
+#include "resolve/left_over.h"
+#include "plan/common/layers.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 /// mm. Outlines that are no farther apart touch; what reaches no farther beyond an outline does not count.
@@ -48,7 +48,7 @@ void MeetingPockets::widen(Layer& layer) {
   if (open.empty()) return;
   const bool upright = std::all_of(open.begin(), open.end(),
                                    [](const Feature* other) { return other->wall_slope.radians() == 0; });
-  if (!upright || open != last_open_ || !same_outline(layer.allowed, last_allowed_)) {
+  if (!upright || open != last_open_ || !plan::same_outline(layer.allowed, last_allowed_)) {
     last_widened_ = widened(layer, open);
     last_allowed_ = layer.allowed;
     last_open_ = open;
@@ -64,7 +64,7 @@ std::optional<Regions> MeetingPockets::widened(const Layer& layer,
   const double around = 2 * (layer.tool_radius + layer.wall_stock);
   const Regions near = dilate(layer.allowed, around, tol_);
   const auto reached = [&](const Regions& allowed, double more) {
-    return swept(allowed, layer.tool_radius, layer.wall_stock, more, tol_);
+    return resolve::swept(allowed, layer.tool_radius, layer.wall_stock, more, tol_);
   };
   const Regions with_others = intersect(layer.target, reached(intersect(wide, near, tol_), 0), tol_);
   // A little more than by itself, or the two leave slivers all along where they are the same.
@@ -74,4 +74,4 @@ std::optional<Regions> MeetingPockets::widened(const Layer& layer,
   return unite(layer.allowed, intersect(wide, beside, tol_), tol_);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "part/part.h"
-#include "plan/layer.h"
+#include "model/part.h"
+#include "model/layer.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// The other features of the workplan that run into the pocket of a workingstep without lying inside it, and are either
 /// cut before or begin no higher: over the others more may stand than the pocket's layers are deep. Open features and
@@ -35,4 +35,4 @@ class MeetingPockets {
   std::optional<Regions> last_widened_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -9,20 +9,20 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "link/slot_feed.h"
-#include "part/round_hole.h"
+#include "stock/round_hole.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
-#include "pipeline/prepare.h"
+#include "resolve/prepare.h"
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
-#include "plan/clearing_area.h"
-#include "plan/layers.h"
-#include "plan/walls.h"
+#include "plan/common/clearing_area.h"
+#include "plan/common/layers.h"
+#include "plan/common/walls.h"
 #include "read/gcode/gcode.h"
-#include "toolpath/kinematics.h"
+#include "kinematics/kinematics.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 /// mm. What others cleared may hold films up to this thick: no place for rapids.
@@ -47,7 +47,7 @@ class Sizes {
     for (const auto& region : passes.legal) {
       for (const auto& edge : region.edges()) rim += edge.length();
     }
-    const bool pocket = closed_all_round(layer);
+    const bool pocket = plan::closed_all_round(layer);
     plan.reached_mm2 += pocket ? area(passes.legal) + kBeyondRim * layer.tool_radius * rim
                                : reached_of_open(layer, passes.legal);
     plan.legal_rim_mm += rim;
@@ -59,7 +59,7 @@ class Sizes {
   /// Layers mostly differ from the one before in height alone.
   double reached_of_open(const Layer& layer, const Regions& legal) {
     if (legal.empty()) return 0;
-    if (!same_outline(legal, legal_) || !same_outline(layer.target, target_)) {
+    if (!plan::same_outline(legal, legal_) || !plan::same_outline(layer.target, target_)) {
       legal_ = legal;
       target_ = layer.target;
       reached_mm2_ = area(intersect(layer.target, dilate(legal, layer.tool_radius, tol_), tol_));
@@ -74,7 +74,7 @@ class Sizes {
 
 /// What a strategy makes of one workingstep.
 StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attempt,
-                   const PlanOptions& options) {
+                   const resolve::PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(work.workingstep)];
   const auto strategy = strategy_for(attempt, step.operation, options);
   StepPlan plan;
@@ -85,16 +85,16 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
     std::vector<LayerPasses> passes;
     Sizes sizes(options.tol);
     for (const auto& layer : work.layers) {
-      passes.push_back(layer.walls_only ? plan_walls(layer.layer, options.tol) : strategy(layer.layer));
+      passes.push_back(layer.walls_only ? plan::plan_walls(layer.layer, options.tol) : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }
-    const EntryKind entry = default_entry(tool_of(part, step), attempt);
+    const EntryKind entry = default_entry(report::tool_of(part, step), attempt);
     plan.section = link_step(passes, work.workingstep, entry, part, options);
   }
-  plan.time_s = kinematic_time(plan.section.moves, options.machine).seconds();
+  plan.time_s = kinematics::kinematic_time(plan.section.moves, options.machine).seconds();
   return plan;
 }
 
@@ -102,22 +102,22 @@ std::vector<ChoiceStep> choice_steps(const Part& part) {
   std::vector<ChoiceStep> steps;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
-    steps.push_back({feature_of(part, step).name, static_cast<int>(i), tool_of(part, step).radius(),
+    steps.push_back({report::feature_of(part, step).name, static_cast<int>(i), report::tool_of(part, step).radius(),
                      *step.operation.cutting.feed});
   }
   return steps;
 }
 
-std::string does_not_fit(const Part& part, const Workingstep& step, const PlanOptions& options) {
-  if (only_plunges(tool_of(part, step)) && !round_hole_of(feature_of(part, step), options.tol)) {
+std::string does_not_fit(const Part& part, const Workingstep& step, const resolve::PlanOptions& options) {
+  if (stock::only_plunges(report::tool_of(part, step)) && !stock::round_hole_of(report::feature_of(part, step), options.tol)) {
     return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
-                       tool_of(part, step).number, name_of(tool_of(part, step).kind),
-                       trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
+                       report::tool_of(part, step).number, plan::contour::name_of(report::tool_of(part, step).kind),
+                       trimmed(report::tool_of(part, step).diameter, 4), report::feature_of(part, step).name);
   }
   return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
-                     tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
-                     feature_of(part, step).name,
-                     trimmed(largest_fitting_diameter(feature_of(part, step), options.tol), 3));
+                     report::tool_of(part, step).number, trimmed(report::tool_of(part, step).diameter, 4),
+                     report::feature_of(part, step).name,
+                     trimmed(resolve::largest_fitting_diameter(report::feature_of(part, step), options.tol), 3));
 }
 
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
@@ -125,9 +125,9 @@ constexpr std::size_t kMostEdgesForRivals = 400;
 
 /// The plan of an attempt, or of a rival that is faster.
 StepPlan fastest_plan(const StepWork& work, const Part& part, const Attempt& attempt,
-                      const PlanOptions& options) {
+                      const resolve::PlanOptions& options) {
   StepPlan best = plan_step(work, part, attempt, options);
-  const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
+  const auto& feature = report::feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
   const bool alone = !attempt.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
   for (const auto& rival : rival_attempts()) {
@@ -143,14 +143,14 @@ StepPlan fastest_plan(const StepWork& work, const Part& part, const Attempt& att
 constexpr double kSlotAngle = 150;
 
 /// Whether passes are joined at depth faster than they are cut. (Within one stroke the planner knows what is cut.)
-bool has_fast_links(const Section& section, const Part& part, const PlanOptions& options) {
+bool has_fast_links(const Section& section, const Part& part, const resolve::PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(section.workingstep)];
   return options.shop.link_feed && *step.operation.cutting.feed < *options.shop.link_feed;
 }
 
 /// Slows down wherever a step with a slot feed is in the material all round, and a fast link in any, given all that runs
 /// before.
-void slow_down_slots(Toolpath& toolpath, const Part& part, const PlanOptions& options) {
+void slow_down_slots(Toolpath& toolpath, const Part& part, const resolve::PlanOptions& options) {
   const auto slot_feed_of = [&](const Section& section) {
     return part.workplan[static_cast<std::size_t>(section.workingstep)].operation.cutting.slot_feed;
   };
@@ -161,17 +161,17 @@ void slow_down_slots(Toolpath& toolpath, const Part& part, const PlanOptions& op
   if (!wanted) return;
   std::vector<double> radii;
   for (const auto& tool : part.tools) radii.push_back(tool.radius());
-  Material material(part.stock ? std::optional(part.stock->plan) : std::nullopt, part.top_z(), radii);
+  stock::Material material(part.stock ? std::optional(part.stock->plan) : std::nullopt, part.top_z(), radii);
   const Radians limit = Radians::of_degrees(options.shop.slot_angle_deg.value_or(kSlotAngle));
   for (auto& section : toolpath.sections) {
     const auto& step = part.workplan[static_cast<std::size_t>(section.workingstep)];
     const MmPerMin feed = *step.operation.cutting.feed;
     const MmPerMin slot_feed = slot_feed_of(section).value_or(feed);
-    slow_down_slots(section, tool_of(part, step).radius(), {limit, slot_feed, feed}, material);
+    slow_down_slots(section, report::tool_of(part, step).radius(), {limit, slot_feed, feed}, material);
   }
 }
 
-Toolpath toolpath_of(const Choice& choice, const Part& part, const PlanOptions& options) {
+Toolpath toolpath_of(const Choice& choice, const Part& part, const resolve::PlanOptions& options) {
   Toolpath toolpath;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (!choice.section(i).moves.empty()) toolpath.sections.push_back(choice.section(i));
@@ -184,7 +184,7 @@ Toolpath toolpath_of(const Choice& choice, const Part& part, const PlanOptions& 
 void report_notes(const Choice& choice, const std::vector<StepWork>& works, Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (works[i].done_before) {
-      part.diagnostics.note(feature_of(part, part.workplan[i]).name,
+      part.diagnostics.note(report::feature_of(part, part.workplan[i]).name,
                             "nothing is cut: the earlier program has left no more than films under 0.007 mm "
                             "where the cutter can reach");
     }
@@ -194,7 +194,7 @@ void report_notes(const Choice& choice, const std::vector<StepWork>& works, Part
 }
 
 void report_what_does_not_fit(Part& part, const Choice& choice, const std::vector<StepWork>& works,
-                              const PlanOptions& options) {
+                              const resolve::PlanOptions& options) {
   bool nothing = true;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) nothing = nothing && choice.section(i).moves.empty();
   const bool done_before =
@@ -207,9 +207,9 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
     const auto& step = part.workplan[i];
     if (!choice.section(i).moves.empty()) continue;
     const bool fits =
-        tool_of(part, step).diameter <= largest_fitting_diameter(feature_of(part, step), options.tol);
+        report::tool_of(part, step).diameter <= resolve::largest_fitting_diameter(report::feature_of(part, step), options.tol);
     if (fits && works[i].layers.empty()) continue;
-    part.diagnostics.skip(feature_of(part, step).name, does_not_fit(part, step, options));
+    part.diagnostics.skip(report::feature_of(part, step).name, does_not_fit(part, step, options));
   }
 }
 
@@ -219,7 +219,7 @@ bool retry_unclean(Choice& choice, PlanResult& result) {
   for (const auto& feature : result.findings.features) {
     if (feature.figures.clean || feature.workingstep < 0) continue;
     const auto i = static_cast<std::size_t>(feature.workingstep);
-    const Tool& tool = tool_of(result.part, result.part.workplan[i]);
+    const Tool& tool = report::tool_of(result.part, result.part.workplan[i]);
     if (tool.corner_radius >= tool.radius()) continue;  // no passes leave a floor flat
     if (!choice.next(i)) continue;
     const Attempt& next = choice.attempt(i);
@@ -232,7 +232,7 @@ bool retry_unclean(Choice& choice, PlanResult& result) {
 }
 
 /// One unnumbered tool given for a program that uses one tool: they are the same, whatever its number there.
-PlanOptions numbered_by(const Toolpath& toolpath, PlanOptions options) {
+resolve::PlanOptions numbered_by(const Toolpath& toolpath, resolve::PlanOptions options) {
   if (options.tools.size() != 1 || options.tools.front().number != 0 || toolpath.sections.empty())
     return options;
   const int number = toolpath.sections.front().tool_number;
@@ -251,16 +251,16 @@ void number_sections(Toolpath& toolpath, const Part& part) {
 }
 
 /// A program of another CAM is held to the stepdown that somebody stated, not to our default.
-void keep_stated_stepdowns(Part& prepared, const Part& part, const PlanOptions& options) {
+void keep_stated_stepdowns(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    const bool mills = !only_plunges(tool_of(prepared, prepared.workplan[i]));
+    const bool mills = !stock::only_plunges(report::tool_of(prepared, prepared.workplan[i]));
     prepared.workplan[i].operation.stepdown =
         options.stepdown && mills ? options.stepdown : part.workplan[i].operation.stepdown;
   }
 }
 
-std::vector<ContourLevels> contours_of(const Toolpath& toolpath) {
-  std::vector<ContourLevels> contours;
+std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
+  std::vector<report::ContourLevels> contours;
   for (const Section& section : toolpath.sections) {
     if (!section.contours.empty()) contours.push_back({section.label, section.contours});
   }
@@ -269,9 +269,9 @@ std::vector<ContourLevels> contours_of(const Toolpath& toolpath) {
 
 }  // namespace
 
-PlanResult plan(const Part& part, const PlanOptions& options) {
+PlanResult plan(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
-  result.part = prepare(part, options);
+  result.part = resolve::prepare(part, options);
   const auto works = step_works(result.part, options);
   const auto planner = [&](int step, const Attempt& attempt) {
     return fastest_plan(works[static_cast<std::size_t>(step)], result.part, attempt, options);
@@ -291,16 +291,16 @@ PlanResult plan(const Part& part, const PlanOptions& options) {
 }
 
 JudgeResult judge(const Part& part, const std::string& program, const std::string& program_name,
-                  const PlanOptions& options) {
-  auto read = read_gcode(program, program_name, home_z(options.machine));
+                  const resolve::PlanOptions& options) {
+  auto read = read::gcode::read_gcode(program, program_name, home_z(options.machine));
   JudgeResult result;
-  result.part = prepare(part, numbered_by(read.toolpath, options));
+  result.part = resolve::prepare(part, numbered_by(read.toolpath, options));
   keep_stated_stepdowns(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
-  result.findings = verify(result.part, result.toolpath, verify_options(options));
+  result.findings = verify::verify(result.part, result.toolpath, verify_options(options));
   return result;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

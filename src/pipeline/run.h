@@ -4,26 +4,26 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/plan_options.h"
+#include "resolve/plan_options.h"
 #include "report/result.h"
-#include "toolpath/contest.h"
-#include "toolpath/findings.h"
-#include "toolpath/move.h"
+#include "model/contest.h"
+#include "model/findings.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 struct PlanResult {
   Part part;            ///< as prepared: every default filled in, everything noticed in its diagnostics
   std::string program;  ///< text for the controller
   Toolpath toolpath;    ///< read back from `program`
   Findings findings;    ///< of `toolpath`
-  std::vector<ContourLevels> contours;  ///< of each section planned by contours
+  std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 
 /// Plans, posts and certifies a part.
 /// Throws InputError where the options cannot be met or nothing at all can be cut.
-PlanResult plan(const Part& part, const PlanOptions& options);
+PlanResult plan(const Part& part, const resolve::PlanOptions& options);
 
 /// Judges any program text against a part. `tools` replace the part's, as in PlanOptions.
 struct JudgeResult {
@@ -32,6 +32,6 @@ struct JudgeResult {
   Findings findings;
 };
 JudgeResult judge(const Part& part, const std::string& program, const std::string& program_name,
-                  const PlanOptions& options);
+                  const resolve::PlanOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -7,7 +7,7 @@
 #include "geometry/box.h"
 #include "order/solve.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 /// Seconds of one core that the search plans for, and its rounds: no clock, so that programs repeat.
@@ -133,4 +133,4 @@ std::vector<Section> in_short_order(std::vector<Section> sections, const Part& p
   return out;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

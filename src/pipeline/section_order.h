@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "part/part.h"
-#include "toolpath/move.h"
+#include "model/part.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// The sections of a part whose order is nobody's wish, so that few tool changes and short rapids join them.
 ///
@@ -17,4 +17,4 @@ namespace clearcut {
 /// Cost    O(sections^2) looks at boxes, and the optimiser's.
 std::vector<Section> in_short_order(std::vector<Section> sections, const Part& part);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -6,7 +6,7 @@
 
 #include "base/random.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 /// A square path of the cutter about `center`, with one workingstep and one of two tools.
@@ -100,4 +100,4 @@ TEST(SectionOrder, LeavesNothingAndOneAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/plan_options.h"
-#include "plan/layer.h"
-#include "toolpath/move.h"
+#include "resolve/plan_options.h"
+#include "model/layer.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// A layer as it is to be planned.
 struct LayerLeft {
@@ -27,6 +27,6 @@ struct StepWork {
 };
 
 /// The work of every workingstep of a prepared part, in the order of the workplan. Cost O(layers) booleans a step.
-std::vector<StepWork> step_works(const Part& part, const PlanOptions& options);
+std::vector<StepWork> step_works(const Part& part, const resolve::PlanOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -7,14 +7,14 @@
 
 #include "base/error.h"
 #include "pipeline/tour_solver.h"
-#include "plan/adaptive.h"
-#include "plan/contour.h"
-#include "plan/layers.h"
-#include "plan/spiral.h"
-#include "plan/tour.h"
-#include "plan/zigzag.h"
+#include "plan/adaptive/adaptive.h"
+#include "plan/contour/contour.h"
+#include "plan/common/layers.h"
+#include "plan/spiral/spiral.h"
+#include "plan/tour/tour.h"
+#include "plan/zigzag/zigzag.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 /// A contour-parallel method by name: its step when the user gives none, and how it treats what steps leave.
@@ -22,25 +22,25 @@ struct ContourMethod {
   const char* name;
   const char* description;
   const char* stepover;
-  ResidualRule residuals;
+  plan::contour::ResidualRule residuals;
 };
 
 constexpr ContourMethod kContourMethods[] = {
-    {"contour", "contours as wide as the cutter allows, rests cut locally", "widest", ResidualRule::kOurs},
-    {"lom", "published: step 2 R kappa from the smallest angle", "lom", ResidualRule::kNone},
-    {"rho", "published: step 2 R rho, overlap of 1 mm in the corner", "rho", ResidualRule::kNone},
+    {"contour", "contours as wide as the cutter allows, rests cut locally", "widest", plan::contour::ResidualRule::kOurs},
+    {"lom", "published: step 2 R kappa from the smallest angle", "lom", plan::contour::ResidualRule::kNone},
+    {"rho", "published: step 2 R rho, overlap of 1 mm in the corner", "rho", plan::contour::ResidualRule::kNone},
     {"second", "published: rho of the second smallest angle, passages along the smallest", "second",
-     ResidualRule::kPassages},
+     plan::contour::ResidualRule::kPassages},
     {"lom-corrected", "ours: the widest step between contours that leaves nothing", "lom-corrected",
-     ResidualRule::kNone},
-    {"rho-corrected", "ours: the same with the overlap of rho", "rho-corrected", ResidualRule::kNone},
-    {"fixed", "contours at a fixed step, nothing else", "0.9", ResidualRule::kNone},
-    {"loops", "published: fixed step and a loop in every corner", "0.9", ResidualRule::kLoops},
-    {"pwid", "published: fixed step and a kite in every corner", "0.9", ResidualRule::kPwid},
-    {"single", "published: fixed step and a tangent loop in every corner", "0.9", ResidualRule::kSingleLoops},
+     plan::contour::ResidualRule::kNone},
+    {"rho-corrected", "ours: the same with the overlap of rho", "rho-corrected", plan::contour::ResidualRule::kNone},
+    {"fixed", "contours at a fixed step, nothing else", "0.9", plan::contour::ResidualRule::kNone},
+    {"loops", "published: fixed step and a loop in every corner", "0.9", plan::contour::ResidualRule::kLoops},
+    {"pwid", "published: fixed step and a kite in every corner", "0.9", plan::contour::ResidualRule::kPwid},
+    {"single", "published: fixed step and a tangent loop in every corner", "0.9", plan::contour::ResidualRule::kSingleLoops},
     {"double", "published: fixed step and two tangent loops in every corner", "0.9",
-     ResidualRule::kDoubleLoops},
-    {"bisectors", "published: fixed step and every corner's bisector", "0.9", ResidualRule::kBisectors}};
+     plan::contour::ResidualRule::kDoubleLoops},
+    {"bisectors", "published: fixed step and every corner's bisector", "0.9", plan::contour::ResidualRule::kBisectors}};
 
 const ContourMethod* contour_method(const std::string& name) {
   const auto found = std::find_if(std::begin(kContourMethods), std::end(kContourMethods),
@@ -53,9 +53,9 @@ bool wall_on_right(const Operation& operation) {
 }
 
 Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, const Operation& operation,
-                          const PlanOptions& options) {
-  ContourOptions contour;
-  contour.step = parse_step_rule(attempt.stepover.value_or(method.stepover));
+                          const resolve::PlanOptions& options) {
+  plan::contour::ContourOptions contour;
+  contour.step = plan::contour::parse_step_rule(attempt.stepover.value_or(method.stepover));
   contour.residuals = method.residuals;
   contour.machine = options.machine;
   contour.feed = *operation.cutting.feed;
@@ -64,32 +64,32 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
   contour.outside_in = options.outside_in;
   contour.start = options.start;
   return once_per_outline(
-      [contour, tol = options.tol](const Layer& layer) { return plan_contour(layer, contour, tol); });
+      [contour, tol = options.tol](const Layer& layer) { return plan::contour::plan_contour(layer, contour, tol); });
 }
 
-Strategy adaptive_strategy(const Operation& operation, const PlanOptions& options) {
-  AdaptiveOptions adaptive;
+Strategy adaptive_strategy(const Operation& operation, const resolve::PlanOptions& options) {
+  plan::adaptive::AdaptiveOptions adaptive;
   if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
   adaptive.start = options.start;
   adaptive.widest_helix = options.shop.widest_helix(operation.entry_size);
   return once_per_outline(
-      [adaptive, tol = options.tol](const Layer& layer) { return plan_adaptive(layer, adaptive, tol); });
+      [adaptive, tol = options.tol](const Layer& layer) { return plan::adaptive::plan_adaptive(layer, adaptive, tol); });
 }
 
 /// mm between lines, where one is asked for; rules about the angles of contours mean nothing to lines.
 std::optional<double> line_distance(const std::optional<std::string>& stepover, double diameter) {
   if (!stepover) return std::nullopt;
-  const StepRule rule = parse_step_rule(*stepover);
-  if (rule.kind == StepRule::Kind::kWidest) return std::nullopt;
-  if (rule.kind == StepRule::Kind::kFraction) return rule.value * diameter;
-  if (rule.kind == StepRule::Kind::kMm) return rule.value;
+  const plan::contour::StepRule rule = plan::contour::parse_step_rule(*stepover);
+  if (rule.kind == plan::contour::StepRule::Kind::kWidest) return std::nullopt;
+  if (rule.kind == plan::contour::StepRule::Kind::kFraction) return rule.value * diameter;
+  if (rule.kind == plan::contour::StepRule::Kind::kMm) return rule.value;
   throw InputError("--stepover", fmt::format("'{}' is a rule for contours; give a fraction of the diameter "
                                              "or mm, for example 0.8 or 4.5mm",
                                              *stepover));
 }
 
-Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
-  ZigzagOptions zigzag;
+Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options) {
+  plan::zigzag::ZigzagOptions zigzag;
   // Among others, lines are free to run where they are fastest.
   if (options.strategy == "zigzag") zigzag.angle = operation.feed_direction;
   if (options.angle_deg) zigzag.angle = Radians::of_degrees(*options.angle_deg);
@@ -100,19 +100,19 @@ Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, con
   return once_per_outline(
       [zigzag, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
         zigzag.stepover = line_distance(stepover, 2 * layer.tool_radius);
-        return plan_zigzag(layer, zigzag, tol);
+        return plan::zigzag::plan_zigzag(layer, zigzag, tol);
       });
 }
 
-Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
-  const auto grid = attempt.stepover ? parse_tour_grid(*attempt.stepover) : TourGridOptions{};
+Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options) {
+  const auto grid = attempt.stepover ? plan::tour::parse_tour_grid(*attempt.stepover) : plan::tour::TourGridOptions{};
   return once_per_outline(
       [grid, solve = tour_solver(options, *operation.cutting.feed, attempt.briefly),
-       tol = options.tol](const Layer& layer) { return plan_tour(layer, grid, solve, tol); });
+       tol = options.tol](const Layer& layer) { return plan::tour::plan_tour(layer, grid, solve, tol); });
 }
 
-Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
-  SpiralOptions spiral;
+Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options) {
+  plan::spiral::SpiralOptions spiral;
   spiral.wall_on_right = wall_on_right(operation);
   spiral.machine = options.machine;
   spiral.feed = *operation.cutting.feed;
@@ -120,7 +120,7 @@ Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, con
   return once_per_outline(
       [spiral, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
         spiral.stepover = line_distance(stepover, 2 * layer.tool_radius);
-        return plan_spiral(layer, spiral, tol);
+        return plan::spiral::plan_spiral(layer, spiral, tol);
       });
 }
 
@@ -144,12 +144,12 @@ const std::vector<std::string>& contour_method_names() {
   return names;
 }
 
-std::optional<StepRule> published_rule(const std::string& strategy) {
+std::optional<plan::contour::StepRule> published_rule(const std::string& strategy) {
   const auto* method = contour_method(strategy);
-  const bool steps_alone = method != nullptr && (method->residuals == ResidualRule::kNone ||
-                                                 method->residuals == ResidualRule::kPassages);
+  const bool steps_alone = method != nullptr && (method->residuals == plan::contour::ResidualRule::kNone ||
+                                                 method->residuals == plan::contour::ResidualRule::kPassages);
   if (!steps_alone) return std::nullopt;
-  return parse_step_rule(method->stepover);
+  return plan::contour::parse_step_rule(method->stepover);
 }
 
 std::string description_of(const std::string& strategy) {
@@ -161,7 +161,7 @@ std::string description_of(const std::string& strategy) {
   return "the fastest that certifies clean";
 }
 
-Strategy strategy_for(const Attempt& attempt, const Operation& operation, const PlanOptions& options) {
+Strategy strategy_for(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options) {
   if (const auto* method = contour_method(attempt.strategy)) {
     return contour_strategy(*method, attempt, operation, options);
   }
@@ -179,7 +179,7 @@ const std::vector<Attempt>& rival_attempts() {
   return all;
 }
 
-Attempts attempts_for(const PlanOptions& options) {
+Attempts attempts_for(const resolve::PlanOptions& options) {
   const Attempt beside{"contour", options.stepover, !options.stepover}, plain{"contour", options.stepover};
   if (options.strategy == "contour") return {{beside}, {plain}};
   if (options.strategy != "auto") return {{{options.strategy, options.stepover}}, {}};
@@ -195,4 +195,4 @@ Attempts attempts_for(const PlanOptions& options) {
   return attempts;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

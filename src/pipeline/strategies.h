@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/plan_options.h"
-#include "plan/contour.h"
-#include "plan/layer.h"
-#include "toolpath/pass.h"
+#include "resolve/plan_options.h"
+#include "plan/contour/contour.h"
+#include "model/layer.h"
+#include "model/pass.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// Names that --strategy takes, "auto" first.
 const std::vector<std::string>& strategy_names();
@@ -19,7 +19,7 @@ const std::vector<std::string>& strategy_names();
 const std::vector<std::string>& contour_method_names();
 
 /// The step rule of a contour method that adds nothing to its contours; none for the others.
-std::optional<StepRule> published_rule(const std::string& strategy);
+std::optional<plan::contour::StepRule> published_rule(const std::string& strategy);
 
 /// What a name says, in one line for people.
 std::string description_of(const std::string& strategy);
@@ -37,7 +37,7 @@ const std::vector<Attempt>& rival_attempts();
 
 /// The strategy of an attempt with the operation's feed and the options' limits bound in.
 /// Throws InputError for an unknown name or a stepover that cannot be read.
-Strategy strategy_for(const Attempt& attempt, const Operation& operation, const PlanOptions& options);
+Strategy strategy_for(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options);
 
 /// What the wanted strategy stands for: those among which the fastest is kept, the surest first, and those tried
 /// one after the other where none of them was certified clean.
@@ -45,6 +45,6 @@ struct Attempts {
   std::vector<Attempt> contest;
   std::vector<Attempt> fallbacks;
 };
-Attempts attempts_for(const PlanOptions& options);
+Attempts attempts_for(const resolve::PlanOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -8,10 +8,10 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "pipeline/compare.h"
-#include "pipeline/prepare.h"
+#include "resolve/prepare.h"
 #include "pipeline/run.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 /// A tool and what is asked of it.
@@ -37,13 +37,13 @@ CuttingData cutting_of(const Tool& tool, std::size_t index, const ToolSpeeds& sp
   if (!speeds.cutting_speed && speeds.feeds_per_tooth.empty()) return given;
   const bool feeds = !speeds.feeds_per_tooth.empty();
   const double fz = feeds ? speeds.feeds_per_tooth[std::min(index, speeds.feeds_per_tooth.size() - 1)] : 0;
-  const auto data = driven(tool, speeds.cutting_speed.value_or(kDefaultCuttingSpeed), fz);
+  const auto data = driven(tool, speeds.cutting_speed.value_or(resolve::kDefaultCuttingSpeed), fz);
   given.spindle_rpm = data.spindle_rpm;
   if (feeds) given.feed = data.feed;
   return given;
 }
 
-std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
+std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
   const auto& tools = options.tools.empty() ? part.tools : options.tools;
   if (tools.empty()) {
     throw InputError("tools",
@@ -59,7 +59,7 @@ std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds,
   return all;
 }
 
-ToolRun run_of(const Candidate& candidate, const Part& part, PlanOptions options) {
+ToolRun run_of(const Candidate& candidate, const Part& part, resolve::PlanOptions options) {
   const Tool& tool = candidate.tool;
   options.tools = {tool};
   options.cutting = candidate.cutting;
@@ -117,7 +117,7 @@ bool may_end(const ToolRun& run, const ToolRun& smallest) {
 
 /// Time of `then` on what `first` leaves, with its own speeds; none where that cannot be cut clean.
 std::optional<double> rest_time(const Candidate& first, const Candidate& then, const Part& part,
-                                PlanOptions options) {
+                                resolve::PlanOptions options) {
   options.tools = {first.tool, then.tool};
   options.cutting = then.cutting;
   options.shop.rest = true;
@@ -136,7 +136,7 @@ std::optional<double> rest_time(const Candidate& first, const Candidate& then, c
 /// The fastest way to end with each cutter; `all` and `runs` run from the smallest up.
 std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate>& all,
                                                      const std::vector<ToolRun>& runs, const Part& part,
-                                                     const ToolSpeeds& speeds, const PlanOptions& options) {
+                                                     const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
   std::vector<std::optional<Sequence>> best(all.size());
   for (std::size_t i = all.size(); i-- > 0;) {
     if (runs[i].clean) best[i] = Sequence{{i}, runs[i].time_s};
@@ -154,7 +154,7 @@ std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate
 }
 
 std::optional<ToolSequence> fastest_of(const std::vector<ToolRun>& runs, const Part& part,
-                                       const ToolSpeeds& speeds, const PlanOptions& options) {
+                                       const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
   const auto to_each = fastest_to_each(candidates_of(part, speeds, options), runs, part, speeds, options);
   const Sequence* best = nullptr;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -190,24 +190,24 @@ CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth
   return data;
 }
 
-std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
+std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
   std::vector<ToolRun> runs;
   for (const auto& one : candidates_of(part, speeds, options)) runs.push_back(run_of(one, part, options));
   return runs;
 }
 
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
-                                             const PlanOptions& options) {
+                                             const resolve::PlanOptions& options) {
   return fastest_of(run_tools(part, speeds, options), part, speeds, options);
 }
 
-TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options) {
+report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
   const auto runs = run_tools(part, speeds, options);
   if (std::none_of(runs.begin(), runs.end(), [](const ToolRun& run) { return run.fits; }))
     throw InputError("", runs.front().refusal);
-  TextTable table;
+  report::TextTable table;
   table.title = part.name + ": each cutter alone";
-  table.columns = {{"tool", Align::kLeft},
+  table.columns = {{"tool", report::Align::kLeft},
                    {"Z"},
                    {"rpm"},
                    {"mm/min"},
@@ -215,7 +215,7 @@ TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptio
                    {"time s"},
                    {"eq. 9 s"},
                    {"corners mm2"},
-                   {"clean", Align::kLeft}};
+                   {"clean", report::Align::kLeft}};
   const ToolRun* best = fastest_clean(runs);
   for (const auto& run : runs) table.add(cells(run, &run == best));
   table.notes.push_back("* fastest alone; corners: out of its reach, left for a smaller one");
@@ -228,4 +228,4 @@ TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptio
   return table;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

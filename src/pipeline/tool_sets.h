@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/plan_options.h"
+#include "resolve/plan_options.h"
 #include "report/text_table.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// How cutters are driven; what is absent comes from the part or the defaults of prepare().
 struct ToolSpeeds {
@@ -45,7 +45,7 @@ struct ToolRun {
 /// Every tool of the options (else of the part) alone on every feature, smallest first. Throws InputError without tools
 /// and for speeds that are not above 0.
 /// Cost one plan each.
-std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
+std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options);
 
 /// Cutters one after the other, largest first.
 struct ToolSequence {
@@ -57,10 +57,10 @@ struct ToolSequence {
 /// Each one cuts what larger ones cannot reach, which depends on the one before it alone: a shortest way over pairs.
 /// Cost a plan for every two tools.
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
-                                             const PlanOptions& options);
+                                             const resolve::PlanOptions& options);
 
 /// The table, with the fastest clean cutter marked and the fastest sequence under it. Throws InputError where no cutter
 /// can be used.
-TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const PlanOptions& options);
+report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

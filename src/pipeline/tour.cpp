@@ -11,12 +11,12 @@
 #include "base/format.h"
 #include "geometry/box.h"
 #include "order/lattice.h"
-#include "order/neighbours.h"
+#include "order/near/neighbours.h"
 #include "order/tsplib.h"
 #include "pipeline/engagement_model.h"
 #include "pipeline/tour_solver.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 order::ObjectivePtr single_objective(const std::string& name, double feed) {
@@ -176,4 +176,4 @@ std::string tour_line(const TourResult& result) {
       s.seconds, s.seed, s.method);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

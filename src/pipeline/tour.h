@@ -7,7 +7,7 @@
 #include "order/genetic/genetic.h"
 #include "order/solve.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 struct TourOptions {
   /// length, turns, angle, time, engagement, engagement-exact, or weights "0.5:length,20:turns"
@@ -42,4 +42,4 @@ std::string tour_line(const TourResult& result);
 /// Throws InputError for an unknown objective.
 order::ObjectivePtr objective_named(const std::string& text, double feed);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -12,7 +12,7 @@
 #include "order/solve.h"
 #include "pipeline/engagement_model.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 /// Seconds of one core for a population, and rounds, where nobody says how long to search.
@@ -68,11 +68,11 @@ double weight_of(const std::string& text) {
 }
 
 /// Share of the leading half circle; of the angle asked for, else half.
-double engagement_target(const PlanOptions& options) {
+double engagement_target(const resolve::PlanOptions& options) {
   return options.engagement_deg ? *options.engagement_deg / 180 : 0.5;
 }
 
-order::ObjectivePtr layer_objective(const std::string& name, const TourTask& task, const PlanOptions& options,
+order::ObjectivePtr layer_objective(const std::string& name, const plan::tour::TourTask& task, const resolve::PlanOptions& options,
                                     MmPerMin feed) {
   const EngagementTask engagement{task.points, task.way, task.layer->target, task.layer->tool_radius};
   if (name == "length") return order::length_objective();
@@ -106,7 +106,7 @@ order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed
   return std::make_shared<MachineTime>(machine, feed);
 }
 
-order::Problem grid_problem(const TourTask& task) {
+order::Problem grid_problem(const plan::tour::TourTask& task) {
   order::Problem problem;
   problem.name = "grid";
   problem.points = task.points;
@@ -115,8 +115,8 @@ order::Problem grid_problem(const TourTask& task) {
   return problem;
 }
 
-TourSolver tour_solver(const PlanOptions& options, MmPerMin feed, bool briefly) {
-  return [options, feed, briefly](const TourTask& task) {
+plan::tour::TourSolver tour_solver(const resolve::PlanOptions& options, MmPerMin feed, bool briefly) {
+  return [options, feed, briefly](const plan::tour::TourTask& task) {
     const auto objective = objective_from(options.objective, [&](const std::string& name) {
       return layer_objective(name, task, options, feed);
     });
@@ -130,4 +130,4 @@ TourSolver tour_solver(const PlanOptions& options, MmPerMin feed, bool briefly) 
   };
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -6,10 +6,10 @@
 
 #include "order/objective.h"
 #include "order/problem.h"
-#include "pipeline/plan_options.h"
-#include "plan/tour.h"
+#include "resolve/plan_options.h"
+#include "plan/tour/tour.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 
 /// Makes the objective of a name such as "length"; throws InputError for names it does not know.
 using ObjectiveMaker = std::function<order::ObjectivePtr(const std::string& name)>;
@@ -23,10 +23,10 @@ order::ObjectivePtr objective_from(const std::string& text, const ObjectiveMaker
 order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed);
 
 /// An open path through the points of a grid, along its legal ways.
-order::Problem grid_problem(const TourTask& task);
+order::Problem grid_problem(const plan::tour::TourTask& task);
 
 /// Orders grids by options.objective. Without options.time_s the same points give the same order, however
 /// busy the machine. `briefly`: with a fifth of the usual search, which is seldom felt in the order.
-TourSolver tour_solver(const PlanOptions& options, MmPerMin feed, bool briefly = false);
+plan::tour::TourSolver tour_solver(const resolve::PlanOptions& options, MmPerMin feed, bool briefly = false);
 
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

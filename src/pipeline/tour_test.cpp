@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::pipeline {
 namespace {
 
 TourOptions asking(const std::string& objective, double time_s = 0.3) {
@@ -52,4 +52,4 @@ TEST(TourEngagement, RefusesCuttersTooSmallForTheRasterAndUnknownNames) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::pipeline

@@ -2,7 +2,7 @@
 
 #include "post/comment.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 void BlockPrinter::word(std::string_view text) {
   if (!block_.empty()) block_ += ' ';
@@ -37,4 +37,4 @@ void BlockPrinter::comment(std::string_view text) {
   } while (begin < plain.size());
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

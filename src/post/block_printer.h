@@ -7,7 +7,7 @@
 #include "post/iso_dialect.h"
 #include "post/print_grid.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 class BlockPrinter {
  public:
@@ -32,4 +32,4 @@ class BlockPrinter {
   std::string block_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::post

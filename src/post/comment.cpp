@@ -5,7 +5,7 @@
 
 #include "base/format.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 std::string plain_comment(std::string_view text) {
   constexpr std::string_view kPunctuation = " +-=/.,:_<>#'";
@@ -47,4 +47,4 @@ int program_number(std::string_view name) {
   return number > 0 ? number : 1;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

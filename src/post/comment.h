@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "part/part.h"
+#include "model/part.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 /// Says that a program ends where the control has no word for it.
 inline constexpr std::string_view kEndComment = "END OF PROGRAM";
@@ -26,4 +26,4 @@ std::string tool_change_comment(const Part& part, int number);
 /// Number of a program named "1234" or "O1234"; 1 for any other name.
 int program_number(std::string_view name);
 
-}  // namespace clearcut
+}  // namespace clearcut::post

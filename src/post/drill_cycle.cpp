@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::post {
 namespace {
 
 constexpr double kPeckGap = 0.254;  // mm; LinuxCNC feeds again this far above the last depth
@@ -57,4 +57,4 @@ std::optional<DrillBlock> drill_block(std::span<const Move> moves, const PrintGr
   return block;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

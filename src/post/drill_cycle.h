@@ -5,9 +5,9 @@
 #include <span>
 
 #include "post/print_grid.h"
-#include "toolpath/move.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 /// A hole as G81 or G83 makes it. Printed heights.
 struct DrillBlock {
@@ -23,4 +23,4 @@ struct DrillBlock {
 /// just above the last depth, in equal pecks), and back up at the rapid to where it came from.
 std::optional<DrillBlock> drill_block(std::span<const Move> moves, const PrintGrid& grid);
 
-}  // namespace clearcut
+}  // namespace clearcut::post

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace clearcut {
+namespace clearcut::post {
 
 double safe_height(const Toolpath& toolpath, const Part& part) {
   double highest = part.safe_z();
@@ -12,4 +12,4 @@ double safe_height(const Toolpath& toolpath, const Part& part) {
   return highest;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

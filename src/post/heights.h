@@ -1,12 +1,12 @@
 // Heights a program needs besides those of its moves.
 #pragma once
 
-#include "part/part.h"
-#include "toolpath/move.h"
+#include "model/part.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 /// Where the tool may travel anywhere: the highest z of the toolpath, and no lower than part.safe_z(). mm.
 double safe_height(const Toolpath& toolpath, const Part& part);
 
-}  // namespace clearcut
+}  // namespace clearcut::post

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace clearcut {
+namespace clearcut::post {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::vector<std::string> iso_dialect_names() {
   return names;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

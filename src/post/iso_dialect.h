@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::post {
 
 enum class CommentForm { kParentheses, kSemicolon };
 enum class PathControl {
@@ -58,4 +58,4 @@ struct IsoDialect {
 const IsoDialect* iso_dialect_named(std::string_view name);
 std::vector<std::string> iso_dialect_names();
 
-}  // namespace clearcut
+}  // namespace clearcut::post

@@ -13,7 +13,7 @@
 #include "post/heights.h"
 #include "post/steps.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 namespace {
 
@@ -375,4 +375,4 @@ std::string write_iso(const Toolpath& toolpath, const Part& part, const PostOpti
   return IsoWriter(part, options, dialect, safe_height(toolpath, part)).program(toolpath);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

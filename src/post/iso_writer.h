@@ -6,10 +6,10 @@
 #include "post/iso_dialect.h"
 #include "post/post.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 /// `toolpath` has been checked by post().
 std::string write_iso(const Toolpath& toolpath, const Part& part, const PostOptions& options,
                       const IsoDialect& dialect);
 
-}  // namespace clearcut
+}  // namespace clearcut::post

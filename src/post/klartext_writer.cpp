@@ -14,7 +14,7 @@
 #include "post/heights.h"
 #include "post/steps.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 namespace {
 
@@ -334,4 +334,4 @@ std::string write_klartext(const Toolpath& toolpath, const Part& part, const Pos
   return KlartextWriter(part, options, safe_height(toolpath, part)).program(toolpath);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

@@ -5,7 +5,7 @@
 
 #include "post/post.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 /// What older controls take; newer ones read one more.
 inline constexpr int kKlartextMmDecimals = 3;
@@ -17,4 +17,4 @@ inline constexpr double kKlartextDrift = 0.15;
 /// `toolpath` has been checked by post().
 std::string write_klartext(const Toolpath& toolpath, const Part& part, const PostOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::post

@@ -9,7 +9,7 @@
 #include "post/print_grid.h"
 #include "post/steps.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::string post(const Toolpath& toolpath, const Part& part, const PostOptions& 
   return dialect ? write_iso(toolpath, part, options, *dialect) : write_klartext(toolpath, part, options);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/tolerances.h"
-#include "part/part.h"
-#include "toolpath/move.h"
+#include "model/part.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 struct PostOptions {
   std::string dialect = "linuxcnc";  ///< linuxcnc grbl fanuc haas heidenhain mach3 mach4 marlin
@@ -43,4 +43,4 @@ double rounding_of(const PostOptions& options);
 /// Cost    linear.
 std::string post(const Toolpath& toolpath, const Part& part, const PostOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::post

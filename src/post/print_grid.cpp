@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 namespace {
 
@@ -45,4 +45,4 @@ void append_number(std::string& out, long long ticks, int decimals, bool always_
   out.erase(out.find_last_not_of('0') + 1);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

@@ -5,7 +5,7 @@
 
 #include "geometry/vec2.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 /// A printed position, in steps of a PrintGrid.
 struct Ticks {
@@ -41,4 +41,4 @@ class PrintGrid {
 /// `always_point`: "10." where a bare "10" would mean ten steps of the control.
 void append_number(std::string& out, long long ticks, int decimals, bool always_point);
 
-}  // namespace clearcut
+}  // namespace clearcut::post

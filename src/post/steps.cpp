@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-namespace clearcut {
+namespace clearcut::post {
 
 namespace {
 
@@ -153,4 +153,4 @@ Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::ve
   return at;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::post

@@ -5,9 +5,9 @@
 
 #include "post/post.h"
 #include "post/print_grid.h"
-#include "toolpath/move.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::post {
 
 /// One motion word: straight to `to`, or an arc whose centre is (i, j) from the printed start.
 struct Step {
@@ -42,4 +42,4 @@ StepRules step_rules(const PostOptions& options, int decimals, double largest_ra
 /// Returns the printed position reached.
 Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::vector<Step>& out);
 
-}  // namespace clearcut
+}  // namespace clearcut::post

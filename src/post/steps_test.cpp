@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "post/comment.h"
 
-namespace clearcut {
+namespace clearcut::post {
 namespace {
 
 std::string number(long long ticks, int decimals, bool point = false) {
@@ -138,4 +138,4 @@ TEST(Comments, ProgramNumbers) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::post

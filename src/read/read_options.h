@@ -7,7 +7,7 @@
 
 #include "base/tolerances.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// How an open curve that no other curve closes is treated.
 enum class OpenCurves {
@@ -39,4 +39,4 @@ struct ReadOptions {
   Tolerances tol;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -10,12 +10,12 @@
 #include "read/edges/edges_reader.h"
 #include "read/job/job_file.h"
 #include "read/outline/outline_reader.h"
-#include "read/outline/text.h"
+#include "read/common/text.h"
 #include "read/step_solid/step_solid.h"
 #include "read/stepnc/stepnc.h"
 #include "read/svg/svg_reader.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{256} << 20;
@@ -63,7 +63,7 @@ void refuse_what_is_no_text(std::string_view text, const std::string& file_name)
 
 /// STEP-NC says all by itself: options for drawings do not apply.
 Part read_program(std::string_view text, const std::string& file_name, const ReadOptions& options) {
-  Part part = read_stepnc(text, file_name, options.tol);
+  Part part = read::stepnc::read_stepnc(text, file_name, options.tol);
   if (options.unit || options.depth || options.top || !options.layers.empty()) {
     part.diagnostics.warn(file_name,
                           "unit, depth, top and layers given as options are for drawings; not used here");
@@ -147,4 +147,4 @@ Part read_part(const std::filesystem::path& file, const ReadOptions& options) {
   return read_part_text(read_file(file.string(), kLargestFile), file.string(), options);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <string_view>
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/read_options.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// .p21 .stp .step .stpnc .238 (STEP-NC or a solid, by its schema), .dxf, .svg, .json (outline), .edges
 /// (lengths and angles), .toml (job); files of other names by their first bytes. See docs/input.md.
@@ -20,4 +20,4 @@ Part read_part(const std::filesystem::path& file, const ReadOptions& options);
 /// other files, which are looked for beside `file_name`.
 Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

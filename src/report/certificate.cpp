@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace clearcut {
+namespace clearcut::report {
 
 namespace {
 
@@ -185,4 +185,4 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::report

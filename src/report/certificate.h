@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "part/part.h"
-#include "toolpath/contest.h"
-#include "toolpath/findings.h"
+#include "model/part.h"
+#include "model/contest.h"
+#include "model/findings.h"
 
-namespace clearcut {
+namespace clearcut::report {
 
 /// What the findings rest on: enough to repeat them.
 struct CertificateInfo {
@@ -30,4 +30,4 @@ struct CertificateInfo {
 /// Text    bytes that are not UTF-8 are replaced.
 std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info);
 
-}  // namespace clearcut
+}  // namespace clearcut::report

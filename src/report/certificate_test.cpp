@@ -8,7 +8,7 @@
 
 #include "report/sample_job.h"
 
-namespace clearcut {
+namespace clearcut::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -124,4 +124,4 @@ TEST(Certificate, ListsTheStrategiesConsideredForAFeature) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::report

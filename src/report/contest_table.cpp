@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace clearcut {
+namespace clearcut::report {
 namespace {
 
 std::string time_cell(const Contestant& one) {
@@ -31,4 +31,4 @@ TextTable contest_table(const std::vector<Contest>& contests) {
   return table;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::report

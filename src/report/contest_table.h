@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "report/text_table.h"
-#include "toolpath/contest.h"
+#include "model/contest.h"
 
-namespace clearcut {
+namespace clearcut::report {
 
 /// One row a feature and strategy: time, feed length, what became of it. Times with ">" are bounds of what was not
 /// planned because it cannot win.
 TextTable contest_table(const std::vector<Contest>& contests);
 
-}  // namespace clearcut
+}  // namespace clearcut::report

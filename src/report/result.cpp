@@ -7,7 +7,7 @@
 
 #include "report/text.h"
 
-namespace clearcut {
+namespace clearcut::report {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::string result_file(const Toolpath& toolpath, const ResultInfo& info) {
   return text + "# total length " + fixed(total, kDecimals) + "\n";
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::report

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "toolpath/move.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::report {
 
 /// Where the contours of one feature run, mm from its walls, ascending.
 struct ContourLevels {
@@ -26,4 +26,4 @@ struct ResultInfo {
 /// Source  [cpo_kappa] fig. 10: the total is contours plus the passages between them.
 std::string result_file(const Toolpath& toolpath, const ResultInfo& info);
 
-}  // namespace clearcut
+}  // namespace clearcut::report

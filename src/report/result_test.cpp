@@ -7,7 +7,7 @@
 
 #include "report/sample_job.h"
 
-namespace clearcut {
+namespace clearcut::report {
 namespace {
 
 using testing::HasSubstr;
@@ -74,4 +74,4 @@ TEST(ResultFile, ANameCannotStartALine) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::report

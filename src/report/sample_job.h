@@ -1,9 +1,9 @@
 // A small job made by hand, for tests of reports: a block with a pocket around a round island, and a slot.
 #pragma once
 
-#include "part/part.h"
-#include "toolpath/findings.h"
-#include "toolpath/move.h"
+#include "model/part.h"
+#include "model/findings.h"
+#include "model/move.h"
 
 namespace clearcut::sample {
 

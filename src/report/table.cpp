@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "base/format.h"
-#include "report/job_view.h"
+#include "report/picture/job_view.h"
 #include "report/text.h"
 #include "report/text_table.h"
 
-namespace clearcut {
+namespace clearcut::report {
 
 namespace {
 
@@ -146,4 +146,4 @@ std::string table(const Part& part, const Findings& findings) {
   return plain(text) + load_lines(findings.all) + scallop_lines(findings) + faults_of(findings);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::report

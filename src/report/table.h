@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "part/part.h"
-#include "toolpath/findings.h"
+#include "model/part.h"
+#include "model/findings.h"
 
-namespace clearcut {
+namespace clearcut::report {
 
 /// Shape   heading, one row per feature and tool in the order of work, the total, then the faults: the worst
 ///         ten with their places, and the number of the others.
@@ -14,4 +14,4 @@ namespace clearcut {
 /// Text    ASCII, no line of the table wider than 120 columns; a figure that is not a number is "?".
 std::string table(const Part& part, const Findings& findings);
 
-}  // namespace clearcut
+}  // namespace clearcut::report

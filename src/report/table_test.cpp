@@ -9,7 +9,7 @@
 #include "report/text.h"
 #include "report/text_table.h"
 
-namespace clearcut {
+namespace clearcut::report {
 namespace {
 
 using testing::Each;
@@ -147,4 +147,4 @@ TEST(Text, ClockTimes) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::report

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::report {
 
 namespace {
 
@@ -46,4 +46,4 @@ std::string shortened(const std::string& text, std::size_t width) {
   return width < 3 ? text.substr(0, width) : text.substr(0, width - 2) + "..";
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::report

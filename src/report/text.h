@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace clearcut {
+namespace clearcut::report {
 
 /// `value` with exactly `decimals` digits, never "-0"; "?" when it is not finite.
 std::string fixed(double value, int decimals);
@@ -18,4 +18,4 @@ std::string ascii(std::string_view text);
 /// At most `width` characters; longer text ends in "..".
 std::string shortened(const std::string& text, std::size_t width);
 
-}  // namespace clearcut
+}  // namespace clearcut::report

@@ -4,7 +4,7 @@
 
 #include "report/text.h"
 
-namespace clearcut {
+namespace clearcut::report {
 
 namespace {
 
@@ -97,4 +97,4 @@ std::string markdown(const TextTable& table) {
   return text;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::report

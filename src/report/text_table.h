@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::report {
 
 enum class Align { kLeft, kRight };
 
@@ -30,4 +30,4 @@ std::string plain(const TextTable& table);
 /// A GitHub-style table; '|' and markup in cells are escaped; rules are left out.
 std::string markdown(const TextTable& table);
 
-}  // namespace clearcut
+}  // namespace clearcut::report

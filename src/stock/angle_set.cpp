@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::stock {
 
 AngleSet::AngleSet(std::span<const AngleInterval> items) {
   CLEARCUT_ASSERT(items.size() <= kCapacity);
@@ -25,4 +25,4 @@ double AngleSet::measure() const {
   return sum;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::stock

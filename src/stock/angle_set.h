@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::stock {
 
 /// Angles from `from` up to `to`, in radians, from <= to.
 struct AngleInterval {
@@ -37,4 +37,4 @@ class AngleSet {
   AngleInterval items_[kCapacity];
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::stock

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::stock {
 namespace {
 
 /// Arcs are cut into pieces below this sweep, so that a piece is the part of a ring between two half-planes.
@@ -301,4 +301,4 @@ AngleSet Material::circle_in_material(Vec2 center, double radius, double z) cons
   return horizon.angles();
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::stock

@@ -7,10 +7,10 @@
 
 #include "geometry/box.h"
 #include "stock/angle_set.h"
-#include "stock/horizon.h"
-#include "toolpath/move.h"
+#include "stock/engagement_arcs.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::stock {
 
 /// Where the front half of a cutter's circle touches material, seen from its direction of travel.
 struct Contact {
@@ -136,4 +136,4 @@ class Material {
   std::vector<Sweep> sweeps_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::stock

@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 
-namespace clearcut {
+namespace clearcut::stock {
 namespace {
 
 Move flat(const Edge& path, double z) {
@@ -301,4 +301,4 @@ TEST(Material, OrderOfQuestionsAndRadiiDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::stock

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 constexpr int kHullPoints = 48;
@@ -104,4 +104,4 @@ double ConvexPolygon::nearest_to(Vec2 p) const {
   return inside ? 0 : std::sqrt(least);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

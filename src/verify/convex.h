@@ -6,7 +6,7 @@
 
 #include "geometry/box.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// A convex polygon of few vertices, counter-clockwise; a value without allocation. May have shrunk to a line
 /// or a point; empty when size() == 0.
@@ -36,4 +36,4 @@ class ConvexPolygon {
   int count_ = 0;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

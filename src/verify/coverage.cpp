@@ -8,7 +8,7 @@
 #include "verify/legal_centers.h"
 #include "verify/swath_cover.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -435,4 +435,4 @@ Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol) {
   return nothing;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

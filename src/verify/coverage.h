@@ -8,7 +8,7 @@
 #include "geometry/region.h"
 #include "verify/finished_part.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// A stretch of a program that cuts at the depth in question: the tip at or below it all along.
 struct Swath {
@@ -48,4 +48,4 @@ struct Coverage {
 /// Cost    O((swaths + walls + cells) log n); cells grow with area / R^2 and with the length of what is left.
 Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -10,7 +10,7 @@
 #include "verify/legal_centers.h"
 #include "verify/test_program.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 using testing::pocket_part;
@@ -244,4 +244,4 @@ TEST(Differential, LegalBoundarySeparatesLegalFromIllegal) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::verify

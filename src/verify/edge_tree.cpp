@@ -1,6 +1,6 @@
 #include "verify/edge_tree.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 std::vector<Edge> edges_of(const Regions& regions) {
@@ -39,4 +39,4 @@ int EdgeTree::winding(Vec2 p) const {
   return sum;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -6,7 +6,7 @@
 
 #include "geometry/region.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// Edges with a tree of boxes, eight to a box. Outlines and programs run from neighbour to neighbour, so that
 /// boxes over consecutive edges are small without sorting. Edges may be points (from == to).
@@ -92,4 +92,4 @@ class EdgeTree {
   Box root_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -7,7 +7,7 @@
 
 #include "base/format.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 /// mm. How much deeper than the stepdown a pass may be before it counts as too deep: two heights rounded by
@@ -243,4 +243,4 @@ void sort_worst_first(std::vector<Fault>& faults) {
   });
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

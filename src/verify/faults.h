@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "toolpath/findings.h"
+#include "model/findings.h"
 #include "verify/feature_work.h"
-#include "verify/judged_move.h"
+#include "verify/checked_move.h"
 #include "verify/verify.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// Faults of single moves: gouges, rapids in material, plunges, too deep passes, travel, missing feeds and
 /// tools. Successive moves with the same fault give one fault at the worst of them.
@@ -24,4 +24,4 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
 /// The kinds that break things first, then by size.
 void sort_worst_first(std::vector<Fault>& faults);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

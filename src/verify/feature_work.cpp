@@ -6,7 +6,7 @@
 #include <exception>
 #include <thread>
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 using Tasks = std::vector<std::function<void()>>;
@@ -196,4 +196,4 @@ void judge_works(const Part& part, const FinishedPart& finished, const JudgedPro
   run_all(second, options.threads);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

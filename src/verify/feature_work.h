@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "verify/coverage.h"
-#include "verify/judged_move.h"
+#include "verify/checked_move.h"
 #include "verify/verify.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// Coverage of a feature down to one height.
 struct LevelCoverage {
@@ -46,4 +46,4 @@ void judge_works(const Part& part, const FinishedPart& finished, const JudgedPro
                  const VerifyOptions& options, std::vector<FeatureWork>& works,
                  std::vector<std::function<void()>> beside);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 /// Degrees. Smaller changes of direction are rounding, not turns.
@@ -106,4 +106,4 @@ Figures figures_of(std::span<const JudgedMove* const> moves, double top_z) {
   return figures;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -3,13 +3,13 @@
 
 #include <span>
 
-#include "toolpath/findings.h"
-#include "verify/judged_move.h"
+#include "model/findings.h"
+#include "verify/checked_move.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// Figures of some moves of a program in their order: of all, of a workingstep or of a layer. Coverage and
 /// `clean` are left to the caller. `top_z` is the stock's top: a rise to it between feed moves is a retract.
 Figures figures_of(std::span<const JudgedMove* const> moves, double top_z);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -6,7 +6,7 @@
 
 #include "verify/trimmed_curve.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
@@ -205,4 +205,4 @@ bool FinishedPart::is_beside_stock(Vec2 p) const {
   return stock_ && !stock_->contains(p);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "part/part.h"
+#include "model/part.h"
 #include "verify/edge_tree.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// A stretch of wall that stands between two floors: free on the left of `edge` above z_low, solid on its
 /// right below z_high. Nothing else bounds where a cutter may be.
@@ -98,4 +98,4 @@ class FinishedPart {
   std::optional<Box> stock_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

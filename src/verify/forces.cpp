@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 /// mm. Chips thinner than this rub: the specific force is not followed further.
@@ -22,9 +22,9 @@ constexpr double kLargestDeflection = 0.02;  // mm
 constexpr double kThickestWall = 20;         // mm
 constexpr std::size_t kMostWalls = 3000;
 
-double width_of_cut(const Contact& contact, double radius) {
+double width_of_cut(const stock::Contact& contact, double radius) {
   double width = 0;
-  for (const AngleInterval& arc : contact.angles.intervals())
+  for (const stock::AngleInterval& arc : contact.angles.intervals())
     width += radius * (std::sin(arc.from + arc.width()) - std::sin(arc.from));
   return std::max(0.0, width);
 }
@@ -91,4 +91,4 @@ std::optional<ThinWall> thinnest_wall(const FinishedPart& part, double force, co
   return worst;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -3,16 +3,16 @@
 
 #include <span>
 
-#include "part/work_material.h"
+#include "model/work_material.h"
 #include "stock/material.h"
 #include "verify/finished_part.h"
-#include "verify/judged_move.h"
+#include "verify/checked_move.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// What the cutter meets over a short stretch of a level move.
 struct Bite {
-  Contact contact;
+  stock::Contact contact;
   double axial = 0;   ///< mm of depth in material
   double length = 0;  ///< mm of path; 0: a place that only may be the worst
   Place at;
@@ -25,4 +25,4 @@ void add_forces(JudgedMove& judged, const Bite& bite, const WorkMaterial& materi
 /// top; none where none bends by over 0.02 mm. Walls up to 20 mm thick are looked at. O(walls^2), none beyond 3000 walls.
 std::optional<ThinWall> thinnest_wall(const FinishedPart& part, double force, const WorkMaterial& material);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 TEST(Forces, FullSlotAgreesWithKienzleByHand) {
@@ -18,7 +18,7 @@ TEST(Forces, FullSlotAgreesWithKienzleByHand) {
   judged.move = &move;
   judged.tool = &tool;
   judged.rpm = 3000;
-  const Bite bite{{AngleSet(-kPi / 2, kPi / 2), kPi, kPi / 2, kPi / 2}, 2, 20, {}};
+  const Bite bite{{stock::AngleSet(-kPi / 2, kPi / 2), kPi, kPi / 2, kPi / 2}, 2, 20, {}};
   add_forces(judged, bite, steel);
   ASSERT_TRUE(judged.load.forces);
   const double chip = 0.1 * 10 / (5 * kPi), specific = 1990 * std::pow(chip, -0.26);
@@ -37,10 +37,10 @@ TEST(Forces, NeedASpindleSpeed) {
   JudgedMove judged;
   judged.move = &move;
   judged.tool = &tool;
-  const Bite bite{{AngleSet(0, 1), 1, 1, 0}, 2, 20, {}};
+  const Bite bite{{stock::AngleSet(0, 1), 1, 1, 0}, 2, 20, {}};
   add_forces(judged, bite, *work_material_named("brass"));
   EXPECT_FALSE(judged.load.forces);
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 /// mm. What the lean of a wall may change over a piece of a sloping move.
@@ -158,4 +158,4 @@ std::optional<Gouge> gouge_of(const FinishedPart& part, const Move& move, double
   return judge.worst();
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

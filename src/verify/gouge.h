@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "toolpath/findings.h"
-#include "toolpath/move.h"
+#include "model/findings.h"
+#include "model/move.h"
 #include "verify/finished_part.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 struct Gouge {
   double depth = 0;    ///< mm; the smallest shift, sideways or upwards, that would have spared the part there
@@ -28,4 +28,4 @@ struct Gouge {
 std::optional<Gouge> gouge_of(const FinishedPart& part, const Move& move, double radius, double slack,
                               bool free_start);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

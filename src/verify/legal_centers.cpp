@@ -5,7 +5,7 @@
 
 #include "verify/trimmed_curve.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 /// mm. Two walls end in one corner when their ends are this near.
@@ -212,4 +212,4 @@ bool LegalCenters::contains(Vec2 p) const {
   return clearance_over_reach(p) >= -kRounding && part_.is_free(p, z_);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

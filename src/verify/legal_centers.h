@@ -6,7 +6,7 @@
 #include "verify/finished_part.h"
 #include "verify/trimmed_curve.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// The legal centres of a cutter whose tip is at z: free places at `reach` mm or more from every wall (reach
 /// = radius + stock to leave).
@@ -47,4 +47,4 @@ class LegalCenters {
   EdgeTree boundary_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -6,7 +6,7 @@
 #include "stock/material.h"
 #include "verify/forces.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 /// mm. Material thinner than this, beside or below the cutter, is rounding of printed coordinates.
@@ -32,7 +32,7 @@ Vec2 direction_at(const Move& move, double t) {
 
 class LoadMeter {
  public:
-  LoadMeter(Material& material, const LoadOptions& options) : material_(material), options_(options) {}
+  LoadMeter(stock::Material& material, const LoadOptions& options) : material_(material), options_(options) {}
 
   void measure(JudgedMove& judged) {
     const Move& move = *judged.move;
@@ -98,7 +98,7 @@ class LoadMeter {
     Move lifted = move;
     lifted.z_from += kFilm;
     lifted.z_to += kFilm;
-    const Contact contact = material_.engagement(lifted, t, judged.radius() - kFilm);
+    const stock::Contact contact = material_.engagement(lifted, t, judged.radius() - kFilm);
     MoveLoad& load = judged.load;
     const double axial = contact.angle > 0 ? measure_axial(judged, move.path.at(t),
                                                            angle_of(direction_at(move, t)), z, contact.angles)
@@ -125,19 +125,19 @@ class LoadMeter {
   }
 
   /// 1: the material is on the climb side, 0: on the other; a slot is half of each.
-  static double climb_share(const Contact& contact, bool clockwise) {
+  static double climb_share(const stock::Contact& contact, bool clockwise) {
     const double difference = clockwise ? contact.right - contact.left : contact.left - contact.right;
     if (std::abs(difference) < 0.01 * contact.angle) return 0.5;
     return difference > 0 ? 1 : 0;
   }
 
   /// Height of the material before the cutter, well inside what it takes away; here, and the greatest of the move.
-  double measure_axial(JudgedMove& judged, Vec2 center, double heading, double z, const AngleSet& contact) {
+  double measure_axial(JudgedMove& judged, Vec2 center, double heading, double z, const stock::AngleSet& contact) {
     const double inside = judged.radius() - kSliver;
     double here = 0;
     const bool may_be_more = z + judged.load.axial_mm + kFilm < material_.z_top();
     if (inside <= 0 || (!may_be_more && !options_.material)) return here;
-    for (const AngleInterval& item : contact.intervals()) {
+    for (const stock::AngleInterval& item : contact.intervals()) {
       for (const double part : {0.1, 0.5, 0.9}) {
         const double angle = heading + item.from + part * item.width();
         const Vec2 p = center + direction_of(angle) * inside;
@@ -207,7 +207,7 @@ class LoadMeter {
     judged.load.rapid_contact = Place{center, z, judged.move->line};
   }
 
-  Material& material_;
+  stock::Material& material_;
   const LoadOptions& options_;
   const Move* before_ = nullptr;    ///< the feed move before the one in hand
   std::vector<const Move*> ramps_;  ///< of the entry being run
@@ -232,7 +232,7 @@ void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOp
   if (radii.empty()) return;
   std::optional<Box> plan;
   if (part.stock) plan = part.stock->plan;
-  Material material(plan, part.top_z(), radii);
+  stock::Material material(plan, part.top_z(), radii);
   for (const PredrilledHole& hole : part.predrilled) {
     const Edge down = Edge::line(hole.center, hole.center);
     material.add({down, part.top_z(), bottom_of(part), MoveKind::kPlunge, {}, 0}, hole.diameter / 2);
@@ -241,4 +241,4 @@ void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOp
   for (JudgedMove& judged : moves) meter.measure(judged);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -4,11 +4,11 @@
 #include <optional>
 
 #include "base/tolerances.h"
-#include "part/part.h"
-#include "part/work_material.h"
-#include "verify/judged_move.h"
+#include "model/part.h"
+#include "model/work_material.h"
+#include "verify/checked_move.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 struct LoadOptions {
   Tolerances tol;
@@ -25,4 +25,4 @@ struct LoadOptions {
 /// Cost    O(length / step * moves near).
 void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

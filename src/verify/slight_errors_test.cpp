@@ -8,7 +8,7 @@
 #include "verify/test_program.h"
 #include "verify/verify.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 using testing::circle_loop;
@@ -155,4 +155,4 @@ TEST(SlightErrors, GapsBetweenRingsByMicrometres) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::verify

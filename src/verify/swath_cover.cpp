@@ -6,7 +6,7 @@
 
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -137,4 +137,4 @@ double deviation_of(const Edge& curve, const Edge& path) {
   return std::min(deviation_from_arc(curve, path), distance(path, curve.at(0.5)) + half);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

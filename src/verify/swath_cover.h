@@ -6,7 +6,7 @@
 #include "verify/convex.h"
 #include "verify/coverage.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// Upper bound of how far a point of `cell` may lie outside the swath, mm; below 0 when all are inside.
 double excess_over(const ConvexPolygon& cell, const Swath& swath);
@@ -17,4 +17,4 @@ ConvexPolygon rest_after(const ConvexPolygon& cell, const Swath& swath);
 /// Upper bound of how far a point of `curve` may lie from the swath's path, mm.
 double deviation_of(const Edge& curve, const Edge& path);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

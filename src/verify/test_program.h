@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "part/part.h"
-#include "toolpath/move.h"
+#include "model/part.h"
+#include "model/move.h"
 
 namespace clearcut::testing {
 

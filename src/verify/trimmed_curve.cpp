@@ -6,7 +6,7 @@
 
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -133,4 +133,4 @@ void TrimmedCurve::add_arc_cuts(const Edge& wall, double d) {
   add(normal, radius_ - (aside - d), radius_ + (aside - d));
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -7,7 +7,7 @@
 
 #include "geometry/edge.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 /// What is left of an edge, as ascending disjoint intervals of its parameter. Lengths and angles that every
 /// cut needs are kept.
@@ -82,4 +82,4 @@ std::vector<Edge> parallel(const Edge& edge, double d, double fit);
 /// Two half circles.
 std::vector<Edge> circle(Vec2 center, double radius);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -10,10 +10,10 @@
 #include "verify/finished_part.h"
 #include "verify/forces.h"
 #include "verify/gouge.h"
-#include "verify/judged_move.h"
+#include "verify/checked_move.h"
 #include "verify/load.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 /// Moves judged as one task.
@@ -181,4 +181,4 @@ Findings verify(const Part& part, const Toolpath& toolpath, const VerifyOptions&
   return findings;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "base/tolerances.h"
-#include "part/part.h"
-#include "part/work_material.h"
-#include "toolpath/findings.h"
-#include "toolpath/machine.h"
-#include "toolpath/move.h"
+#include "model/part.h"
+#include "model/work_material.h"
+#include "model/findings.h"
+#include "model/machine.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 
 struct VerifyOptions {
   Tolerances tol;
@@ -34,4 +34,4 @@ struct VerifyOptions {
 /// Cost    O((moves + outline + cells) log n) for gouges and coverage, O(feed length / step) for the load.
 Findings verify(const Part& part, const Toolpath& toolpath, const VerifyOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::verify

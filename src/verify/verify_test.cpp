@@ -7,7 +7,7 @@
 
 #include "verify/test_program.h"
 
-namespace clearcut {
+namespace clearcut::verify {
 namespace {
 
 using testing::circle_loop;
@@ -691,4 +691,4 @@ TEST(Verify, EngagementOfStraightPasses) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::verify

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "part/part.h"
-#include "toolpath/move.h"
+#include "model/part.h"
+#include "model/move.h"
 
 namespace clearcut::test_support {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "base/random.h"
-#include "part/part.h"
+#include "model/part.h"
 
 namespace clearcut::test_support {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/region.h"
-#include "toolpath/move.h"
+#include "model/move.h"
 
 namespace clearcut::test_support {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "toolpath/move.h"
+#include "model/move.h"
 
 namespace clearcut::test_support {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <queue>
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 std::size_t index(int i) {
@@ -255,4 +255,4 @@ std::vector<AxisPoint> find_centers(const Axis& axis, const Diagram& diagram, do
   return PeakFinder(axis, diagram, prominence).run();
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

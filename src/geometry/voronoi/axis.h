@@ -6,7 +6,7 @@
 #include "geometry/clearance.h"
 #include "geometry/voronoi/diagram.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// Elements on both sides of an axis edge.
 struct Walls {
@@ -28,4 +28,4 @@ Axis make_axis(const Diagram& diagram);
 /// Largest first.
 std::vector<AxisPoint> find_centers(const Axis& axis, const Diagram& diagram, double prominence);
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

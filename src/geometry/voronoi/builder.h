@@ -12,7 +12,7 @@
 
 #include "geometry/voronoi/tangent_circle.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 using BuilderTraits = boost::polygon::detail::voronoi_ctype_traits<boost::polygon::detail::int32>;
 using BuilderPredicates = boost::polygon::detail::voronoi_predicates<BuilderTraits>;
@@ -96,4 +96,4 @@ struct Predicates : BuilderPredicates {
 using VoronoiBuilder =
     boost::polygon::voronoi_builder<boost::polygon::detail::int32, BuilderTraits, Predicates>;
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

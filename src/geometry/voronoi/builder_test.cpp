@@ -11,7 +11,7 @@
 #include "base/random.h"
 #include "base/units.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 /// Roundings of a double that the builder tolerates.
@@ -133,4 +133,4 @@ TEST(DoubleDouble, HoldsWhatADoubleCannot) {
 }
 
 }  // namespace
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

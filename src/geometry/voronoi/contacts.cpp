@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 using std::int64_t;
@@ -176,4 +176,4 @@ Contacts find_contacts(std::span<const Segment> segments) {
   return Finder(segments).run();
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

@@ -6,7 +6,7 @@
 
 #include "geometry/voronoi/sites.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// Segment `segment` passes through `at`, which is not one of its ends.
 struct Contact {
@@ -25,4 +25,4 @@ struct Contacts {
 /// outlines, over a grid of buckets.
 Contacts find_contacts(std::span<const Segment> segments);
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

@@ -7,7 +7,7 @@
 
 #include "geometry/voronoi/builder.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 using BoostDiagram = boost::polygon::voronoi_diagram<double>;
@@ -422,4 +422,4 @@ Diagram make_diagram(Sites sites, const Region& region) {
   return Maker(std::move(sites), region).run();
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

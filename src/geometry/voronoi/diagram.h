@@ -6,7 +6,7 @@
 
 #include "geometry/voronoi/sites.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// A place of the diagram and its clearance.
 struct Node {
@@ -42,4 +42,4 @@ struct Diagram {
 
 Diagram make_diagram(Sites sites, const Region& region);
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

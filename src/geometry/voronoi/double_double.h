@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// 106 bits of mantissa with the exponent of a double; sums, products, quotients and roots are off by a few
 /// units of 2^-104 of the result.
@@ -67,4 +67,4 @@ struct DoubleDouble {
   }
 };
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

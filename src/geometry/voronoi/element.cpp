@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 double fast_norm(Vec2 a) {
@@ -157,4 +157,4 @@ std::optional<Critical> critical_between(const Element& a, const Element& b, Vec
   return place;
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

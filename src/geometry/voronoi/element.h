@@ -6,7 +6,7 @@
 
 #include "geometry/edge.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// How an element looks from the material to cut, which lies on the left of every boundary edge.
 enum class Wall : unsigned char { kLine, kConcave, kConvex, kPoint };
@@ -48,4 +48,4 @@ struct Critical {
 /// The critical place between p and q, two places of the bisector; none if the distance is monotone there.
 std::optional<Critical> critical_between(const Element& a, const Element& b, Vec2 p, Vec2 q);
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

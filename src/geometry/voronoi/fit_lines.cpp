@@ -6,7 +6,7 @@
 
 #include "base/units.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 std::size_t index(int i) {
@@ -293,4 +293,4 @@ std::vector<Path> fit_lines(const Axis& axis, const Diagram& diagram, const FitB
   return Band(axis, diagram, band).run(stub);
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

@@ -3,7 +3,7 @@
 
 #include "geometry/voronoi/axis.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// Clearances at which a cutter of `radius` just fits: from `low` to below `high`. mm.
 struct FitBand {
@@ -17,4 +17,4 @@ struct FitBand {
 /// one place only, a point: a path of one edge with from == to.
 std::vector<Path> fit_lines(const Axis& axis, const Diagram& diagram, const FitBand& band, double stub);
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 std::size_t index(int i) {
@@ -177,4 +177,4 @@ std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<d
   return Tracer(diagram, levels, margin).run();
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

@@ -6,7 +6,7 @@
 
 #include "geometry/voronoi/diagram.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// The part of a level's curve in the cells of one element. It starts on the bisector with the piece before
 /// it, between the places `low` and `high` of that bisector, near `guess`.
@@ -33,4 +33,4 @@ struct LevelCurve {
 std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<double>& levels,
                                      double margin);
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

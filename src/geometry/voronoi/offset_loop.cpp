@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 double fast_norm(Vec2 a) {
@@ -295,4 +295,4 @@ std::optional<Loop> offset_loop(const Diagram& diagram, const LevelCurve& curve,
   return Assembler(diagram, curve, d, slack).run();
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

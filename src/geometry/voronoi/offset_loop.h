@@ -6,11 +6,11 @@
 #include "geometry/region.h"
 #include "geometry/voronoi/level_curves.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// Loop at distance d from the elements: lines stay parallel, arcs concentric, corners become arcs; joints
 /// are the intersections of neighbouring offset curves. `slack` (mm) is how far the diagram may lie from the
 /// exact boundary; pieces that exist only within it are dropped. Nothing where no area is left.
 std::optional<Loop> offset_loop(const Diagram& diagram, const LevelCurve& curve, double d, double slack);
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

@@ -8,7 +8,7 @@
 #include "base/units.h"
 #include "geometry/voronoi/contacts.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 namespace {
 
 /// Coordinates stay under 2^29 units, so that exact predicates fit 64 bits; 0.1 um up to 100 m.
@@ -295,4 +295,4 @@ Sites make_sites(const Region& region, const SiteErrors& errors, double simplify
   return Builder(region, errors, simplify).run();
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

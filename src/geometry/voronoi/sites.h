@@ -10,7 +10,7 @@
 #include "geometry/region.h"
 #include "geometry/voronoi/element.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 struct GridPoint {
   std::int32_t x = 0;
@@ -65,4 +65,4 @@ struct SiteErrors {
 /// Segments are split where they touch, doubled ones made one. Elements have the same index for all errors.
 Sites make_sites(const Region& region, const SiteErrors& errors, double simplify);
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

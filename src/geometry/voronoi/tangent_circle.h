@@ -14,7 +14,7 @@
 
 #include "geometry/voronoi/double_double.h"
 
-namespace clearcut::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// About the origin that its maker was given. Coordinates and radius are off by at most `error` roundings
 /// of T: infinite or not a number where there is no such circle or nothing is known.
@@ -139,4 +139,4 @@ TangentCircle<T> tangent_circle(SiteLine s, SiteLine t, SiteLine u) {
   return {x, y, radius, 8 * (2 * terms + whole_terms * largest) / magnitude(whole)};
 }
 
-}  // namespace clearcut::voronoi
+}  // namespace clearcut::inline geometry::voronoi

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "order/neighbours.h"
+#include "order/near/neighbours.h"
 
 namespace clearcut::order {
 

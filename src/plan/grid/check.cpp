@@ -12,7 +12,7 @@
 #include "plan/grid/reduce.h"
 #include "plan/grid/shape.h"
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 namespace {
 
 constexpr double kRounding = 1e-9;         // mm
@@ -202,4 +202,4 @@ std::vector<ElementFault> off_grid(const ElementJob& job) {
   return noticed;
 }
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

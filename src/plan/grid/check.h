@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "part/design_element.h"
+#include "model/design_element.h"
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 
 struct ElementFault {
   std::string place;  ///< "file:line element 'id'"
@@ -22,4 +22,4 @@ void check(const ElementJob& job);
 /// Elements that do not lie on the grid: their squares are up to half a square off. To be told, not refused.
 std::vector<ElementFault> off_grid(const ElementJob& job);
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

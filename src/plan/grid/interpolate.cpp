@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 namespace {
 
 constexpr double kPaperStep = 0.001;    // mm in x, "1 micron"
@@ -138,4 +138,4 @@ std::vector<Square> interpolate(const DesignElement& element, const SquareGrid& 
   return {};
 }
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

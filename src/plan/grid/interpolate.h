@@ -5,9 +5,9 @@
 #include <array>
 #include <vector>
 
-#include "part/design_element.h"
+#include "model/design_element.h"
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 
 /// Points on the straight way, both ends included: max(2, ceil(3 distance / cell)) of them at regular steps
 /// of the coordinate with the longer extent.
@@ -37,4 +37,4 @@ std::vector<Square> activate_near(Vec2 from, Vec2 to, double reach, const Square
 /// The squares of any element. Cost O(squares), arcs O(radius / circle_step).
 std::vector<Square> interpolate(const DesignElement& element, const SquareGrid& grid);
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

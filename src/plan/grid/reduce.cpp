@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 namespace {
 
 constexpr double kRounding = 1e-9;
@@ -170,4 +170,4 @@ Places reduce_area(const std::vector<Square>& squares, double radius) {
   return places;
 }
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

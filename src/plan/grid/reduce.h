@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "part/design_element.h"
+#include "model/design_element.h"
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 
 /// Places in a list of squares.
 using Places = std::vector<std::size_t>;
@@ -47,4 +47,4 @@ Places reduce_neighbours(const std::vector<Square>& squares);
 /// the list is nearer than `radius` + 1 to one that was kept. Ascending places. O(n radius^2).
 Places reduce_area(const std::vector<Square>& squares, double radius);
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "plan/grid/interpolate.h"
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 namespace {
 
 constexpr double kSamePoint = 1e-9;  // mm
@@ -91,4 +91,4 @@ Feature feature_of(const DesignElement& element, const ElementJob& job) {
   return feature;
 }
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "part/design_element.h"
+#include "model/design_element.h"
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 
 /// The part of a line or arc where the tool's centre may be: `tool_radius` away from both ends, in a straight
 /// line. Absent for other kinds, and where the element is too short for the tool.
@@ -21,4 +21,4 @@ Region shape_of(const DesignElement& element, double tool_radius);
 /// The element as a feature of the part: walls all around, from the stock's top down by its depth.
 Feature feature_of(const DesignElement& element, const ElementJob& job);
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

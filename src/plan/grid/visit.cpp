@@ -10,7 +10,7 @@
 #include "plan/grid/reduce.h"
 #include "plan/grid/shape.h"
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 namespace {
 
 constexpr double kRounding = 1e-9;  // mm
@@ -216,4 +216,4 @@ std::vector<ElementVisit> plan_visits(const ElementJob& job, PointTable& table, 
   return visits;
 }
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "part/design_element.h"
+#include "model/design_element.h"
 
-namespace clearcut::grid {
+namespace clearcut::plan::grid {
 
 /// The decision maker's table of a checked job: every square of every element, the reduced ones marked.
 PointTable tabulate(const ElementJob& job);
@@ -27,4 +27,4 @@ struct ElementVisit {
 /// Sets GridPoint::visit.
 std::vector<ElementVisit> plan_visits(const ElementJob& job, PointTable& table, const VisitSolver& solve);
 
-}  // namespace clearcut::grid
+}  // namespace clearcut::plan::grid

@@ -6,10 +6,10 @@
 
 #include "base/units.h"
 #include "read/dxf/dxf_spline.h"
-#include "read/outline/curve_fit.h"
+#include "read/common/curve_fit.h"
 #include "read/repair/clean.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr std::array<std::string_view, 7> kCurves{"LINE",   "ARC",        "CIRCLE",  "ELLIPSE",
@@ -146,4 +146,4 @@ std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& e
   return curve;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

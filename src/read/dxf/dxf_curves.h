@@ -5,10 +5,10 @@
 #include <span>
 
 #include "read/dxf/dxf_document.h"
-#include "read/outline/affine.h"
+#include "read/common/affine.h"
 #include "read/repair/repair.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Whether curve_of reads entities of this type.
 bool is_curve(std::string_view dxf_type);
@@ -23,4 +23,4 @@ std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& e
 std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& entity,
                                  std::span<const DxfEntity> vertices, const Affine& map);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

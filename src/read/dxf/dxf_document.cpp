@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "read/outline/text.h"
+#include "read/common/text.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 std::string_view stripped(std::string_view text) {
@@ -184,4 +184,4 @@ DxfDocument parse_dxf(std::string_view text, const std::string& file_name) {
   return document;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

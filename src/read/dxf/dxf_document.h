@@ -8,7 +8,7 @@
 
 #include "geometry/vec2.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 struct DxfGroup {
   int code = 0;
@@ -52,4 +52,4 @@ struct DxfDocument {
 ///         group or has no ENTITIES. Cost O(length).
 DxfDocument parse_dxf(std::string_view text, const std::string& file_name);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -9,12 +9,12 @@
 #include "base/format.h"
 #include "base/units.h"
 #include "read/dxf/dxf_curves.h"
-#include "read/outline/drawing.h"
-#include "read/outline/text.h"
-#include "read/outline/units.h"
+#include "read/common/drawing.h"
+#include "read/common/text.h"
+#include "read/common/units.h"
 #include "read/repair/mends.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr int kDeepestBlocks = 16;
@@ -246,4 +246,4 @@ Part read_dxf(std::string_view text, const std::string& file_name, const ReadOpt
   return part;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/read_options.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Reads LINE, ARC, CIRCLE, ELLIPSE, SPLINE, LWPOLYLINE, POLYLINE and INSERT (blocks in blocks, scaled,
 /// turned, mirrored, repeated) of model space. Loose segments are chained; layers group outlines of one
@@ -19,4 +19,4 @@ namespace clearcut {
 ///         Entities that are not outlines are counted and named in the diagnostics.
 Part read_dxf(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

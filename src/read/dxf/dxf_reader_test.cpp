@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 using ::testing::HasSubstr;
@@ -253,4 +253,4 @@ TEST(Dxf, ManyInsertsOfInsertsAreRefusedNotExpanded) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

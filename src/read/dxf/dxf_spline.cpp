@@ -1,10 +1,10 @@
 #include "read/dxf/dxf_spline.h"
 
 #include "read/dxf/fit_points.h"
-#include "read/outline/b_spline.h"
-#include "read/outline/curve_fit.h"
+#include "read/common/b_spline.h"
+#include "read/common/curve_fit.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Points of the groups x_code and x_code + 10.
@@ -69,4 +69,4 @@ std::optional<Path> spline_path(const DxfDocument& document, const DxfEntity& en
   return path;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

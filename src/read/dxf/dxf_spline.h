@@ -5,9 +5,9 @@
 
 #include "geometry/edge.h"
 #include "read/dxf/dxf_document.h"
-#include "read/outline/affine.h"
+#include "read/common/affine.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// The spline under `map`, within kCurveTolerance mm. Fit points count where it has no control points;
 /// nothing when it has neither.
@@ -15,4 +15,4 @@ namespace clearcut {
 /// Source  de Boor's algorithm on homogeneous points, knot span by knot span.
 std::optional<Path> spline_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Points by which a closed run is continued over both ends. What an end does to the slopes at least halves from point
@@ -94,4 +94,4 @@ std::vector<FitSpan> cubic_through(std::span<const Vec2> points, const FitEnds& 
   return spans;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

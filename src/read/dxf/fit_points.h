@@ -7,7 +7,7 @@
 
 #include "geometry/vec2.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// One cubic between neighbouring points, by its ends and the derivatives there over u in [0, length].
 struct FitSpan {
@@ -32,4 +32,4 @@ struct FitEnds {
 ///         direction are natural; with one, the speed there is 1, that of the chord lengths.
 std::vector<FitSpan> cubic_through(std::span<const Vec2> points, const FitEnds& ends);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -7,7 +7,7 @@
 #include "base/random.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Derivatives by u, the parameter of the chords, at the beginning of a span (t = 0) or its end (t = 1).
@@ -87,4 +87,4 @@ TEST(FitPoints, FewOrRepeatedPointsAreNoTrouble) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -14,12 +14,12 @@
 #include "base/format.h"
 #include "base/units.h"
 #include "geometry/side_list.h"
-#include "read/outline/drawing.h"
-#include "read/outline/text.h"
-#include "read/outline/units.h"
+#include "read/common/drawing.h"
+#include "read/common/text.h"
+#include "read/common/units.h"
 #include "read/repair/repair.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kMostEdges = 1'000'000;
@@ -293,4 +293,4 @@ Part read_edges(std::string_view text, const std::string& file_name, const ReadO
   return part;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/read_options.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Reads one closed outline: lines "LENGTH ANGLE [RADIUS]", one an edge, and lines "KEY VALUE" (name, unit, start,
 /// orientation, lengths, top, depth, closing). The angle is the interior one at the edge's end, in degrees; the
@@ -21,4 +21,4 @@ namespace clearcut {
 /// Source  CPO-kappa section II and algorithm 1, CPO-rho appendix A; geometry/side_list.h has the symbols.
 Part read_edges(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

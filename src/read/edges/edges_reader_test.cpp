@@ -11,7 +11,7 @@
 #include "base/units.h"
 #include "geometry/side_list.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 using ::testing::HasSubstr;
@@ -174,4 +174,4 @@ TEST(SideList, TracesRandomPolygons) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

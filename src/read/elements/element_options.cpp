@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/format.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 struct Form {
@@ -185,4 +185,4 @@ ElementJob elements_of_options(const std::vector<ElementOption>& options, const 
   return job;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

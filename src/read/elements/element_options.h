@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "part/design_element.h"
+#include "model/design_element.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// One option: numbers between commas, then words between colons.
 ///
@@ -37,4 +37,4 @@ struct ElementDefaults {
 /// names the option.
 ElementJob elements_of_options(const std::vector<ElementOption>& options, const ElementDefaults& defaults);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

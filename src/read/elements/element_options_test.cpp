@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "read/elements/read_elements.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 ElementDefaults with_tools() {
@@ -146,4 +146,4 @@ TEST(ElementOptions, BadOnesAreNamed) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

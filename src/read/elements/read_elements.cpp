@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/file.h"
-#include "read/outline/data_value.h"
+#include "read/common/data_value.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 24;
@@ -145,4 +145,4 @@ ElementJob read_elements(const std::filesystem::path& file) {
   return read_elements_text(read_file(file.string(), kLargestFile), file.string());
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "part/design_element.h"
+#include "model/design_element.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// TOML: name, resolution (mm), middle_row = "keep" or "strict", [stock] with x, y, z = [low, high],
 /// [[tool]] and [[element]]; docs/grid.md lists every key. Only the form is checked here; whether the
@@ -16,4 +16,4 @@ namespace clearcut {
 ElementJob read_elements(const std::filesystem::path& file);
 ElementJob read_elements_text(std::string_view text, const std::string& file_name);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

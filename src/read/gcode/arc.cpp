@@ -7,7 +7,7 @@
 #include "base/format.h"
 #include "base/units.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 namespace {
 
@@ -83,4 +83,4 @@ std::vector<Edge> arc_edges(const ArcShape& shape) {
   return edges;
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

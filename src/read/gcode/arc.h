@@ -6,7 +6,7 @@
 
 #include "geometry/edge.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 /// An arc or several turns in one plane, as given: the radii at its ends may differ a little.
 struct ArcShape {
@@ -37,4 +37,4 @@ ArcShape arc_of_radius(Vec2 from, Vec2 to, double radius, Turn turn, const Radiu
 /// within 1 um: that difference; else the spiral between them within 0.6 % of it.
 std::vector<Edge> arc_edges(const ArcShape& shape);
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 namespace {
 
@@ -160,4 +160,4 @@ double BlockReader::parse_number(std::string_view line, std::size_t& at, char le
   return value;
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

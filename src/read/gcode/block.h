@@ -9,7 +9,7 @@
 
 #include "read/gcode/lines.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 struct Block {
   int line = 0;
@@ -51,4 +51,4 @@ class BlockReader {
   std::string file_name_;
 };
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

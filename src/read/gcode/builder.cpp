@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/format.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 namespace {
 
@@ -139,4 +139,4 @@ void ToolpathBuilder::warn(int line, const std::string& what) {
   if (said_.insert(what).second) diagnostics_.warn(place(line), what);
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "toolpath/move.h"
+#include "model/move.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 /// Values of X, Y, Z; absent where not given. mm, in the frame of the work offset.
 using Target = std::array<std::optional<double>, 3>;
@@ -76,4 +76,4 @@ class ToolpathBuilder {
   long long moves_ = 0;
 };
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

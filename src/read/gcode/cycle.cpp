@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 namespace {
 
@@ -56,4 +56,4 @@ void drill(ToolpathBuilder& builder, const DrillCycle& cycle, double clear_z, Mm
   builder.rapid(height(clear_z), line);
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

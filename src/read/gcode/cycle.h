@@ -5,7 +5,7 @@
 
 #include "read/gcode/builder.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 /// The sticky words of a run of cycle blocks. Heights absolute, mm.
 struct DrillCycle {
@@ -22,4 +22,4 @@ bool is_drill_cycle(int code);
 /// to `clear_z`. Throws InputError for missing or impossible words.
 void drill(ToolpathBuilder& builder, const DrillCycle& cycle, double clear_z, MmPerMin feed, int line);
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

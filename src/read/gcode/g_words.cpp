@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 namespace {
 
@@ -75,4 +75,4 @@ int motion_in(const Block& block) {
   return motion;
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

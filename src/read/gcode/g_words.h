@@ -5,7 +5,7 @@
 
 #include "read/gcode/block.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 /// Two words of one modal group contradict each other within a block.
 enum class Group {
@@ -32,4 +32,4 @@ bool has_g(const Block& block, int code);
 /// The block's motion word, -1 without one. G80 gives way to any other.
 int motion_in(const Block& block);
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

@@ -4,11 +4,11 @@
 #include "read/gcode/klartext.h"
 #include "read/gcode/marker.h"
 
-namespace clearcut {
+namespace clearcut::read::gcode {
 
 namespace {
 
-using gcode::Block;
+using read::gcode::Block;
 
 /// A tape's text lies between two '%'; a single one ends it.
 class TapeMarks {
@@ -25,9 +25,9 @@ class TapeMarks {
 };
 
 /// Returns whether an end was seen.
-bool read_words(std::string_view text, const std::string& file_name, gcode::ToolpathBuilder& builder) {
-  gcode::Interpreter interpreter(builder);
-  gcode::BlockReader reader(text, file_name);
+bool read_words(std::string_view text, const std::string& file_name, read::gcode::ToolpathBuilder& builder) {
+  read::gcode::Interpreter interpreter(builder);
+  read::gcode::BlockReader reader(text, file_name);
   TapeMarks marks;
   Block block;
   while (!interpreter.ended() && reader.next(block)) {
@@ -43,12 +43,12 @@ bool read_words(std::string_view text, const std::string& file_name, gcode::Tool
 
 Program read_gcode(std::string_view text, const std::string& file_name, double home_z) {
   Program program;
-  gcode::ToolpathBuilder builder(file_name, home_z, program.diagnostics);
+  read::gcode::ToolpathBuilder builder(file_name, home_z, program.diagnostics);
   program.ended =
-      gcode::is_klartext(text) ? gcode::read_klartext(text, builder) : read_words(text, file_name, builder);
+      read::gcode::is_klartext(text) ? read::gcode::read_klartext(text, builder) : read_words(text, file_name, builder);
   if (!program.ended) program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");
   program.toolpath = builder.take();
   return program;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read::gcode

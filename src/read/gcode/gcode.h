@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "base/diagnostics.h"
-#include "toolpath/machine.h"
-#include "toolpath/move.h"
+#include "model/machine.h"
+#include "model/move.h"
 
-namespace clearcut {
+namespace clearcut::read::gcode {
 
 struct Program {
   Toolpath toolpath;
@@ -21,4 +21,4 @@ struct Program {
 /// Throws InputError("file:line", ...) for text that no controller would take or that cannot be understood.
 Program read_gcode(std::string_view text, const std::string& file_name, double home_z = kUsualHomeZ);
 
-}  // namespace clearcut
+}  // namespace clearcut::read::gcode

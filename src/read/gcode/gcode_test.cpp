@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/format.h"
 
-namespace clearcut {
+namespace clearcut::read::gcode {
 namespace {
 
 using ::testing::HasSubstr;
@@ -370,4 +370,4 @@ TEST(Klartext, WhatItCannotReadItRefuses) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read::gcode

@@ -9,7 +9,7 @@
 #include "read/gcode/g_words.h"
 #include "read/gcode/marker.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 namespace {
 
@@ -425,4 +425,4 @@ void Interpreter::stop(const Block& block) {
   }
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

@@ -8,7 +8,7 @@
 #include "read/gcode/builder.h"
 #include "read/gcode/cycle.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 class Interpreter {
  public:
@@ -74,4 +74,4 @@ class Interpreter {
   bool ended_ = false;
 };
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

@@ -12,7 +12,7 @@
 #include "read/gcode/lines.h"
 #include "read/gcode/marker.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 namespace {
 
@@ -374,4 +374,4 @@ bool read_klartext(std::string_view text, ToolpathBuilder& builder) {
   return Reader(builder).read(text);
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

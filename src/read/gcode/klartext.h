@@ -5,7 +5,7 @@
 
 #include "read/gcode/builder.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 /// Whether the text's first line that says anything is "BEGIN PGM".
 bool is_klartext(std::string_view text);
@@ -14,4 +14,4 @@ bool is_klartext(std::string_view text);
 /// that are not understood.
 bool read_klartext(std::string_view text, ToolpathBuilder& builder);
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

@@ -1,6 +1,6 @@
 #include "read/gcode/lines.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 std::string_view stripped(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -23,4 +23,4 @@ bool Lines::next(std::string_view& line) {
   return true;
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

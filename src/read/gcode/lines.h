@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
@@ -24,4 +24,4 @@ class Lines {
   int number_ = 0;
 };
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

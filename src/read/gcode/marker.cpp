@@ -5,7 +5,7 @@
 
 #include "read/gcode/lines.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 namespace {
 
@@ -36,4 +36,4 @@ Marker read_marker(std::string_view comment, ToolpathBuilder& builder, int& tool
   return Marker::kSection;
 }
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

@@ -5,7 +5,7 @@
 
 #include "read/gcode/builder.h"
 
-namespace clearcut::gcode {
+namespace clearcut::read::gcode {
 
 enum class Marker { kNone, kSection, kTool, kEnd };
 
@@ -13,4 +13,4 @@ enum class Marker { kNone, kSection, kTool, kEnd };
 /// `tool`, for controls without a T word; "END OF PROGRAM" ends one without an end word.
 Marker read_marker(std::string_view comment, ToolpathBuilder& builder, int& tool);
 
-}  // namespace clearcut::gcode
+}  // namespace clearcut::read::gcode

@@ -6,11 +6,11 @@
 #include "base/file.h"
 #include "base/format.h"
 #include "read/job/machine_file.h"
-#include "read/outline/text.h"
-#include "read/outline/units.h"
+#include "read/common/text.h"
+#include "read/common/units.h"
 #include "read/repair/repair.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 namespace fs = std::filesystem;
@@ -256,4 +256,4 @@ JobFile read_job(const std::filesystem::path& file) {
   return read_job_text(read_file(file.string(), kLargestFile), file.string());
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "part/part.h"
-#include "part/shop_options.h"
+#include "model/part.h"
+#include "model/shop_options.h"
 #include "read/read_options.h"
 #include "read/tools/tool_library.h"
-#include "toolpath/machine.h"
+#include "model/machine.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// How to cut, for all operations ([plan]) or those of some features ([[operation]]). Absent values are
 /// left to what stands above them: operation, plan, the part's file, the planner's defaults.
@@ -100,4 +100,4 @@ Part part_of_job(const JobFile& job, const ReadOptions& over);
 /// A commented job for `part`, read from `part_file`: valid as it stands, with every key and its default.
 std::string job_text(const Part& part, const std::string& part_file);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -11,7 +11,7 @@
 #include "read/job/machine_file.h"
 #include "read/read_part.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 namespace fs = std::filesystem;
@@ -194,4 +194,4 @@ TEST(MachineFile, UnknownKeysAreRefused) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

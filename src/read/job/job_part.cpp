@@ -7,11 +7,11 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "read/job/job_file.h"
-#include "read/outline/drawing.h"
-#include "read/outline/text.h"
+#include "read/common/drawing.h"
+#include "read/common/text.h"
 #include "read/read_part.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Command line before job.
@@ -265,4 +265,4 @@ Part part_of_job(const JobFile& job, const ReadOptions& over) {
   return part;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,7 +4,7 @@
 #include "base/format.h"
 #include "read/job/job_file.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Text in quotes, as TOML's basic strings want it.
@@ -163,4 +163,4 @@ std::string job_text(const Part& part, const std::string& part_file) {
          part_section(part, part_file) + stock_section(part) + tool_sections(part) + kRest;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

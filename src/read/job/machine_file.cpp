@@ -2,7 +2,7 @@
 
 #include "base/file.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 20;
@@ -42,4 +42,4 @@ Machine read_machine(const std::filesystem::path& file) {
   return read_machine_text(read_file(file.string(), kLargestFile), file.string());
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "read/outline/data_value.h"
-#include "toolpath/machine.h"
+#include "read/common/data_value.h"
+#include "model/machine.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// TOML with name, rapid (mm/min), acceleration (mm/s2), junction_deviation (mm), max_spindle (rpm),
 /// max_feed (mm/min) and travel = {x = [low, high], y = ..., z = ...} (mm); all may be left out. Throws
@@ -18,4 +18,4 @@ Machine read_machine_text(std::string_view text, const std::string& file_name);
 /// The same keys as a table of a job. `base` gives what is left out.
 Machine machine_of_section(DataSection section, Machine base);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

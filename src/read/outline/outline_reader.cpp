@@ -10,13 +10,13 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "geometry/boolean.h"
-#include "read/outline/data_value.h"
-#include "read/outline/drawing.h"
-#include "read/outline/text.h"
-#include "read/outline/units.h"
+#include "read/common/data_value.h"
+#include "read/common/drawing.h"
+#include "read/common/text.h"
+#include "read/common/units.h"
 #include "read/repair/repair.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 const std::set<std::string> kOutlineKeys{"name", "kind",  "outer",     "islands", "allowed",
@@ -289,4 +289,4 @@ Part read_outline_json(std::string_view text, const std::string& file_name, cons
   return read_outline_json(text, file_name, options);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/read_options.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Reads `{"name", "units", "outer": [[x, y, bulge], ...], "islands": [[[x, y, bulge], ...], ...], "top",
 /// "depth", "slope_rad"}` or `{"units", "pockets": [...]}` with several of them. The bulge may be left out.
@@ -22,4 +22,4 @@ namespace clearcut {
 Part read_outline_json(std::string_view text, const std::string& file_name, const ReadOptions& options);
 Part read_outline_json(std::string_view text, const std::string& file_name, const Tolerances& tol);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

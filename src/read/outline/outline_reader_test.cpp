@@ -5,9 +5,9 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "read/outline/data_value.h"
+#include "read/common/data_value.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 using ::testing::HasSubstr;
@@ -142,4 +142,4 @@ TEST(DataValue, KnowsTheLineOfEveryValue) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

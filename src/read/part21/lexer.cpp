@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 namespace {
 
@@ -214,4 +214,4 @@ void P21Lexer::read_other() {
   text = text_.substr(begin, at_ - begin);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

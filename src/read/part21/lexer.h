@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace clearcut {
+namespace clearcut::read {
 
 enum class P21Token : unsigned char {
   kKeyword,    ///< also !USER_DEFINED and ISO-10303-21
@@ -63,4 +63,4 @@ class P21Lexer {
   int line_ = 1;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::read

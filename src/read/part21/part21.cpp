@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "read/part21/lexer.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 namespace {
 
@@ -264,4 +264,4 @@ P21File parse_part21(std::string_view text, const std::string& file_name) {
   return file;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::read {
 
 enum class P21Kind : unsigned char {
   kUnset,    ///< $
@@ -97,4 +97,4 @@ P21File parse_part21(std::string_view text, const std::string& file_name);
 /// escapes stay as written.
 std::string p21_decoded(std::string_view raw);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 std::string file_with(const std::string& data) {
@@ -191,4 +191,4 @@ TEST(Part21, VeryManyEntitiesAreRead) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,7 +4,7 @@
 
 #include "read/part21/part21.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 namespace {
 
@@ -160,4 +160,4 @@ std::string p21_decoded(std::string_view raw) {
   return Decoder(raw).decode();
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -8,7 +8,7 @@
 #include "read/repair/clean.h"
 #include "read/repair/mends.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Runs that bow less than this are straight, mm.
@@ -125,4 +125,4 @@ void find_arcs(std::vector<RawLoop>& loops, const RepairOptions& options, Diagno
                                         " mm");
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

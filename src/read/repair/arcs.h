@@ -6,7 +6,7 @@
 
 #include "read/repair/joining.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// mm. How far vertices of a run may lie from its arc: the rounding of coordinates in drawings.
 inline constexpr double kArcVertexTolerance = 0.001;
@@ -20,4 +20,4 @@ inline constexpr std::size_t kFewestChords = 5;
 /// arcs. Cost O(n log n).
 void find_arcs(std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

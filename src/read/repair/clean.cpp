@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "read/repair/mends.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Arcs flatter than this are lines: their centers would be rounding noise. mm.
@@ -138,4 +138,4 @@ std::vector<RawCurve> clean(std::vector<RawCurve> curves, const RepairOptions& o
   return cleaned;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -6,7 +6,7 @@
 
 #include "read/repair/repair.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Edges shorter than this are merged into their neighbours, mm: the last digit a program is written with.
 inline constexpr double kTinyEdge = 1e-4;
@@ -27,4 +27,4 @@ void check_numbers(const RawCurve& curve, const std::string& where);
 std::vector<RawCurve> clean(std::vector<RawCurve> curves, const RepairOptions& options,
                             Diagnostics& diagnostics);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

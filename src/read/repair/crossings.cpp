@@ -13,7 +13,7 @@
 #include "read/repair/nesting.h"
 #include "read/repair/splitting.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kMostMeetings = 20'000;
@@ -350,4 +350,4 @@ std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOpti
   return settled(bare(loops), options);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

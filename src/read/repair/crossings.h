@@ -6,7 +6,7 @@
 
 #include "read/repair/joining.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Loops of compounds, which may cross each other, become loops under the even-odd rule that do not.
 std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairOptions& options,
@@ -26,4 +26,4 @@ inline constexpr double kLargestCurl = 0.001;
 inline constexpr double kMostlyInside = 0.9;
 inline constexpr double kSlightOverlap = 0.1;
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -8,7 +8,7 @@
 #include "read/repair/mends.h"
 #include "read/repair/near_grid.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr long long kMostLooks = 50'000'000;
@@ -245,4 +245,4 @@ std::vector<RawLoop> without_double_loops(std::vector<RawLoop> loops, double gap
   return kept;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -6,7 +6,7 @@
 
 #include "read/repair/joining.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Open curves of one edge that lie on each other (either way round, to within `gap`) count once.
 std::vector<RawCurve> without_double_curves(std::vector<RawCurve> curves, double gap,
@@ -24,4 +24,4 @@ std::optional<std::vector<RawCurve>> without_overlaps(const std::vector<RawCurve
 std::vector<RawLoop> without_double_loops(std::vector<RawLoop> loops, double gap, const std::string& where,
                                           Diagnostics& diagnostics);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 namespace bg = boost::geometry;
@@ -78,4 +78,4 @@ std::vector<int> EdgeIndex::loops_around(Vec2 p) const {
   return around;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -8,7 +8,7 @@
 
 #include "geometry/region.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// An edge by its loop and its place in it.
 struct EdgeId {
@@ -44,4 +44,4 @@ class EdgeIndex {
   std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -10,7 +10,7 @@
 #include "read/repair/mends.h"
 #include "read/repair/near_grid.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// More ends than this within one gap are not a drawing.
@@ -277,4 +277,4 @@ std::vector<RawLoop> join(std::vector<RawCurve> curves, const RepairOptions& opt
   return Joiner(options, diagnostics).run(std::move(curves));
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -6,7 +6,7 @@
 
 #include "read/repair/repair.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// A closed loop and where it came from.
 struct RawLoop {
@@ -22,4 +22,4 @@ struct RawLoop {
 std::vector<RawLoop> join(std::vector<RawCurve> curves, const RepairOptions& options,
                           Diagnostics& diagnostics);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

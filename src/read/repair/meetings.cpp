@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// mm. As in geometry: edges nearer than this meet.
@@ -195,4 +195,4 @@ std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, 
   throw InputError(where, "too many long lines lie across each other; simplify the drawing");
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

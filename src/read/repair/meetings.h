@@ -7,7 +7,7 @@
 
 #include "read/repair/edge_index.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 enum class MeetingKind {
   kTouch,     ///< in a point, each staying on its side
@@ -32,4 +32,4 @@ std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, 
 /// other edge, and so does the way from there to the meeting.
 bool is_shallow(const std::vector<Loop>& loops, const Meeting& meeting, double depth);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -6,7 +6,7 @@
 #include "base/units.h"
 #include "read/repair/clean.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 Loop polygon(std::vector<Vec2> points) {
@@ -105,4 +105,4 @@ TEST(Meetings, AgreesWithAllPairs) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -6,7 +6,7 @@
 
 #include "base/format.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 std::string short_number(double value) {
   return fmt::format("{:.3g}", value);
@@ -31,4 +31,4 @@ void Mends::report(const std::string& where, Diagnostics& diagnostics) const {
                          short_number(largest->size) + " mm");
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -7,7 +7,7 @@
 #include "base/diagnostics.h"
 #include "geometry/vec2.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Lengths so that the smallest still shows: "0.0125", "1.3e-09".
 std::string short_number(double value);
@@ -32,4 +32,4 @@ class Mends {
   std::vector<Mend> mends_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::read

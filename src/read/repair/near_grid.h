@@ -8,7 +8,7 @@
 
 #include "geometry/vec2.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Indices filed by place in squares of side `reach`. Ordered, so that visits do not depend on hashing.
 class NearGrid {
@@ -47,4 +47,4 @@ class NearGrid {
   std::map<Cell, std::vector<int>> cells_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -6,7 +6,7 @@
 
 #include "read/repair/edge_index.h"
 
-namespace clearcut {
+namespace clearcut::read {
 Vec2 inner_point(const Loop& loop) {
   const auto longest = std::max_element(loop.begin(), loop.end(),
                                         [](const Edge& a, const Edge& b) { return a.length() < b.length(); });
@@ -50,4 +50,4 @@ Regions nested(const std::vector<Loop>& loops) {
   return regions;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

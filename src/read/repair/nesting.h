@@ -5,7 +5,7 @@
 
 #include "geometry/region.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// A point inside `loop`, as far from it as a short search finds.
 Vec2 inner_point(const Loop& loop);
@@ -18,4 +18,4 @@ std::vector<std::vector<int>> loops_about(const std::vector<Loop>& loops);
 /// islands. In the order of the outlines.
 Regions nested(const std::vector<Loop>& loops);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

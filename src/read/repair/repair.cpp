@@ -15,7 +15,7 @@
 #include "read/repair/nesting.h"
 #include "read/repair/trimming.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Loops thinner than this on average enclose nothing to mill, mm.
@@ -85,4 +85,4 @@ Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagn
   return checked(nested(resolve_crossings(std::move(loops), options, diagnostics)), options);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

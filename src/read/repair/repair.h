@@ -10,7 +10,7 @@
 #include "geometry/region.h"
 #include "read/read_options.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Curves filled together are an area of their own, whatever they cross (SVG paths).
 struct Compound {
@@ -49,4 +49,4 @@ struct RepairOptions {
 /// Every mend is listed in `diagnostics` with its place and size.
 Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagnostics& diagnostics);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

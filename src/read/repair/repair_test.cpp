@@ -11,7 +11,7 @@
 #include "read/repair/clean.h"
 #include "read/repair/meetings.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 using ::testing::HasSubstr;
@@ -468,4 +468,4 @@ TEST(Repair, AHundredThousandLooseLinesAreOneOutline) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// mm. Places nearer to a vertex than this are the vertex.
@@ -81,4 +81,4 @@ std::vector<Loop> split_at(const Loop& loop, const std::vector<Meeting>& touches
   return loops;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,7 +4,7 @@
 
 #include "read/repair/mends.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// mm. Slivers thinner than this are rounding: they stay.
@@ -50,4 +50,4 @@ void trim_joints(std::vector<RawLoop>& loops, const RepairOptions& options, Diag
   trims.report(options.where, diagnostics);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

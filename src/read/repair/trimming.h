@@ -5,10 +5,10 @@
 
 #include "read/repair/joining.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Neighbours that meet a second time are joined there, and the sliver between is gone, when it is no
 /// thicker than tol.join_gap. Reports each with its thickness. Cost O(n).
 void trim_joints(std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 [[noreturn]] void give_up(const char* what) {
@@ -98,4 +98,4 @@ std::optional<std::string> done_apart(const std::vector<std::string>& command, s
   return text;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

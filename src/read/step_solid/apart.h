@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// What the program `command` (its path, then its arguments) writes when it is given `input`; nothing where it crashed,
 /// failed, or took more than `seconds` of processor time. What it says on standard error is dropped.
@@ -16,4 +16,4 @@ namespace clearcut {
 std::optional<std::string> done_apart(const std::vector<std::string>& command, std::string_view input,
                                       int seconds);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -10,11 +10,11 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
-#include "part/part.h"
+#include "model/part.h"
 #include "read/repair/near_grid.h"
 #include "read/repair/repair.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// mm. Ends of edges of different faces nearer than this are one point.
@@ -229,4 +229,4 @@ Regions HeightMap::free_at(double z) const {
   return overlaid_free_at(z);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

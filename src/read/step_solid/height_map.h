@@ -8,7 +8,7 @@
 #include "geometry/region.h"
 #include "read/step_solid/solid_model.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// A face that looks up, in plan view, with the height under which nothing may be cut there.
 struct Cell {
@@ -46,4 +46,4 @@ class HeightMap {
   Diagnostics mends_;
 };
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 class Writer {
@@ -101,4 +101,4 @@ SolidModel model_from_bytes(const std::string& bytes) {
   return solid;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

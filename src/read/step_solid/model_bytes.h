@@ -5,10 +5,10 @@
 
 #include "read/step_solid/solid_model.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 std::string bytes_of(const SolidModel& solid);
 /// The inverse. Only for what bytes_of made.
 SolidModel model_from_bytes(const std::string& bytes);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -7,7 +7,7 @@
 #include "read/step_solid/apart.h"
 #include "read/step_solid/model_bytes.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Seconds of the processor.
@@ -46,4 +46,4 @@ SolidModel load_solid(std::string_view text, const std::string& file_name) {
   return model_from_bytes(got->substr(1));
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -8,7 +8,7 @@
 
 #include "geometry/edge.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Where the outside of a face looks.
 enum class Facing {
@@ -57,4 +57,4 @@ bool solids_can_be_read();
 /// Cost    that of the kernel: about 0.1 ms a face and more for free surfaces.
 SolidModel load_solid(std::string_view text, const std::string& file_name);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -9,12 +9,12 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "geometry/boolean.h"
-#include "read/outline/drawing.h"
-#include "read/outline/text.h"
+#include "read/common/drawing.h"
+#include "read/common/text.h"
 #include "read/step_solid/height_map.h"
 #include "read/step_solid/solid_model.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// Heights times edges, about a minute.
@@ -303,4 +303,4 @@ Part read_step_solid(std::string_view text, const std::string& file_name, const 
   return part;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/read_options.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Whether Part 21 text says in its FILE_SCHEMA that it holds a solid, not a program.
 bool is_step_solid(std::string_view text);
@@ -26,4 +26,4 @@ bool is_step_solid(std::string_view text);
 /// Other set-ups' floors and faces that are not 2.5-D are listed as skipped.
 Part read_step_solid(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -5,10 +5,10 @@
 
 #include "base/format.h"
 #include "base/units.h"
-#include "read/outline/b_spline.h"
-#include "read/outline/curve_fit.h"
+#include "read/common/b_spline.h"
+#include "read/common/curve_fit.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -303,4 +303,4 @@ Loop curve_loop(const Node& curve, Context& context) {
   return path;
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

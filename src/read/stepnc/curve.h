@@ -4,7 +4,7 @@
 #include "geometry/region.h"
 #include "read/stepnc/placement.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 /// POLYLINE, TRIMMED_CURVE of LINE or CIRCLE, COMPOSITE_CURVE (nested), CIRCLE, and within kCurveTolerance ELLIPSE,
 /// B_SPLINE_CURVE_WITH_KNOTS and BEZIER_CURVE: in plan, in the frame the
@@ -22,4 +22,4 @@ Edge arc_through(Vec2 a, Vec2 b, Vec2 center, double radius, Turn turn);
 /// Without edges shorter than tol.coincident, ends joined exactly.
 Path without_tiny_edges(Path path, const Tolerances& tol);
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

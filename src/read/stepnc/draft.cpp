@@ -5,7 +5,7 @@
 
 #include "base/format.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -308,4 +308,4 @@ Draft draft_feature(const Member& member, Context& context) {
   return draft;
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

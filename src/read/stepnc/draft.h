@@ -2,11 +2,11 @@
 // known.
 #pragma once
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/stepnc/members.h"
 #include "read/stepnc/profile.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 enum class SlotEnd { kOpen, kRound, kFlat };
 
@@ -39,4 +39,4 @@ struct Draft {
 /// Reads a feature at its place. Throws InputError naming it for what is missing, tilted, or not machinable yet.
 Draft draft_feature(const Member& member, Context& context);
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

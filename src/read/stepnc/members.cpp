@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -335,4 +335,4 @@ std::vector<Member> Members::of(const Node& feature) const {
   return std::move(expansion.members);
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

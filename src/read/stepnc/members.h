@@ -7,7 +7,7 @@
 
 #include "read/stepnc/placement.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 /// A feature that can be cut by itself.
 bool is_simple_feature(const Node& node);
@@ -38,4 +38,4 @@ class Members {
   std::map<std::uint64_t, Node> compound_of_;  // by element
 };
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -277,4 +277,4 @@ void Context::spend(std::size_t amount, const Node& node) {
     node.fail("the geometry expands to more than 20 million points; simplify the file");
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

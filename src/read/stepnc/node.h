@@ -12,7 +12,7 @@
 #include "base/tolerances.h"
 #include "read/part21/part21.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 /// One entity. Argument numbers count from 0; arguments beyond the end of the list are unset. A handle: the
 /// P21File must outlive it.
@@ -105,4 +105,4 @@ class Context {
   std::size_t spent_ = 0;
 };
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

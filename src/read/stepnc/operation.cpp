@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "read/stepnc/parts.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -410,4 +410,4 @@ Operation read_operation(const Node& node, const Tools& tools, Context& context)
   return operation;
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

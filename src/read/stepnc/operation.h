@@ -3,10 +3,10 @@
 
 #include <map>
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/stepnc/node.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 /// All tools of the file, in order of their entities, equal ones once.
 class Tools {
@@ -29,4 +29,4 @@ class Tools {
 /// An operation; its retract_z is above the top of the feature. Throws InputError for operations that cannot be machined yet and for missing tools.
 Operation read_operation(const Node& operation, const Tools& tools, Context& context);
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

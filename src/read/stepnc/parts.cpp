@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<std::size_t> parts_for(const std::vector<const Draft*>& parts, const
   return chosen.empty() ? all : chosen;
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

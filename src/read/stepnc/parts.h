@@ -3,7 +3,7 @@
 
 #include "read/stepnc/draft.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 /// Drilling and reaming have no approach, strategy and depths of cut.
 bool goes_straight_down(const Operation& operation);
@@ -14,4 +14,4 @@ bool goes_straight_down(const Operation& operation);
 std::vector<std::size_t> parts_for(const std::vector<const Draft*>& parts, const Node& node,
                                    const Operation& operation, const Tool& tool);
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

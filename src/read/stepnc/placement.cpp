@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -114,4 +114,4 @@ PlanarMap planar_map(const Frame& frame) {
   return {{frame.origin.x, frame.origin.y}, {frame.x.x, frame.x.y}, {frame.y.x, frame.y.y}, frame.z.z < 0};
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

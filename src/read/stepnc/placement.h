@@ -6,7 +6,7 @@
 #include "geometry/edge.h"
 #include "read/stepnc/node.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 struct Vec3 {
   double x = 0;
@@ -55,4 +55,4 @@ bool is_upright(const Frame& frame);  ///< local Z is +Z
 bool is_planar(const Frame& frame);   ///< local Z is +Z or -Z
 PlanarMap planar_map(const Frame& frame);
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

@@ -5,7 +5,7 @@
 
 #include "base/units.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -172,4 +172,4 @@ Path travel_path(const Node& path, Context& context) {
       "not a travel path that can be read (linear, general, partial or complete circular); use one of those");
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

@@ -3,7 +3,7 @@
 
 #include "read/stepnc/curve.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 /// A closed profile's outline, placed by the profile's own placement (argument 0) when `placed`.
 /// GENERAL_CLOSED_PROFILE, CIRCULAR_, RECTANGULAR_ and NGON_CLOSED_PROFILE.
@@ -28,4 +28,4 @@ CrossSection cross_section(const Node& profile, Context& context);
 /// A travel path in plan: LINEAR_PATH, GENERAL_PATH, PARTIAL_CIRCULAR_PATH, COMPLETE_CIRCULAR_PATH.
 Path travel_path(const Node& path, Context& context);
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

@@ -18,7 +18,7 @@
 #include "read/repair/edge_index.h"
 #include "read/repair/repair.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -402,4 +402,4 @@ FeatureRegions feature_regions(const Draft& draft_in, const std::optional<Stock>
   return result;
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

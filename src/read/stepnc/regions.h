@@ -3,7 +3,7 @@
 
 #include "read/stepnc/draft.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 /// The block that holds every outline of `drafts`, for files that do not give one; nothing where no face
 /// shows how far the stock reaches. z_top and z_bottom are left to the caller.
@@ -19,4 +19,4 @@ struct FeatureRegions {
 };
 FeatureRegions feature_regions(const Draft& draft, const std::optional<Stock>& stock, Context& context);
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

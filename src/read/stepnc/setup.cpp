@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/format.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 namespace {
 
@@ -236,4 +236,4 @@ void check_schema(const P21File& file) {
                        "a STEP solid (" + file.schemas[0] + "), not a STEP-NC program; read it as a solid");
 }
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

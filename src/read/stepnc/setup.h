@@ -1,10 +1,10 @@
 // Project, set-ups and stock: what the work is done on, and how high the tool must rise.
 #pragma once
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/stepnc/placement.h"
 
-namespace clearcut::stepnc {
+namespace clearcut::read::stepnc {
 
 /// A workingstep in the order of the workplan.
 struct Program {
@@ -28,4 +28,4 @@ std::optional<double> read_clearance(const Program& program, Context& context);
 /// Throws InputError for files of other schemas, naming what they are.
 void check_schema(const P21File& file);
 
-}  // namespace clearcut::stepnc
+}  // namespace clearcut::read::stepnc

@@ -13,7 +13,7 @@
 #include "read/stepnc/regions.h"
 #include "read/stepnc/setup.h"
 
-namespace clearcut {
+namespace clearcut::read::stepnc {
 
 namespace stepnc {
 
@@ -361,8 +361,8 @@ void Reader::set_tops() {
 
 Part read_stepnc(std::string_view text, const std::string& file_name, const Tolerances& tol) {
   const P21File file = parse_part21(text, file_name);
-  stepnc::check_schema(file);
-  return stepnc::Reader(file, tol).read();
+  read::stepnc::check_schema(file);
+  return read::stepnc::Reader(file, tol).read();
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read::stepnc

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "part/part.h"
+#include "model/part.h"
 
-namespace clearcut {
+namespace clearcut::read::stepnc {
 
 /// A program's part, tools and order of work, in workpiece coordinates.
 ///
@@ -27,4 +27,4 @@ namespace clearcut {
 /// Source  ISO 14649-10, ISO 14649-11; see docs/stepnc.md for every default and reading.
 Part read_stepnc(std::string_view text, const std::string& file_name, const Tolerances& tol);
 
-}  // namespace clearcut
+}  // namespace clearcut::read::stepnc

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
-namespace clearcut {
+namespace clearcut::read::stepnc {
 namespace {
 
 using ::testing::HasSubstr;
@@ -1011,4 +1011,4 @@ TEST(StepNc, SharedReferencesDoNotMultiply) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read::stepnc

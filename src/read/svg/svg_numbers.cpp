@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/units.h"
-#include "read/outline/units.h"
+#include "read/common/units.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 bool is_space(char c) {
@@ -118,4 +118,4 @@ std::optional<Affine> svg_transform(std::string_view text) {
   return whole;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-#include "read/outline/affine.h"
+#include "read/common/affine.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Takes numbers and words off a text; white space and one comma between them are skipped.
 class SvgScanner {
@@ -40,4 +40,4 @@ std::optional<double> svg_length(std::string_view text, double whole);
 /// A list of matrix(), translate(), scale(), rotate(), skewX(), skewY(); nothing when it is not understood.
 std::optional<Affine> svg_transform(std::string_view text);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -5,7 +5,7 @@
 
 #include "read/svg/svg_numbers.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr double kMmPerPx = 25.4 / 96;
@@ -80,4 +80,4 @@ SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit) {
   return page;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

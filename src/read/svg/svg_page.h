@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "read/outline/affine.h"
+#include "read/common/affine.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// The attributes width, height, viewBox and preserveAspectRatio of an <svg>; "" when absent.
 struct SvgViewport {
@@ -26,4 +26,4 @@ Affine view_box_map(const std::string& view_box, const std::string& aspect, doub
 /// `user_unit`: mm per user unit when the user states it.
 SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

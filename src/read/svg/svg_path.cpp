@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "base/units.h"
-#include "read/outline/curve_fit.h"
+#include "read/common/curve_fit.h"
 #include "read/svg/svg_numbers.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 /// How many numbers a command takes, by its capital letter; -1 for no command.
@@ -226,4 +226,4 @@ SvgPathData read_svg_path(std::string_view data, const Affine& map) {
   return PathReader(data, map).read();
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

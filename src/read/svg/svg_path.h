@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "geometry/edge.h"
-#include "read/outline/affine.h"
+#include "read/common/affine.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 struct SvgSubpath {
   Path edges;
@@ -25,4 +25,4 @@ struct SvgPathData {
 /// when it is a similarity; all other curves are within kCurveTolerance. Cost O(length + pieces).
 SvgPathData read_svg_path(std::string_view data, const Affine& map);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

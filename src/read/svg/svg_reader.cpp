@@ -8,15 +8,15 @@
 
 #include "base/error.h"
 #include "base/format.h"
-#include "read/outline/drawing.h"
-#include "read/outline/text.h"
-#include "read/outline/units.h"
+#include "read/common/drawing.h"
+#include "read/common/text.h"
+#include "read/common/units.h"
 #include "read/svg/svg_numbers.h"
 #include "read/svg/svg_page.h"
 #include "read/svg/svg_shapes.h"
 #include "read/svg/svg_style.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr int kDeepest = 200;
@@ -358,4 +358,4 @@ Part read_svg(std::string_view text, const std::string& file_name, const ReadOpt
   return part;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "part/part.h"
+#include "model/part.h"
 #include "read/read_options.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Reads rect, circle, ellipse, line, polyline, polygon, path and use, with nested transforms, viewBox,
 /// physical units and fill rules. Filled shapes are areas; shapes with a stroke only are outlines like
@@ -23,4 +23,4 @@ namespace clearcut {
 ///         not read (text, images, ...) is counted and named in the diagnostics.
 Part read_svg(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "read/svg/svg_style.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 using ::testing::HasSubstr;
@@ -284,4 +284,4 @@ TEST(Svg, BadFilesGiveOneLineSayingWhere) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/units.h"
-#include "read/outline/curve_fit.h"
+#include "read/common/curve_fit.h"
 #include "read/svg/svg_numbers.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr std::array<std::string_view, 7> kShapes{"rect",     "circle",  "ellipse", "line",
@@ -126,4 +126,4 @@ SvgPathData svg_shape(const pugi::xml_node& node, const SvgViewSize& view, const
                  map);
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

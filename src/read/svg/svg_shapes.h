@@ -11,7 +11,7 @@ namespace pugi {
 class xml_node;
 }
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Size of the viewport in user units, for percentages.
 struct SvgViewSize {
@@ -29,4 +29,4 @@ double svg_attribute(const pugi::xml_node& node, const char* name, double whole,
 /// The outline of a shape under `map`.
 SvgPathData svg_shape(const pugi::xml_node& node, const SvgViewSize& view, const Affine& map);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -7,7 +7,7 @@
 
 #include "read/svg/svg_numbers.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 std::string_view stripped(std::string_view text) {
@@ -176,4 +176,4 @@ void SvgStyleSheet::apply(std::string_view element, std::string_view id, std::st
   if (!id.empty()) apply_rule("#" + std::string(id));
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

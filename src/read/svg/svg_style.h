@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Inherited properties.
 struct SvgStyle {
@@ -42,4 +42,4 @@ class SvgStyleSheet {
 /// Applies "fill:none;stroke:#000".
 void apply_declarations(std::string_view declarations, SvgStyle& style);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

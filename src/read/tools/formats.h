@@ -6,7 +6,7 @@
 
 #include "read/tools/tool_library.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// A FreeCAD tool bit. Nothing, and a report, when it is no cutter for pockets.
 std::optional<LibraryTool> read_freecad_bit(std::string_view text, const std::string& file_name,
@@ -17,4 +17,4 @@ ToolLibrary read_linuxcnc_table(std::string_view text, const std::string& file_n
 ToolLibrary read_fusion_library(std::string_view text, const std::string& file_name);
 ToolLibrary read_own_library(std::string_view text, const std::string& file_name);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

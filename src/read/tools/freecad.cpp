@@ -6,11 +6,11 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "read/outline/text.h"
-#include "read/outline/units.h"
+#include "read/common/text.h"
+#include "read/common/units.h"
 #include "read/tools/formats.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,4 +149,4 @@ ToolLibrary read_freecad_library(std::string_view text, const std::string& file_
   return library;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

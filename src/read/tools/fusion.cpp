@@ -4,10 +4,10 @@
 #include <map>
 
 #include "base/error.h"
-#include "read/outline/text.h"
+#include "read/common/text.h"
 #include "read/tools/formats.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 std::optional<ToolKind> kind_of(const std::string& type) {
@@ -116,4 +116,4 @@ ToolLibrary read_fusion_library(std::string_view text, const std::string& file_n
   return library;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

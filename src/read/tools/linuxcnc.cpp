@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "read/outline/text.h"
-#include "read/outline/units.h"
+#include "read/common/text.h"
+#include "read/common/units.h"
 #include "read/tools/formats.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 std::string_view stripped(std::string_view text) {
@@ -97,4 +97,4 @@ ToolLibrary read_linuxcnc_table(std::string_view text, const std::string& file_n
   return library;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

@@ -7,10 +7,10 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/format.h"
-#include "read/outline/text.h"
+#include "read/common/text.h"
 #include "read/tools/formats.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{64} << 20;
@@ -137,4 +137,4 @@ ToolLibrary read_own_library(std::string_view text, const std::string& file_name
   return library;
 }
 
-}  // namespace clearcut
+}  // namespace clearcut::read

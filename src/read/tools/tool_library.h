@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "part/tool.h"
-#include "read/outline/data_value.h"
+#include "model/tool.h"
+#include "read/common/data_value.h"
 
-namespace clearcut {
+namespace clearcut::read {
 
 /// Feeds and speeds that a library gives for a tool in one material.
 struct CuttingPreset {
@@ -54,4 +54,4 @@ LibraryTool tool_of_section(DataSection section);
 /// Drops tools without a diameter and gives numbers that are taken, or not above 0, new ones; reports both.
 void settle(ToolLibrary& library, const std::string& where);
 
-}  // namespace clearcut
+}  // namespace clearcut::read

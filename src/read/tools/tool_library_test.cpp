@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 
-namespace clearcut {
+namespace clearcut::read {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,4 +163,4 @@ TEST(Tools, BadLibrariesGiveOneLine) {
 }
 
 }  // namespace
-}  // namespace clearcut
+}  // namespace clearcut::read

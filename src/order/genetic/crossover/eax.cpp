@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "order/ab_cycles.h"
-#include "order/assembly.h"
+#include "order/length/ab_cycles.h"
+#include "order/length/assembly.h"
 #include "order/genetic/crossover.h"
 
 namespace clearcut::order {

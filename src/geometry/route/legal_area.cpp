@@ -1,0 +1,286 @@
+#include "geometry/route/legal_area.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory_resource>
+
+namespace clearcut::inline geometry {
+namespace {
+
+/// mm. Far above the rounding of boxes of edges.
+constexpr double kAside = 1e-6;
+
+/// mm. Places this near to an edge are on it.
+constexpr double kTouch = 1e-9;
+
+/// mm. A way that strays no more than it may halfway between two crossings strays by less than that.
+constexpr double kNearEnd = 4 * LegalArea::kSlack;
+
+/// Of a cell with edges: whether it lies inside.
+constexpr char kUnknown = 2;
+
+/// A few numbers; when there are many, some are forgotten.
+template <typename T>
+class Few {
+ public:
+  /// Whether it is new.
+  bool add(T number) {
+    const auto end = numbers_.begin() + static_cast<std::ptrdiff_t>(std::min(count_, numbers_.size()));
+    if (std::find(numbers_.begin(), end, number) != end) return false;
+    numbers_[count_++ % numbers_.size()] = number;
+    return true;
+  }
+
+ private:
+  std::array<T, 16> numbers_;
+  std::size_t count_ = 0;
+};
+
+/// Whether part / whole is in [0, 1].
+bool is_share(double part, double whole) {
+  return whole > 0 ? part >= 0 && part <= whole : part <= 0 && part >= whole;
+}
+
+double parameter_on(Vec2 a, Vec2 b, Vec2 p) {
+  return dot(p - a, b - a) / norm_squared(b - a);
+}
+
+/// Whether two places lie on one side of the line through `on` along `direction`, both more than `off` from it.
+bool on_one_side(Vec2 p, Vec2 q, Vec2 on, Vec2 direction, double off) {
+  const double left = cross(direction, p - on), right = cross(direction, q - on);
+  const double least = off * off * norm_squared(direction);
+  return left * right > 0 && left * left > least && right * right > least;
+}
+
+/// Whether the straight way a-b surely passes an edge at more than `off`.
+bool is_far_from(Vec2 a, Vec2 b, const Edge& edge, double off) {
+  if (!edge.is_arc()) {
+    return on_one_side(edge.from, edge.to, a, b - a, off) ||
+           on_one_side(a, b, edge.from, edge.to - edge.from, off);
+  }
+  const double radius = std::sqrt(norm_squared(edge.from - edge.center)), inside = radius - off;
+  const double beside = cross(b - a, edge.center - a), beyond = radius + off;
+  if (beside * beside > beyond * beyond * norm_squared(b - a)) return true;
+  return inside > 0 && norm_squared(a - edge.center) < inside * inside &&
+         norm_squared(b - edge.center) < inside * inside;
+}
+
+}  // namespace
+
+LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
+  for (const auto& region : regions_) {
+    for (const auto& edge : region.edges()) {
+      edges_.push_back(edge);
+      boxes_.push_back(edge.box());
+      box_.add(boxes_.back());
+    }
+  }
+  if (edges_.empty()) return;
+  const double size = std::max({box_.width(), box_.height(), 1e-9});
+  const double across = std::clamp(2 * std::sqrt(static_cast<double>(edges_.size())), 24.0, 512.0);
+  cell_ = size / across;
+  cells_per_mm_ = 1 / cell_;
+  columns_ = column(box_.max.x) + 1;
+  rows_ = row(box_.max.y) + 1;
+  cells_.resize(columns_ * rows_);
+  first_columns_.reserve(boxes_.size());
+  for (const Box& box : boxes_) first_columns_.push_back(column(box.min.x));
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    for (std::size_t r = row(boxes_[i].min.y); r <= row(boxes_[i].max.y); ++r) {
+      for (std::size_t c = column(boxes_[i].min.x); c <= column(boxes_[i].max.x); ++c) {
+        cells_[r * columns_ + c].push_back(i);
+      }
+    }
+  }
+  mark_empty_cells();
+}
+
+/// Neighbouring cells without edges lie on the same side: one exact test for each connected group.
+void LegalArea::mark_empty_cells() {
+  inside_.assign(cells_.size(), kUnknown);
+  std::vector<std::size_t> open;
+  for (std::size_t first = 0; first < cells_.size(); ++first) {
+    if (inside_[first] != kUnknown || !cells_[first].empty()) continue;
+    const char side = clearcut::contains(regions_, cell_box(first).center()) ? 1 : 0;
+    inside_[first] = side;
+    open.push_back(first);
+    const auto visit = [&](std::size_t cell) {
+      if (inside_[cell] != kUnknown || !cells_[cell].empty()) return;
+      inside_[cell] = side;
+      open.push_back(cell);
+    };
+    while (!open.empty()) {
+      const std::size_t cell = open.back(), c = cell % columns_, r = cell / columns_;
+      open.pop_back();
+      if (c > 0) visit(cell - 1);
+      if (c + 1 < columns_) visit(cell + 1);
+      if (r > 0) visit(cell - columns_);
+      if (r + 1 < rows_) visit(cell + columns_);
+    }
+  }
+}
+
+Box LegalArea::cell_box(std::size_t cell) const {
+  const std::size_t column = cell % columns_, row = cell / columns_;
+  const Vec2 low = box_.min + Vec2{static_cast<double>(column), static_cast<double>(row)} * cell_;
+  return {low, low + Vec2{cell_, cell_}};
+}
+
+/// From p towards +x to the first cell without edges: only edges in between can make a difference.
+bool LegalArea::contains(Vec2 p) const {
+  if (edges_.empty() || !box_.contains(p)) return false;
+  const std::size_t begin = row(p.y) * columns_, end = begin + columns_, first = begin + column(p.x);
+  if (inside_[first] != kUnknown) return inside_[first] != 0;
+  std::size_t known = first;
+  while (known < end && !cells_[known].empty()) ++known;
+  const bool beside = known == end;
+  const double x = beside ? box_.max.x + cell_ : cell_box(known).center().x;
+  int around = beside ? 0 : inside_[known];
+  for (std::size_t cell = first; cell < known; ++cell) {
+    for (const std::size_t i : cells_[cell]) {
+      // In a row an edge stands in cells beside each other: it counts in the first of them.
+      const bool counted = cell > first && first_columns_[i] + begin < cell;
+      if (!counted) around += crossings(i, p, x);
+    }
+  }
+  return around != 0;
+}
+
+/// How often the level way from p to x crosses an edge, from its left to its right.
+int LegalArea::crossings(std::size_t edge, Vec2 p, double x) const {
+  const Box& box = boxes_[edge];
+  if (p.y < box.min.y - kAside || p.y > box.max.y + kAside || p.x > box.max.x + kAside) return 0;
+  return winding(edges_[edge], p) - winding(edges_[edge], {x, p.y});
+}
+
+std::size_t LegalArea::column(double x) const {
+  return static_cast<std::size_t>(std::clamp(x - box_.min.x, 0.0, box_.width()) * cells_per_mm_);
+}
+
+std::size_t LegalArea::row(double y) const {
+  return static_cast<std::size_t>(std::clamp(y - box_.min.y, 0.0, box_.height()) * cells_per_mm_);
+}
+
+/// Calls f(edge) for those near the way, row by row, only in the cells that the way passes through; for most once.
+template <typename F>
+void LegalArea::for_edges_along(Vec2 a, Vec2 b, const F& f) const {
+  if (a.y > b.y) std::swap(a, b);
+  const Box where = Edge::line(a, b).box().grown(kSlack);
+  if (edges_.empty() || !box_.overlaps(where)) return;
+  const Vec2 along = unit(b - a);
+  const auto touches = [&](const Box& box) {
+    const double reach = std::abs(along.x) * box.height() / 2 + std::abs(along.y) * box.width() / 2;
+    return box.overlaps(where) && std::abs(cross(along, box.center() - a)) <= reach + 2 * kSlack;
+  };
+  const auto x_at = [&](double y) {
+    return b.y > a.y ? std::lerp(a.x, b.x, std::clamp((y - a.y) / (b.y - a.y), 0.0, 1.0)) : a.x;
+  };
+  Few<std::size_t> met;
+  for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
+    const double low = box_.min.y + static_cast<double>(r) * cell_ - 2 * kSlack;
+    const bool level = b.y - a.y < cell_;
+    const double x0 = level ? a.x : x_at(low), x1 = level ? b.x : x_at(low + cell_ + 4 * kSlack);
+    const std::size_t last = column(std::max(x0, x1) + kSlack);
+    for (std::size_t c = column(std::min(x0, x1) - kSlack); c <= last; ++c) {
+      for (const std::size_t i : cells_[r * columns_ + c]) {
+        if (touches(boxes_[i]) && met.add(i)) f(i);
+      }
+    }
+  }
+}
+
+bool LegalArea::is_near_boundary(Vec2 p, double reach) const {
+  const Box where = Box{p, p}.grown(reach);
+  if (edges_.empty() || !box_.overlaps(where)) return false;
+  for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
+    for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
+      for (const std::size_t i : cells_[r * columns_ + c]) {
+        if (boxes_[i].overlaps(where) && distance(edges_[i], p) <= reach) return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool LegalArea::holds(Vec2 p) const {
+  return contains(p) || is_near_boundary(p, kSlack);
+}
+
+bool LegalArea::surely_holds(const Box& where) const {
+  if (edges_.empty() || !box_.contains(where.min) || !box_.contains(where.max)) return false;
+  for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
+    for (std::size_t c = column(where.min.x); c <= column(where.max.x); ++c) {
+      const std::size_t cell = r * columns_ + c;
+      if (!cells_[cell].empty() || inside_[cell] != 1) return false;
+    }
+  }
+  return true;
+}
+
+bool LegalArea::holds_line(Vec2 a, Vec2 b) const {
+  if (distance(a, b) <= kSlack) return holds(a) && holds(b);
+  const double length = distance(a, b);
+  std::array<std::byte, 512> memory;
+  std::pmr::monotonic_buffer_resource resource(memory.data(), memory.size());
+  std::pmr::vector<double> cuts({0, 1}, &resource);
+  cuts.reserve(memory.size() / sizeof(double) / 2);
+  bool strays = false;
+  for_edges_along(a, b, [&](std::size_t i) {
+    add_cuts(a, b, edges_[i], cuts);
+    strays = strays || strays_beside(a, b, edges_[i].from) || strays_beside(a, b, edges_[i].to);
+  });
+  if (strays) return false;
+  std::sort(cuts.begin(), cuts.end());
+  // Between two crossings the way is all inside or all outside; where it runs outside it strays farthest in
+  // between, or beside a place where two edges meet.
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    if ((cuts[i] - cuts[i - 1]) * length < kSlack) continue;
+    if (!holds(lerp(a, b, (cuts[i - 1] + cuts[i]) / 2))) return false;
+  }
+  return true;
+}
+
+/// Whether the way from a to b is outside where it passes the end of an edge closely: there it may stray farther than halfway
+/// between two crossings, up to twice as far.
+bool LegalArea::strays_beside(Vec2 a, Vec2 b, Vec2 end) const {
+  const double t = parameter_on(a, b, end);
+  if (t <= 0 || t >= 1) return false;
+  const Vec2 p = lerp(a, b, t);
+  const double aside = distance(p, end);
+  return aside > kSlack && aside < kNearEnd && !holds(p);
+}
+
+/// Where an edge crosses the way from a to b, or ends on it: shares of the way.
+void LegalArea::add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<double>& cuts) {
+  if (is_far_from(a, b, edge, 2 * kSlack)) return;
+  if (edge.is_arc()) {
+    add_arc_cuts(a, b, edge, cuts);
+  } else {
+    const Vec2 u = b - a, v = edge.to - edge.from;
+    const double det = cross(u, v), on_way = cross(edge.from - a, v), on_edge = cross(edge.from - a, u);
+    const bool parallel = det * det <= 1e-28 * norm_squared(u) * norm_squared(v);
+    if (!parallel && is_share(on_edge, det) && is_share(on_way, det)) cuts.push_back(on_way / det);
+  }
+  // An edge along the way crosses it nowhere; where it ends the boundary turns away.
+  for (const Vec2 p : {edge.from, edge.to}) {
+    if (distance(Edge::line(a, b), p) <= kSlack) cuts.push_back(parameter_on(a, b, p));
+  }
+}
+
+void LegalArea::add_arc_cuts(Vec2 a, Vec2 b, const Edge& arc, std::pmr::vector<double>& cuts) {
+  const Vec2 u = b - a;
+  const double length = std::sqrt(norm_squared(u)), foot = parameter_on(a, b, arc.center);
+  const double off = std::abs(cross(u, arc.center - a)) / length;
+  const double radius =
+      std::sqrt(0.5 * (norm_squared(arc.from - arc.center) + norm_squared(arc.to - arc.center)));
+  const bool grazes = std::abs(off - radius) <= kTouch;
+  if (off > radius && !grazes) return;
+  const double half = grazes ? 0 : std::sqrt((radius - off) * (radius + off)) / length;
+  for (const double t : {foot - half, foot + half}) {
+    if (t >= 0 && t <= 1 && distance(arc, a + u * t) <= kTouch) cuts.push_back(t);
+  }
+}
+
+}  // namespace clearcut::inline geometry

@@ -1,0 +1,96 @@
+#include "kinematics/kinematics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace clearcut::kinematics {
+namespace {
+
+Move feed_line(Vec2 from, Vec2 to, double mm_per_min) {
+  return {Edge::line(from, to), 0, 0, MoveKind::kCut, MmPerMin::of(mm_per_min), 0};
+}
+
+Move feed_arc(Vec2 from, Vec2 to, Vec2 center, double mm_per_min) {
+  return {Edge::arc(from, to, center, Turn::kCounterClockwise),
+          0,
+          0,
+          MoveKind::kCut,
+          MmPerMin::of(mm_per_min),
+          0};
+}
+
+const Machine kMachine{};  // 500 mm/s2, 0.01 mm, rapid 5000 mm/min
+
+TEST(Kinematics, LongMoveIsATrapezoid) {
+  // 60 mm/s at 500 mm/s2: 0.12 s and 3.6 mm each to speed up and down; 92.8 mm at 60 mm/s between.
+  const std::vector<Move> moves{feed_line({0, 0}, {100, 0}, 3600)};
+  EXPECT_NEAR(kinematic_time(moves, kMachine).seconds(), 0.24 + 92.8 / 60, 1e-12);
+}
+
+TEST(Kinematics, ShortMoveIsATriangle) {
+  const std::vector<Move> moves{feed_line({0, 0}, {2, 0}, 3600)};
+  EXPECT_NEAR(kinematic_time(moves, kMachine).seconds(), 2 * std::sqrt(2.0 / 500), 1e-12);
+}
+
+TEST(Kinematics, CuttingAStraightMoveIntoPiecesChangesNothing) {
+  std::vector<Move> pieces;
+  for (int i = 0; i < 1000; ++i) pieces.push_back(feed_line({i * 0.1, 0}, {(i + 1) * 0.1, 0}, 3600));
+  EXPECT_NEAR(kinematic_time(pieces, kMachine).seconds(), 0.24 + 92.8 / 60, 1e-6);
+}
+
+TEST(Kinematics, RightAngleSlowsToTheJunctionSpeed) {
+  // s = sin(45 deg): v^2 = 500 * 0.01 * 0.70711 / 0.29289 = 12.0711
+  const std::vector<Move> moves{feed_line({0, 0}, {100, 0}, 3600), feed_line({100, 0}, {100, 100}, 3600)};
+  const double v = std::sqrt(12.071067811865476), a = 500;
+  const double ramps = 60 / a + (60 - v) / a, ramp_mm = 60 * 60 / (2 * a) + (60 * 60 - v * v) / (2 * a);
+  EXPECT_NEAR(kinematic_time(moves, kMachine).seconds(), 2 * (ramps + (100 - ramp_mm) / 60), 1e-9);
+}
+
+TEST(Kinematics, ReversalStops) {
+  const std::vector<Move> there_and_back{feed_line({0, 0}, {100, 0}, 3600),
+                                         feed_line({100, 0}, {0, 0}, 3600)};
+  EXPECT_NEAR(kinematic_time(there_and_back, kMachine).seconds(), 2 * (0.24 + 92.8 / 60), 1e-9);
+}
+
+TEST(Kinematics, TangentArcDoesNotStopAndIsLimitedByItsCurvature) {
+  // r = 2: v^2 = 500 * 2, far below 100 mm/s.
+  const std::vector<Move> moves{feed_line({-50, -2}, {0, -2}, 6000), feed_arc({0, -2}, {0, 2}, {0, 0}, 6000),
+                                feed_line({0, 2}, {-50, 2}, 6000)};
+  const double v = std::sqrt(1000.0), arc = 2 * kPi / v;
+  const auto times = move_times(moves, kMachine);
+  EXPECT_NEAR(times[1].seconds(), arc, 1e-6);
+  EXPECT_LT(times[0].seconds() + times[2].seconds(), 2 * (0.2 + 40.0 / 100) + 0.13);
+}
+
+TEST(Kinematics, LookAheadBrakesOverManyShortMoves) {
+  // Ten moves of 0.5 mm before a dead end: 5 mm are enough to stop from 60 mm/s only when seen together.
+  std::vector<Move> moves{feed_line({-100, 0}, {0, 0}, 3600)};
+  for (int i = 0; i < 10; ++i) moves.push_back(feed_line({i * 0.5, 0}, {(i + 1) * 0.5, 0}, 3600));
+  EXPECT_NEAR(kinematic_time(moves, kMachine).seconds(), 0.24 + (105 - 7.2) / 60, 1e-9);
+}
+
+TEST(Kinematics, RapidsAndMovesWithoutFeedRunAtRapid) {
+  Move rapid = feed_line({0, 0}, {100, 0}, 0);
+  const double as_feed = kinematic_time(std::vector<Move>{rapid}, kMachine).seconds();
+  rapid.kind = MoveKind::kRapid;
+  EXPECT_EQ(kinematic_time(std::vector<Move>{rapid}, kMachine).seconds(), as_feed);
+  EXPECT_NEAR(naive_time(rapid, kMachine).seconds(), 100 / (5000 / 60.0), 1e-12);
+}
+
+TEST(Kinematics, MovesOfNoLengthAreHarmless) {
+  Move nothing = feed_line({5, 5}, {5, 5}, 1000);
+  EXPECT_EQ(kinematic_time(std::vector<Move>{nothing}, kMachine).seconds(), 0);
+  EXPECT_EQ(kinematic_time(std::vector<Move>{}, kMachine).seconds(), 0);
+}
+
+TEST(Kinematics, NeverFasterThanProgrammed) {
+  const std::vector<Move> moves{feed_line({0, 0}, {30, 0}, 1000), feed_line({30, 0}, {30, 30}, 2000),
+                                feed_line({30, 30}, {0, 0}, 500)};
+  double naive = 0;
+  for (const Move& move : moves) naive += naive_time(move, kMachine).seconds();
+  EXPECT_GT(kinematic_time(moves, kMachine).seconds(), naive);
+}
+
+}  // namespace
+}  // namespace clearcut::kinematics

@@ -1,0 +1,124 @@
+// What verification found: figures and faults, with places. Data, not exceptions.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/vec2.h"
+
+namespace clearcut::inline model {
+
+/// A place in the work and in the program.
+struct Place {
+  Vec2 point;
+  double z = 0;
+  int line = 0;  ///< of the program text; 0 if unknown
+};
+
+enum class FaultKind {
+  kUncut,            ///< reachable material left, thicker than the tolerance
+  kGouge,            ///< the part itself was cut: a wall, an island, or a floor cut too deep
+  kRapidInMaterial,  ///< a rapid passes through stock
+  kPlungeTooFast,    ///< straight down into material at the cutting feed, or by a cutter that may not plunge
+  kTooDeep,          ///< more axial depth in one pass than the stepdown allows (a level was never cut)
+  kOutsideTravel,    ///< beyond the machine's limits
+  kNoFeed,           ///< a feed move without a feed
+  kNothingCut,       ///< a feature asked for is not cut at all
+  kWrongTool         ///< tool unknown, so nothing can be said
+};
+const char* name_of(FaultKind kind);
+
+struct Fault {
+  FaultKind kind = FaultKind::kUncut;
+  std::string feature;  ///< name, "" if none
+  Place at;
+  double size = 0;   ///< mm (thickness, depth, length) as the kind says
+  std::string text;  ///< one sentence for the user
+};
+
+/// Angle of the cutter's circle in material, over all feed moves at depth after the entry.
+struct Engagement {
+  double max_deg = 0;
+  std::optional<Place> max_at;
+  double mean_deg = 0;                    ///< over cutting length
+  double over_limit_mm = 0;               ///< length above the limit asked for (0 without a limit)
+  std::array<double, 18> histogram_mm{};  ///< cutting length by 10 degree classes
+  double climb_mm = 0;  ///< cutting length with the material on the right (clockwise spindle)
+  double conventional_mm = 0;
+};
+
+/// What a force model makes of the engagement; only where the material of the work is known.
+struct CuttingLoad {
+  double max_force_n = 0;  ///< mean tangential force over a turn of the cutter, where it is greatest
+  std::optional<Place> max_force_at;
+  double mean_force_n = 0;  ///< over cutting length
+  double max_power_w = 0;   ///< at the cutter
+  double energy_j = 0;
+  double removed_mm3 = 0;
+  double wear = 0;  ///< contact time / tool life (Taylor): 1 uses one cutter up
+};
+
+/// The wall of the finished part that gives way most under the greatest force beside it.
+struct ThinWall {
+  double thickness_mm = 0;
+  double height_mm = 0;
+  double deflection_mm = 0;
+  Place at;
+};
+
+struct Figures {
+  double feed_mm = 0;
+  double rapid_mm = 0;
+  double plunge_mm = 0;
+  int turns = 0;  ///< changes of direction above 0.1 degree between successive feed moves in plan
+  double turn_angle_deg = 0;
+  int retracts = 0;               ///< rises to or above the stock's top between feed moves
+  double time_s = 0;              ///< kinematic: acceleration, cornering
+  double time_naive_s = 0;        ///< length / feed
+  double uncut_mm2 = 0;           ///< area of reachable material left (upper bound)
+  double uncut_thickness_mm = 0;  ///< proven upper bound of the thickness of anything left
+  std::optional<Place> uncut_at;
+  double gouge_mm = 0;  ///< depth of the deepest cut into the part
+  std::optional<Place> gouge_at;
+  double unreachable_mm2 = 0;  ///< corners no legal position of the cutter reaches
+  int rapid_in_material = 0;   ///< number of rapids through stock
+  double max_axial_mm = 0;     ///< greatest depth of material above the tip at a feed move
+  Engagement engagement;
+  double air_cut_mm = 0;  ///< feed length at depth that touches no material
+  std::optional<CuttingLoad> load;
+  std::optional<ThinWall> thin_wall;  ///< where it bends by more than 0.02 mm
+  double lower_bound_mm = 0;          ///< no program can cut this with less feed length
+  bool clean = false;
+};
+
+struct LayerFindings {
+  double z = 0;
+  Figures figures;
+};
+
+/// Steps that layers leave on leaning walls, mm square to the wall.
+struct Scallop {
+  double height_mm = 0;            ///< the highest; of a flat end, rounded corners leave less
+  std::optional<double> asked_mm;  ///< the most that may stand
+  double z = 0;                    ///< of the layer under it
+};
+
+struct FeatureFindings {
+  std::string name;
+  int workingstep = -1;
+  int tool_number = 0;
+  double tool_diameter = 0;
+  Figures figures;
+  std::vector<LayerFindings> layers;    ///< descending z
+  std::optional<Scallop> scallop = {};  ///< of leaning walls
+};
+
+struct Findings {
+  Figures all;
+  std::vector<FeatureFindings> features;  ///< in workplan order
+  std::vector<Fault> faults;              ///< worst first
+};
+
+}  // namespace clearcut::inline model

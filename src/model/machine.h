@@ -1,0 +1,32 @@
+// What the machine can do; used for kinematic times and limit checks.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "base/units.h"
+
+namespace clearcut::inline model {
+
+/// A small 3-axis mill. Defaults are those of the measured comparisons (Grbl-style cornering).
+struct Machine {
+  std::string name = "default";
+  MmPerMin rapid = MmPerMin::of(5000);
+  double acceleration = 500;         ///< mm/s2, along the path
+  double junction_deviation = 0.01;  ///< mm
+  std::optional<double> max_spindle_rpm;
+  std::optional<MmPerMin> max_feed;
+  /// Travel limits in workpiece coordinates, mm: x, y, z as {min, max}; absent = unlimited.
+  std::optional<std::array<std::array<double, 2>, 3>> travel;
+};
+
+/// mm, in workpiece coordinates; taken for the machine's own Z zero where its travel is not known.
+inline constexpr double kUsualHomeZ = 100;
+
+/// mm; the machine's own Z zero is the top of its travel.
+inline double home_z(const Machine& machine) {
+  return machine.travel ? (*machine.travel)[2][1] : kUsualHomeZ;
+}
+
+}  // namespace clearcut::inline model

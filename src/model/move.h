@@ -1,0 +1,56 @@
+// One motion of the machine.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/units.h"
+#include "geometry/edge.h"
+
+namespace clearcut::inline model {
+
+enum class MoveKind : unsigned char { kRapid, kPlunge, kRamp, kLeadIn, kCut, kLeadOut, kLink, kRetract };
+const char* name_of(MoveKind kind);
+inline bool is_rapid(MoveKind kind) {
+  return kind == MoveKind::kRapid;
+}
+
+/// In plan the edge `path`, while z goes linearly from z_from to z_to. A vertical move has path.from == path.to
+/// (the one case where that is allowed) and turn kStraight. z is the height of the tool's tip. mm.
+struct Move {
+  Edge path;
+  double z_from = 0;
+  double z_to = 0;
+  MoveKind kind = MoveKind::kCut;
+  MmPerMin feed;  ///< 0 for rapids
+  int line = 0;   ///< line of the program it was read from; 0 if planned
+
+  bool is_vertical() const { return path.from == path.to; }
+  /// Length in space, mm.
+  double length() const;
+};
+
+/// Where two passes in one layer meet nothing else is promised. A Section is all work of one tool on one feature.
+struct Section {
+  std::string label;     ///< feature or operation name; "" when unknown
+  int workingstep = -1;  ///< index into Part::workplan; -1 when unknown
+  int tool_number = 0;   ///< T word
+  double spindle_rpm = 0;
+  bool spindle_clockwise = true;
+  bool coolant = false;
+  std::vector<Move> moves;           ///< joined end to start, except that the first may begin anywhere
+  std::vector<std::string> notes{};  ///< what was asked for and could not be done; not part of the program
+  /// mm from the walls, ascending: where contours of offset outlines run; not part of the program.
+  std::vector<double> contours{};
+};
+
+/// What the machine will do. A value; the waist between planning and everything that reads it.
+struct Toolpath {
+  std::vector<Section> sections;
+};
+
+/// Lengths of feed and rapid moves, mm.
+double feed_length(const Section& section);
+double rapid_length(const Section& section);
+
+}  // namespace clearcut::inline model

@@ -1,0 +1,56 @@
+#include "model/part.h"
+
+#include <algorithm>
+
+namespace clearcut::inline model {
+
+namespace {
+
+constexpr double kSafeHeight = 10;  // mm above the part where the file gives no security plane
+
+}  // namespace
+
+const char* name_of(FeatureKind kind) {
+  switch (kind) {
+    case FeatureKind::kClosedPocket:
+      return "closed_pocket";
+    case FeatureKind::kOpenPocket:
+      return "open_pocket";
+    case FeatureKind::kPlanarFace:
+      return "planar_face";
+    case FeatureKind::kSlot:
+      return "slot";
+    case FeatureKind::kStep:
+      return "step";
+    case FeatureKind::kRoundHole:
+      return "round_hole";
+    case FeatureKind::kOutsideProfile:
+      return "outside_profile";
+  }
+  return "feature";
+}
+
+double Part::top_z() const {
+  if (stock) return stock->z_top;
+  double top = features.empty() ? 0 : features.front().top_z;
+  for (const Feature& feature : features) top = std::max(top, feature.top_z);
+  return top;
+}
+
+double Part::safe_z() const {
+  return clearance_z.value_or(top_z() + kSafeHeight);
+}
+
+const Tool& tool_of(const Part& part, const Workingstep& step) {
+  return part.tools.at(static_cast<std::size_t>(step.operation.tool));
+}
+
+const Feature& feature_of(const Part& part, const Workingstep& step) {
+  return part.features.at(static_cast<std::size_t>(step.feature));
+}
+
+bool closed_all_round(const Feature& feature) {
+  return feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole;
+}
+
+}  // namespace clearcut::inline model

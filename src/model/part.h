@@ -1,0 +1,135 @@
+// What is to be made: stock, features, tools, and the order of work.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/tolerances.h"
+#include "geometry/region.h"
+#include "model/tool.h"
+
+namespace clearcut::inline model {
+
+/// Raw block. z in workpiece coordinates, mm.
+struct Stock {
+  Box plan;
+  double z_bottom = 0;
+  double z_top = 0;
+};
+
+enum class FeatureKind { kClosedPocket, kOpenPocket, kPlanarFace, kSlot, kStep, kRoundHole, kOutsideProfile };
+const char* name_of(FeatureKind kind);
+
+/// A prismatic volume to remove: every point of `target` down to `floor_z`.
+///
+/// `target` is the plan view of the material to remove at the top. `allowed` is where the cutter may be: everything
+/// outside `allowed` is the part itself, above floor_z, and must not be touched. For a closed pocket both are the same.
+/// For open sides `allowed` reaches far outside the stock (kOpenReach), so that only true walls bound it.
+/// target is always inside allowed.
+struct Feature {
+  std::string name;    ///< unique within the part
+  std::string source;  ///< where it was read: "#216", "layer POCKETS", ""
+  FeatureKind kind = FeatureKind::kClosedPocket;
+  Regions target;
+  Regions allowed;
+  double top_z = 0;  ///< where its material begins, after the features before it in the workplan
+  double floor_z = 0;
+  /// Walls lean inwards going down by this angle from vertical: at depth h below top_z the outline is inset
+  /// by h * tan(wall_slope) (islands grow).
+  Radians wall_slope;
+  /// Round holes only.
+  std::optional<double> hole_diameter;
+  bool through = false;
+};
+
+/// How far beyond the stock an open side's `allowed` region reaches, mm.
+inline constexpr double kOpenReach = 1000.0;
+
+enum class OperationKind {
+  kRoughing,
+  kFinishing,
+  kBottomFinishing,
+  kSideFinishing,
+  kDrilling,
+  kReaming,
+  kOther
+};
+enum class EntryKind { kHelix, kRamp, kZigzagRamp, kPlunge };
+enum class CutDirection { kClimb, kConventional };
+
+/// How a feature is to be cut. Absent values are decided by the planner's documented defaults.
+struct Operation {
+  std::string name;
+  std::string source;
+  OperationKind kind = OperationKind::kRoughing;
+  int tool = 0;  ///< index into Part::tools
+  CuttingData cutting;
+  std::optional<double> stepdown;  ///< mm per layer
+  std::optional<double> stepover;  ///< fraction of the diameter
+  double allowance_side = 0;       ///< stock to leave on walls, mm
+  double allowance_floor = 0;      ///< stock to leave on the floor, mm
+  std::optional<double> scallop;   ///< mm; greatest step between layers on sloped walls
+  std::optional<EntryKind> entry;
+  std::optional<Radians> entry_angle;
+  std::optional<double> entry_size;  ///< mm; greatest radius of a helix, length of one way of a zigzag
+  std::optional<CutDirection> direction;
+  std::optional<double> retract_z;  ///< absolute, mm
+  std::optional<double>
+      lead;  ///< mm; radius of the arcs, length of the lines into and out of passes along walls
+  std::optional<Radians> lead_angle;      ///< between such a line and the pass; absent: arcs
+  bool rest = false;                      ///< cut only what the earlier steps of the same feature leave
+  std::optional<Radians> feed_direction;  ///< of parallel strokes against x
+  std::string strategy_hint;              ///< strategy named by the file, "" if none
+};
+
+/// One step of the work: this feature by that operation.
+struct Workingstep {
+  std::string name;
+  std::string source;
+  int feature = 0;  ///< index into Part::features
+  Operation operation;
+};
+
+/// A hole that is there before the work begins: a way down for cutters that are no wider. mm.
+struct PredrilledHole {
+  Vec2 center;
+  double diameter = 0;
+};
+
+/// A whole job description; a value.
+struct Part {
+  std::string name;
+  std::string source_file;
+  std::optional<Stock> stock;         ///< absent: solid everywhere outside the features (outline files)
+  std::optional<double> clearance_z;  ///< security plane, absolute; absent: stock top + 10
+  std::vector<Tool> tools;
+  std::vector<Feature> features;
+  std::vector<Workingstep> workplan;       ///< in order of cutting
+  bool order_free = false;                 ///< steps that do not meet may be cut in any order
+  std::vector<PredrilledHole> predrilled;  ///< as deep as any feature they lie in
+  Diagnostics diagnostics;
+
+  double top_z() const;   ///< stock top, or the highest feature top
+  double safe_z() const;  ///< clearance_z or top + 10
+};
+
+/// What a step works with and on.
+const Tool& tool_of(const Part& part, const Workingstep& step);
+const Feature& feature_of(const Part& part, const Workingstep& step);
+
+/// Whether walls bound the feature on all sides, so that the cutter can leave it upwards alone.
+bool closed_all_round(const Feature& feature);
+
+/// The outline of `regions` at depth `below_top` mm under a feature with leaning walls (SPEC B4).
+Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol);
+/// Sets top_z of every feature in workplan order to the height that the features before it leave standing over its
+/// target (stacking); warns where that differs from the declared top by more than tol.join_gap.
+void stack_tops(Part& part, const Tolerances& tol);
+/// The same heights, one per feature, without setting or reporting anything. Features outside the workplan keep
+/// their declared top. Slivers thinner than 0.05 mm in the mean do not count. Cost O(features) booleans per feature
+/// at worst.
+std::vector<double> stacked_tops(const Part& part, const Tolerances& tol);
+
+}  // namespace clearcut::inline model

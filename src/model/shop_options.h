@@ -1,0 +1,36 @@
+// What may be asked of the whole work beyond each operation's own data.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/units.h"
+
+namespace clearcut::inline model {
+
+struct ShopOptions {
+  std::optional<double> helix_widest;     ///< mm, diameter of the centre's circle on the way down
+  std::optional<double> helix_narrowest;  ///< mm
+  std::optional<MmPerMin> lead_feed;      ///< arcs and lines into and out of passes
+  std::optional<double> lead_overlap;     ///< mm; passes along walls run on over their start
+  std::optional<MmPerMin> link_feed;      ///< ways at depth through what is cut
+  std::optional<double> overrun;          ///< mm; open sides are cut this far beyond their edge
+  std::optional<double> link_lift;        ///< mm; such ways are run this much higher
+  std::optional<double> slot_angle_deg;   ///< engagement above which the slot feed rules
+  std::optional<bool> rest;           ///< all tools given for each pocket, larger first, each on what is left
+  std::optional<std::string> finish;  ///< "walls", "floor", "all": finishing after everything else
+  std::optional<double> finish_stock;  ///< mm left on walls for it
+  std::optional<double> finish_stock_floor;
+  std::optional<double> finish_depths;  ///< number of depths in which walls are finished
+  std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
+
+  /// The widest helix, mm, where an operation states a greatest radius of its own: these options come first.
+  std::optional<double> widest_helix(std::optional<double> operation_radius) const;
+  /// These, and where one is absent that of `other`.
+  ShopOptions or_else(const ShopOptions& other) const;
+};
+
+/// Throws InputError naming the first option that is out of its range; `prefix` goes before its name ("--").
+void check(const ShopOptions& options, const std::string& prefix);
+
+}  // namespace clearcut::inline model

@@ -1,0 +1,175 @@
+#include "plan/adaptive/clearing_outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plan/adaptive/trace/arcs.h"
+#include "geometry/route/legal_area.h"
+
+namespace clearcut::plan::adaptive {
+namespace {
+
+/// Share of the widest cut of a wall pass that is left to it: its contact grows where the cut does.
+constexpr double kWallShare = 0.62;
+/// Radians. Walls that turn inwards by more have a corner.
+constexpr double kCornerTurn = 0.1;
+/// Tool radii on both sides of a corner that are cut to the wall.
+constexpr double kCornerZone = 1.2;
+/// Share of the slope against the wall at which a wall pass would meet the limit.
+constexpr double kTaperShare = 0.9;
+constexpr double kSteepestTaper = 0.4;
+/// Width of a place over the distance from its walls.
+constexpr double kLeastWidth = 7;
+/// Halvings until the distance from walls that is left there is found; less, in tool radii, is none.
+constexpr int kHalvings = 16;
+constexpr double kLeastAside = 0.25;
+/// Tool radii between the points of the outline.
+constexpr double kPitch = 0.1;
+constexpr double kClosePitch = 0.02;
+/// mm. How far arcs of the outline are from its points: below any gouge that counts.
+constexpr double kTolerance = 3e-4;
+/// Points that an arc is made of at least, so that it is found again.
+constexpr int kLeastParts = 6;
+/// Points times edges above which narrow places take too long to find: everything is cut to the wall.
+constexpr double kMostWork = 3e7;
+
+class FrontOutline {
+ public:
+  FrontOutline(const Region& legal, double tool_radius, double limit)
+      : area_({legal}), radius_(tool_radius), limit_(limit) {
+    const double wall_contact = std::acos(1 - kWallShare * (1 - std::cos(limit)));
+    taper_ = std::min(kSteepestTaper, kTaperShare * std::tan(limit - wall_contact));
+  }
+
+  Loop around(const Loop& loop) {
+    place_points(loop);
+    keep_corners(loop);
+    taper();
+    narrow();
+    return joined();
+  }
+
+ private:
+  struct Point {
+    Vec2 wall;
+    Vec2 inwards;
+    double s = 0;  ///< length along the loop
+    double aside = 0;
+    bool corner = false;
+  };
+
+  /// What a cutter that runs along the edge may take.
+  double widest_cut(const Edge& edge) const {
+    const double straight = radius_ * (1 - std::cos(limit_));
+    if (edge.turn != Turn::kCounterClockwise) return straight;
+    // Inside an arc: the film between the circle it leaves and the one before it.
+    const double across = radius_ * std::sin(limit_), along = edge.radius() + radius_ * std::cos(limit_);
+    return std::clamp(edge.radius() + radius_ - std::hypot(along, across), 0.0, straight);
+  }
+
+  void place_points(const Loop& loop) {
+    points_.clear();
+    length_ = 0;
+    for (const Edge& edge : loop) {
+      // Round an obstacle, chords between points would cut it: they are close there.
+      const double pitch = (edge.turn == Turn::kClockwise ? kClosePitch : kPitch) * radius_;
+      const int parts =
+          std::max(edge.is_arc() ? kLeastParts : 1, static_cast<int>(edge.length() / pitch) + 1);
+      for (int i = 0; i < parts; ++i) {
+        const double t = static_cast<double>(i) / parts;
+        points_.push_back({edge.at(t), left_of(edge.tangent_at(t)), length_ + t * edge.length(),
+                           kWallShare * widest_cut(edge), false});
+      }
+      length_ += edge.length();
+    }
+  }
+
+  void keep_corners(const Loop& loop) {
+    double at = 0;
+    for (std::size_t e = 0; e < loop.size(); ++e) {
+      const Vec2 before = loop[(e + loop.size() - 1) % loop.size()].tangent_at(1),
+                 after = loop[e].tangent_at(0);
+      const double turn = std::atan2(cross(before, after), dot(before, after));
+      if (std::abs(turn) > kCornerTurn) keep_corner(at, kCornerZone * radius_);
+      at += loop[e].length();
+    }
+  }
+
+  void keep_corner(double at, double zone) {
+    for (Point& point : points_) {
+      const double along = std::abs(point.s - at), away = std::min(along, length_ - along);
+      if (away < zone) point.aside = 0;
+      if (away == 0) point.corner = true;
+    }
+  }
+
+  void taper() {
+    const std::size_t n = points_.size();
+    const auto limit_by = [&](Point& point, const Point& other) {
+      point.aside = std::min(point.aside, other.aside + taper_ * distance(point.wall, other.wall));
+    };
+    for (std::size_t i = 1; i < 2 * n; ++i) limit_by(points_[i % n], points_[(i - 1) % n]);
+    for (std::size_t i = 2 * n; i > 0; --i) limit_by(points_[(i - 1) % n], points_[i % n]);
+  }
+
+  /// Comes nearer where another wall is as near.
+  void narrow() {
+    bool narrower = false;
+    for (Point& point : points_) {
+      if (point.aside == 0 || is_wide(point, point.aside)) continue;
+      double wide = 0, narrow = point.aside;
+      for (int i = 0; i < kHalvings; ++i) {
+        const double middle = (wide + narrow) / 2;
+        (is_wide(point, middle) ? wide : narrow) = middle;
+      }
+      point.aside = wide < kLeastAside * radius_ ? 0 : wide;
+      narrower = true;
+    }
+    if (narrower) taper();
+  }
+
+  bool is_wide(const Point& point, double aside) const {
+    const double half = kLeastWidth / 2 * aside;
+    const Vec2 p = point.wall + point.inwards * half;
+    return area_.contains(p) && !area_.is_near_boundary(p, 0.95 * half);
+  }
+
+  Loop joined() const {
+    const std::size_t n = points_.size();
+    std::size_t first = 0;
+    while (first < n && !points_[first].corner) ++first;
+    if (first == n) first = 0;
+    Loop loop;
+    std::vector<Vec2> run;
+    for (std::size_t i = 0; i <= n; ++i) {
+      const Point& point = points_[(first + i) % n];
+      run.push_back(point.wall + point.inwards * point.aside);
+      if (i == 0 || (i < n && !point.corner)) continue;
+      for (const Edge& edge : fit_arcs(run, kTolerance)) loop.push_back(edge);
+      run = {run.back()};
+    }
+    return loop;
+  }
+
+  LegalArea area_;
+  double radius_;
+  double limit_;
+  double taper_ = 0;  ///< change of the distance from the wall along it
+  double length_ = 0;
+  std::vector<Point> points_;
+};
+
+}  // namespace
+
+Region front_area(const Region& legal, double tool_radius, double limit) {
+  double length = clearcut::length(legal.outer());
+  for (const Loop& island : legal.islands()) length += clearcut::length(island);
+  const double edges = static_cast<double>(legal.edges().size());
+  if ((length / (kPitch * tool_radius) + edges) * edges > kMostWork) return legal;
+  FrontOutline outline(legal, tool_radius, limit);
+  std::vector<Loop> islands;
+  for (const Loop& island : legal.islands()) islands.push_back(outline.around(island));
+  return Region::from_valid_loops(outline.around(legal.outer()), std::move(islands));
+}
+
+}  // namespace clearcut::plan::adaptive

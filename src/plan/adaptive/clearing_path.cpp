@@ -1,0 +1,177 @@
+#include "plan/adaptive/clearing_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/units.h"
+#include "plan/adaptive/trace/arcs.h"
+
+namespace clearcut::plan::adaptive {
+namespace {
+
+/// mm. Shorter moves are left out.
+constexpr double kShortest = 1e-6;
+/// mm. Moves are one where that runs as near to both.
+constexpr double kSame = 1e-4;
+/// The same in tool radii where no wall is as near.
+constexpr double kNearlySame = 1.5e-3;
+/// Tool radii that a hole must be wider than the cutter to begin in.
+constexpr double kLeastHole = 0.05;
+/// Radians by which the spiral may exceed the limit.
+constexpr double kSpiralExcess = 0.015;
+constexpr int kSpiralLooks = 8;
+/// By how much a half turn that exceeds it is taken back, and the least that it widens, in tool radii.
+constexpr double kNarrower = 0.97;
+constexpr double kLeastWidening = 0.05;
+
+}  // namespace
+
+void ClearingPath::open(const Disc& disc, double entry_radius, double engagement, double cleared) {
+  finish_pass();
+  const double tool = ground_.tool_radius(), within = cleared - tool;
+  const bool in_hole = within > kLeastHole * tool;
+  const double first = std::min({entry_radius, disc.radius - tool, in_hole ? within : entry_radius});
+  at_ = disc.center + Vec2{first, 0};
+  if (first <= kShortest) return;
+  spiral_ = {first, first};
+  pass_.starts_clear = in_hole;
+  if (!in_hole) pass_.entry_center = disc.center;
+  cut_arc(disc.center, disc.center - Vec2{first, 0});
+  cut_arc(disc.center, disc.center + Vec2{first, 0});
+  while (widen(disc, engagement, Turns::kFull)) {
+  }
+}
+
+void ClearingPath::widen_to_rim(const Disc& disc, double engagement) {
+  while (widen(disc, engagement, Turns::kAny)) {
+  }
+}
+
+/// One more half turn; whether there was one.
+bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
+  const double tool = ground_.tool_radius(), last = disc.radius - tool;
+  const auto [left, right] = spiral_;
+  if (right >= last) return false;
+  const double most = widened_circle(left + tool, tool, engagement);
+  if (most >= last && turns == Turns::kFull) return false;
+  double reach = std::min(last, most);
+  const auto end = [&] { return disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0}; };
+  const auto half_turn = [&] { return Edge::arc(at_, end(), (at_ + end()) / 2.0, Turn::kCounterClockwise); };
+  // The closed form is that of a circle; the half turns that widen it meet a little more.
+  while (!keeps_limit(half_turn(), engagement + kSpiralExcess) && reach > left + kLeastWidening * tool)
+    reach = left + (reach - left) * kNarrower;
+  const Vec2 to = end();
+  cut_arc((at_ + to) / 2.0, to);
+  spiral_ = {right, reach};
+  return true;
+}
+
+/// Along a spiral the contact changes smoothly: a few looks tell.
+bool ClearingPath::keeps_limit(const Edge& half_turn, double limit) const {
+  for (int i = 1; i <= kSpiralLooks; ++i) {
+    const double t = static_cast<double>(i) / kSpiralLooks;
+    if (ground_.contact(half_turn.at(t), half_turn.tangent_at(t)) > limit) return false;
+  }
+  return true;
+}
+
+void ClearingPath::append(const Path& cut, const Way& way) {
+  if (cut.empty()) return;
+  if (pass_.path.empty()) {
+    at_ = cut.front().from;
+  } else {
+    for (const Leg& leg : way) link(leg);
+  }
+  for (Edge edge : cut) {
+    edge.from = at_;
+    if (const auto whole = joined_to_last(edge)) {
+      pass_.path.back() = *whole;
+    } else {
+      pass_.path.push_back(edge);
+      pass_.kinds.push_back(MoveKind::kCut);
+    }
+    at_ = edge.to;
+  }
+}
+
+/// The last cut with the edge as one move: the same, or away from walls nearly so.
+std::optional<Edge> ClearingPath::joined_to_last(const Edge& edge) const {
+  if (pass_.path.empty() || pass_.kinds.back() != MoveKind::kCut) return std::nullopt;
+  if (const auto same = joined(pass_.path.back(), edge, kSame)) return same;
+  const auto whole = joined(pass_.path.back(), edge, kNearlySame * ground_.tool_radius());
+  return whole && ground_.is_legal(*whole) ? whole : std::nullopt;
+}
+
+void ClearingPath::cut_arc(Vec2 center, Vec2 to) {
+  const Edge arc = Edge::arc(at_, to, center, Turn::kCounterClockwise);
+  ground_.cut(arc);
+  pass_.path.push_back(arc);
+  pass_.kinds.push_back(MoveKind::kCut);
+  at_ = to;
+}
+
+void ClearingPath::link(const Leg& leg) {
+  if (distance(at_, leg.to) < kShortest) return;
+  pass_.path.push_back(leg.edge(at_));
+  pass_.kinds.push_back(MoveKind::kLink);
+  at_ = leg.to;
+}
+
+std::optional<Edge> ClearingPath::last_arc() const {
+  if (pass_.path.empty() || !pass_.path.back().is_arc()) return std::nullopt;
+  return pass_.path.back();
+}
+
+std::optional<Way> ClearingPath::way_to(Vec2 p, double film) const {
+  return empty() ? Way{{p}} : ways_.find(at_, p, ground_, film);
+}
+
+Way ClearingPath::hop_to(Vec2 p) {
+  finish_pass();
+  pass_.starts_clear = true;
+  return {{p}};
+}
+
+std::optional<Way> ClearingPath::hop_if_clear(Vec2 p) {
+  if (ground_.touches(p, Ground::kClear)) return std::nullopt;
+  return hop_to(p);
+}
+
+void ClearingPath::note_start(Vec2 p) {
+  if (empty()) pass_.starts_clear = !ground_.touches(p, Ground::kClear);
+}
+
+void ClearingPath::cut(const Path& cut, const Way& way) {
+  note_start(cut.front().from);
+  for (const Edge& edge : cut) ground_.cut(edge);
+  append(cut, way);
+}
+
+void ClearingPath::finish_pass() {
+  if (empty()) return;
+  pass_.reversible = false;
+  pass_.may_cut_to_start = false;
+  passes_.push_back(std::exchange(pass_, {}));
+}
+
+void ClearingPath::resume_pass() {
+  if (!empty() || passes_.empty()) return;
+  at_ = passes_.back().path.back().to;
+  pass_ = std::move(passes_.back());
+  passes_.pop_back();
+}
+
+std::vector<Edge> ClearingPath::moves() const {
+  std::vector<Edge> moves;
+  for (const Pass& pass : passes_) moves.insert(moves.end(), pass.path.begin(), pass.path.end());
+  moves.insert(moves.end(), pass_.path.begin(), pass_.path.end());
+  return moves;
+}
+
+std::vector<Pass> ClearingPath::take_passes() {
+  finish_pass();
+  return std::exchange(passes_, {});
+}
+
+}  // namespace clearcut::plan::adaptive

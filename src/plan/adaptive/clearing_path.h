@@ -1,0 +1,71 @@
+// The passes of an adaptive layer under construction: cuts, and links between them that are free.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "plan/adaptive/disc_engagement.h"
+#include "plan/adaptive/clear_links.h"
+#include "model/pass.h"
+
+namespace clearcut::plan::adaptive {
+
+/// The passes cut so far and the one that is being built. What is cut is taken from the ground.
+class ClearingPath {
+ public:
+  ClearingPath(Ground& ground, const FreeWays& ways) : ground_(ground), ways_(ways) {}
+
+  /// Begins a pass with a circle of `entry_radius` about the disc's centre and widens it in half turns as long as they
+  /// stay inside the disc and take all that `engagement` lets them.
+  /// `cleared`: radius of a hole that is there about the centre; where it leaves the cutter room the pass begins in it.
+  void open(const Disc& disc, double entry_radius, double engagement, double cleared = 0);
+  /// Goes on, right after open(), until the disc's rim is touched all round: the last turns are thinner.
+  void widen_to_rim(const Disc& disc, double engagement);
+
+  /// A link to p that grazes no more than `film` mm; a pass may begin anywhere.
+  std::optional<Way> way_to(Vec2 p, double film) const;
+  /// Begins a new pass at p, where nothing stands any more, from above.
+  Way hop_to(Vec2 p);
+  /// The same where nothing stands.
+  std::optional<Way> hop_if_clear(Vec2 p);
+  /// What is known about the place where a pass begins, before it is cut.
+  void note_start(Vec2 p);
+  /// Goes over `link` to the start of `cut` and appends it; a pass begins with its first cut. The ground is as
+  /// after the cut already.
+  void append(const Path& cut, const Way& link);
+  /// The same, and takes the cut from the ground.
+  void cut(const Path& cut, const Way& link);
+
+  bool empty() const { return pass_.path.empty(); }
+  std::optional<Edge> last_arc() const;
+  Vec2 at() const { return at_; }
+  /// Ends the pass; the next one begins with its first cut.
+  void finish_pass();
+  /// Takes the last pass back where nothing was begun after it.
+  void resume_pass();
+  /// All moves so far.
+  std::vector<Edge> moves() const;
+  /// All passes, the last one ended.
+  std::vector<Pass> take_passes();
+
+ private:
+  enum class Turns { kFull, kAny };
+  bool widen(const Disc& disc, double engagement, Turns turns);
+  bool keeps_limit(const Edge& half_turn, double limit) const;
+  void cut_arc(Vec2 center, Vec2 to);
+  void link(const Leg& leg);
+  std::optional<Edge> joined_to_last(const Edge& edge) const;
+
+  Ground& ground_;
+  const FreeWays& ways_;
+  std::vector<Pass> passes_;
+  Pass pass_;
+  Vec2 at_;
+  /// Distances of the spiral's last two ends from its centre, mm.
+  struct Ends {
+    double left = 0;
+    double right = 0;
+  } spiral_;
+};
+
+}  // namespace clearcut::plan::adaptive

@@ -1,0 +1,438 @@
+#include "plan/adaptive/corners/corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "plan/adaptive/trace/arcs.h"
+
+namespace clearcut::plan::adaptive {
+namespace {
+
+/// mm. No arc need come nearer to the corner.
+constexpr double kNearest = 1e-3;
+/// mm. Centres nearer than this to each other are one; what may stay at a centre that was visited.
+constexpr double kNear = 1e-4;
+constexpr double kVisited = 2.5e-3;
+/// Tool radii. Walls that are not cut up to this near are not prepared; nor are arcs wider than this.
+constexpr double kPrepared = 1.2;
+/// Tool radii between looks for cusps.
+constexpr double kCuspStep = 0.02;
+/// Factor between the distances at which a wall is looked at.
+constexpr double kFarther = 1.25;
+/// mm. Shorter arcs are lines. Cusps that may stay on the wall between two arcs.
+constexpr double kShortArc = 0.0025;
+constexpr double kCusp = 2e-3;
+/// Radians that arcs are aimed above the limit; that are no excess.
+constexpr double kAim = 0.012;
+constexpr double kAbove = 0.02;
+constexpr int kMostArcs = 400;
+/// Log of the factor that is enough for an arc; share of what a spiral gains from which on it is.
+constexpr double kGoodGain = 0.7;
+constexpr double kArcShare = 0.45;
+/// Radians kept off the limit on spirals, the first that is enough; their arcs turn by as much.
+constexpr double kMargins[] = {0, 0.05, 0.12};
+constexpr double kWidestSpiralTurn = 0.8;
+constexpr double kLeastSpiralTurn = 0.3;
+/// Factor between distances that are as good as the same.
+constexpr double kCloseTo = 1.01;
+/// Tries at an arc; factors between their ends, where they exceed the limit, and where ends do.
+constexpr int kMostTries = 6;
+constexpr double kNotSoNear = 1.15;
+constexpr double kNearer = 0.8;
+/// Ends on the second wall from which a straight way back is tried where cusps stay; moves round a corner beyond which it is not.
+constexpr int kMostStraight = 2;
+constexpr std::size_t kLong = 12;
+/// How near the first guess is.
+constexpr double kGuessed = 1.04;
+/// Radians more off the wall, at first.
+constexpr double kMoreTurn = 0.02;
+/// Of the distance from the corner: a centre that was visited touches nothing, the next ones do.
+constexpr double kAhead = 0.05;
+/// Turns of a heading until the contact is at the limit.
+constexpr int kMostTurns = 5;
+/// An arc that comes no nearer than by this factor is none; nor a move along the wall.
+constexpr double kLeastGain = 0.97;
+constexpr double kEnoughAlong = 0.8;
+
+/// From u to v, > 0 to the left.
+double angle_between(Vec2 u, Vec2 v) {
+  return std::atan2(cross(u, v), dot(u, v));
+}
+
+/// Distances from the corner along its first wall, side 0, and its second, side 1.
+class CornerCuts {
+ public:
+  /// From its `straight`-th end on the second wall it goes back to the first wall straight and on along that, over the cusps there.
+  CornerCuts(const Wall& wall, const Corner& corner, Ground& ground, double limit, int straight)
+      : wall_(wall),
+        ground_(ground),
+        radius_(ground.tool_radius()),
+        s_(corner.place.s),
+        turn_(corner.turn),
+        limit_(limit),
+        straight_(straight) {}
+
+  /// The first wall is cut up to `a` before the corner, the second from `b` after it on.
+  std::optional<CornerRound> cuts(double a, double b, double film) {
+    cut_[0] = a;
+    cut_[1] = b;
+    for (int i = 0; i < kMostArcs && left() > film; ++i) {
+      if (side_ == 0) go_along_first(i == 0 ? 1 : kEnoughAlong);
+      if (left() > film && !go_across()) return std::nullopt;
+    }
+    if (path_.empty() || left() > film) return std::nullopt;
+    if (may_end_on_first(film)) return CornerRound{std::move(path_), s_ - cut_[0], 0, aside()};
+    if (!go_to_second(film)) return std::nullopt;
+    return CornerRound{std::move(path_), s_ + cut_[1], film_before_};
+  }
+
+  /// Whether it had to go along the first wall again at last.
+  bool leaves_cusps() const { return cusps_ > 0; }
+
+ private:
+  Vec2 at(int side, double x) const { return wall_.at(side == 0 ? s_ - x : s_ + x); }
+  /// Heading into the corner.
+  Vec2 into(int side, double x) const { return side == 0 ? wall_.heading(s_ - x) : -wall_.heading(s_ + x); }
+  /// Angles are > 0 to the side of the other wall.
+  static Vec2 turned(int side, Vec2 u, double angle) { return rotated(u, side == 0 ? angle : -angle); }
+
+  double angle(Vec2 u, Vec2 v) const { return side_ == 0 ? angle_between(u, v) : angle_between(v, u); }
+
+  Vec2 here() const { return path_.empty() ? at(side_, cut_[side_]) : path_.back().to; }
+
+  void take(const Edge& edge) {
+    if (distance(edge.from, edge.to) < kNear) return;
+    ground_.cut(edge);
+    path_.push_back(edge);
+  }
+
+  /// Whether it keeps the limit; if so it is taken.
+  bool take_within(const Edge& edge) {
+    if (!ground_.is_legal(edge) || ground_.length_within(edge, limit_ + kAbove) < edge.length()) return false;
+    take(edge);
+    return true;
+  }
+
+  bool ends_within(const Edge& edge) const {
+    return ground_.contact(edge.to, edge.tangent_at(1)) <= limit_ + kAim;
+  }
+
+  /// The least number of (0, most] at which the contact of an edge's end keeps the limit, where larger ones do; none when `most`
+  /// does not. Looked for near `guess` first.
+  template <typename EdgeTo>
+  std::optional<double> nearest_within(double most, double guess, const EdgeTo& edge_to) const {
+    double low = std::min(kNearest, most), high = guess * kGuessed;
+    if (guess > 0 && high < most && ends_within(edge_to(high))) {
+      if (guess / kGuessed > low && !ends_within(edge_to(guess / kGuessed))) low = guess / kGuessed;
+    } else {
+      high = most;
+      for (int i = 0; !ends_within(edge_to(high)); ++i, high *= kNearer) {
+        if (i == kMostTries) return std::nullopt;
+      }
+      low = std::min(low, high);
+      if (ends_within(edge_to(low))) return low;
+    }
+    // By shares: an arc may come nearer a hundredfold.
+    while (high > low * kCloseTo) {
+      const double middle = std::sqrt(low * high);
+      (ends_within(edge_to(middle)) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  /// As near on the first wall as the limit lets.
+  void go_along_first(double least) {
+    const double from = cut_[0];
+    const auto along = [&](double to) { return Edge::line(at(0, to + kNear), at(0, to)); };
+    if (least < 1 && !ends_within(along(from * least))) return;
+    const double to = nearest_within(from, 0, along).value_or(from);
+    if (to > from * least - kNear) return;
+    for (const Edge& edge : wall_.part(s_ - from, s_ - to)) {
+      const double within = ground_.length_within(edge, limit_ + kAbove);
+      if (within < edge.length()) {
+        if (within > kNear) take(edge.part(0, within / edge.length()));
+        cut_[0] -= within;
+        return;
+      }
+      take(edge);
+      cut_[0] -= edge.length();
+    }
+  }
+
+  /// A way to the other wall and how near it comes there.
+  struct Crossing {
+    Path path;
+    double to = 0;
+  };
+
+  /// To the other wall, nearer than before: on an arc, or where that gains much less, on a spiral.
+  bool go_across() {
+    if (side_ == 1 && --straight_ == 0 && go_back()) return true;
+    const double most = cut_[1 - side_];
+    if (spiral_arcs_[side_] > 0) {
+      if (const auto spiral = spiral_across(-std::log(kLeastGain))) return go(*spiral);
+    }
+    const auto arc = arc_across();
+    const double gain = arc ? std::log(most / arc->to) : 0;
+    if (gain < kGoodGain) {
+      if (const auto spiral = spiral_across(gain / kArcShare)) return go(*spiral);
+    }
+    return arc ? go(*arc) : side_ == 1 && go_back();
+  }
+
+  bool go(const Crossing& crossing) {
+    const int other = 1 - side_;
+    const double from = std::exchange(cut_[other], crossing.to);
+    for (const Edge& edge : crossing.path) take(edge);
+    side_ = other;
+    if (side_ == 0 && cusps_ == 0 && ground_.touches(at(0, (from + cut_[0]) / 2), kCusp)) cusps_ = from;
+    return true;
+  }
+
+  std::optional<Crossing> arc_across() {
+    const int other = 1 - side_;
+    const double most = cut_[other];
+    // Each crossing is like the one before, only smaller.
+    Crossed& before = crossed_[side_];
+    const double first = first_turn();
+    double turn = first + before.more_turn, more = kMoreTurn, short_of = 1;
+    for (int i = 0; i < kMostTries; ++i) {
+      const Vec2 heading = turned(side_, into(side_, cut_[side_]), turn);
+      const auto arc_to = [&](double x) { return arc_along(here(), heading, at(other, x)); };
+      const double to = short_of * nearest_within(most, most * before.gain, arc_to).value_or(most);
+      const Edge arc = arc_to(to);
+      if (to > most * kLeastGain || !ground_.is_legal(arc)) return std::nullopt;
+      const double within = ground_.length_within(arc, limit_ + kAbove);
+      if (within >= arc.length()) {
+        before = {to / short_of / most, (turn - first) / 2};
+        return Crossing{{arc}, to};
+      }
+      if (within < arc.length() / 2) {
+        turn += more;
+        more *= 2;
+      } else {
+        short_of *= kNotSoNear;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// About the last centre on the other wall, with the heading `limit` off the direction to it: from the pole, the rays to the
+  /// cutter shrink by exp(-turn / tan(limit)).
+  struct Spiral {
+    Vec2 pole;
+    Vec2 ray;  ///< where it begins, from the pole
+    double limit = 0;
+    double radius(double turn) const { return norm(ray) * std::exp(-turn / std::tan(limit)); }
+  };
+
+  /// None where it gains less than a factor of exp(least).
+  std::optional<Crossing> spiral_across(double least) {
+    const int other = 1 - side_;
+    if (cut_[other] >= kPrepared * radius_) return std::nullopt;
+    const Vec2 pole = at(other, cut_[other]);
+    // A little nearer to the limit, in a little fewer arcs than the last one.
+    int& arcs = spiral_arcs_[side_];
+    arcs = std::max(0, arcs - 1);
+    if (arcs == 0 && margin_ > 0) --margin_;
+    for (; margin_ < std::size(kMargins); ++margin_) {
+      const Spiral spiral{pole, here() - pole, limit_ - kMargins[margin_]};
+      const double to = end_of(spiral);
+      if (std::log(cut_[other] / to) < least) break;
+      const double whole = angle(spiral.ray, at(other, to) - pole);
+      for (arcs = std::max(arcs, static_cast<int>(whole / kWidestSpiralTurn) + 1);
+           arcs <= whole / kLeastSpiralTurn + 1; ++arcs) {
+        Path path = arcs_of(spiral, to, whole, arcs);
+        const bool legal =
+            std::all_of(path.begin(), path.end(), [&](const Edge& edge) { return ground_.is_legal(edge); });
+        if (legal && ground_.keeps_limit(path, limit_ + kAbove, 0)) return Crossing{std::move(path), to};
+      }
+      arcs = 0;
+    }
+    margin_ = 0;
+    arcs = 0;
+    return std::nullopt;
+  }
+
+  /// Where it meets the other wall.
+  double end_of(const Spiral& spiral) const {
+    const int other = 1 - side_;
+    double low = 0, high = cut_[other];
+    while (high - low > (kCloseTo - 1) * (cut_[other] - low)) {
+      const double middle = (low + high) / 2, turn = angle(spiral.ray, at(other, middle) - spiral.pole);
+      (cut_[other] - middle <= spiral.radius(turn) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  Path arcs_of(const Spiral& spiral, double to, double whole, int arcs) const {
+    Path path;
+    for (int i = 1; i <= arcs; ++i) {
+      const Vec2 begin = path.empty() ? here() : path.back().to;
+      const double turn = whole * i / arcs;
+      const Vec2 end = i == arcs ? at(1 - side_, to)
+                                 : spiral.pole + turned(side_, unit(spiral.ray), turn) * spiral.radius(turn);
+      path.push_back(arc_along(begin, turned(side_, unit(spiral.pole - begin), -spiral.limit), end));
+    }
+    return path;
+  }
+
+  /// To the first wall where it is cut already.
+  bool go_back() {
+    const double to = std::max(cut_[0], cusps_);
+    if (back_ == to || !take_within(Edge::line(here(), at(0, to)))) return false;
+    back_ = cut_[0] = to;
+    cusps_ = 0;
+    side_ = 0;
+    return true;
+  }
+
+  /// At last, over what arcs left on the first wall between them; the next cut goes along the second.
+  bool go_to_second(double film) {
+    if (cusps_ > 0 && (cut_cusps_from_second(film) || cut_cusps())) side_ = 0;
+    if (side_ == 1) return true;
+    const Edge line = Edge::line(here(), at(1, cut_[1]));
+    if (ground_.is_legal(line)) return take_within(line);
+    // Between walls that curve into the area: along the wall again.
+    for (const Edge& edge : wall_.part(s_ - cusps_, s_ - cut_[0])) take(edge);
+    return take_within(Edge::line(here(), at(1, cut_[1])));
+  }
+
+  bool cut_cusps() {
+    if (side_ == 1 && !take_within(Edge::line(here(), at(0, cut_[0])))) return false;
+    side_ = 0;
+    const Path cusps = reversed(wall_.part(s_ - cusps_, s_ - cut_[0]));
+    return std::all_of(cusps.begin(), cusps.end(), [&](const Edge& edge) { return take_within(edge); });
+  }
+
+  /// The same from the second wall at once, if no more than the film stays on the first.
+  bool cut_cusps_from_second(double film) {
+    if (side_ == 0) return false;
+    const std::size_t before = ground_.cuts();
+    if (!take_within(Edge::line(here(), at(0, cusps_)))) return false;
+    const double step = kCuspStep * radius_;
+    double x = kNearest;
+    while (x < cusps_ && !ground_.touches(at(0, x), film)) x = std::min(x * kFarther, x + step);
+    if (x >= cusps_) {
+      film_before_ = cusps_;
+      return true;
+    }
+    path_.pop_back();
+    ground_.forget_beyond(before);
+    return false;
+  }
+
+  /// Of a heading from along the wall to as little off it as the limit lets.
+  double first_turn() const {
+    const Vec2 from = here(), along = into(side_, cut_[side_]), way = at(1 - side_, cut_[1 - side_]) - from;
+    const double seen = angle(along, way);
+    double turn = cut_[1 - side_] < kPrepared * radius_ ? std::max(0.0, seen - limit_) : 0.0;
+    const double ahead = std::max(kNearest, kAhead * cut_[side_]);
+    for (int i = 0; i < kMostTurns; ++i) {
+      const Vec2 heading = turned(side_, along, turn);
+      const double excess = ground_.contact(from + heading * ahead, heading) - limit_ - kAim;
+      if (excess <= 0) break;
+      turn += excess;
+    }
+    return turn;
+  }
+
+  /// mm. How far the first wall is from the line of the second where it is cut up to.
+  double aside() const { return cut_[0] * std::sin(turn_); }
+
+  /// Whether a cut along the second wall may begin on the first, and leave a wedge.
+  bool may_end_on_first(double film) const {
+    return side_ == 0 && cusps_ == 0 && aside() <= film - Walls::kWedge;
+  }
+
+  /// Thickness of what stays.
+  double left() const {
+    const double a = cut_[0], b = cut_[1];
+    return a * b * std::sin(turn_) / std::sqrt(a * a + b * b + 2 * a * b * std::cos(turn_));
+  }
+
+  static Edge arc_along(Vec2 from, Vec2 heading, Vec2 to) {
+    return distance(from, to) < kShortArc ? Edge::line(from, to) : tangent_arc(from, heading, to);
+  }
+
+  const Wall& wall_;
+  Ground& ground_;
+  double radius_, s_, turn_, limit_;
+  int straight_;
+  double cut_[2] = {};
+  int side_ = 0;
+  double cusps_ = 0;        ///< on the first wall up to there
+  double film_before_ = 0;  ///< what may stay at the corner does so on the first wall up to there
+  /// The last arc from a side.
+  struct Crossed {
+    double gain = 0;       ///< how near it came, over how near the other wall was cut
+    double more_turn = 0;  ///< radians that it had to leave its wall by
+  } crossed_[2];
+  std::size_t margin_ = 0;   ///< of the last spiral
+  int spiral_arcs_[2] = {};  ///< of the last spiral from each side, 0: none
+  double back_ = -1;         ///< where it last went back to the first wall
+  Path path_;
+};
+
+/// Distance from the corner to the first centre on a wall that touches nothing.
+std::optional<double> first_visited(const Wall& wall, double s, double sign, const Ground& ground) {
+  for (double x = kNearest; x < kPrepared * ground.tool_radius(); x *= kFarther) {
+    if (!ground.touches(wall.at(s + sign * x), kVisited)) return x;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double arc_gain(double turn, double limit) {
+  const double chord = 2 * (turn - limit) / 3;
+  return std::sin(chord) / std::sin(turn - chord);
+}
+
+std::vector<Corner> corners_of(const Walls& walls, double limit) {
+  std::vector<Corner> corners;
+  for (std::size_t w = 0; w < walls.count(); ++w) {
+    const Loop& loop = walls.wall(w).loop();
+    double s = 0;
+    for (std::size_t e = 0; e < loop.size(); ++e) {
+      const Vec2 before = loop[(e + loop.size() - 1) % loop.size()].tangent_at(1),
+                 after = loop[e].tangent_at(0);
+      const double turn = angle_between(before, after);
+      if (turn > limit) corners.push_back({{w, s}, turn});
+      s += loop[e].length();
+    }
+  }
+  return corners;
+}
+
+std::vector<WallPlace> places_of(const std::vector<Corner>& corners) {
+  std::vector<WallPlace> places;
+  for (const Corner& corner : corners) places.push_back(corner.place);
+  return places;
+}
+
+std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner, double from, Ground& ground,
+                                        double limit, double film) {
+  const std::size_t before = ground.cuts();
+  const Wall& wall = walls.wall(corner.place.wall);
+  const double second =
+      first_visited(wall, corner.place.s, 1, ground).value_or(kPrepared * ground.tool_radius());
+  std::optional<CornerRound> best;
+  for (int straight = 0; straight <= kMostStraight; ++straight) {
+    CornerCuts corner_cuts(wall, corner, ground, limit, straight);
+    auto found = corner_cuts.cuts(from, second, film);
+    ground.forget_beyond(before);
+    if (found && (!best || found->path.size() < best->path.size())) best = std::move(found);
+    if ((straight == 0 && !corner_cuts.leaves_cusps()) || (best && best->path.size() > kLong)) break;
+  }
+  return best;
+}
+
+std::optional<double> prepared_before(const Walls& walls, const Corner& corner, const Ground& ground) {
+  return first_visited(walls.wall(corner.place.wall), corner.place.s, -1, ground);
+}
+
+}  // namespace clearcut::plan::adaptive

@@ -1,0 +1,189 @@
+#include "plan/adaptive/corners/trochoidal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plan/adaptive/trace/arcs.h"
+
+namespace clearcut::plan::adaptive {
+namespace {
+
+// In tool radii:
+constexpr double kWallStep = 0.03;  // between looks along the wall
+constexpr double kLongest = 0.06;   // step off the wall
+constexpr double kFirst = 0.01;     // the first of them
+constexpr double kAir = 0.15;       // length without contact that ends a bite
+constexpr double kFarAir = 0.6;     // the same before it has begun
+constexpr double kRightTurn = 0.5;  // tightest turn to the right
+// mm:
+constexpr double kShortest = 4e-4;   // step
+constexpr double kPlace = 1e-4;      // error of a place on the wall
+constexpr double kTolerance = 2e-4;  // of fitted arcs
+// Radians:
+constexpr double kTurn = 0.16;       // most turn of a step that is not the shortest
+constexpr double kLeave = 1.9;       // most turn off the wall, and of the shortest steps
+constexpr double kTouch = 0.02;      // less contact is none
+constexpr double kAngle = 1e-3;      // error of a turn
+constexpr double kNearLimit = 5e-4;  // below the limit that is as good as at it
+constexpr double kGrow = 1.4;        // from one step to the next
+constexpr int kMostSteps = 4000;
+/// Changes between wall and open after which a bite ends.
+constexpr int kMostRuns = 30;
+
+}  // namespace
+
+void Peeler::begin(double s, double until) {
+  s_ = s;
+  until_ = until;
+  path_.clear();
+  run_.clear();
+  air_ = engaged_ = 0;
+  state_ = {wall_.at(s), wall_.heading(s)};
+}
+
+Path Peeler::bite(double s, double until) {
+  begin(s, until);
+  return run(Next::kWall);
+}
+
+Path Peeler::bite_from_aside(Vec2 gate, double s) {
+  begin(s, s + 2 * wall_.length());
+  state_.point = gate;
+  return run(Next::kFree);
+}
+
+Path Peeler::run(Next next) {
+  for (int i = 0; i < kMostRuns && next != Next::kDone; ++i)
+    next = next == Next::kWall ? along_wall() : freely();
+  if (engaged_ <= 0) return {};
+  return std::move(path_);
+}
+
+double Peeler::wall_contact(double s) const {
+  return ground_.contact(wall_.at(s), wall_.heading(s));
+}
+
+/// Whether there is still something to be expected.
+bool Peeler::counts_air(double step, double contact) {
+  if (contact > kTouch) {
+    engaged_ += step;
+    air_ = 0;
+  } else {
+    air_ += step;
+  }
+  return air_ <= (engaged_ > 0 ? kAir : kFarAir) * radius_;
+}
+
+Peeler::Next Peeler::along_wall() {
+  const double first = s_;
+  Next next = Next::kDone;
+  while (s_ < until_) {
+    const double to = std::min({s_ + kWallStep * radius_, std::max(wall_.edge_end(s_), s_ + kPlace), until_});
+    const auto contact = [&](double s) { return std::max(wall_contact(s - 1e-7), wall_contact(s + 1e-7)); };
+    const double ahead = contact(to);
+    if (ahead > limit_) {
+      double good = s_, bad = to;
+      while (bad - good > kPlace) (contact((good + bad) / 2) > limit_ ? bad : good) = (good + bad) / 2;
+      if (good > s_) counts_air(good - s_, limit_);
+      s_ = good;
+      next = Next::kFree;
+      break;
+    }
+    const bool on = counts_air(to - s_, ahead);
+    s_ = to;
+    if (!on) break;
+  }
+  if (s_ - first > kPlace) {
+    for (const Edge& edge : wall_.part(first, s_)) path_.push_back(edge);
+  }
+  state_ = {wall_.at(s_), wall_.heading(s_)};
+  return next;
+}
+
+Peeler::State Peeler::stepped(double step, double turn) const {
+  const Vec2 heading = rotated(state_.heading, turn);
+  return {state_.point + heading * step, heading};
+}
+
+/// The least turn to the left between `least` and `most` with which the contact keeps the limit after a step.
+std::optional<double> Peeler::step_turn(double step, double least, double most) const {
+  const auto excess = [&](double turn) {
+    const State next = stepped(step, turn);
+    return ground_.contact(next.point, next.heading) - limit_;
+  };
+  double above = excess(least);
+  if (above <= 0) return least;
+  double below = excess(most);
+  if (below > 0) return std::nullopt;
+  // By the secant where that closes in, else by halves: the contact may jump.
+  bool halve = false;
+  while (most - least > kAngle && below < -kNearLimit) {
+    const double width = most - least;
+    const double share = std::clamp(above / (above - below) + kNearLimit / width, 0.05, 0.95);
+    const double turn = least + (halve ? 0.5 : share) * width;
+    const double there = excess(turn);
+    (there <= 0 ? most : least) = turn;
+    (there <= 0 ? below : above) = there;
+    halve = most - least > width / 2;
+  }
+  return most;
+}
+
+void Peeler::take(Vec2 p) {
+  if (run_.empty()) run_.push_back(state_.point);
+  run_.push_back(p);
+}
+
+void Peeler::end_run() {
+  if (run_.size() > 1) {
+    for (const Edge& edge : fit_arcs(run_, kTolerance)) path_.push_back(edge);
+  }
+  run_.clear();
+}
+
+Peeler::Next Peeler::freely() {
+  step_ = kFirst * radius_;
+  bool first = true;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const bool shortest = step_ <= kShortest;
+    const double most = first || shortest ? kLeave : kTurn;
+    const auto turn = step_turn(step_, first ? 0 : -step_ / (kRightTurn * radius_), most);
+    if (!turn && shortest) break;
+    if (!turn || (first && !shortest && *turn > kTurn)) {
+      step_ = std::max(kShortest, step_ / 2);
+      continue;
+    }
+    const State next = stepped(step_, *turn);
+    if (!is_legal(next.point)) return meet_wall(next.point);
+    const bool on = counts_air(step_, ground_.contact(next.point, next.heading));
+    take(next.point);
+    state_ = next;
+    if (!on) break;
+    if (*turn < kTurn / 2) step_ = std::min(step_ * kGrow, kLongest * radius_);
+    first = false;
+  }
+  end_run();
+  return Next::kDone;
+}
+
+/// To the wall at the place beside `outside`.
+Peeler::Next Peeler::meet_wall(Vec2 outside) {
+  double in = 0, out = 1;
+  while ((out - in) * distance(state_.point, outside) > kPlace) {
+    const double middle = (in + out) / 2;
+    (is_legal(lerp(state_.point, outside, middle)) ? in : out) = middle;
+  }
+  const Vec2 met = lerp(state_.point, outside, in);
+  const auto hit = wall_.nearest(met);
+  if (in > 0) take(met);
+  end_run();
+  state_.point = met;
+  if (hit.distance > 2 * kPlace) return Next::kDone;
+  // Not back to where the bite has been.
+  const double lap = std::ceil((s_ - kPlace - hit.s) / wall_.length()) * wall_.length();
+  if (hit.s + lap >= until_ || hit.s + lap <= s_ + kPlace) return Next::kDone;
+  s_ = hit.s + lap;
+  return Next::kWall;
+}
+
+}  // namespace clearcut::plan::adaptive

@@ -1,0 +1,13 @@
+#include "plan/adaptive/disc_engagement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearcut::plan::adaptive {
+double widened_circle(double cleared_radius, double tool_radius, double engagement) {
+  const double across = tool_radius * std::sin(engagement);
+  const double inside = std::max(0.0, cleared_radius * cleared_radius - across * across);
+  return -tool_radius * std::cos(engagement) + std::sqrt(inside);
+}
+
+}  // namespace clearcut::plan::adaptive

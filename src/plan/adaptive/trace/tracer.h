@@ -1,0 +1,114 @@
+// Cuts that keep the engagement at its limit: the curve that the cutter's centre has to run on for that.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "plan/adaptive/trace/arc_aimer.h"
+#include "plan/adaptive/trace/walls.h"
+
+namespace clearcut::plan::adaptive {
+
+/// How cuts follow walls.
+struct AlongWalls {
+  double air = 0;      ///< mm without contact that end a cut
+  double overrun = 0;  ///< mm past the last contact
+};
+
+/// Traces cuts with the material on the right of the direction of travel.
+class Tracer {
+ public:
+  /// `limit`: largest contact, radians. Cuts off the walls stay inside `area`. The tracer takes away what it
+  /// cuts from `ground`.
+  Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, AlongWalls along);
+
+  /// One cut from a place on a wall: along the wall until the contact would exceed the limit, off it on an
+  /// arc, on with the contact at its limit, until the cutter meets a wall ahead or runs into the open.
+  /// Empty when nothing can be cut there within the limit. What it is after begins at `material_s`.
+  /// Where so little stays on the wall that it may, and `can_begin` agrees to the place, the cut begins beside the wall
+  /// with the arc that leads off it.
+  using CanBegin = std::function<bool(Vec2)>;
+  Path cut_from(const WallPlace& start, double material_s, const CanBegin& can_begin = {});
+  /// The same from where the cutter already cuts.
+  Path cut_on(Vec2 from, Vec2 heading, double curvature);
+
+  /// Where the last cut first left its wall.
+  double first_departure() const { return first_departure_; }
+
+ private:
+  enum class Next { kDone, kTrace, kWall };
+  /// What was taken so far.
+  struct Mark {
+    std::size_t moves = 0, cuts = 0;
+  };
+  /// The arc off a wall at s, of which at least so much is to be taken, mm; and where it ends on a wall.
+  struct WayOff {
+    double s = 0;
+    Course from;
+    Edge arc;
+    double least = 0;
+    std::optional<WallPlace> met;
+  };
+  /// The arc to a wall that a cut goes on along.
+  struct Landing {
+    Edge arc;
+    WallPlace place;
+  };
+
+  Path run(Next next);
+  Mark mark() const;
+  void forget_beyond(const Mark& mark);
+
+  Next follow_wall();
+  double wall_contact(double s) const;
+  double end_of_cut(double cut_until) const;
+  Next depart(double s_clear, double s_over);
+  double last_within(double s_clear, double s_over) const;
+  double latest_departure(double s_clear, double s_over, double radius, double least);
+  bool can_leave(double s, double radius);
+  Next leave(double s, double radius);
+  Course course_at(double s, double radius, double kink) const;
+  std::optional<WayOff> way_off(double s, double radius, double kink) const;
+  std::optional<WayOff> way_across(const WayOff& off) const;
+  WayOff up_to_wall(double s, const Course& from, Shot shot) const;
+  bool begin_beside(const WayOff& off);
+  std::optional<Vec2> gate_before(double s, const Edge& arc) const;
+  Next on_from(const WayOff& off);
+  void follow_from(const WallPlace& place);
+  bool append_wall(double s_from, double s_to);
+  bool append_as_one(std::span<const Edge> part, double s_from);
+
+  Next trace();
+  Next meet_wall(const Shot& shot, double inside);
+  std::optional<Landing> landing_of(const Course& from, const Shot& shot, double inside) const;
+  bool leads_along(const WallPlace& met, Vec2 heading) const;
+  bool step_to_wall(const WallPlace& place);
+
+  bool is_within(const Edge& edge) const;
+  double length_within(const Edge& edge) const;
+  double go(const Shot& shot);
+  void go(const Edge& edge, double within);
+  bool append(const Edge& edge);
+  void take(Edge edge);
+
+  Ground& ground_;
+  const Walls& walls_;
+  ArcAimer aimer_;
+  double radius_;
+  double limit_;
+  AlongWalls along_;
+  double step_;
+  Path path_;
+  double engaged_ = 0;  ///< mm of the cut in contact
+  double air_ = 0;      ///< mm since the last contact
+  Course course_;
+  WallPlace place_;
+  double material_s_ = 0;
+  CanBegin can_begin_;
+  Mark before_wall_;  ///< before the wall that the cut follows, or the step to it
+  double first_departure_ = 0;
+  int critical_look_ = 0;  ///< where an arc off the wall exceeded the limit last
+};
+
+}  // namespace clearcut::plan::adaptive

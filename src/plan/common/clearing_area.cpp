@@ -1,0 +1,165 @@
+#include "plan/common/clearing_area.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "plan/common/rings.h"
+
+namespace clearcut::plan {
+namespace {
+
+/// mm. Walls two diameters apart are cut clean but for a film, within the error of offsets.
+constexpr double kFilm = 0.001;
+/// mm. Where not even that may stay, the rest overlaps by this with what the wall passes clear.
+constexpr double kBareMargin = 0.002;
+/// mm. Walls are followed this much farther than the target can be reached from them.
+constexpr double kWallMargin = 0.01;
+
+/// The stretches of a loop inside `where`; the whole loop as one closed stretch.
+std::vector<Path> stretches_inside(const Loop& loop, const Regions& where) {
+  std::vector<Path> found;
+  bool joined = false, all = true;
+  for (const auto& edge : loop) {
+    std::vector<double> cuts{0, 1};
+    for (const auto& region : where) {
+      if (!region.box().overlaps(edge.box())) continue;
+      for (const auto& side : region.edges()) {
+        for (const Vec2 p : intersections(edge, side)) cuts.push_back(nearest(edge, p).t);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      if ((cuts[i] - cuts[i - 1]) * edge.length() < 1e-6) continue;
+      const bool inside = contains(where, edge.at((cuts[i - 1] + cuts[i]) / 2));
+      if (inside) {
+        if (!joined) found.emplace_back();
+        found.back().push_back(cuts[i] - cuts[i - 1] >= 1 ? edge : edge.part(cuts[i - 1], cuts[i]));
+      }
+      joined = inside;
+      all = all && inside;
+    }
+  }
+  const bool wraps = !all && found.size() > 1 && joined && found.front().front().from == loop.front().from;
+  if (wraps) {
+    found.back().insert(found.back().end(), found.front().begin(), found.front().end());
+    found.erase(found.begin());
+  }
+  return found;
+}
+
+class AreaBuilder {
+ public:
+  AreaBuilder(const Layer& layer, const Tolerances& tol)
+      : layer_(layer), tol_(tol), closed_(closed_all_round(layer)) {
+    area_.walls.z_top = layer.z_top;
+    area_.walls.z = layer.z;
+    area_.walls.target = layer.target;
+    bare_ = layer.bare || !closed_;
+    area_.walls.film = bare_ ? 0 : kFilm;
+    if (!closed_) near_ = dilate(layer.target, layer.tool_radius + layer.rounded + kWallMargin, tol);
+  }
+
+  ClearingArea build() {
+    const double first = layer_.tool_radius + layer_.wall_stock;
+    std::vector<Path> lines;
+    for (const auto& allowed : layer_.allowed) {
+      const Clearance clearance(allowed, tol_);
+      const auto legal = safe_inset(clearance, allowed, first, tol_);
+      // Coarse digits of the program may move either pass.
+      const double coarse = layer_.reserve > 0 ? 2 * layer_.reserve + tol_.gouge : 0;
+      const auto deep =
+          clearance.inset(first + layer_.tool_radius - std::max(bare_ ? kBareMargin : 0, coarse));
+      const auto begin = area_.components.size();
+      for (const auto& region : legal) area_.components.push_back({region, {}, -1});
+      share_out(closed_ ? deep : target_within(deep), begin);
+      for (auto& line : clearance.fit_lines(first, layer_.reserve)) lines.push_back(std::move(line));
+    }
+    for (std::size_t i = 0; i < area_.components.size(); ++i) add_walls(static_cast<int>(i));
+    for (const auto& line : lines) add_fit_line(line);
+    for (const auto& component : area_.components) area_.walls.legal.push_back(component.legal);
+    return std::move(area_);
+  }
+
+ private:
+  /// Slivers that booleans take for nothing are kept.
+  Regions target_within(const Regions& deep) const {
+    Regions found;
+    for (const auto& region : layer_.target) {
+      auto pieces = intersect({region}, deep, tol_);
+      if (pieces.empty() && contains(deep, region.outer().front().from)) pieces.push_back(region);
+      found.insert(found.end(), pieces.begin(), pieces.end());
+    }
+    return found;
+  }
+
+  /// Every piece of the rest lies in one of the components from `begin` on.
+  void share_out(const Regions& rest, std::size_t begin) {
+    for (const auto& region : rest) {
+      for (std::size_t i = begin; i < area_.components.size(); ++i) {
+        auto& component = area_.components[i];
+        const bool only = begin + 1 == area_.components.size();
+        if (!only && !component.legal.contains(region.outer().front().from)) continue;
+        component.rest.push_back(region);
+        break;
+      }
+    }
+  }
+
+  void add_walls(int component) {
+    auto& own = area_.components[static_cast<std::size_t>(component)];
+    const auto first = area_.walls.passes.size();
+    add_loop(own.legal.outer(), component);
+    for (const auto& island : own.legal.islands()) add_loop(island, component);
+    if (area_.walls.passes.size() > first) own.outer_wall = static_cast<int>(first);
+  }
+
+  void add_loop(const Loop& loop, int component) {
+    if (closed_) return add_wall(loop, true, component);
+    for (const auto& stretch : stretches_inside(loop, near_)) {
+      add_wall(stretch, stretch.front().from == stretch.back().to, component);
+    }
+  }
+
+  void add_wall(const Path& path, bool closed, int component) {
+    Pass pass;
+    pass.path = path;
+    pass.closed = closed;
+    pass.component = component;
+    pass.offset = layer_.tool_radius + layer_.wall_stock;
+    pass.reversible = !closed;
+    area_.walls.passes.push_back(std::move(pass));
+  }
+
+  void add_fit_line(const Path& line) {
+    const bool reaches = closed_ || std::any_of(line.begin(), line.end(), [&](const Edge& edge) {
+                           return contains(near_, edge.at(0.5));
+                         });
+    if (!reaches) return;
+    add_wall(line, line.size() > 1 && line.front().from == line.back().to,
+             static_cast<int>(area_.components.size() + area_.walls.fit_lines.size()));
+    area_.walls.passes.back().reversible = true;
+    area_.walls.fit_lines.push_back(line);
+  }
+
+  const Layer& layer_;
+  const Tolerances& tol_;
+  bool closed_;
+  bool bare_ = false;  ///< not even a film may stay
+  Regions near_;       ///< from where the target can be reached, on layers with open sides
+  ClearingArea area_;
+};
+
+}  // namespace
+
+bool closed_all_round(const Layer& layer) {
+  const double whole = area(layer.allowed);
+  return whole - area(layer.target) <= 1e-9 * whole;
+}
+
+ClearingArea clearing_area(const Layer& layer, const Tolerances& tol) {
+  return AreaBuilder(layer, tol).build();
+}
+
+}  // namespace clearcut::plan

@@ -1,0 +1,103 @@
+#include "plan/common/layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "geometry/boolean.h"
+
+namespace clearcut::plan {
+namespace {
+
+/// Share of the step below which a last layer is a sliver: the cutter would rub rather than cut.
+constexpr double kSliver = 0.05;
+/// More layers than this is a mistyped stepdown.
+constexpr double kMostLayers = 10000;
+/// Rounding of depths given in decimal: 10.1 - 0.1 is ten steps of 1.
+constexpr double kRounding = 1e-9;
+
+double step_for(const Feature& feature, const Operation& operation, double tool_radius) {
+  const double step = operation.stepdown.value_or(tool_radius);
+  const double lean = std::sin(feature.wall_slope.radians());
+  if (!operation.scallop || *operation.scallop <= 0 || lean <= 0) return step;
+  return std::min(step, *operation.scallop / lean);
+}
+
+Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
+  Layer layer;
+  layer.z = z;
+  if (feature.wall_slope.radians() == 0) {
+    layer.target = feature.target;
+    layer.allowed = feature.allowed;
+    return layer;
+  }
+  layer.allowed = at_depth(feature.allowed, feature.wall_slope, feature.top_z - z, tol);
+  // Open sides do not lean: only the walls, which bound `allowed`, move inwards.
+  layer.target = closed_all_round(feature) ? layer.allowed : intersect(feature.target, layer.allowed, tol);
+  return layer;
+}
+
+/// Whether what is planned for one layer serves the other, at its own depth.
+bool same_outline(const Layer& a, const Layer& b) {
+  return a.tool_radius == b.tool_radius && a.wall_stock == b.wall_stock && a.reserve == b.reserve &&
+         a.bare == b.bare && same_outline(a.allowed, b.allowed) && same_outline(a.target, b.target);
+}
+
+}  // namespace
+
+std::vector<double> layer_heights(double top_z, double floor_z, double stepdown) {
+  if (!(stepdown > 0)) throw InputError("stepdown", "must be above 0 mm");
+  const double depth = top_z - floor_z;
+  if (!(depth > kRounding)) return {};
+  const double steps = depth / stepdown;
+  if (steps > kMostLayers) {
+    throw InputError("stepdown", trimmed(stepdown, 6) + " mm would need over 10 000 layers for a depth of " +
+                                     trimmed(depth, 3) + " mm; use a larger one");
+  }
+  const int count = std::max(1, static_cast<int>(std::ceil(steps - kRounding)));
+  const double rest = steps - (count - 1);
+  const bool equal = count > 1 && rest < kSliver;
+  std::vector<double> heights;
+  for (int i = 1; i < count; ++i) heights.push_back(top_z - (equal ? depth * i / count : stepdown * i));
+  heights.push_back(floor_z);
+  return heights;
+}
+
+std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
+                             const Tolerances& tol, double corner_radius, double stock_above) {
+  const double rounded = corner_radius < tool_radius ? corner_radius : 0.0;
+  const double floor_z = feature.floor_z + operation.allowance_floor;
+  std::vector<Layer> layers;
+  double top = feature.top_z + stock_above;
+  for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius))) {
+    Layer layer = outline_at(feature, z, tol);
+    layer.z_top = top;
+    layer.tool_radius = tool_radius - rounded;
+    layer.wall_stock = operation.allowance_side + rounded;
+    layer.rounded = rounded;
+    top = z;
+    if (!layer.target.empty() && !layer.allowed.empty()) layers.push_back(std::move(layer));
+  }
+  return layers;
+}
+
+bool same_outline(const Regions& a, const Regions& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Region& r, const Region& s) {
+    return r.outer() == s.outer() && r.islands() == s.islands();
+  });
+}
+
+Strategy once_per_outline(Strategy plan) {
+  return [plan = std::move(plan), last = std::optional<Layer>(),
+          passes = LayerPasses()](const Layer& layer) mutable {
+    if (!last || !same_outline(*last, layer)) passes = plan(layer);
+    last = layer;
+    passes.z_top = layer.z_top;
+    passes.z = layer.z;
+    return passes;
+  };
+}
+
+}  // namespace clearcut::plan

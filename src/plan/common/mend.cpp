@@ -1,0 +1,176 @@
+#include "plan/common/mend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/units.h"
+#include "plan/common/cover.h"
+
+namespace clearcut::plan {
+namespace {
+
+constexpr int kRounds = 24;
+/// mm. Mending goes this much farther than it has to.
+constexpr double kReserve = 2e-4;
+/// Share of the radius up to which vertices of a hole are cleared from one place.
+constexpr double kGroup = 0.7;
+/// Greatest sweep of a piece of an arc that may bound a hole.
+constexpr double kArcPiece = kPi / 9;
+/// Share of an edge's length within which a way is left at its end.
+constexpr double kAtEnd = 1e-6;
+
+/// Vertices of holes that one place can clear, with that place.
+struct Group {
+  std::vector<Vec2> points;
+  Vec2 center;
+};
+
+/// Arcs wide enough to leave a hole inside them, in pieces: so their hole has vertices all round.
+void append(const Path& path, double radius, std::vector<Edge>& edges) {
+  for (const auto& edge : path) {
+    const bool wide = edge.is_arc() && edge.radius() > radius;
+    const int count = wide ? static_cast<int>(std::ceil(std::abs(edge.sweep()) / kArcPiece)) : 1;
+    Vec2 from = edge.from;
+    for (int i = 0; i < count; ++i) {
+      Edge piece = edge;
+      piece.from = from;
+      if (i + 1 < count) piece.to = edge.at(static_cast<double>(i + 1) / count);
+      from = piece.to;
+      edges.push_back(piece);
+    }
+  }
+}
+
+std::vector<Edge> all_edges(std::span<const Path> paths, const MendJob& job) {
+  std::vector<Edge> edges;
+  append({job.fixed.begin(), job.fixed.end()}, job.radius, edges);
+  for (const auto& path : paths) append(path, job.radius, edges);
+  return edges;
+}
+
+/// Greedily: each vertex joins the nearest group that stays small enough.
+std::vector<Group> groups_of(std::vector<Vec2> holes, double most) {
+  std::sort(holes.begin(), holes.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<Group> groups;
+  std::vector<Box> boxes;
+  for (const Vec2 p : holes) {
+    std::size_t best = groups.size();
+    double best_distance = 2 * most;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      Box grown = boxes[i];
+      grown.add(p);
+      const double d = distance(boxes[i].center(), p);
+      if (norm(grown.max - grown.min) > 2 * most || d >= best_distance) continue;
+      best = i;
+      best_distance = d;
+    }
+    if (best == groups.size()) {
+      groups.emplace_back();
+      boxes.emplace_back();
+    }
+    groups[best].points.push_back(p);
+    boxes[best].add(p);
+  }
+  for (std::size_t i = 0; i < groups.size(); ++i) groups[i].center = boxes[i].center();
+  return groups;
+}
+
+/// How far from `from` towards the group's centre the cutter has to go to reach all of it, as a share.
+double share_to_go(Vec2 from, const Group& group, double radius) {
+  const Vec2 way = group.center - from;
+  const double length_squared = norm_squared(way);
+  double share = 0;
+  for (const Vec2 p : group.points) {
+    // |from + t way - p| <= radius, the smaller root.
+    const Vec2 off = from - p;
+    const double b = dot(off, way), c = norm_squared(off) - radius * radius;
+    if (c <= 0 || length_squared <= 0) continue;
+    const double root = b * b - length_squared * c;
+    share = std::max(share, root > 0 ? std::clamp((-b - std::sqrt(root)) / length_squared, 0.0, 1.0) : 1.0);
+  }
+  return share;
+}
+
+struct Place {
+  std::size_t path = 0;
+  std::size_t edge = 0;
+  double t = 0;
+  Vec2 point;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+/// Where the way to the group is best left: the nearest place of each edge, the nearest edges first.
+std::vector<Place> places_near(const std::vector<Path>& paths, Vec2 p, double reach) {
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    for (std::size_t k = 0; k < paths[i].size(); ++k) {
+      if (paths[i][k].box().distance_to(p) > reach) continue;
+      const auto near = nearest(paths[i][k], p);
+      if (near.distance <= reach) places.push_back({i, k, near.t, near.point, near.distance});
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.distance < b.distance; });
+  return places;
+}
+
+/// Puts the way to `target` and back into the path; where the path begins or ends there, one way is enough.
+void insert_way(Path& path, const Place& place, Vec2 target) {
+  const Edge edge = path[place.edge];
+  const bool at_from = place.t<kAtEnd, at_to = place.t> 1 - kAtEnd;
+  const Vec2 q = at_from ? edge.from : at_to ? edge.to : place.point;
+  const auto at = path.begin() + static_cast<std::ptrdiff_t>(place.edge);
+  if (at_from && place.edge == 0 && path.front().from != path.back().to) {
+    path.insert(path.begin(), Edge::line(target, q));
+    return;
+  }
+  if (at_to && place.edge + 1 == path.size() && path.front().from != path.back().to) {
+    path.push_back(Edge::line(q, target));
+    return;
+  }
+  const Path there{Edge::line(q, target), Edge::line(target, q)};
+  if (at_from || at_to) {
+    path.insert(at_from ? at : at + 1, there.begin(), there.end());
+    return;
+  }
+  Path pieces{edge.part(0, place.t), there[0], there[1], edge.part(place.t, 1)};
+  pieces[0].to = pieces[3].from = q;
+  const auto next = path.erase(at);
+  path.insert(next, pieces.begin(), pieces.end());
+}
+
+bool clear_group(std::vector<Path>& paths, const Group& group, const MendJob& job) {
+  const double radius = job.radius + std::min(0.0, job.film) - kReserve;
+  for (const auto& place : places_near(paths, group.center, 4 * job.radius)) {
+    const double share = share_to_go(place.point, group, radius);
+    const Vec2 target = lerp(place.point, group.center, share);
+    if (distance(place.point, target) < 1e-6) continue;
+    if (!job.legal(place.point, target)) continue;
+    insert_way(paths[place.path], place, target);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Vec2> left_by(std::span<const Path> paths, const MendJob& job) {
+  return Cover(all_edges(paths, job), job.radius + job.film).holes(job.matters);
+}
+
+bool mend(std::vector<Path>& paths, const MendJob& job) {
+  double most = kGroup * job.radius;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto holes = left_by(paths, job);
+    if (holes.empty()) return true;
+    bool any = false;
+    for (const auto& group : groups_of(holes, most)) any |= clear_group(paths, group, job);
+    if (!any) return false;
+    if (round == kRounds / 3) most /= 2;
+  }
+  return left_by(paths, job).empty();
+}
+
+}  // namespace clearcut::plan

@@ -1,0 +1,266 @@
+#include "plan/common/residual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace clearcut::plan {
+namespace {
+
+/// mm. Residuals thinner than this are rounding.
+constexpr double kNothing = 1e-6;
+/// mm. Walks that leave their contour by less clear nothing that counts.
+constexpr double kTooShort = 0.003;
+
+/// A place that a cutter stopping at a vertex has to clear, with all within `around` mm of it.
+struct Served {
+  Vec2 point;
+  double around = 0;
+};
+
+struct Link {
+  std::size_t a = 0;
+  std::size_t b = 0;
+  bool gone = false;    ///< nothing left to clear along it
+  bool walked = false;  ///< part of a walk
+};
+
+/// The part of the axis that has to be walked, as a graph that is pruned from its free ends.
+class ResidualGraph {
+ public:
+  ResidualGraph(const RingNode& node, double radius) : radius_(radius) {
+    const double from = node.level + radius + kNothing;
+    for (const auto& piece : node.gap) {
+      if (piece.high.clearance > from) add(piece, from, node);
+    }
+  }
+
+  std::vector<ResidualPath> paths() {
+    prune();
+    std::vector<ResidualPath> found;
+    for (const std::size_t start : starts()) {
+      if (visited_[start]) continue;
+      auto path = walk_from(start);
+      if (!path.rooted || reaches_far(path)) found.push_back(std::move(path));
+    }
+    return found;
+  }
+
+ private:
+  static bool reaches_far(const ResidualPath& path) {
+    return std::any_of(path.points.begin(), path.points.end(),
+                       [&](Vec2 p) { return distance(p, path.points.front()) > kTooShort; });
+  }
+
+  void add(AxisPiece piece, double from, const RingNode& node) {
+    int low_id = piece.low_id;
+    if (piece.low.clearance < from) {
+      const double t = (from - piece.low.clearance) / (piece.high.clearance - piece.low.clearance);
+      piece.low = {lerp(piece.low.point, piece.high.point, t), from};
+      low_id = next_tip_--;
+    }
+    const std::size_t a = vertex(low_id, piece.low.point);
+    const std::size_t b = vertex(piece.high_id, piece.high.point);
+    root_[b] = root_[b] || (piece.high_id < 0 && piece.high.clearance >= node.next_level);
+    if (a == b) return;  // the lone centre of a round pocket
+    // What flows to a place of the axis lies this near to it; more than two walls may feed it (centres of
+    // fillets).
+    served_[a].front().around = piece.low.clearance - from;
+    served_[b].front().around = piece.high.clearance - from;
+    links_at_[a].push_back(links_.size());
+    links_at_[b].push_back(links_.size());
+    links_.push_back({a, b});
+  }
+
+  std::size_t vertex(int id, Vec2 point) {
+    const auto [it, added] = index_.emplace(id, place_.size());
+    if (added) {
+      place_.push_back(point);
+      root_.push_back(false);
+      visited_.push_back(false);
+      links_at_.emplace_back();
+      served_.push_back({{point, 0.0}});
+    }
+    return it->second;
+  }
+
+  std::size_t copy_of(std::size_t v) {
+    place_.push_back(Vec2(place_[v]));
+    root_.push_back(false);
+    visited_.push_back(true);
+    links_at_.emplace_back();
+    served_.emplace_back();
+    return place_.size() - 1;
+  }
+
+  std::size_t degree(std::size_t v) const {
+    return static_cast<std::size_t>(std::count_if(links_at_[v].begin(), links_at_[v].end(),
+                                                  [&](std::size_t i) { return !links_[i].gone; }));
+  }
+
+  std::size_t other_end(std::size_t link, std::size_t v) const {
+    return links_[link].a == v ? links_[link].b : links_[link].a;
+  }
+
+  /// Cuts free ends back as far as a cutter that stops there still clears everything beyond.
+  void prune() {
+    std::vector<std::size_t> free_ends;
+    for (std::size_t v = 0; v < place_.size(); ++v) {
+      if (!root_[v] && degree(v) == 1) free_ends.push_back(v);
+    }
+    for (std::size_t next = 0; next < free_ends.size(); ++next) {
+      const std::size_t v = free_ends[next];
+      if (degree(v) != 1) continue;
+      const std::size_t u = shorten(v);
+      if (u != v && !root_[u] && degree(u) == 1) free_ends.push_back(u);
+    }
+  }
+
+  /// Moves the free end v inwards; returns the vertex it has become when the whole link went, else v.
+  std::size_t shorten(std::size_t v) {
+    const std::size_t link = *std::find_if(links_at_[v].begin(), links_at_[v].end(),
+                                           [&](std::size_t i) { return !links_[i].gone; });
+    const std::size_t u = other_end(link, v);
+    double t = 1;
+    for (const Served& p : served_[v]) t = std::min(t, reach(place_[v], place_[u], p));
+    if (t < 1) {
+      place_[v] = lerp(place_[v], place_[u], t);
+      return v;
+    }
+    links_[link].gone = true;
+    visited_[v] = true;
+    served_[u].insert(served_[u].end(), served_[v].begin(), served_[v].end());
+    return u;
+  }
+
+  /// Largest t <= 1 such that a cutter at t on from-to clears p.
+  double reach(Vec2 from, Vec2 to, const Served& p) const {
+    const Vec2 d = to - from, s = from - p.point;
+    const double far = std::max(0.0, radius_ - p.around);
+    const double a = norm_squared(d), b = dot(d, s), c = norm_squared(s) - far * far;
+    if (a <= 0) return 1;
+    const double root = std::sqrt(std::max(0.0, b * b - a * c));
+    return std::clamp((root - b) / a, 0.0, 1.0);
+  }
+
+  /// Where walks begin: roots first, then free ends, then anywhere. A root whose links are all gone needs
+  /// none.
+  std::vector<std::size_t> starts() {
+    std::vector<std::size_t> roots, ends, others;
+    for (std::size_t v = 0; v < place_.size(); ++v) {
+      const std::size_t links = degree(v);
+      if (root_[v] && links == 0) visited_[v] = true;
+      (root_[v] ? roots : links == 1 ? ends : others).push_back(v);
+    }
+    roots.insert(roots.end(), ends.begin(), ends.end());
+    roots.insert(roots.end(), others.begin(), others.end());
+    return roots;
+  }
+
+  ResidualPath walk_from(std::size_t start) {
+    ResidualPath path;
+    path.rooted = root_[start];
+    if (ring_from(start, path)) return path;
+    measure_from(start);
+    visit(start, path.points);
+    // There and back: the last way back is only needed where the walk has to end on its root.
+    if (!path.rooted) path.points.resize(last_new_);
+    return path;
+  }
+
+  /// A plain cycle: every vertex of degree two.
+  bool ring_from(std::size_t start, ResidualPath& path) {
+    std::vector<std::size_t> ring;
+    std::size_t v = start, came_by = links_.size();
+    do {
+      if (degree(v) != 2) return false;
+      ring.push_back(v);
+      const auto& at = links_at_[v];
+      came_by =
+          *std::find_if(at.begin(), at.end(), [&](std::size_t i) { return !links_[i].gone && i != came_by; });
+      v = other_end(came_by, v);
+    } while (v != start);
+    for (const std::size_t i : ring) {
+      visited_[i] = true;
+      path.points.push_back(place_[i]);
+    }
+    path.closed = true;
+    return true;
+  }
+
+  /// Depth-first order with the longest way beyond each vertex, iteratively: axes may be long.
+  void measure_from(std::size_t start) {
+    children_.assign(place_.size(), {});
+    std::vector<double> length(place_.size(), 0);
+    std::vector<std::size_t> order{start};
+    std::vector<bool> seen(place_.size(), false);
+    seen[start] = true;
+    for (std::size_t next = 0; next < order.size(); ++next) {
+      const std::size_t v = order[next];
+      for (std::size_t i = 0; i < links_at_[v].size(); ++i) {
+        Link& link = links_[links_at_[v][i]];
+        if (link.gone || link.walked) continue;
+        link.walked = true;
+        std::size_t u = other_end(links_at_[v][i], v);
+        if (seen[u]) {
+          u = copy_of(u);  // closes a cycle: walk it from here as a dead end
+          children_.emplace_back();
+          length.push_back(0);
+          seen.push_back(true);
+        } else {
+          seen[u] = true;
+          order.push_back(u);
+        }
+        children_[v].push_back(u);
+      }
+    }
+    for (auto v = order.rbegin(); v != order.rend(); ++v) {
+      auto& below = children_[*v];
+      const auto way = [&](std::size_t u) { return length[u] + distance(place_[*v], place_[u]); };
+      std::sort(below.begin(), below.end(), [&](std::size_t a, std::size_t b) { return way(a) < way(b); });
+      if (!below.empty()) length[*v] = way(below.back());
+    }
+  }
+
+  void visit(std::size_t start, std::vector<Vec2>& points) {
+    std::vector<std::pair<std::size_t, std::size_t>> stack{{start, 0}};
+    enter(start, points);
+    while (!stack.empty()) {
+      const std::size_t v = stack.back().first;
+      if (stack.back().second < children_[v].size()) {
+        const std::size_t u = children_[v][stack.back().second++];
+        enter(u, points);
+        stack.push_back({u, 0});
+      } else {
+        stack.pop_back();
+        if (!stack.empty()) points.push_back(place_[stack.back().first]);
+      }
+    }
+  }
+
+  void enter(std::size_t v, std::vector<Vec2>& points) {
+    visited_[v] = true;
+    points.push_back(place_[v]);
+    last_new_ = points.size();
+  }
+
+  double radius_;
+  int next_tip_ = -1'000'000'000;  // below every id that ring_tree gives
+  std::map<int, std::size_t> index_;
+  std::vector<Vec2> place_;
+  std::vector<bool> root_;
+  std::vector<bool> visited_;
+  std::vector<std::vector<std::size_t>> links_at_;
+  std::vector<std::vector<Served>> served_;
+  std::vector<Link> links_;
+  std::vector<std::vector<std::size_t>> children_;
+  std::size_t last_new_ = 0;
+};
+
+}  // namespace
+
+std::vector<ResidualPath> residual_paths(const RingNode& node, double radius) {
+  return ResidualGraph(node, radius).paths();
+}
+
+}  // namespace clearcut::plan

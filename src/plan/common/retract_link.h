@@ -1,0 +1,46 @@
+// How long a lift takes, for comparing with staying down. Used by the planner alone.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "base/units.h"
+#include "model/layer.h"
+#include "geometry/route/legal_route.h"
+#include "model/machine.h"
+
+namespace clearcut::plan {
+
+/// mm.
+struct HopHeights {
+  double lift = 0;    ///< from the tip up to where rapids cross
+  double plunge = 0;  ///< the last of the way down, at the plunge feed
+};
+
+/// Of a layer that is left for the clearance over all that stands.
+HopHeights hop_heights(const Layer& layer);
+
+/// Lifting, crossing and coming down again, as the linker is likely to do it.
+class Hop {
+ public:
+  Hop(const Machine& machine, MmPerMin feed, const HopHeights& heights)
+      : machine_(machine), feed_(feed), heights_(heights) {}
+
+  /// Seconds to a place `across` mm away.
+  double time(double across) const;
+
+  /// Seconds along all ways, each with a hop to a place `across` mm away.
+  double time_of(std::span<const Path> ways, double across) const;
+
+  /// A legal way from a to b at depth, where there is one that is quicker than a hop.
+  std::optional<Path> way_at_depth(Vec2 a, Vec2 b, const LegalRoutes& routes) const;
+
+ private:
+  double rapid_time(double length) const;
+
+  const Machine& machine_;
+  MmPerMin feed_;
+  HopHeights heights_;
+};
+
+}  // namespace clearcut::plan

@@ -1,0 +1,218 @@
+#include "plan/common/rings.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "base/error.h"
+
+namespace clearcut::plan {
+namespace {
+
+/// mm. Curved pieces of the axis are cut into chords this near to them.
+constexpr double kAxisChord = 0.001;
+/// mm. The axis is cut this much above a level, so that a neck exactly twice the level wide parts it as it
+/// parts the regions of the level.
+constexpr double kLevelMargin = 0.0006;
+
+/// mm. Regions up to this size are checked against the boundary before they are believed.
+constexpr double kSpeck = 0.05;
+
+/// Joins numbers 0..n-1 into sets.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+using Pieces = std::vector<AxisPiece>;
+
+class TreeBuilder {
+ public:
+  TreeBuilder(const Clearance& clearance, const Region& domain, const StepOf& step_of, const Tolerances& tol)
+      : clearance_(clearance), domain_(domain), step_of_(step_of), tol_(tol) {}
+
+  std::vector<RingNode> build(double first_level) {
+    add_children(-1, first_level, all_pieces());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const double next = nodes_[i].level + step_of_(nodes_[i], inside_[i]);
+      nodes_[i].next_level = next;
+      Pieces pieces = std::move(inside_[i]);
+      nodes_[i].gap = split_off_below(pieces, next + kLevelMargin);
+      add_children(static_cast<int>(i), next, std::move(pieces));
+    }
+    return std::move(nodes_);
+  }
+
+ private:
+  /// The axis in straight pieces; the lone centre of a round pocket is a piece without length.
+  Pieces all_pieces() {
+    Pieces pieces;
+    const auto& axis = clearance_.axis();
+    std::vector<bool> lone(axis.points.size(), true);
+    for (std::size_t i = 0; i < axis.edges.size(); ++i) {
+      add_curve(axis.edges[i], clearance_.axis_curve(static_cast<int>(i), kAxisChord), pieces);
+      lone[static_cast<std::size_t>(axis.edges[i].a)] = lone[static_cast<std::size_t>(axis.edges[i].b)] =
+          false;
+    }
+    for (std::size_t i = 0; i < lone.size(); ++i) {
+      const int id = static_cast<int>(i);
+      if (lone[i]) pieces.push_back({id, id, axis.points[i], axis.points[i]});
+    }
+    return pieces;
+  }
+
+  void add_curve(const AxisEdge& edge, const std::vector<AxisPoint>& curve, Pieces& pieces) {
+    int from = edge.a;
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      const int to = i + 1 == curve.size() ? edge.b : next_cut_id_--;
+      const bool rises = curve[i].clearance >= curve[i - 1].clearance;
+      pieces.push_back(rises ? AxisPiece{from, to, curve[i - 1], curve[i]}
+                             : AxisPiece{to, from, curve[i], curve[i - 1]});
+      from = to;
+    }
+  }
+
+  /// Removes from `pieces` what lies below `level`, cutting pieces that cross it, and returns it.
+  Pieces split_off_below(Pieces& pieces, double level) {
+    Pieces below, above;
+    for (const auto& piece : pieces) {
+      if (piece.high.clearance < level) {
+        below.push_back(piece);
+      } else if (piece.low.clearance >= level) {
+        above.push_back(piece);
+      } else {
+        const double t = (level - piece.low.clearance) / (piece.high.clearance - piece.low.clearance);
+        const AxisPoint cut{lerp(piece.low.point, piece.high.point, t), level};
+        const int id = next_cut_id_--;
+        below.push_back({piece.low_id, id, piece.low, cut});
+        above.push_back({id, piece.high_id, cut, piece.high});
+      }
+    }
+    pieces = std::move(above);
+    return below;
+  }
+
+  const Regions& at_level(double level) {
+    const auto found = insets_.find(level);
+    if (found != insets_.end()) return found->second;
+    return insets_.emplace(level, safe_inset(clearance_, domain_, level, tol_)).first->second;
+  }
+
+  /// Connected groups of pieces: the axis of a connected region is connected.
+  static std::vector<Pieces> groups_of(const Pieces& pieces) {
+    std::map<int, std::size_t> index;
+    for (const auto& piece : pieces) {
+      index.emplace(piece.low_id, index.size());
+      index.emplace(piece.high_id, index.size());
+    }
+    DisjointSets sets(index.size());
+    for (const auto& piece : pieces) sets.join(index[piece.low_id], index[piece.high_id]);
+    std::map<std::size_t, std::size_t> number;
+    std::vector<Pieces> groups;
+    for (const auto& piece : pieces) {
+      const auto [it, added] = number.emplace(sets.find(index[piece.low_id]), groups.size());
+      if (added) groups.emplace_back();
+      groups[it->second].push_back(piece);
+    }
+    return groups;
+  }
+
+  void add_children(int parent, double level, Pieces pieces) {
+    if (parent < 0) split_off_below(pieces, level + kLevelMargin);
+    auto groups = groups_of(pieces);
+    const auto& regions = at_level(level);
+    std::map<std::size_t, int> node_of_region;
+    for (auto& group : groups) {
+      const std::size_t region = region_of(group, regions);
+      if (region == regions.size()) {
+        keep_in_gap(parent, group);
+        continue;
+      }
+      const auto [it, added] = node_of_region.emplace(region, static_cast<int>(nodes_.size()));
+      if (added) add_node(parent, level, regions[region]);
+      auto& inside = inside_[static_cast<std::size_t>(it->second)];
+      inside.insert(inside.end(), group.begin(), group.end());
+    }
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      // So small that the axis above the margin misses it.
+      if (node_of_region.count(i) == 0 && belongs_to(regions[i], parent)) add_node(parent, level, regions[i]);
+    }
+  }
+
+  bool belongs_to(const Region& region, int parent) const {
+    if (parent < 0) return true;
+    const auto& contour = nodes_[static_cast<std::size_t>(parent)].contour;
+    const Vec2 p = region.outer().front().from;
+    return contour.box().contains(p) && contour.contains(p);
+  }
+
+  /// Pieces above the level where rounding left no region: their parent has to clear them.
+  void keep_in_gap(int parent, const Pieces& group) {
+    if (parent < 0) return;  // the cutter just fits there: see Clearance::fit_lines
+    auto& gap = nodes_[static_cast<std::size_t>(parent)].gap;
+    gap.insert(gap.end(), group.begin(), group.end());
+  }
+
+  void add_node(int parent, double level, const Region& contour) {
+    if (parent >= 0)
+      nodes_[static_cast<std::size_t>(parent)].children.push_back(static_cast<int>(nodes_.size()));
+    const int depth = parent < 0 ? 0 : nodes_[static_cast<std::size_t>(parent)].depth + 1;
+    nodes_.push_back({contour, level, level, parent, depth, {}, {}});
+    inside_.emplace_back();
+  }
+
+  /// The region that holds the group: the one around its point of greatest clearance.
+  static std::size_t region_of(const Pieces& group, const Regions& regions) {
+    const auto deepest = std::max_element(group.begin(), group.end(), [](const auto& a, const auto& b) {
+      return a.high.clearance < b.high.clearance;
+    });
+    std::size_t best = regions.size();
+    double best_distance = 1e-3;
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      if (!regions[i].box().grown(best_distance).contains(deepest->high.point)) continue;
+      if (regions[i].contains(deepest->high.point)) return i;
+      const double distance = regions[i].boundary_distance(deepest->high.point);
+      if (distance < best_distance) {
+        best_distance = distance;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  const Clearance& clearance_;
+  const Region& domain_;
+  const StepOf& step_of_;
+  const Tolerances& tol_;
+  std::vector<RingNode> nodes_;
+  std::vector<Pieces> inside_;  ///< per node, until it is expanded
+  std::map<double, Regions> insets_;
+  int next_cut_id_ = -1;
+};
+
+}  // namespace
+
+Regions safe_inset(const Clearance& clearance, const Region& domain, double d, const Tolerances& tol) {
+  Regions regions = clearance.inset(d);
+  std::erase_if(regions, [&](const Region& region) {
+    const Box box = region.box();
+    if (std::max(box.width(), box.height()) > kSpeck) return false;
+    return domain.boundary_distance(region.outer().front().from) < d - tol.gouge;
+  });
+  return regions;
+}
+
+std::vector<RingNode> ring_tree(const Clearance& clearance, const Region& domain, double first_level,
+                                const StepOf& step_of, const Tolerances& tol) {
+  return TreeBuilder(clearance, domain, step_of, tol).build(first_level);
+}
+
+}  // namespace clearcut::plan

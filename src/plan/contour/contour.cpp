@@ -1,0 +1,199 @@
+// Source and symbols (CPO-kappa, CPO-rho):
+//
+//   paper   here                 unit   where
+//   R       layer.tool_radius    mm
+//   e       layer.wall_stock     mm     finishing allowance
+//   H       step                 mm     R + e for the first contour, then 2 R kappa (CPO-kappa eq. 2)
+//   kappa   kappa(), rho()              CPO-kappa eq. 6, CPO-rho eq. 8
+//   A       see residual_paths   mm     the centre rule R < A < 2R holds for every maximum and ridge of the
+//   clearance
+//
+// The contours come from one Voronoi diagram instead of edge by edge, so that vanishing edges (CPO-kappa alg.
+// 2), splits and islands need no rule of their own. docs/contour.md tells the departures.
+#include "plan/contour/contour.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "base/error.h"
+#include "geometry/boolean.h"
+#include "plan/common/clearing_area.h"
+#include "plan/contour/passes.h"
+#include "plan/contour/search.h"
+#include "plan/contour/step_rule.h"
+#include "geometry/route/legal_area.h"
+
+namespace clearcut::plan::contour {
+namespace {
+
+/// Steps smaller than this share of the radius are mistyped.
+constexpr double kSmallestStep = 0.005;
+/// mm. Rings a whole diameter apart meet exactly: the rounding of a program's numbers may part them by this.
+constexpr double kRingFilm = 0.001;
+/// mm. Overlap of rings, and of what clears their rests, where not even that may stay.
+constexpr double kBareOverlap = 0.004;
+constexpr double kBareMargin = 0.002;
+/// mm. An edge of the target whose middle lies farther than this from every wall is open.
+constexpr double kOpenDistance = 1e-3;
+
+bool on_wall(Vec2 p, const Regions& allowed) {
+  return std::any_of(allowed.begin(), allowed.end(),
+                     [&](const Region& region) { return region.boundary_distance(p) <= kOpenDistance; });
+}
+
+bool has_wall(const Loop& loop, const Regions& allowed) {
+  return std::any_of(loop.begin(), loop.end(), [&](const Edge& e) { return on_wall(e.at(0.5), allowed); });
+}
+
+bool has_open_side(const Loop& loop, const Regions& allowed) {
+  return std::any_of(loop.begin(), loop.end(), [&](const Edge& e) { return !on_wall(e.at(0.5), allowed); });
+}
+
+/// Radii. Beside a wall's end the air channel is wider than the cutter, or a ring would just fit into it;
+/// thin rests along walls need at least 2.
+constexpr double kReachBesideWalls = 2.05;
+
+/// How far beyond the target's open sides rings may use the air, mm (see docs/contour.md, "Open sides"). What stands beside
+/// walls may be thinner than the round of the cutter's corners.
+double reach_beyond(const Region& target, const Layer& layer) {
+  const Regions& allowed = layer.allowed;
+  const double radius = layer.tool_radius;
+  const auto islands_clear = [&](const Loop& island) {
+    return std::all_of(island.begin(), island.end(), [&](const Edge& e) {
+      return std::all_of(target.outer().begin(), target.outer().end(),
+                         [&](const Edge& side) { return distance(e, side) > 3 * radius; });
+    });
+  };
+  const bool face = !has_wall(target.outer(), allowed) &&
+                    std::all_of(target.islands().begin(), target.islands().end(), islands_clear);
+  if (!face) return kReachBesideWalls * radius + layer.rounded;
+  // The first ring runs inside the edge, just near enough to it to clear the sharpest corner.
+  return radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
+}
+
+/// Where rings are planned: `allowed`, less what lies far beyond the target's open sides.
+Regions working_domain(const Layer& layer, const Tolerances& tol) {
+  if (closed_all_round(layer)) return layer.allowed;
+  Regions closed, open;
+  double beyond = 0;
+  for (const auto& target : layer.target) {
+    const bool opens = has_open_side(target.outer(), layer.allowed) ||
+                       std::any_of(target.islands().begin(), target.islands().end(),
+                                   [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
+    (opens ? open : closed).push_back(target);
+    // Stock is left on walls; the air needs none.
+    const double reach = reach_beyond(target, layer) + layer.wall_stock;
+    if (opens) beyond = std::max(beyond, reach);
+  }
+  if (!open.empty()) {
+    const auto near = intersect(layer.allowed, dilate(open, beyond, tol), tol);
+    closed.insert(closed.end(), near.begin(), near.end());
+  }
+  return closed;
+}
+
+Regions legal_centers(const Layer& layer, const Tolerances& tol) {
+  Regions legal;
+  for (const auto& region : layer.allowed) {
+    const auto inside = safe_inset(Clearance(region, tol), region, layer.tool_radius + layer.wall_stock, tol);
+    legal.insert(legal.end(), inside.begin(), inside.end());
+  }
+  return legal;
+}
+
+std::vector<Domain> domains_of(const Layer& layer, const Tolerances& tol) {
+  std::vector<Domain> domains;
+  for (const auto& region : working_domain(layer, tol)) domains.emplace_back(region, tol);
+  return domains;
+}
+
+/// Where the centre may be: the rings at the wall bound it when the pocket is closed all round.
+Regions legal_area(const Layer& layer, const std::vector<Domain>& domains, double first_level,
+                   const Tolerances& tol) {
+  if (!closed_all_round(layer)) return legal_centers(layer, tol);
+  Regions legal;
+  for (const auto& domain : domains) {
+    const auto inside = safe_inset(domain.clearance, domain.region, first_level, tol);
+    legal.insert(legal.end(), inside.begin(), inside.end());
+  }
+  return legal;
+}
+
+bool is_way(const Pass& pass) {
+  return !pass.closed && !pass.reversible;
+}
+
+/// Ways pulled taut inside-out become ways outside-in: each runs backwards, the last comes first.
+void turn_ways_round(LayerPasses& layer) {
+  const auto ways = std::stable_partition(layer.passes.begin(), layer.passes.end(),
+                                          [](const Pass& pass) { return !is_way(pass); });
+  std::reverse(ways, layer.passes.end());
+  std::for_each(ways, layer.passes.end(), [](Pass& pass) { pass.path = reversed(pass.path); });
+}
+
+/// A straight way from `start` to the first of the ways that can be reached by one.
+void begin_at(Vec2 start, LayerPasses& layer) {
+  const LegalArea legal(layer.legal);
+  for (auto& pass : layer.passes) {
+    if (!is_way(pass)) continue;
+    const Vec2 first = pass.path.front().from;
+    if (first == start || !legal.holds_line(start, first)) continue;
+    pass.path.insert(pass.path.begin(), Edge::line(start, first));
+    return;
+  }
+}
+
+/// Rings, and the ways they are pulled into, inside-out.
+LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, const Tolerances& tol);
+
+}  // namespace
+
+LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
+  ContourOptions inside_out = options;
+  // Ways are run backwards in the end, so their rings are planned the other way round.
+  if (options.outside_in) inside_out.wall_on_right = !options.wall_on_right;
+  LayerPasses result = plan_inside_out(layer, inside_out, tol);
+  result.outside_in = options.outside_in;
+  result.start = options.start;
+  if (options.outside_in) turn_ways_round(result);
+  if (options.start) begin_at(*options.start, result);
+  return result;
+}
+
+namespace {
+
+LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
+  CLEARCUT_ASSERT(layer.tool_radius > 0);
+  LayerPasses result;
+  result.z_top = layer.z_top;
+  result.z = layer.z;
+  result.target = layer.target;
+  result.strategy = "contour";
+  const auto domains = domains_of(layer, tol);
+  RingJob job;
+  job.radius = layer.tool_radius;
+  job.first_level = layer.tool_radius + layer.wall_stock;
+  job.reserve = layer.reserve;
+  job.residuals = options.residuals;
+  // A film saves a pass where rings fit exactly, as they do in pockets of round dimensions; faces gain nothing.
+  const bool bare = layer.bare || !closed_all_round(layer);
+  job.margin = bare ? kBareMargin : 0;
+  const double overlap = bare && options.step.kind == StepRule::Kind::kWidest ? kBareOverlap : 0;
+  job.step = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
+    const double step = step_after(ring, inside, options.step, layer.tool_radius) - overlap;
+    return std::max(step, kSmallestStep * layer.tool_radius);
+  };
+  result.legal = legal_area(layer, domains, job.first_level, tol);
+  result.passes = ring_passes(domains, job, tol);
+  result.film = bare ? 0 : kRingFilm;
+  for (const auto& pass : result.passes) {
+    if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);
+  }
+  const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
+  if (ours && closed_all_round(layer)) shorten_passes(domains, job, layer, options, tol, result);
+  return result;
+}
+
+}  // namespace
+}  // namespace clearcut::plan::contour

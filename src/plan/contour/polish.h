@@ -1,0 +1,14 @@
+// Fewer corners for ways that are pulled taut. Used by the planner alone.
+#pragma once
+
+#include "plan/contour/bands.h"
+#include "plan/contour/tighten.h"
+
+namespace clearcut::plan::contour {
+
+/// Drops every vertex of the ways that coverage can do without: fewer corners, shorter ways. All that was within
+/// `radius` of a way or ring stays so.
+/// Cost  O(vertices * (edges near)^2).
+void drop_needless_vertices(Bands& ways, const TightenJob& job, double radius);
+
+}  // namespace clearcut::plan::contour

@@ -1,0 +1,91 @@
+// Contours by formula, from lengths and angles alone: the papers' own way, kept apart from the geometric offsets so that
+// each can be held against the other.
+//
+// Source and symbols (CPO-kappa eq. 2, alg. 2 and 3; CPO-rho appendix B):
+//
+//   paper     here                     unit   meaning
+//   H, F      step                     mm     from one contour to the next; R + e for the first
+//   L_ij      Side::length             mm     straight length of side j of contour i
+//   alpha_j   Side::angle              rad    interior angle at its end
+//   r_j       Side::radius             mm     of the arc there; shrinks by H in convex corners
+//   s                                         sides of a run that vanish together: s + 1 angles become one,
+//                                             alpha_1 + ... + alpha_(s+1) - s pi
+//   gamma                              rad    pi - alpha at the ends of a vanished side: its neighbours are
+//                                             prolonged to where they meet by L sin(gamma) / sin(alpha)
+//
+// Departures: CPO-rho prints the length beyond a vanished arc with one r cot(alpha / 2); both corners have their own
+// here. The formulas know nothing of contours that split, nor of an arc whose neighbour vanishes before it: that is
+// reported, not guessed.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "geometry/side_list.h"
+
+namespace clearcut::plan::contour {
+
+/// How contours turn at reflex corners.
+enum class ReflexCorners {
+  kMitred,  ///< sharp, as in the papers: sides stay in touch where they would meet
+  kRounded  ///< by an arc about the corner, as Minkowski offsets have it: r grows by H from 0
+};
+
+enum class SideOffsetEnd {
+  kContour,  ///< there is a next contour
+  kGone,     ///< all sides have vanished
+  kBeyond    ///< the formulas do not say: a rounded or reflex corner at a side that vanishes
+};
+
+struct SideOffset {
+  SideOffsetEnd end = SideOffsetEnd::kGone;
+  SideList contour;
+  int vanished = 0;  ///< sides
+};
+
+/// The next contour `step` mm inside `list`, which closes. Splits and crossings are not seen. Cost O(n^2) at worst.
+SideOffset offset_sides(const SideList& list, double step, ReflexCorners corners);
+
+/// The lengths of all contours as CPO-kappa sums them (eq. 1 and 3).
+struct PublishedLength {
+  std::vector<SideList> contours;
+  std::vector<double> levels;   ///< mm from the wall
+  std::vector<double> lengths;  ///< mm, straight sides and arcs
+  std::vector<double> angles;   ///< rad, smallest convex angle of each contour
+  double passages = 0;  ///< mm, M = H / sin(alpha / 2) between contours, along the smallest angle's bisector
+  double total = 0;     ///< mm
+  bool beyond = false;  ///< the formulas ended before the centre
+};
+
+/// All contours of a cutter of `radius` with `allowance` on the wall; `step` gives mm after a contour of smallest angle
+/// alpha (radians). Alg. 3 is not applied.
+template <typename Step>
+PublishedLength published_length(const SideList& outline, double radius, double allowance, Step step);
+
+double length_of(const SideList& list);
+/// Smallest angle between straight sides below pi, without corners that are rounded; pi when there is none.
+double smallest_angle(const SideList& list);
+
+template <typename Step>
+PublishedLength published_length(const SideList& outline, double radius, double allowance, Step step) {
+  PublishedLength result;
+  double inwards = radius + allowance, level = inwards;
+  auto next = offset_sides(outline, inwards, ReflexCorners::kMitred);
+  while (next.end == SideOffsetEnd::kContour) {
+    const SideList& contour = next.contour;
+    result.levels.push_back(level);
+    result.lengths.push_back(length_of(contour));
+    result.angles.push_back(smallest_angle(contour));
+    result.contours.push_back(contour);
+    result.total += result.lengths.back();
+    inwards = step(result.angles.back());
+    level += inwards;
+    next = offset_sides(contour, inwards, ReflexCorners::kMitred);
+    if (next.end == SideOffsetEnd::kContour) result.passages += inwards / std::sin(result.angles.back() / 2);
+  }
+  result.beyond = next.end == SideOffsetEnd::kBeyond;
+  result.total += result.passages;
+  return result;
+}
+
+}  // namespace clearcut::plan::contour

@@ -1,0 +1,382 @@
+#include "plan/spiral/spiral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "plan/common/clearing_area.h"
+#include "plan/common/residual.h"
+#include "plan/common/rings.h"
+#include "plan/common/retract_link.h"
+#include "plan/common/mend.h"
+#include "plan/spiral/chains.h"
+#include "plan/spiral/turn.h"
+
+namespace clearcut::plan::spiral {
+namespace {
+
+/// Steps that are tried, as shares of the diameter, the first for large areas alone.
+constexpr double kSteps[] = {0.92, 0.86, 0.98, 0.8, 0.74, 0.68, 0.5, 0.35};
+/// As many of them are tried in any case; the rest only while there is nothing.
+constexpr std::size_t kUsualSteps = 6;
+/// Share of the radius by which a step is fitted so that the innermost turn clears the middle.
+constexpr double kMiddle = 0.95;
+/// Share of the radius of arcs in corners.
+constexpr double kCorner = 0.6;
+/// Corners stay sharp this near to where rounding them leaves something, radii.
+constexpr double kSharpReach = 2.5;
+/// Distance of turns over the radius at the edge of a face: the first runs so far inside.
+constexpr double kInsideEdge = 0.6;
+/// Radii. Arcs of turns are looked at in places so far apart.
+constexpr double kLegalPitch = 0.25;
+/// Radii. Ridges shorter than this are not followed.
+constexpr double kLeastRidge = 1;
+/// mm. What is mended overlaps by about this where not even a film may stay.
+constexpr double kBareMargin = 0.002;
+/// Work in all, in edges of turns: few steps are tried in large areas.
+constexpr double kMostEdgesInAll = 6000;
+/// A candidate for one connected area.
+struct Spirals {
+  std::vector<Path> paths;
+  std::vector<int> parents;  ///< -1: none
+  double time = std::numeric_limits<double>::infinity();
+};
+
+/// Spirals in one connected region; `from_wall`: its boundary is cut, too, as it is. What is farther than a radius from
+/// the rim of `around` has to be cleared.
+class SpiralPlanner {
+ public:
+  SpiralPlanner(const Region& region, bool from_wall, const Regions& around, const Region& legal,
+                const Layer& layer, const SpiralOptions& options, const Tolerances& tol)
+      : region_(region),
+        from_wall_(from_wall),
+        layer_(layer),
+        options_(options),
+        tol_(tol),
+        clearance_(region, tol),
+        around_(around),
+        legal_({legal}),
+        hop_(options.machine, options.feed, hop_heights(layer)) {
+    job_.radius = layer.tool_radius;
+    for (const auto& loops : around) {
+      const auto edges = loops.edges();
+      rim_.insert(rim_.end(), edges.begin(), edges.end());
+    }
+    job_.fixed = rim_;
+    if (layer.bare || !from_wall) job_.film = -kBareMargin / 2;
+    job_.matters = [this](Vec2 p) { return around_.contains(p); };
+    if (!from_wall) first_level_ = level_at_edge();
+    job_.legal = [this](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
+  }
+  SpiralPlanner(const SpiralPlanner&) = delete;
+  SpiralPlanner& operator=(const SpiralPlanner&) = delete;
+
+  Spirals plan() const {
+    Spirals best;
+    double work = 0;
+    const double narrow = 2 * layer_.tool_radius * kSteps[kUsualSteps - 1];
+    for (const double step : steps()) {
+      const bool usual = options_.stepover || step > 0.9 * narrow;
+      if (!best.paths.empty() && (work > kMostEdgesInAll || !usual)) break;
+      auto candidate = spirals(step);
+      for (const auto& path : candidate.paths) work += static_cast<double>(path.size());
+      if (candidate.time < best.time) best = std::move(candidate);
+    }
+    return best;
+  }
+
+ private:
+  /// The wanted steps, each made a little smaller where the middle is then reached evenly.
+  std::vector<double> steps() const {
+    const double diameter = 2 * layer_.tool_radius;
+    std::vector<double> found;
+    const auto add = [&](double step) {
+      const double way = std::max(0.0, clearance_.max() - kMiddle * layer_.tool_radius - first_level_);
+      const double turns = std::ceil(way / step);
+      const double even = turns > 0 ? way / turns : step;
+      for (const double s : {even, step}) {
+        const bool known = std::any_of(found.begin(), found.end(),
+                                       [&](double other) { return std::abs(s - other) < 0.005 * diameter; });
+        if (!known && s > 0.5 * step) found.push_back(s);
+      }
+    };
+    if (options_.stepover) {
+      add(std::min(*options_.stepover, 0.98 * diameter));
+    } else {
+      for (const double share : kSteps) add(share * diameter);
+    }
+    return found;
+  }
+
+  /// The first turn runs a little inside the edge of a face, but on it where the face is too narrow for that.
+  double level_at_edge() const {
+    const double inside = kInsideEdge * layer_.tool_radius;
+    const auto loops = clearance_.inset(inside);
+    std::vector<Path> paths;
+    for (const auto& region : loops) {
+      paths.push_back(region.outer());
+      paths.insert(paths.end(), region.islands().begin(), region.islands().end());
+    }
+    MendJob job = job_;
+    const LegalArea inner(loops);
+    job.matters = [&](Vec2 p) { return around_.contains(p) && !inner.contains(p); };
+    return !paths.empty() && left_by(paths, job).empty() ? inside : 0;
+  }
+
+  Spirals spirals(double step) const {
+    auto nodes = ring_tree(
+        clearance_, region_, first_level_,
+        [&](const RingNode&, const std::vector<AxisPiece>&) { return step; }, tol_);
+    if (first_level_ == 0 && !nodes.empty()) nodes.front().contour = region_;
+    const auto [chains, chain_of_node] = spiral_chains(nodes);
+    Spirals result;
+    std::vector<std::size_t> kept;  // edges at the end of each way that stay as they are
+    for (const auto& chain : chains) {
+      result.parents.push_back(chain.parent);
+      kept.push_back(0);
+      result.paths.push_back(spiral(chain, kept.back()));
+      if (!from_wall_ || chain.parent >= 0) kept.back() = 0;
+    }
+    smooth(result.paths, kept);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      for (auto& ridge : ridges(nodes[i])) {
+        result.parents.push_back(chain_of_node[i]);
+        result.paths.push_back(std::move(ridge));
+      }
+    }
+    if (!mend(result.paths, job_)) return {};
+    result.time = hop_.time_of(result.paths, 2 * layer_.tool_radius);
+    return result;
+  }
+
+  /// Ways along the middle of what loops leave between them; what a few radii hold is left to the mending.
+  std::vector<Path> ridges(const RingNode& node) const {
+    std::vector<Path> found;
+    for (const auto& ridge : residual_paths(node, layer_.tool_radius - kBareMargin)) {
+      Path path;
+      for (std::size_t i = 1; i < ridge.points.size(); ++i) {
+        if (ridge.points[i] != ridge.points[i - 1])
+          path.push_back(Edge::line(ridge.points[i - 1], ridge.points[i]));
+      }
+      if (ridge.closed) path.push_back(Edge::line(ridge.points.back(), ridge.points.front()));
+      if (length(path) > kLeastRidge * layer_.tool_radius) found.push_back(std::move(path));
+    }
+    return found;
+  }
+
+  Loop oriented(const Loop& loop) const { return options_.wall_on_right ? loop : reversed(loop); }
+
+  /// From the innermost loop outwards, each turn beginning where the last has ended. `outermost`: how many edges belong
+  /// to the last turn and what it leaves of the outermost loop.
+  Path spiral(const SpiralChain& chain, std::size_t& outermost) const {
+    const Loop& innermost = chain.loops.back();
+    const auto longest =
+        std::max_element(innermost.begin(), innermost.end(),
+                         [](const Edge& a, const Edge& b) { return a.length() < b.length(); });
+    Path path = lap(oriented(innermost), longest->at(0.5));
+    outermost = path.size();
+    for (std::size_t i = chain.loops.size() - 1; i-- > 0;) {
+      const std::size_t before = path.size();
+      const Vec2 at = path.back().to;
+      const Path turn = turn_to(chain.loops[i], at);
+      append(path, turn);
+      if (turn.empty()) {
+        const Path around = lap(oriented(chain.loops[i]), at);
+        append(path, around);
+      } else if (i == 0) {
+        const Path rest = lap(oriented(chain.loops[0]), path.back().to, kSpiralFall);
+        append(path, rest);
+      }
+      outermost = path.size() - before;
+    }
+    return path;
+  }
+
+  /// Empty where the turn would run into something that does not belong to the loop, as islands that met it.
+  Path turn_to(const Loop& loop, Vec2 start) const {
+    Path turn = turn_inside(loop, start);
+    return std::all_of(turn.begin(), turn.end(), [this](const Edge& edge) { return is_legal(edge); })
+               ? turn
+               : Path{};
+  }
+
+  bool is_legal(const Edge& edge) const {
+    if (!edge.is_arc()) return legal_.holds_line(edge.from, edge.to);
+    const int count = 1 + static_cast<int>(edge.length() / (kLegalPitch * layer_.tool_radius));
+    for (int i = 0; i <= count; ++i) {
+      if (!legal_.holds(edge.at(static_cast<double>(i) / count))) return false;
+    }
+    return true;
+  }
+
+  /// Turns are built with the wall on the right; the other sense is their mirror image.
+  Path turn_inside(const Loop& loop, Vec2 start) const {
+    if (options_.wall_on_right) return spiral_turn(loop, start);
+    Loop mirrored;
+    for (const auto& edge : reversed(loop)) mirrored.push_back(mirror(edge));
+    Path turn;
+    for (const auto& edge : spiral_turn(mirrored, mirror(start))) turn.push_back(mirror(edge));
+    return turn;
+  }
+
+  static Vec2 mirror(Vec2 p) { return {-p.x, p.y}; }
+  static Edge mirror(const Edge& edge) {
+    const Turn turn = static_cast<Turn>(-static_cast<int>(edge.turn));
+    return {mirror(edge.from), mirror(edge.to), mirror(edge.center), turn};
+  }
+
+  /// Rounds all corners of the ways but for their last laps, and sharpens again those where that leaves something.
+  void smooth(std::vector<Path>& paths, const std::vector<std::size_t>& kept) const {
+    std::vector<Vec2> holes;
+    const auto sharp = [&](Vec2 p) {
+      return std::any_of(holes.begin(), holes.end(),
+                         [&](Vec2 hole) { return distance(hole, p) < kSharpReach * layer_.tool_radius; });
+    };
+    const auto rounded = [&] {
+      std::vector<Path> round;
+      for (std::size_t i = 0; i < paths.size(); ++i) {
+        const auto cut = paths[i].end() - static_cast<std::ptrdiff_t>(kept[i]);
+        round.push_back(with_round_corners(Path(paths[i].begin(), cut), kCorner * layer_.tool_radius, sharp));
+        round.back().insert(round.back().end(), cut, paths[i].end());
+      }
+      return round;
+    };
+    auto round = rounded();
+    holes = left_by(round, job_);
+    paths = holes.empty() ? std::move(round) : rounded();
+  }
+
+  const Region& region_;
+  bool from_wall_;
+  double first_level_ = 0;
+  const Layer& layer_;
+  const SpiralOptions& options_;
+  const Tolerances& tol_;
+  Clearance clearance_;
+  LegalArea around_;
+  std::vector<Edge> rim_;
+  LegalArea legal_;
+  Hop hop_;
+  MendJob job_;
+};
+
+/// The ways of one legal area in the order in which they are cut: each after those inside it, nearest first, joined by
+/// legal ways where these are quicker than a lift.
+class Joiner {
+ public:
+  Joiner(Spirals spirals, const Region& legal, const Layer& layer, const SpiralOptions& options)
+      : spirals_(std::move(spirals)),
+        area_({legal}),
+        routes_({legal}, area_),
+        hop_(options.machine, options.feed, hop_heights(layer)),
+        done_(spirals_.paths.size(), false) {}
+
+  std::vector<Path> join() {
+    std::vector<Path> joined;
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      const auto next = nearest_ready(joined);
+      Path path = begun_near(next, joined);
+      done_[next] = true;
+      auto way = joined.empty() ? std::nullopt
+                                : hop_.way_at_depth(joined.back().back().to, path.front().from, routes_);
+      if (way) {
+        append(joined.back(), *way);
+        append(joined.back(), path);
+      } else {
+        joined.push_back(std::move(path));
+      }
+    }
+    return joined;
+  }
+
+ private:
+  bool ready(std::size_t i) const {
+    if (done_[i]) return false;
+    for (std::size_t k = 0; k < done_.size(); ++k) {
+      if (!done_[k] && spirals_.parents[k] == static_cast<int>(i)) return false;
+    }
+    return true;
+  }
+
+  bool is_loop(std::size_t i) const { return spirals_.paths[i].front().from == spirals_.paths[i].back().to; }
+
+  /// Loops may begin anywhere.
+  Path begun_near(std::size_t i, const std::vector<Path>& joined) const {
+    if (joined.empty() || !is_loop(i)) return spirals_.paths[i];
+    return lap(spirals_.paths[i], joined.back().back().to);
+  }
+
+  std::size_t nearest_ready(const std::vector<Path>& joined) const {
+    std::size_t best = done_.size();
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < done_.size(); ++i) {
+      if (!ready(i)) continue;
+      const double d =
+          joined.empty() ? 0 : distance(begun_near(i, joined).front().from, joined.back().back().to);
+      if (best < done_.size() && d >= best_distance) continue;
+      best = i;
+      best_distance = d;
+    }
+    return best;
+  }
+
+  Spirals spirals_;
+  LegalArea area_;
+  LegalRoutes routes_;
+  Hop hop_;
+  std::vector<bool> done_;
+};
+
+void add_passes(LayerPasses& result, std::vector<Path> ways, int component, int around, double offset) {
+  for (auto& way : ways) {
+    Pass pass;
+    pass.path = std::move(way);
+    pass.parent = around;
+    pass.component = component;
+    pass.offset = offset;
+    pass.reversible = false;
+    result.passes.push_back(std::move(pass));
+  }
+}
+
+}  // namespace
+
+LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const Tolerances& tol) {
+  CLEARCUT_ASSERT(layer.tool_radius > 0);
+  auto area = clearing_area(layer, tol);
+  LayerPasses result = std::move(area.walls);
+  result.strategy = "spiral";
+  std::vector<Pass> walls = std::move(result.passes);
+  result.passes.clear();
+  const bool pocket = closed_all_round(layer);
+  const double first = layer.tool_radius + layer.wall_stock;
+  for (std::size_t i = 0; i < area.components.size(); ++i) {
+    const auto& [legal, rest, wall] = area.components[i];
+    const bool spiral_to_wall = pocket && !rest.empty();
+    int outermost = -1;
+    for (const auto& pass : walls) {
+      if (pass.component != static_cast<int>(i) || spiral_to_wall) continue;
+      if (outermost < 0) outermost = static_cast<int>(result.passes.size());
+      result.passes.push_back(pass);
+    }
+    if (spiral_to_wall) {
+      const SpiralPlanner planner(legal, true, {legal}, legal, layer, options, tol);
+      add_passes(result, Joiner(planner.plan(), legal, layer, options).join(), static_cast<int>(i), -1,
+                 first);
+      continue;
+    }
+    for (const auto& region : rest) {
+      const SpiralPlanner planner(region, false, dilate({region}, layer.tool_radius, tol), legal, layer,
+                                  options, tol);
+      add_passes(result, Joiner(planner.plan(), legal, layer, options).join(), static_cast<int>(i), outermost,
+                 first + layer.tool_radius);
+    }
+  }
+  for (const auto& wall : walls) {
+    if (wall.component >= static_cast<int>(area.components.size())) result.passes.push_back(wall);
+  }
+  return result;
+}
+
+}  // namespace clearcut::plan::spiral

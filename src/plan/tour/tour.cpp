@@ -1,0 +1,477 @@
+#include "plan/tour/tour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "geometry/clearance.h"
+#include "geometry/line_path.h"
+#include "plan/common/clearing_area.h"
+#include "plan/common/cover.h"
+#include "geometry/route/legal_ways.h"
+#include "plan/contour/step_rule.h"
+
+namespace clearcut::plan::tour {
+namespace {
+
+/// mm. Visits to what is left reach this much farther than they must.
+constexpr double kReserve = 0.01;
+/// Rounds of mending that reroute the way; those after only add to it, which always ends.
+constexpr int kRerouted = 3;
+constexpr int kMendings = 40;
+/// Radii, and directions, of the places of a disc that are asked whether they need it.
+constexpr double kProbes[] = {0.45, 0.95};
+constexpr int kProbeDirections = 12;
+
+using Points = std::vector<Vec2>;
+
+/// A single point stays, as a way of no length.
+Path way_through(const Points& points) {
+  Path path = line_path(points);
+  if (path.empty() && !points.empty()) path.push_back(Edge::line(points.front(), points.front()));
+  return path;
+}
+
+struct Lattice {
+  Vec2 corner;
+  double pitch = 0;
+  int columns = 0, rows = 0;
+
+  Vec2 at(int column, int row) const { return corner + Vec2{column * pitch, row * pitch}; }
+};
+
+int steps_in(double extent, double pitch) {
+  return static_cast<int>(std::floor(extent / pitch + 1e-9));
+}
+
+/// From the box's lower left corner, as published.
+Lattice published_lattice(const Box& box, double pitch) {
+  return {box.min, pitch, steps_in(box.width(), pitch) + 1, steps_in(box.height(), pitch) + 1};
+}
+
+/// Stretched down so that the wider side is met at both ends, in the middle of the other. Of a box far smaller than the
+/// pitch only the middle is met.
+Lattice fitted_lattice(const Box& box, double largest) {
+  const double wide = std::max(box.width(), box.height());
+  const bool stretched = wide > largest / 2;
+  Lattice lattice =
+      published_lattice(box, stretched ? wide / std::max(1.0, std::ceil(wide / largest - 1e-9)) : largest);
+  const auto centred = [&](double low, double extent, int count) {
+    return low + (extent - (count - 1) * lattice.pitch) / 2;
+  };
+  lattice.corner = {centred(box.min.x, box.width(), lattice.columns),
+                    centred(box.min.y, box.height(), lattice.rows)};
+  return lattice;
+}
+
+/// The same lattice with as many more columns and rows as it takes to fill `box`.
+Lattice filling(const Lattice& lattice, const Box& box) {
+  const int left = std::max(0, steps_in(lattice.corner.x - box.min.x, lattice.pitch));
+  const int below = std::max(0, steps_in(lattice.corner.y - box.min.y, lattice.pitch));
+  return {lattice.at(-left, -below), lattice.pitch,
+          steps_in(box.max.x - lattice.corner.x, lattice.pitch) + left + 1,
+          steps_in(box.max.y - lattice.corner.y, lattice.pitch) + below + 1};
+}
+
+Points points_in(const Lattice& lattice, const LegalArea& area) {
+  Points points;
+  for (int row = 0; row < lattice.rows; ++row) {
+    for (int column = 0; column < lattice.columns; ++column) {
+      if (area.holds(lattice.at(column, row))) points.push_back(lattice.at(column, row));
+    }
+  }
+  return points;
+}
+
+/// What the areas of a layer have in common.
+struct Work {
+  const Layer& layer;
+  const TourGridOptions& options;
+  const TourSolver& solve;
+  const Tolerances& tol;
+  std::vector<Edge> walls;  ///< the passes along the walls
+  LegalArea target;
+  bool pocket = true;  ///< closed all round
+
+  double radius() const { return layer.tool_radius; }
+  double pitch() const { return options.pitch * (options.pitch_in_mm ? 1 : 2 * radius()); }
+};
+
+/// A way under construction in one legal area: points joined by straight legal moves.
+class Route {
+ public:
+  explicit Route(const LegalWays& ways) : ways_(ways) {}
+
+  const Points& points() const { return points_; }
+
+  /// Visits the points in this order. False where the area does not join two of them: then no more is visited.
+  bool follow(const Points& stops) {
+    for (const Vec2 stop : stops) {
+      if (!points_.empty()) {
+        const auto bends = ways_.bends(points_.back(), stop);
+        if (!bends) return false;
+        points_.insert(points_.end(), bends->begin(), bends->end());
+      }
+      points_.push_back(stop);
+    }
+    return true;
+  }
+
+  /// Visits p as well, where that costs least: instead of a straight move, or beside it.
+  void visit(Vec2 p, bool beside) {
+    if (points_.size() < 2) {
+      follow({p});
+      return;
+    }
+    std::vector<std::pair<double, std::size_t>> least;  // cost at least so much, by move
+    for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+      least.emplace_back(extra(points_[i], p, points_[i + 1], beside), i);
+    std::sort(least.begin(), least.end());
+    std::size_t best = 0;
+    Points best_way;
+    double best_cost = std::numeric_limits<double>::infinity();
+    for (const auto& [at_least, i] : least) {
+      if (at_least >= best_cost) break;
+      const Vec2 a = points_[i], b = points_[i + 1];
+      const Points way = detour(a, p, b, beside);
+      if (way.empty()) continue;
+      const double cost = length_through(a, way, b) - distance(a, b);
+      if (cost >= best_cost) continue;
+      best = i;
+      best_cost = cost;
+      best_way = way;
+    }
+    points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(best) + 1, best_way.begin(), best_way.end());
+  }
+
+  Vec2 nearest_to(Vec2 p) const {
+    Nearest best{points_.front(), distance(points_.front(), p), 0};
+    for (std::size_t i = 1; i < points_.size(); ++i) {
+      if (points_[i] == points_[i - 1]) continue;
+      const auto candidate = nearest(Edge::line(points_[i - 1], points_[i]), p);
+      if (candidate.distance < best.distance) best = candidate;
+    }
+    return best.point;
+  }
+
+ private:
+  /// What the visit costs at least.
+  static double extra(Vec2 a, Vec2 p, Vec2 b, bool beside) {
+    if (beside) return a == b ? 2 * distance(a, p) : 2 * distance(Edge::line(a, b), p);
+    return distance(a, p) + distance(p, b) - distance(a, b);
+  }
+  /// What comes between a and b then; empty where there is no way.
+  Points detour(Vec2 a, Vec2 p, Vec2 b, bool beside) const {
+    const Vec2 foot = a == b ? a : nearest_point(Edge::line(a, b), p);
+    const auto there = ways_.bends(beside ? foot : a, p), back = ways_.bends(p, beside ? foot : b);
+    if (!there || !back) return {};
+    Points way;
+    if (beside) way.push_back(foot);
+    way.insert(way.end(), there->begin(), there->end());
+    way.push_back(p);
+    way.insert(way.end(), back->begin(), back->end());
+    if (beside) way.push_back(foot);
+    return way;
+  }
+  static double length_through(Vec2 a, const Points& way, Vec2 b) {
+    double length = distance(a, way.front()) + distance(way.back(), b);
+    for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
+    return length;
+  }
+
+  const LegalWays& ways_;
+  Points points_;
+};
+
+/// Which points of a lattice are visited: those well inside what the walls' passes leave, and those that clear of it what
+/// no other does.
+class GridChoice {
+ public:
+  GridChoice(const Lattice& lattice, const LegalArea& legal, const LegalArea& rest, double radius)
+      : lattice_(lattice),
+        legal_(legal),
+        rest_(rest),
+        radius_(radius),
+        chosen_(static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(lattice.rows), 0) {}
+
+  void choose(const LegalArea& inside) {
+    each([&](int column, int row, Vec2 p) {
+      if (inside.contains(p) && legal_.holds(p)) chosen(column, row) = 1;
+    });
+    each([&](int column, int row, Vec2 p) {
+      if (!chosen(column, row) && legal_.holds(p) && is_needed(p, column, row)) chosen(column, row) = 1;
+    });
+  }
+
+  Points points() const {
+    Points points;
+    for (int row = 0; row < lattice_.rows; ++row) {
+      for (int column = 0; column < lattice_.columns; ++column) {
+        if (chosen_[index(column, row)]) points.push_back(lattice_.at(column, row));
+      }
+    }
+    return points;
+  }
+
+ private:
+  template <typename F>
+  void each(F&& f) {
+    for (int row = 0; row < lattice_.rows; ++row) {
+      for (int column = 0; column < lattice_.columns; ++column) f(column, row, lattice_.at(column, row));
+    }
+  }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(lattice_.columns) +
+           static_cast<std::size_t>(column);
+  }
+  char& chosen(int column, int row) { return chosen_[index(column, row)]; }
+
+  /// Whether a cutter at p clears something of the rest that chosen points leave.
+  bool is_needed(Vec2 p, int column, int row) const {
+    const auto needs = [&](Vec2 q) { return rest_.contains(q) && !is_cleared(q, column, row); };
+    if (needs(p)) return true;
+    for (const double share : kProbes) {
+      for (int i = 0; i < kProbeDirections; ++i) {
+        if (needs(p + direction_of(2 * kPi * i / kProbeDirections) * (share * radius_))) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether a chosen point about (column, row) clears q.
+  bool is_cleared(Vec2 q, int column, int row) const {
+    constexpr int kAround = 3;
+    for (int r = std::max(0, row - kAround); r <= std::min(lattice_.rows - 1, row + kAround); ++r) {
+      for (int c = std::max(0, column - kAround); c <= std::min(lattice_.columns - 1, column + kAround);
+           ++c) {
+        if (chosen_[index(c, r)] && distance(lattice_.at(c, r), q) <= radius_) return true;
+      }
+    }
+    return false;
+  }
+
+  const Lattice& lattice_;
+  const LegalArea& legal_;
+  const LegalArea& rest_;
+  double radius_;
+  std::vector<char> chosen_;
+};
+
+/// Everything about one connected legal area of a layer.
+class AreaPlanner {
+ public:
+  AreaPlanner(const ClearingComponent& component, const Work& work)
+      : legal_(component.legal), rest_(component.rest), work_(work), ways_({legal_}), route_(ways_) {}
+
+  /// The way through the grid and whatever else must be visited; empty when nothing must.
+  Path plan() {
+    if (rest_.empty() && !work_.options.published) return {};
+    follow(grid());
+    for (int round = 0; !work_.options.published && round < kMendings; ++round) {
+      const Points left = holes();
+      if (left.empty()) break;
+      mend(left, round >= kRerouted);
+    }
+    return way_through(route_.points());
+  }
+
+ private:
+  Points grid() const {
+    if (work_.options.published)
+      return points_in(published_lattice(legal_.box(), work_.pitch()), ways_.area());
+    const Regions inside = well_inside();
+    const Lattice lattice = filling(fitted_lattice(box(inside.empty() ? rest_ : inside), work_.pitch()),
+                                    box(rest_).grown(work_.radius()));
+    const LegalArea rest(rest_);
+    GridChoice choice(lattice, ways_.area(), rest, work_.radius());
+    choice.choose(LegalArea(inside));
+    return choice.points();
+  }
+
+  /// The rest as far as the first row keeps from its rim: a place between them half a pitch from the nearest points of
+  /// the row is just within a radius of those.
+  Regions well_inside() const {
+    const double radius = work_.radius(), half = std::min(work_.pitch() / 2, radius);
+    const double margin = 0.98 * std::sqrt(radius * radius - half * half) - 0.02 * radius;
+    if (margin <= 0) return rest_;
+    Regions inside;
+    for (const auto& region : rest_) {
+      const Regions pieces = inset(region, margin, work_.tol);
+      inside.insert(inside.end(), pieces.begin(), pieces.end());
+    }
+    return inside;
+  }
+
+  void follow(const Points& points) {
+    if (points.empty()) return;
+    TourTask task;
+    task.points = points;
+    task.pitch = work_.pitch();
+    task.layer = &work_.layer;
+    const LegalWays::Between between(ways_, points);
+    if (!ways_.all_straight())
+      task.way = [&](int a, int b) { return between.bends(a, b).value_or(Points{}); };
+    Points stops;
+    for (const int i : points.size() > 1 ? work_.solve(task) : std::vector<int>{0})
+      stops.push_back(points[i]);
+    CLEARCUT_ASSERT(stops.size() == points.size());
+    route_.follow(stops);
+  }
+
+  /// Places of the target that neither the walls' passes nor the way clear.
+  Points holes() const {
+    std::vector<Edge> edges = work_.walls;
+    for (const auto& edge : way_through(route_.points())) {
+      if (edge.from != edge.to) edges.push_back(edge);
+    }
+    if (edges.empty()) return {};
+    const Cover cover(edges, work_.radius());
+    const auto matters = [&](Vec2 p) { return ways_.area().contains(p) && work_.target.contains(p); };
+    Points found = cover.holes(matters);
+    if (work_.pocket) return found;
+    // Beside open sides a hole may be bounded by the target's own edge.
+    for (const auto& region : rest_) {
+      for (const auto& edge : region.edges()) add_left_of(edge, edges, cover, found);
+    }
+    return found;
+  }
+
+  /// The middle of every stretch of an edge that is left. Stretches end where the rim of a sweep crosses the edge.
+  void add_left_of(const Edge& edge, const std::vector<Edge>& swept, const Cover& cover,
+                   Points& found) const {
+    std::vector<double> cuts{0, 1};
+    const Box near = edge.box().grown(work_.radius());
+    for (const auto& way : swept) {
+      if (!way.box().overlaps(near)) continue;
+      for (const auto& side : rim_of(way)) {
+        for (const Vec2 p : intersections(edge, side)) cuts.push_back(nearest(edge, p).t);
+      }
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      if ((cuts[i] - cuts[i - 1]) * edge.length() < work_.tol.uncut / 10) continue;
+      const Vec2 p = edge.at((cuts[i - 1] + cuts[i]) / 2);
+      if (ways_.area().contains(p) && !cover.holds(p, -work_.tol.uncut / 10)) found.push_back(p);
+    }
+  }
+
+  /// What bounds the sweep of an edge.
+  std::vector<Edge> rim_of(const Edge& way) const {
+    const double radius = work_.radius();
+    std::vector<Edge> rim;
+    const auto add_circle = [&](Vec2 center, double r) {
+      const Vec2 east = center + Vec2{r, 0}, west = center - Vec2{r, 0};
+      rim.push_back(Edge::arc(east, west, center, Turn::kCounterClockwise));
+      rim.push_back(Edge::arc(west, east, center, Turn::kCounterClockwise));
+    };
+    add_circle(way.from, radius);
+    add_circle(way.to, radius);
+    if (way.is_arc()) {
+      add_circle(way.center, way.radius() + radius);
+      if (way.radius() > radius) add_circle(way.center, way.radius() - radius);
+      return rim;
+    }
+    const Vec2 across = left_of(way.tangent_at(0)) * radius;
+    rim.push_back(Edge::line(way.from + across, way.to + across));
+    rim.push_back(Edge::line(way.from - across, way.to - across));
+    return rim;
+  }
+
+  /// Visits every hole; one visit serves all that it reaches. Beside the way as far in as its rim, so that no
+  /// long thin hole is nibbled at.
+  void mend(Points left, bool beside) {
+    if (route_.points().empty()) return follow(thinned(left));
+    while (!left.empty()) {
+      const Vec2 place = beside ? left.front() : place_for(left);
+      route_.visit(place, beside);
+      const Vec2 first = left.front();
+      const double reach = work_.radius() - kReserve / 2;
+      std::erase_if(left, [&](Vec2 p) { return p == first || distance(p, place) < reach; });
+    }
+  }
+
+  /// A few of the points, such that every other is within half a radius of one.
+  Points thinned(const Points& points) const {
+    Points kept;
+    for (const Vec2 p : points) {
+      const bool near =
+          std::any_of(kept.begin(), kept.end(), [&](Vec2 q) { return distance(p, q) < work_.radius() / 2; });
+      if (!near) kept.push_back(p);
+    }
+    return kept;
+  }
+
+  /// From where the first hole and those around it are cleared: as near to the way as possible. Where no place
+  /// serves all of them the hole is large and visited at its rim.
+  Vec2 place_for(const Points& left) const {
+    const double radius = work_.radius();
+    Points group;
+    Vec2 middle{};
+    for (const Vec2 p : left) {
+      if (distance(p, left.front()) < 2 * radius) group.push_back(p), middle = middle + p;
+    }
+    middle = middle / static_cast<double>(group.size());
+    const auto serves = [&](Vec2 place) {
+      return ways_.area().holds(place) && std::all_of(group.begin(), group.end(), [&](Vec2 p) {
+               return distance(p, place) <= radius - kReserve;
+             });
+    };
+    if (!serves(middle)) return left.front();
+    const Vec2 foot = route_.nearest_to(middle);
+    double low = 0, high = 1;
+    for (int i = 0; i < 20; ++i) {
+      const double t = (low + high) / 2;
+      (serves(lerp(middle, foot, t)) ? low : high) = t;
+    }
+    return lerp(middle, foot, low);
+  }
+
+  const Region& legal_;
+  const Regions& rest_;
+  const Work& work_;
+  LegalWays ways_;
+  Route route_;
+};
+
+}  // namespace
+
+TourGridOptions parse_tour_grid(const std::string& text) {
+  const plan::contour::StepRule rule = plan::contour::parse_step_rule(text);
+  TourGridOptions options;
+  if (rule.kind == plan::contour::StepRule::Kind::kFraction) {
+    options.pitch = rule.value;
+  } else if (rule.kind == plan::contour::StepRule::Kind::kMm) {
+    options.pitch = rule.value;
+    options.pitch_in_mm = true;
+  } else if (rule.kind != plan::contour::StepRule::Kind::kWidest) {
+    throw InputError("--stepover", fmt::format("'{}' has no meaning for a grid; use 0.7 or 3.5mm", text));
+  }
+  return options;
+}
+
+LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const TourSolver& solve,
+                      const Tolerances& tol) {
+  auto area = clearing_area(layer, tol);
+  LayerPasses result = std::move(area.walls);
+  result.strategy = "tour";
+  Work work{layer, options, solve, tol, {}, LegalArea(layer.target), closed_all_round(layer)};
+  for (const auto& pass : result.passes) {
+    std::copy_if(pass.path.begin(), pass.path.end(), std::back_inserter(work.walls),
+                 [](const Edge& edge) { return edge.from != edge.to; });
+  }
+  if (options.published) result.passes.clear();
+  for (std::size_t i = 0; i < area.components.size(); ++i) {
+    Pass pass;
+    pass.path = AreaPlanner(area.components[i], work).plan();
+    if (pass.path.empty()) continue;
+    pass.parent = options.published ? -1 : area.components[i].outer_wall;
+    pass.component = static_cast<int>(i);
+    result.passes.push_back(std::move(pass));
+  }
+  return result;
+}
+
+}  // namespace clearcut::plan::tour

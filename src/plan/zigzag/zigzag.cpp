@@ -1,0 +1,249 @@
+#include "plan/zigzag/zigzag.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "plan/common/clearing_area.h"
+#include "plan/common/retract_link.h"
+#include "plan/zigzag/cells.h"
+#include "plan/zigzag/cell_order.h"
+
+namespace clearcut::plan::zigzag {
+namespace {
+
+/// Share of the diameter by which neighbouring lines overlap at least.
+constexpr double kOverlap = 0.01;
+/// Share of its time by which a line is dearer when the material is on the wrong side.
+constexpr double kWrongSide = 0.02;
+/// Directions that are tried: those of the longest walls and square to them, and some of the compass.
+constexpr std::size_t kMostWallDirections = 6;
+constexpr double kCompassStep = kPi / 4;
+/// Directions nearer than this are one.
+constexpr double kSameDirection = 0.5 * kPi / 180;
+/// Directions that are planned to the end; all are estimated.
+constexpr std::size_t kFinalists = 3;
+/// Beyond so many edges of an outline only the first direction is planned.
+constexpr std::size_t kMostEdges = 5000;
+
+Edge rotated(const Edge& edge, double angle) {
+  return {clearcut::rotated(edge.from, angle), clearcut::rotated(edge.to, angle),
+          clearcut::rotated(edge.center, angle), edge.turn};
+}
+
+Loop rotated(const Loop& loop, double angle) {
+  Loop turned;
+  for (const auto& edge : loop) turned.push_back(rotated(edge, angle));
+  return turned;
+}
+
+Region rotated(const Region& region, double angle) {
+  std::vector<Loop> islands;
+  for (const auto& island : region.islands()) islands.push_back(rotated(island, angle));
+  return Region::from_valid_loops(rotated(region.outer(), angle), std::move(islands));
+}
+
+/// A direction with the cells it gives.
+struct Draft {
+  double angle = 0;
+  std::vector<ZigzagCell> cells;
+  double estimate = 0;  ///< seconds, too little
+};
+
+/// One connected legal area.
+class ZigzagPlanner {
+ public:
+  ZigzagPlanner(const ClearingComponent& component, const Layer& layer, const ZigzagOptions& options)
+      : component_(component),
+        layer_(layer),
+        options_(options),
+        area_({component.legal}),
+        routes_({component.legal}, area_),
+        hop_(options.machine, options.feed, hop_heights(layer)) {}
+
+  /// The ways of the cutter, one for each stretch without a lift.
+  std::vector<Path> plan() const {
+    if (component_.rest.empty()) return {};
+    auto drafts = drafts_of(directions());
+    std::vector<Path> best;
+    double best_time = std::numeric_limits<double>::infinity();
+    const bool large = component_.legal.edges().size() > kMostEdges;
+    drafts.resize(std::min(drafts.size(), large ? 1 : kFinalists));
+    for (const auto& draft : drafts) {
+      auto ways = ways_of(draft);
+      const double time = hop_.time_of(ways, 2 * layer_.tool_radius);
+      if (time >= best_time) continue;
+      best_time = time;
+      best = std::move(ways);
+    }
+    return best;
+  }
+
+ private:
+  double speed() const { return options_.feed.mm_per_s(); }
+  double widest_step() const {
+    const double widest = 2 * layer_.tool_radius * (1 - kOverlap);
+    return options_.stepover ? std::min(*options_.stepover, widest) : widest;
+  }
+
+  std::vector<double> directions() const {
+    if (options_.angle) return {options_.angle->radians()};
+    std::vector<std::pair<double, double>> walls;  // length, angle
+    for (const auto& edge : component_.legal.edges()) {
+      if (!edge.is_arc()) walls.push_back({-edge.length(), angle_of(edge.to - edge.from)});
+    }
+    std::sort(walls.begin(), walls.end());
+    std::vector<double> found;
+    const auto add = [&](double angle) {
+      const double turned = std::fmod(std::fmod(angle, kPi) + kPi, kPi);
+      const bool known = std::any_of(found.begin(), found.end(), [&](double other) {
+        return std::abs(std::remainder(turned - other, kPi)) < kSameDirection;
+      });
+      if (!known) found.push_back(turned);
+    };
+    for (std::size_t i = 0; i < walls.size() && found.size() < 2 * kMostWallDirections; ++i) {
+      add(walls[i].second);
+      add(walls[i].second + kPi / 2);
+    }
+    for (double angle = 0; angle < kPi - 1e-9; angle += kCompassStep) add(angle);
+    return found;
+  }
+
+  std::vector<Draft> drafts_of(const std::vector<double>& angles) const {
+    std::vector<Draft> drafts;
+    for (const double angle : angles) {
+      Draft draft{angle, {}, 0};
+      for (const auto& rest : component_.rest) {
+        const auto cells = zigzag_cells(rotated(rest, -angle), layer_.tool_radius, widest_step());
+        draft.cells.insert(draft.cells.end(), cells.begin(), cells.end());
+      }
+      draft.estimate = estimate(draft.cells);
+      drafts.push_back(std::move(draft));
+    }
+    std::stable_sort(drafts.begin(), drafts.end(),
+                     [](const Draft& a, const Draft& b) { return a.estimate < b.estimate; });
+    return drafts;
+  }
+
+  /// Lines, the ways between them, and about one radius and two turns from each cell to the next.
+  double estimate(const std::vector<ZigzagCell>& cells) const {
+    double way = 0, turns = 0;
+    for (const auto& cell : cells) {
+      way += layer_.tool_radius;
+      for (std::size_t i = 0; i < cell.lines.size(); ++i) {
+        const auto& line = cell.lines[i];
+        way += line.right.x - line.left.x;
+        if (i == 0) continue;
+        const auto& before = cell.lines[i - 1];
+        const bool on_right = i % 2 == 1;
+        way += on_right ? distance(before.right, line.right) : distance(before.left, line.left);
+      }
+      turns += 2 * static_cast<double>(cell.lines.size());
+    }
+    return way / speed() + turns * speed() / options_.machine.acceleration;
+  }
+
+  /// Length of the lines of a cell that are cut with the material on the wrong side. Each line but the first, which is
+  /// a slot, has the material ahead: above it where the cell is cut upwards.
+  double wrong_side_length(const ZigzagCell& cell, int variant) const {
+    const bool upwards = (variant & 1) == 0;
+    double wrong = 0;
+    const auto lines = cut_lines(cell, variant);
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      const bool rightwards = lines[i].right.x > lines[i].left.x;
+      const bool on_right = rightwards != upwards;
+      if (on_right != options_.material_on_right) wrong += std::abs(lines[i].right.x - lines[i].left.x);
+    }
+    return wrong;
+  }
+
+  std::vector<Path> ways_of(const Draft& draft) const {
+    const auto original = [&](Vec2 p) { return clearcut::rotated(p, draft.angle); };
+    OrderQuestion question;
+    question.travel = [&](Vec2 from, Vec2 to) {
+      const Vec2 a = original(from), b = original(to);
+      const auto way = hop_.way_at_depth(a, b, routes_);
+      return way ? length(*way) / speed() : hop_.time(distance(a, b));
+    };
+    question.far_travel = [&](Vec2 from, Vec2 to) { return hop_.time(distance(from, to)); };
+    question.own = [&](const CellVisit& visit) {
+      return kWrongSide * wrong_side_length(draft.cells[visit.cell], visit.variant) / speed();
+    };
+    std::vector<Path> ways(1);
+    std::optional<Vec2> at;
+    for (const auto& visit : order_cells(draft.cells, question)) {
+      for (const auto& line : cut_lines(draft.cells[visit.cell], visit.variant)) {
+        add_line(original(line.left), original(line.right), at, ways);
+      }
+    }
+    if (ways.back().empty()) ways.back() = way_to_wall(*at);
+    return ways;
+  }
+
+  void add_line(Vec2 from, Vec2 to, std::optional<Vec2>& at, std::vector<Path>& ways) const {
+    if (at && *at != from) {
+      const auto way = hop_.way_at_depth(*at, from, routes_);
+      if (!way) {
+        if (ways.back().empty()) ways.back() = way_to_wall(*at);
+        ways.emplace_back();
+      } else {
+        for (Edge edge : *way) {
+          edge.from = *at;
+          ways.back().push_back(edge);
+          at = edge.to;
+        }
+        from = *at;
+      }
+    }
+    if (distance(from, to) > 1e-7) {
+      ways.back().push_back(Edge::line(from, to));
+      at = to;
+    } else {
+      at = from;
+    }
+  }
+
+  /// A place that clears everything alone is reached on the way to the wall.
+  Path way_to_wall(Vec2 p) const {
+    Vec2 best = p;
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (const auto& edge : component_.legal.edges()) {
+      const auto foot = nearest(edge, p);
+      if (foot.distance >= best_distance) continue;
+      best_distance = foot.distance;
+      best = foot.point;
+    }
+    return {Edge::line(p, best)};
+  }
+
+  const ClearingComponent& component_;
+  const Layer& layer_;
+  const ZigzagOptions& options_;
+  LegalArea area_;
+  LegalRoutes routes_;
+  Hop hop_;
+};
+
+}  // namespace
+
+LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const Tolerances& tol) {
+  CLEARCUT_ASSERT(layer.tool_radius > 0);
+  auto area = clearing_area(layer, tol);
+  LayerPasses result = std::move(area.walls);
+  result.strategy = "zigzag";
+  for (std::size_t i = 0; i < area.components.size(); ++i) {
+    for (auto& way : ZigzagPlanner(area.components[i], layer, options).plan()) {
+      Pass pass;
+      pass.path = std::move(way);
+      pass.parent = area.components[i].outer_wall;
+      pass.component = static_cast<int>(i);
+      pass.offset = 2 * layer.tool_radius + layer.wall_stock;
+      pass.reversible = false;
+      result.passes.push_back(std::move(pass));
+    }
+  }
+  return result;
+}
+
+}  // namespace clearcut::plan::zigzag

@@ -1,0 +1,36 @@
+// Features of a part as ISO 14649 feature entities.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/part.h"
+#include "post/part/p21_text.h"
+
+namespace clearcut::post {
+
+/// Entities that every feature shares.
+struct P21Common {
+  std::string workpiece;
+  std::string z_axis;
+  std::string x_axis;
+};
+
+/// "#12", an AXIS2_PLACEMENT_3D with the axes of the workpiece.
+std::string p21_placement(P21Writer& out, const P21Common& common, Vec2 at, double z);
+/// "#12", a level plane at z.
+std::string p21_plane(P21Writer& out, const P21Common& common, const std::string& name, double z);
+
+/// One region of a feature, to be written as one entity.
+struct FeaturePiece {
+  const Feature* feature = nullptr;
+  const Region* region = nullptr;
+  std::string name;
+};
+
+/// Writes the entity of `piece` and returns its reference. `operations` are the references of its operations.
+std::string write_feature(P21Writer& out, const P21Common& common, const FeaturePiece& piece,
+                          const std::optional<Stock>& stock, const std::vector<std::string>& operations);
+
+}  // namespace clearcut::post

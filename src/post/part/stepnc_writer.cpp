@@ -1,0 +1,352 @@
+#include "post/part/stepnc_writer.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "post/part/p21_text.h"
+#include "post/part/stepnc_features.h"
+
+namespace clearcut::post {
+
+namespace {
+
+const std::string kUnset = "$";
+constexpr double kMmPerMinPerMPerS = 60000;
+
+std::string optional_real(std::optional<double> value) {
+  return value ? p21_real(*value) : kUnset;
+}
+std::string positive_real(double value) {
+  return value > 0 ? p21_real(value) : kUnset;
+}
+
+const char* body_keyword(ToolKind kind) {
+  switch (kind) {
+    case ToolKind::kEndMill:
+      return "ENDMILL";
+    case ToolKind::kFaceMill:
+      return "FACEMILL";
+    case ToolKind::kBallEndMill:
+      return "BALL_ENDMILL";
+    case ToolKind::kBullNoseEndMill:
+      return "BULLNOSE_ENDMILL";
+    case ToolKind::kDrill:
+      return "TWIST_DRILL";
+    case ToolKind::kReamer:
+      return "REAMER";
+    case ToolKind::kOther:
+      break;
+  }
+  return "SIDE_MILL";
+}
+
+/// The reader takes the number from "T3" or "T3 name".
+std::string tool_name(const Tool& tool) {
+  const std::string number = "T" + std::to_string(tool.number);
+  return tool.name == number || tool.name.empty() ? number : number + " " + tool.name;
+}
+
+/// Strategies of ISO 14649-11 with the number of their arguments and the place of the cut mode (-1: none).
+struct Strategy {
+  std::string_view hint;
+  std::string_view keyword;
+  int arguments;
+  int cutmode;
+  int rotation;
+  bool strokes = false;  ///< the third argument is the direction of strokes
+};
+constexpr Strategy kStrategies[] = {{"unidirectional_milling", "UNIDIRECTIONAL_MILLING", 4, 3, -1, true},
+                                    {"unidirectional", "UNIDIRECTIONAL", 4, 3, -1, true},
+                                    {"bidirectional_milling", "BIDIRECTIONAL_MILLING", 5, -1, -1, true},
+                                    {"bidirectional", "BIDIRECTIONAL", 5, -1, -1, true},
+                                    {"contour_parallel", "CONTOUR_PARALLEL", 4, 3, 2},
+                                    {"bidirectional_contour", "BIDIRECTIONAL_CONTOUR", 6, 5, -1},
+                                    {"contour_bidirectional", "CONTOUR_BIDIRECTIONAL", 6, 5, -1},
+                                    {"contour_spiral", "CONTOUR_SPIRAL", 4, 3, 2},
+                                    {"center_milling", "CENTER_MILLING", 2, -1, -1},
+                                    {"explicit_strategy", "EXPLICIT_STRATEGY", 2, -1, -1}};
+
+const Strategy* strategy_of(const Operation& operation) {
+  for (const Strategy& strategy : kStrategies)
+    if (operation.strategy_hint == strategy.hint) return &strategy;
+  return nullptr;
+}
+
+const char* operation_keyword(OperationKind kind) {
+  switch (kind) {
+    case OperationKind::kFinishing:
+      return "BOTTOM_AND_SIDE_FINISH_MILLING";
+    case OperationKind::kBottomFinishing:
+      return "PLANE_FINISH_MILLING";
+    case OperationKind::kSideFinishing:
+      return "SIDE_FINISH_MILLING";
+    case OperationKind::kDrilling:
+      return "DRILLING";
+    case OperationKind::kReaming:
+      return "REAMING";
+    case OperationKind::kRoughing:
+    case OperationKind::kOther:
+      break;
+  }
+  return "BOTTOM_AND_SIDE_ROUGH_MILLING";
+}
+
+/// Writes the program in the order: project, workplan, workpiece, set-up, tools, then each feature with its
+/// operations.
+class Writer {
+ public:
+  explicit Writer(const Part& part) : part_(part) {}
+
+  std::string write() {
+    project_ = out_.reserve();
+    workplan_ = out_.reserve();
+    workpiece_ = out_.reserve();
+    common_.z_axis = out_.add("DIRECTION", {"'z'", "(0.0,0.0,1.0)"});
+    common_.x_axis = out_.add("DIRECTION", {"'x'", "(1.0,0.0,0.0)"});
+    common_.workpiece = p21_reference(workpiece_);
+    write_workpiece();
+    const std::string setup = write_setup();
+    write_tools();
+    write_workingsteps();
+    const std::string name = p21_string(part_.name);
+    out_.put(project_, "PROJECT",
+             {name, p21_reference(workplan_), p21_list({common_.workpiece}), kUnset, kUnset, kUnset});
+    out_.put(workplan_, "WORKPLAN", {"'main workplan'", p21_list(steps_), kUnset, setup, kUnset});
+    return header() + out_.text() + "ENDSEC;\nEND-ISO-10303-21;\n";
+  }
+
+ private:
+  std::string header() const {
+    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('ISO 14649 program; lengths mm, angles "
+           "radian'),'2;1');\n"
+           "FILE_NAME(" +
+           p21_string(part_.name) +
+           ",'',(''),(''),'clearcut','clearcut','');\n"
+           "FILE_SCHEMA(('MACHINING_SCHEMA','MILLING_SCHEMA'));\nENDSEC;\nDATA;\n";
+  }
+
+  void write_workpiece() {
+    std::string block = kUnset;
+    if (part_.stock) {
+      const Stock& s = *part_.stock;
+      block = out_.add(
+          "BLOCK", {"'stock'", p21_placement(out_, common_, s.plan.min, s.z_bottom), p21_real(s.plan.width()),
+                    p21_real(s.plan.height()), p21_real(s.z_top - s.z_bottom)});
+    }
+    out_.put(workpiece_, "WORKPIECE", {"'workpiece'", kUnset, kUnset, kUnset, kUnset, block, "()"});
+  }
+
+  std::string write_setup() {
+    security_ = p21_plane(out_, common_, "security plane", part_.safe_z());
+    const std::string origin = p21_placement(out_, common_, {}, 0);
+    const std::string mounted =
+        out_.add("WORKPIECE_SETUP", {common_.workpiece, origin, kUnset, kUnset, "()"});
+    return out_.add("SETUP", {"'setup'", origin, security_, p21_list({mounted})});
+  }
+
+  bool counter_clockwise(int tool) const {
+    return std::any_of(part_.workplan.begin(), part_.workplan.end(), [&](const Workingstep& step) {
+      return step.operation.tool == tool && !step.operation.cutting.spindle_clockwise;
+    });
+  }
+
+  void write_tools() {
+    for (std::size_t i = 0; i < part_.tools.size(); ++i) {
+      const Tool& tool = part_.tools[i];
+      const std::string size =
+          out_.add("MILLING_TOOL_DIMENSION",
+                   {p21_real(tool.diameter), kUnset, kUnset, optional_real(tool.flute_length),
+                    p21_real(tool.corner_radius), kUnset, kUnset});
+      const char* hand = counter_clockwise(static_cast<int>(i)) ? ".LEFT." : ".RIGHT.";
+      std::vector<std::string> arguments = {size, std::to_string(tool.teeth), hand, ".F.", kUnset};
+      if (tool.kind == ToolKind::kOther) arguments.push_back(kUnset);
+      const std::string body = out_.add(body_keyword(tool.kind), arguments);
+      const std::string edge = out_.add("CUTTING_COMPONENT", {kUnset, kUnset, kUnset, kUnset, kUnset});
+      tools_.push_back(out_.add("MILLING_CUTTING_TOOL", {p21_string(tool_name(tool)), body, p21_list({edge}),
+                                                         kUnset, kUnset, kUnset}));
+    }
+  }
+
+  /// Workingsteps in order; a feature is written at its first workingstep, with all its operations.
+  void write_workingsteps() {
+    operations_.resize(part_.workplan.size());
+    std::vector<std::vector<std::string>> features(part_.features.size());
+    for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
+      const auto index = static_cast<std::size_t>(part_.workplan[i].feature);
+      if (features[index].empty()) features[index] = write_feature_with_operations(static_cast<int>(index));
+      for (std::size_t piece = 0; piece < features[index].size(); ++piece)
+        steps_.push_back(
+            out_.add("MACHINING_WORKINGSTEP", {p21_string(piece_name(part_.workplan[i].name, piece)),
+                                               security_, features[index][piece], operations_[i], kUnset}));
+    }
+  }
+
+  static std::string piece_name(const std::string& name, std::size_t piece) {
+    return piece == 0 ? name : name + " (" + std::to_string(piece + 1) + ")";
+  }
+
+  std::vector<std::string> write_feature_with_operations(int index) {
+    const Feature& feature = part_.features[static_cast<std::size_t>(index)];
+    std::vector<std::string> its_operations;
+    for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
+      if (part_.workplan[i].feature != index) continue;
+      operations_[i] = write_operation(part_.workplan[i].operation, feature);
+      its_operations.push_back(operations_[i]);
+    }
+    std::vector<std::string> pieces;
+    for (const Region& region : feature.target)
+      pieces.push_back(write_feature(out_, common_,
+                                     {&feature, &region, piece_name(feature.name, pieces.size())},
+                                     part_.stock, its_operations));
+    return pieces;
+  }
+
+  std::string write_operation(const Operation& operation, const Feature& feature) {
+    const std::string retract = operation.retract_z ? p21_real(*operation.retract_z - feature.top_z) : kUnset;
+    std::vector<std::string> arguments = {kUnset,
+                                          kUnset,
+                                          p21_string(operation.name),
+                                          retract,
+                                          kUnset,
+                                          tools_[static_cast<std::size_t>(operation.tool)],
+                                          write_technology(operation.cutting),
+                                          write_functions(operation),
+                                          kUnset};
+    const std::vector<std::string> rest =
+        operation.kind == OperationKind::kDrilling || operation.kind == OperationKind::kReaming
+            ? drilling_arguments(operation)
+            : milling_arguments(operation);
+    arguments.insert(arguments.end(), rest.begin(), rest.end());
+    return out_.add(operation_keyword(operation.kind), arguments);
+  }
+
+  static std::vector<std::string> drilling_arguments(const Operation& operation) {
+    std::vector<std::string> arguments(5, kUnset);
+    if (operation.kind == OperationKind::kReaming) arguments.insert(arguments.end(), {".F.", kUnset, kUnset});
+    return arguments;
+  }
+
+  std::vector<std::string> milling_arguments(const Operation& operation) {
+    std::vector<std::string> arguments = {write_approach(operation), write_retract(operation),
+                                          write_strategy(operation), optional_real(operation.stepdown)};
+    if (operation.kind == OperationKind::kBottomFinishing) {
+      arguments.push_back(positive_real(operation.allowance_floor));
+      return arguments;
+    }
+    const double diameter = part_.tools[static_cast<std::size_t>(operation.tool)].diameter;
+    arguments.push_back(operation.stepover ? p21_real(*operation.stepover * diameter) : kUnset);
+    arguments.push_back(positive_real(operation.allowance_side));
+    if (operation.kind != OperationKind::kSideFinishing)
+      arguments.push_back(positive_real(operation.allowance_floor));
+    return arguments;
+  }
+
+  std::string write_approach(const Operation& operation) {
+    if (!operation.entry) return kUnset;
+    const std::string angle = operation.entry_angle ? p21_real(operation.entry_angle->radians()) : kUnset;
+    switch (*operation.entry) {
+      case EntryKind::kHelix: {
+        const double radius =
+            operation.entry_size.value_or(part_.tools[static_cast<std::size_t>(operation.tool)].radius() / 2);
+        return out_.add("PLUNGE_HELIX", {kUnset, p21_real(radius), angle});
+      }
+      case EntryKind::kRamp:
+        return out_.add("PLUNGE_RAMP", {kUnset, angle});
+      case EntryKind::kZigzagRamp: {
+        const double width =
+            operation.entry_size.value_or(part_.tools[static_cast<std::size_t>(operation.tool)].diameter);
+        return out_.add("PLUNGE_ZIGZAG", {kUnset, angle, p21_real(width)});
+      }
+      case EntryKind::kPlunge:
+        break;
+    }
+    return out_.add("PLUNGE_TOOLAXIS", {kUnset});
+  }
+
+  std::string write_retract(const Operation& operation) {
+    if (!operation.lead || *operation.lead <= 0) return kUnset;
+    if (!operation.lead_angle) return out_.add("AP_RETRACT_TANGENT", {kUnset, p21_real(*operation.lead)});
+    return out_.add("AP_RETRACT_ANGLE",
+                    {kUnset, p21_real(operation.lead_angle->radians()), p21_real(*operation.lead)});
+  }
+
+  static bool radial_in_strategy(const Operation& operation) {
+    return operation.kind == OperationKind::kBottomFinishing && operation.stepover &&
+           *operation.stepover > 0 && *operation.stepover <= 1;
+  }
+
+  std::string write_strategy(const Operation& operation) {
+    const Strategy* strategy = strategy_of(operation);
+    if (strategy == nullptr) return kUnset;
+    std::vector<std::string> arguments(static_cast<std::size_t>(strategy->arguments), kUnset);
+    if (operation.feed_direction && strategy->strokes) {
+      const Vec2 along = direction_of(operation.feed_direction->radians());
+      arguments[2] =
+          out_.add("DIRECTION", {"''", p21_list({p21_real(along.x), p21_real(along.y), p21_real(0)})});
+    }
+    if (radial_in_strategy(operation)) arguments[0] = p21_real(1 - *operation.stepover);
+    if (strategy->rotation >= 0) arguments[static_cast<std::size_t>(strategy->rotation)] = ".CCW.";
+    if (strategy->cutmode >= 0 && operation.direction)
+      arguments[static_cast<std::size_t>(strategy->cutmode)] =
+          *operation.direction == CutDirection::kClimb ? ".CLIMB." : ".CONVENTIONAL.";
+    return out_.add(std::string(strategy->keyword), arguments);
+  }
+
+  std::string write_technology(const CuttingData& cutting) {
+    const std::string feed = cutting.feed ? p21_real(cutting.feed->mm_per_min() / kMmPerMinPerMPerS) : kUnset;
+    const double sign = cutting.spindle_clockwise ? -1 : 1;
+    const std::string spindle = cutting.spindle_rpm ? p21_real(sign * *cutting.spindle_rpm / 60) : kUnset;
+    return out_.add("MILLING_TECHNOLOGY",
+                    {feed, ".TCP.", kUnset, spindle, kUnset, ".F.", ".F.", ".F.", kUnset});
+  }
+
+  std::string write_functions(const Operation& operation) {
+    std::vector<std::string> properties;
+    const auto number = [&](const char* name, std::optional<double> value, const char* unit) {
+      if (value)
+        properties.push_back(
+            out_.add("NUMERIC_PARAMETER", {p21_string(name), p21_real(*value), p21_string(unit)}));
+    };
+    const auto feed = [&](const char* name, const std::optional<MmPerMin>& value) {
+      if (value) number(name, value->mm_per_min(), "MM/MIN");
+    };
+    feed("PLUNGE FEED", operation.cutting.plunge_feed);
+    feed("RAMP FEED", operation.cutting.ramp_feed);
+    feed("SLOT FEED", operation.cutting.slot_feed);
+    number("SCALLOP HEIGHT", operation.scallop, "MM");
+    const Strategy* strategy = strategy_of(operation);
+    if (operation.stepover && operation.kind == OperationKind::kBottomFinishing &&
+        !(strategy != nullptr && radial_in_strategy(operation)))
+      number("STEPOVER", operation.stepover, "RATIO");
+    if (operation.direction && (strategy == nullptr || strategy->cutmode < 0))
+      properties.push_back(out_.add(
+          "DESCRIPTIVE_PARAMETER",
+          {"'CUT DIRECTION'", *operation.direction == CutDirection::kClimb ? "'CLIMB'" : "'CONVENTIONAL'"}));
+    return out_.add("MILLING_MACHINE_FUNCTIONS",
+                    {operation.cutting.coolant ? ".T." : ".F.", kUnset, kUnset, ".F.", kUnset, "()", ".F.",
+                     kUnset, kUnset, p21_list(properties)});
+  }
+
+  const Part& part_;
+  P21Writer out_;
+  P21Common common_;
+  int project_ = 0;
+  int workplan_ = 0;
+  int workpiece_ = 0;
+  std::string security_;
+  std::vector<std::string> tools_;
+  std::vector<std::string> operations_;  // of each workingstep
+  std::vector<std::string> steps_;
+};
+
+}  // namespace
+
+std::string write_stepnc(const Part& part) {
+  for (const auto& step : part.workplan) {
+    if (step.operation.tool >= 0 && step.operation.tool < static_cast<int>(part.tools.size())) continue;
+    throw InputError(part.source_file, "names no tool for " + step.name + "; STEP-NC needs one: give --tool");
+  }
+  return Writer(part).write();
+}
+
+}  // namespace clearcut::post

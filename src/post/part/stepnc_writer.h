@@ -1,0 +1,26 @@
+// Writes a part as a STEP-NC program: ISO 14649-10/-11 entities in an ISO 10303-21 file.
+#pragma once
+
+#include <string>
+
+#include "model/part.h"
+
+namespace clearcut::post {
+
+/// Shape   one file: project, workplan in order, set-up with security plane and stock block, features, tools,
+/// cutting
+///         data. Depths relative to the feature (the standard), outlines counter-clockwise, arcs as trimmed
+///         circles.
+/// Units   m/s, 1/s (negative clockwise), mm, radians.
+/// Error   numbers are shortest decimals that read back to the same double: vertices and tools are kept
+/// exactly. Losses  a feature of several regions becomes several features ("name", "name (2)", ...); a slot
+/// that is neither a
+///         rectangle nor rounded at both ends, and a step that is no rectangle, become open pockets (closed
+///         where they do not reach the stock's edge); Tool::center_cutting follows from the kind of tool;
+///         strategy names the standard does not know are left out. What the standard has no word for (plunge
+///         feed, ramp feed, slot feed, scallop height) goes into the property list of the machine functions.
+/// Throws  InputError where a number is not finite or a workingstep has no tool.
+/// The same part gives the same bytes.
+std::string write_stepnc(const Part& part);
+
+}  // namespace clearcut::post

@@ -1,0 +1,87 @@
+// JSON and TOML with the line of every value, so that a message can say where.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace clearcut::read {
+
+struct DataMember;
+
+/// One value of a JSON or TOML text; members and items keep the order of the text.
+struct DataValue {
+  enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
+  Kind kind = Kind::kNull;
+  int line = 0;
+  bool boolean = false;
+  double number = 0;
+  std::string text;
+  std::vector<DataValue> items;
+  std::vector<DataMember> members;
+
+  bool is_array() const { return kind == Kind::kArray; }
+  bool is_object() const { return kind == Kind::kObject; }
+  bool is_number() const { return kind == Kind::kNumber; }
+  bool is_string() const { return kind == Kind::kString; }
+  /// The member called `key`, or null. Of several the last, as everywhere.
+  const DataValue* find(std::string_view key) const;
+};
+
+/// A value and its key.
+struct DataMember {
+  std::string key;
+  DataValue value;
+};
+
+/// Throws  InputError "file:line: ..." for text that is not JSON, or nested deeper than 64.
+/// Cost    O(length).
+DataValue parse_json(std::string_view text, const std::string& file_name);
+/// The same for TOML. Dates and times are refused.
+DataValue parse_toml(std::string_view text, const std::string& file_name);
+
+/// A table whose every key must be asked for: what nobody knows is a spelling mistake.
+class DataSection {
+ public:
+  /// `name` stands in messages: "[stock]". Throws InputError unless `table` is an object.
+  DataSection(const DataValue& table, std::string file, std::string name);
+
+  bool has(const std::string& key) { return ask(key) != nullptr; }
+  std::optional<double> number(const std::string& key);
+  /// A number above zero.
+  std::optional<double> positive(const std::string& key);
+  /// A number of zero or more.
+  std::optional<double> not_negative(const std::string& key);
+  std::optional<std::string> text(const std::string& key);
+  std::optional<bool> flag(const std::string& key);
+  /// [low, high] with low < high.
+  std::optional<std::array<double, 2>> range(const std::string& key);
+  /// [x, y].
+  std::optional<std::array<double, 2>> pair(const std::string& key);
+  std::vector<std::string> texts(const std::string& key);
+  std::vector<double> numbers(const std::string& key);
+  bool is_number(const std::string& key);
+  std::optional<DataSection> section(const std::string& key);
+  std::vector<DataSection> sections(const std::string& key);
+  /// One of `names`, by its place; throws listing them.
+  std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& names);
+
+  /// Throws  InputError for the first key that nobody asked for, with the nearest that was.
+  void refuse_unknown() const;
+  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail_at(const std::string& key, const std::string& what) const;
+  int line() const { return table_->line; }
+
+ private:
+  const DataValue* ask(const std::string& key);
+  const DataValue* table_;
+  std::string file_;
+  std::string name_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace clearcut::read

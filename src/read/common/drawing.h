@@ -1,0 +1,62 @@
+// From groups of curves at one depth to the Part: what DXF and SVG have in common.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/part.h"
+#include "read/read_options.h"
+#include "read/repair/repair.h"
+
+namespace clearcut::read {
+
+/// What a name of a layer says about its outlines; see docs/input.md.
+struct LayerMeaning {
+  LayerRole role = LayerRole::kPocket;
+  std::optional<double> depth;  ///< in units of the drawing
+  std::optional<double> top;    ///< in units of the drawing
+};
+/// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
+/// holes, "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
+/// anything but letters.
+LayerMeaning meaning_of_layer(std::string_view name);
+/// Whether `name` matches `pattern`: case is ignored, * stands for anything.
+bool matches(std::string_view pattern, std::string_view name);
+
+/// Curves that share a depth.
+struct DrawnGroup {
+  std::string name;   ///< layer, or colour
+  std::string where;  ///< file and layer: begins messages
+  LayerRole role = LayerRole::kPocket;
+  std::optional<double> depth;  ///< mm
+  std::optional<double> top;    ///< mm
+  std::vector<RawCurve> curves;
+};
+
+/// Lets the first rule that matches `name` overrule what the group took from its name.
+void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group);
+
+/// How many entities were left out, by name.
+using LeftOut = std::map<std::string, int>;
+/// Says what of `file` was left out, if anything; `what` ends in a colon.
+void report_left_out(Diagnostics& diagnostics, const std::string& file, const LeftOut& left_out,
+                     const std::string& what);
+
+/// Repairs every group and makes one closed pocket (or round hole) of every region, shallow ones first,
+/// each with one roughing (drilling) workingstep. Islands' groups are cut out of all others. Throws
+/// InputError when nothing is left, or a depth is missing.
+void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options);
+
+/// The diameter when the region is one full circle.
+std::optional<double> circle_diameter(const Region& region, const Tolerances& tol);
+
+/// `depth`, mm; throws InputError at `place` unless it lies above 0 and below a kilometre.
+double checked_depth(double depth, const std::string& place);
+
+/// Appends the features, each with its workingstep; names that are taken get a number. Cost O(features).
+void add_features(Part& part, std::vector<Feature> features);
+
+}  // namespace clearcut::read

@@ -1,0 +1,97 @@
+#include <cctype>
+#include <charconv>
+#include <cstdlib>
+
+#include "read/common/drawing.h"
+#include "read/common/text.h"
+
+namespace clearcut::read {
+namespace {
+
+bool is_letter(char c) {
+  return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// The number at the start of `text`, after one separator at most: "5", "_3.2", "=-4", " 3,2".
+std::optional<double> leading_number(std::string_view text) {
+  if (!text.empty() && std::string_view("_ =:").find(text[0]) != std::string_view::npos)
+    text.remove_prefix(1);
+  std::string number;
+  for (const char c : text) {
+    const bool sign = c == '-' && number.empty();
+    if (!is_digit(c) && !sign && c != '.' && c != ',') break;
+    number += c == ',' ? '.' : c;
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error != std::errc{}) return std::nullopt;
+  return value;
+}
+
+/// Visits every word of letters: visit(word, text after it).
+template <typename Visit>
+void for_words(std::string_view text, Visit visit) {
+  for (std::size_t i = 0; i < text.size();) {
+    if (!is_letter(text[i])) {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < text.size() && is_letter(text[end])) ++end;
+    visit(text.substr(i, end - i), text.substr(end));
+    i = end;
+  }
+}
+
+std::optional<LayerRole> role_of_word(std::string_view word) {
+  if (word == "ISLAND" || word == "ISLANDS" || word == "BOSS" || word == "BOSSES") return LayerRole::kIsland;
+  if (word == "HOLE" || word == "HOLES" || word == "DRILL") return LayerRole::kHole;
+  for (const std::string_view ignored :
+       {"IGNORE", "CONSTRUCTION", "DEFPOINTS", "DIM", "DIMS", "DIMENSION", "DIMENSIONS"}) {
+    if (word == ignored) return LayerRole::kIgnore;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+LayerMeaning meaning_of_layer(std::string_view name) {
+  LayerMeaning meaning;
+  const std::string text = capitals(name);
+  for_words(text, [&](std::string_view word, std::string_view rest) {
+    if (const auto role = role_of_word(word)) meaning.role = *role;
+    if (word == "D" || word == "DEPTH") {
+      if (const auto depth = leading_number(rest)) meaning.depth = std::abs(*depth);
+    }
+    if (word == "TOP") {
+      if (const auto top = leading_number(rest)) meaning.top = top;
+    }
+  });
+  return meaning;
+}
+
+bool matches(std::string_view pattern, std::string_view name) {
+  const std::string p = capitals(pattern), n = capitals(name);
+  std::size_t i = 0, k = 0, star = std::string::npos, resume = 0;
+  while (k < n.size()) {
+    if (i < p.size() && p[i] == '*') {
+      star = i++;
+      resume = k;
+    } else if (i < p.size() && p[i] == n[k]) {
+      ++i;
+      ++k;
+    } else if (star != std::string::npos) {
+      i = star + 1;
+      k = ++resume;
+    } else {
+      return false;
+    }
+  }
+  while (i < p.size() && p[i] == '*') ++i;
+  return i == p.size();
+}
+
+}  // namespace clearcut::read

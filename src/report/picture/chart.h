@@ -1,0 +1,41 @@
+// Charts of many runs: box plots, histograms and curves, as one SVG page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace clearcut::report {
+
+/// Values of one group. The box reaches from the first to the third quartile with a line at the median, the
+/// whiskers to the smallest and largest value; the dot with bars is the mean and its error.
+struct ChartBox {
+  std::string name;
+  std::vector<double> values;  ///< not empty
+  double error = 0;            ///< of the mean
+};
+
+/// A curve and, where low and high are given, the band between them.
+struct ChartCurve {
+  std::string name{};
+  std::vector<double> x{}, y{}, low{}, high{};
+};
+
+/// Draws its boxes, its curves or the histogram of its samples, whichever it has.
+struct ChartPanel {
+  std::string title{}, x_label{}, y_label{};
+  std::vector<ChartBox> boxes{};
+  std::vector<ChartCurve> curves{};
+  bool log_x = false;  ///< of curves; x > 0
+  std::vector<double> samples{};
+};
+
+/// The panels one under the other. Values that are not finite are left out.
+std::string chart_svg(const std::vector<ChartPanel>& panels);
+
+/// By linear interpolation between the sorted values; `values` not empty, 0 <= q <= 1.
+double quantile(std::vector<double> values, double q);
+
+/// About `count` round numbers (1, 2 or 5 times a power of ten) that lie between low and high.
+std::vector<double> round_ticks(double low, double high, int count);
+
+}  // namespace clearcut::report

@@ -1,0 +1,39 @@
+// Who belongs to whom: the sections, tools and figures of each feature, as every picture needs them.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "model/part.h"
+#include "model/findings.h"
+#include "model/move.h"
+
+namespace clearcut::report {
+
+/// Index of the feature that `section` works on: by its workingstep, else by its label, else the only feature
+/// of the part; -1 when unknown.
+int feature_of(const Part& part, const Section& section);
+
+/// The tool with the number of the section; nullptr when the part has none.
+const Tool* tool_of(const Part& part, const Section& section);
+
+/// Findings about one feature, in order of work; there are several when several operations cut it.
+std::vector<const FeatureFindings*> findings_of(const Part& part, const Findings& findings, int feature);
+
+/// Depth of the last layer of a section: the lowest cutting move; +infinity when there is none.
+double last_layer(const Section& section);
+
+/// The moves of the last layer with its entries, and the rapids between them; all moves when `all_layers`.
+std::vector<Move> shown_moves(const Section& section, bool all_layers);
+
+/// Shade of a floor at `z`, 0 at the top of the part to 1 at its deepest floor: half by depth, half by rank
+/// among the floors (piecewise linear), so that floors of nearly the same depth differ.
+double depth_fraction(const Part& part, double z);
+
+/// "gouge 0.250 mm"; without a length for kinds that have none.
+std::string headline_of(const Fault& fault);
+
+/// "T1 end mill 10 mm"
+std::string description_of(const Tool& tool);
+
+}  // namespace clearcut::report

@@ -1,0 +1,124 @@
+#include "report/picture/plan_marks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/format.h"
+#include "report/picture/palette.h"
+#include "report/text.h"
+
+namespace clearcut::report {
+
+namespace {
+
+constexpr int kMostFaultsMarked = 60;
+constexpr double kLeastShown = 0.0005;  // mm: less prints as zero
+
+/// 1, 2 or 5 times a power of ten, at most `most`.
+double round_length(double most) {
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * power <= most) return factor * power;
+  }
+  return power;
+}
+
+void halo_text(SvgWriter& svg, Vec2 at, const std::string& words, const std::string& color,
+               const std::string& anchor) {
+  svg.text(at, words,
+           {{"font-size", "12"},
+            {"font-weight", "bold"},
+            {"text-anchor", anchor},
+            {"fill", color},
+            {"stroke", "#ffffff"},
+            {"stroke-width", "3"},
+            {"stroke-linejoin", "round"},
+            {"paint-order", "stroke"}});
+}
+
+bool in_sight(const PlanView& view, Vec2 world_point) {
+  return drawable(world_point) && view.visible().contains(world_point);
+}
+
+/// A ring with words beside it, on the side where there is room.
+void draw_place(SvgWriter& svg, const PlanView& view, const Place& place, const std::string& words,
+                const std::string& color) {
+  if (!in_sight(view, place.point)) return;
+  const Vec2 at = view.page(place.point);
+  svg.leaf("circle", {{"cx", svg_number(at.x)},
+                      {"cy", svg_number(at.y)},
+                      {"r", "6.5"},
+                      {"fill", "none"},
+                      {"stroke", "#ffffff"},
+                      {"stroke-width", "4.5"}});
+  svg.leaf("circle", {{"cx", svg_number(at.x)},
+                      {"cy", svg_number(at.y)},
+                      {"r", "6.5"},
+                      {"fill", "none"},
+                      {"stroke", color},
+                      {"stroke-width", "2"}});
+  const bool left = at.x > view.corner.x + view.width * 0.65;
+  const double y = std::clamp(at.y + 4, view.corner.y + 14, view.corner.y + view.height - 6);
+  halo_text(svg, {at.x + (left ? -11 : 11), y}, words, color, left ? "end" : "start");
+}
+
+}  // namespace
+
+void draw_badge(SvgWriter& svg, Vec2 at, int number) {
+  svg.leaf("circle", {{"cx", svg_number(at.x)},
+                      {"cy", svg_number(at.y)},
+                      {"r", "12"},
+                      {"fill", "#ffffff"},
+                      {"stroke", report::palette::kInk},
+                      {"stroke-width", "1.4"}});
+  svg.text(
+      {at.x, at.y + 4.6}, std::to_string(number),
+      {{"font-size", "13"}, {"font-weight", "bold"}, {"text-anchor", "middle"}, {"fill", report::palette::kInk}});
+}
+
+void draw_scale_bar(SvgWriter& svg, const PlanView& view) {
+  const double length = round_length(std::max(view.mm(view.width * 0.22), 1e-3));
+  const Vec2 left{view.corner.x + 14, view.corner.y + view.height - 14};
+  const double right = left.x + length * view.scale();
+  const std::string data =
+      "M" + svg_number(left.x) + " " + svg_number(left.y - 5) + "v5H" + svg_number(right) + "v-5";
+  svg.leaf("path", {{"d", data}, {"fill", "none"}, {"stroke", "#ffffff"}, {"stroke-width", "4.5"}});
+  svg.leaf("path", {{"d", data}, {"fill", "none"}, {"stroke", report::palette::kInk}, {"stroke-width", "1.6"}});
+  halo_text(svg, {(left.x + right) / 2, left.y - 6}, trimmed(length, 3) + " mm", report::palette::kInk, "middle");
+}
+
+void draw_worst_places(SvgWriter& svg, const PlanView& view,
+                       const std::vector<const FeatureFindings*>& findings) {
+  for (const FeatureFindings* one : findings) {
+    const Figures& f = one->figures;
+    const char* judged = f.clean ? report::palette::kFaint : report::palette::kBad;
+    if (f.engagement.max_at) {
+      draw_place(svg, view, *f.engagement.max_at, fixed(f.engagement.max_deg, 0) + "\u00b0", report::palette::kFaint);
+    }
+    if (f.uncut_at && f.uncut_thickness_mm >= kLeastShown) {
+      draw_place(svg, view, *f.uncut_at, "left \u2264 " + fixed(f.uncut_thickness_mm, 3), judged);
+    }
+    if (f.gouge_at && f.gouge_mm >= kLeastShown) {
+      draw_place(svg, view, *f.gouge_at, "gouge " + fixed(f.gouge_mm, 3),
+                 f.clean ? report::palette::kFaint : report::palette::kGouge);
+    }
+  }
+}
+
+void draw_faults(SvgWriter& svg, const PlanView& view, const Findings& findings, const Feature* feature) {
+  int marked = 0;
+  for (const Fault& fault : findings.faults) {
+    const bool wanted = feature == nullptr || fault.feature == feature->name;
+    if (!wanted || !in_sight(view, fault.at.point) || marked == kMostFaultsMarked) continue;
+    ++marked;
+    const Vec2 at = view.page(fault.at.point);
+    const std::string cross = "M" + svg_number(at.x - 5) + " " + svg_number(at.y - 5) + "l10 10m0 -10l-10 10";
+    svg.open("g", {{"fill", "none"}, {"stroke-linecap", "round"}});
+    svg.words("title", std::string(name_of(fault.kind)) + ": " + fault.text);
+    svg.leaf("path", {{"d", cross}, {"stroke", "#ffffff"}, {"stroke-width", "5"}});
+    svg.leaf("path", {{"d", cross}, {"stroke", report::palette::kBad}, {"stroke-width", "2.4"}});
+    svg.close();
+  }
+}
+
+}  // namespace clearcut::report

@@ -1,0 +1,23 @@
+// Marks on a plan view, in page units: numbers, scale bar, worst places, faults.
+#pragma once
+
+#include <vector>
+
+#include "report/picture/plan_picture.h"
+
+namespace clearcut::report {
+
+/// A number in a disc.
+void draw_badge(SvgWriter& svg, Vec2 at, int number);
+
+/// A bar of 1, 2 or 5 times a power of ten mm, lower left.
+void draw_scale_bar(SvgWriter& svg, const PlanView& view);
+
+/// The places of the thickest rest, the deepest gouge and the largest engagement, with their figures.
+void draw_worst_places(SvgWriter& svg, const PlanView& view,
+                       const std::vector<const FeatureFindings*>& findings);
+
+/// A cross at each fault of `feature` (of all features when null) that lies in the view.
+void draw_faults(SvgWriter& svg, const PlanView& view, const Findings& findings, const Feature* feature);
+
+}  // namespace clearcut::report

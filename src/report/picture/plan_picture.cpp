@@ -1,0 +1,310 @@
+#include "report/picture/plan_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "report/picture/job_view.h"
+#include "report/picture/palette.h"
+#include "report/picture/plan_lines.h"
+#include "report/picture/plan_marks.h"
+#include "report/picture/reach.h"
+#include "report/text.h"
+
+namespace clearcut::report {
+
+namespace {
+
+void add_drawable(Box& box, const Edge& edge) {
+  if (drawable(edge)) box.add(edge.box());
+}
+
+void add_target(Box& box, const Feature& feature) {
+  for (const Region& region : feature.target) {
+    for (const Edge& edge : region.outer()) add_drawable(box, edge);
+  }
+}
+
+void add_feed_moves(Box& box, const Section& section) {
+  for (const Move& move : section.moves) {
+    if (!is_rapid(move.kind)) add_drawable(box, move.path);
+  }
+}
+
+/// A box that is neither empty nor without extent, with air around it.
+Box framed(Box box) {
+  if (box.empty()) box.add(Vec2{0, 0});
+  return box.grown(std::max(0.035 * std::max(box.width(), box.height()), 1.0));
+}
+
+std::string path_of(const Regions& regions) {
+  PathData data;
+  data.add(regions);
+  return data.text();
+}
+
+Loop rectangle(const Box& box) {
+  const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  return loop_from_points(corners);
+}
+
+/// Opens two groups: clipped to the view's rectangle, then in mm with y up.
+void open_world(SvgWriter& svg, const PlanView& view) {
+  const std::string id = svg.new_id("view");
+  svg.open("clipPath", {{"id", id}});
+  svg.leaf("rect", {{"x", svg_number(view.corner.x)},
+                    {"y", svg_number(view.corner.y)},
+                    {"width", svg_number(view.width)},
+                    {"height", svg_number(view.height)},
+                    {"rx", "6"}});
+  svg.close();
+  svg.open("g", {{"clip-path", "url(#" + id + ")"}});
+  const Vec2 origin = view.page({0, 0});
+  svg.open("g", {{"transform", fmt::format("translate({:.6f} {:.6f}) scale({:.9f} {:.9f})", origin.x,
+                                           origin.y, view.scale(), -view.scale())}});
+}
+
+void close_world(SvgWriter& svg, const PlanView& view) {
+  svg.close();
+  svg.close();
+  svg.leaf("rect", {{"x", svg_number(view.corner.x)},
+                    {"y", svg_number(view.corner.y)},
+                    {"width", svg_number(view.width)},
+                    {"height", svg_number(view.height)},
+                    {"rx", "6"},
+                    {"fill", "none"},
+                    {"stroke", report::palette::kRule}});
+}
+
+/// Returns the id of a clip that keeps what lies inside `data` (even-odd).
+std::string clip_to(SvgWriter& svg, const std::string& data) {
+  const std::string id = svg.new_id("clip");
+  svg.open("clipPath", {{"id", id}});
+  svg.leaf("path", {{"d", data}, {"clip-rule", "evenodd"}});
+  svg.close();
+  return id;
+}
+
+/// Opens a group that shows only what lies inside `regions`.
+void open_clipped(SvgWriter& svg, const std::string& data, const char* opacity = "1") {
+  svg.open("g", {{"clip-path", "url(#" + clip_to(svg, data) + ")"}, {"opacity", opacity}});
+}
+
+/// Stock as a block on white air; without a stock everything is material.
+void draw_material(SvgWriter& svg, const PlanView& view, const Part& part, const std::string& color) {
+  PathData data;
+  data.add(rectangle(part.stock ? part.stock->plan : view.visible()));
+  svg.leaf("path", {{"d", data.text()},
+                    {"fill", color},
+                    {"stroke", report::palette::kInk},
+                    {"stroke-width", svg_number(view.mm(1))}});
+}
+
+void fill_regions(SvgWriter& svg, const Regions& regions, const std::string& color) {
+  if (!regions.empty())
+    svg.leaf("path", {{"d", path_of(regions)}, {"fill", color}, {"fill-rule", "evenodd"}});
+}
+
+void outline_regions(SvgWriter& svg, const PlanView& view, const Regions& regions, double width) {
+  if (regions.empty()) return;
+  svg.leaf("path", {{"d", path_of(regions)},
+                    {"fill", "none"},
+                    {"stroke", report::palette::kInk},
+                    {"stroke-width", svg_number(view.mm(width))},
+                    {"stroke-linejoin", "round"}});
+}
+
+std::vector<int> shallow_first(const Part& part) {
+  std::vector<int> order(part.features.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&part](int a, int b) {
+    return part.features[static_cast<std::size_t>(a)].floor_z >
+           part.features[static_cast<std::size_t>(b)].floor_z;
+  });
+  return order;
+}
+
+/// One floor as seen from above, with the lines of its last layer.
+void draw_floor(SvgWriter& svg, const PlanView& view, const Job& job, int feature) {
+  const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
+  const double fraction = depth_fraction(job.part, f.floor_z);
+  fill_regions(svg, f.target, report::palette::depth_color(fraction));
+  open_clipped(svg, path_of(f.target), "0.6");
+  LineStyle style;
+  style.cut_color = report::palette::line_color_on_depth(fraction);
+  style.cut_width = 0.8;
+  style.links = style.arrows = style.rapids = style.entries = false;
+  for (const Section& section : job.toolpath.sections) {
+    if (feature_of(job.part, section) == feature)
+      draw_lines(svg, view, shown_moves(section, job.all_layers), style);
+  }
+  svg.close();
+  outline_regions(svg, view, f.target, 1.1);
+}
+
+/// Where a feature's number is read best: inside it, far from its walls and from deeper features. Nothing
+/// when no sample lies in sight.
+std::optional<Vec2> label_point(const Part& part, int feature) {
+  constexpr int kSamples = 18;
+  const Feature& f = part.features[static_cast<std::size_t>(feature)];
+  const Box box = clearcut::box(f.target);
+  std::optional<Vec2> best;
+  double best_room = 0;
+  for (int i = 0; i < kSamples * kSamples; ++i) {
+    const int column = i % kSamples, row = i / kSamples;
+    const Vec2 p{box.min.x + box.width() * (column + 0.5) / kSamples,
+                 box.min.y + box.height() * (row + 0.5) / kSamples};
+    if (!contains(f.target, p) || (part.stock && !part.stock->plan.contains(p))) continue;
+    double room = std::numeric_limits<double>::infinity();
+    for (const Feature& other : part.features) {
+      const bool hides = &other != &f && other.floor_z < f.floor_z && contains(other.target, p);
+      if (hides) room = 0;
+      if (&other != &f && other.floor_z >= f.floor_z) continue;
+      for (const Region& region : other.target) room = std::min(room, region.boundary_distance(p));
+    }
+    if (room > best_room) {
+      best_room = room;
+      best = p;
+    }
+  }
+  return best;
+}
+
+/// What the cutter reaches from its legal positions. A hair narrower than the cutter, so that no rim shows
+/// beside what it swept.
+void draw_reach(SvgWriter& svg, const PlanView& view, const Reach& reach) {
+  PathData data;
+  data.add(reach.centers);
+  for (const Path& line : reach.fit_lines) {
+    for (const Edge& edge : line) data.add(edge);
+  }
+  for (const Vec2 point : reach.fit_points) data.add(point);
+  if (data.empty()) return;
+  svg.leaf("path", {{"d", data.text()},
+                    {"fill", report::palette::kUncut},
+                    {"fill-rule", "evenodd"},
+                    {"stroke", report::palette::kUncut},
+                    {"stroke-width", svg_number(std::max(reach.diameter - view.mm(1.4), 0.0))},
+                    {"stroke-linejoin", "round"},
+                    {"stroke-linecap", "round"}});
+}
+
+/// The floor of a feature: what is out of reach, below what is within reach, below what was swept. What its
+/// own moves sweep beyond `allowed` is a gouge.
+void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int feature, double z) {
+  const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
+  const std::vector<Sweep> own = sweeps_at(job, z, view.visible(), feature);
+  const std::string allowed = path_of(floor_allowed(f)), target = path_of(floor_target(f));
+  PathData outside;
+  outside.add(rectangle(view.visible()));
+  fill_regions(svg, f.target, report::palette::kWall);
+  open_clipped(svg, outside.text() + allowed);
+  draw_sweeps(svg, own, report::palette::kGouge);
+  svg.close();
+  open_clipped(svg, allowed, "0.25");
+  draw_sweeps(svg, own, report::palette::kImpact);
+  svg.close();
+  open_clipped(svg, target);
+  const Reach reach = reach_of(job, feature);
+  svg.leaf("path", {{"d", target},
+                    {"fill", reach.diameter > 0 ? report::palette::kUnreachable : report::palette::kUncut},
+                    {"fill-rule", "evenodd"}});
+  draw_reach(svg, view, reach);
+  draw_sweeps(svg, sweeps_at(job, z, view.visible()), report::palette::kFloor);
+  svg.close();
+  if (f.wall_slope.radians() > 0) outline_regions(svg, view, floor_target(f), 0.7);
+}
+
+/// Leaning walls are cut layer by layer, so there all layers are shown.
+void draw_feature_lines(SvgWriter& svg, const PlanView& view, const Job& job, int feature) {
+  const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
+  const bool all_layers = job.all_layers || f.wall_slope.radians() > 0;
+  for (const Section& section : job.toolpath.sections) {
+    if (feature_of(job.part, section) != feature) continue;
+    const std::vector<Move> moves = shown_moves(section, all_layers);
+    if (all_layers) {
+      draw_lines_by_depth(svg, view, moves, f.top_z, f.floor_z);
+    } else {
+      const Tool* tool = tool_of(job.part, section);
+      LineStyle style;
+      style.cut_color =
+          report::palette::tool_color(tool == nullptr ? 0 : static_cast<int>(tool - job.part.tools.data()));
+      draw_lines(svg, view, moves, style);
+    }
+  }
+}
+
+}  // namespace
+
+double PlanView::scale() const {
+  return std::min(width / world.width(), height / world.height());
+}
+
+Vec2 PlanView::page(Vec2 point) const {
+  const Vec2 off = (point - world.center()) * scale();
+  return {corner.x + width / 2 + off.x, corner.y + height / 2 - off.y};
+}
+
+double PlanView::mm(double size) const {
+  return size / scale();
+}
+
+Box PlanView::visible() const {
+  const Vec2 half{mm(width) / 2, mm(height) / 2};
+  return {world.center() - half, world.center() + half};
+}
+
+Box world_of(const Job& job) {
+  Box box;
+  if (job.part.stock && !job.part.stock->plan.empty()) return framed(job.part.stock->plan);
+  for (const Feature& feature : job.part.features) add_target(box, feature);
+  if (box.empty()) {
+    for (const Section& section : job.toolpath.sections) add_feed_moves(box, section);
+  }
+  return framed(box);
+}
+
+Box world_of(const Job& job, int feature) {
+  Box box;
+  add_target(box, job.part.features[static_cast<std::size_t>(feature)]);
+  for (const Section& section : job.toolpath.sections) {
+    if (feature_of(job.part, section) == feature) add_feed_moves(box, section);
+  }
+  return framed(box);
+}
+
+void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job) {
+  open_world(svg, view);
+  draw_material(svg, view, job.part, report::palette::depth_color(0));
+  PathData seen;
+  seen.add(rectangle(job.part.stock ? job.part.stock->plan : view.visible()));
+  open_clipped(svg, seen.text());
+  for (const int feature : shallow_first(job.part)) draw_floor(svg, view, job, feature);
+  svg.close();
+  close_world(svg, view);
+  for (int i = 0; i < static_cast<int>(job.part.features.size()); ++i) {
+    if (const auto p = label_point(job.part, i)) draw_badge(svg, view.page(*p), i + 1);
+  }
+  draw_faults(svg, view, job.findings, nullptr);
+  draw_scale_bar(svg, view);
+}
+
+void draw_feature(SvgWriter& svg, const PlanView& view, const Job& job, int feature) {
+  const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
+  double z = std::numeric_limits<double>::infinity();
+  for (const Section& section : job.toolpath.sections) {
+    if (feature_of(job.part, section) == feature) z = std::min(z, last_layer(section));
+  }
+  open_world(svg, view);
+  draw_material(svg, view, job.part, report::palette::kMaterial);
+  draw_coverage(svg, view, job, feature, std::isfinite(z) ? z : f.floor_z);
+  outline_regions(svg, view, f.target, 1.4);
+  draw_feature_lines(svg, view, job, feature);
+  close_world(svg, view);
+  draw_worst_places(svg, view, findings_of(job.part, job.findings, feature));
+  draw_faults(svg, view, job.findings, &f);
+  draw_scale_bar(svg, view);
+}
+
+}  // namespace clearcut::report

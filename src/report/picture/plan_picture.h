@@ -1,0 +1,48 @@
+// Plan views: the whole part seen from above, and one feature with what its last layer leaves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/part.h"
+#include "report/picture/svg_writer.h"
+#include "model/findings.h"
+#include "model/move.h"
+
+namespace clearcut::report {
+
+/// A rectangle of the page and the piece of the world it shows, centred, with x right and y up.
+struct PlanView {
+  Vec2 corner;       ///< upper left, on the page
+  double width = 0;  ///< on the page
+  double height = 0;
+  Box world;
+
+  double scale() const;          ///< page units per mm
+  Vec2 page(Vec2 point) const;   ///< of a point of the world
+  double mm(double size) const;  ///< of a size on the page
+  /// The part of the world that fills the whole rectangle.
+  Box visible() const;
+};
+
+/// A job with its findings; what it refers to must outlive it.
+struct Job {
+  const Part& part;
+  const Toolpath& toolpath;
+  const Findings& findings;
+  bool all_layers = false;
+};
+
+/// What a picture of the whole part has to hold: the stock, else the targets, else the feed moves.
+Box world_of(const Job& job);
+/// The same for one feature.
+Box world_of(const Job& job, int feature);
+
+/// Every floor in the shade of its depth, deeper over shallower as one sees them from above, each with the
+/// lines of its last layer and its number; faults.
+void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job);
+
+/// One feature: floor, what is left (reachable or not), tool impact, lines of the last layer, worst places.
+void draw_feature(SvgWriter& svg, const PlanView& view, const Job& job, int feature);
+
+}  // namespace clearcut::report

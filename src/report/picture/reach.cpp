@@ -1,0 +1,74 @@
+#include "report/picture/reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/clearance.h"
+#include "report/picture/job_view.h"
+
+namespace clearcut::report {
+
+namespace {
+
+const Tolerances kTolerances;
+
+/// The least stock that any operation on the feature leaves on walls: that of finishing, where there is any.
+double wall_stock(const Part& part, int feature) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Workingstep& step : part.workplan) {
+    if (step.feature == feature) least = std::min(least, step.operation.allowance_side);
+  }
+  return std::isfinite(least) ? std::max(least, 0.0) : 0;
+}
+
+double smaller(double diameter, const Tool& tool) {
+  if (!(tool.diameter > 0)) return diameter;
+  return diameter > 0 ? std::min(diameter, tool.diameter) : tool.diameter;
+}
+
+/// Of the cutters that worked on the feature, or else were meant to; 0 when there is none.
+double smallest_diameter(const Job& job, int feature) {
+  double worked = 0, meant = 0;
+  for (const Section& section : job.toolpath.sections) {
+    const Tool* tool = tool_of(job.part, section);
+    if (tool != nullptr && feature_of(job.part, section) == feature) worked = smaller(worked, *tool);
+  }
+  for (const Workingstep& step : job.part.workplan) {
+    const auto tool = static_cast<std::size_t>(step.operation.tool);
+    if (step.feature == feature && tool < job.part.tools.size()) meant = smaller(meant, job.part.tools[tool]);
+  }
+  return worked > 0 ? worked : meant;
+}
+
+Regions at_floor(const Regions& regions, const Feature& feature) {
+  if (!(feature.wall_slope.radians() > 0)) return regions;
+  return at_depth(regions, feature.wall_slope, feature.top_z - feature.floor_z, kTolerances);
+}
+
+}  // namespace
+
+Regions floor_target(const Feature& feature) {
+  return at_floor(feature.target, feature);
+}
+Regions floor_allowed(const Feature& feature) {
+  return at_floor(feature.allowed, feature);
+}
+
+Reach reach_of(const Job& job, int feature) {
+  Reach reach;
+  reach.diameter = smallest_diameter(job, feature);
+  if (!(reach.diameter > 0)) return reach;
+  const double distance = reach.diameter / 2 + wall_stock(job.part, feature);
+  for (const Region& region : floor_allowed(job.part.features[static_cast<std::size_t>(feature)])) {
+    const Clearance clearance(region, kTolerances);
+    for (Region& piece : clearance.inset(distance)) reach.centers.push_back(std::move(piece));
+    for (Path& line : clearance.fit_lines(distance)) reach.fit_lines.push_back(std::move(line));
+    for (const AxisPoint& center : clearance.centers()) {
+      if (std::abs(center.clearance - distance) <= kTolerances.fit) reach.fit_points.push_back(center.point);
+    }
+  }
+  return reach;
+}
+
+}  // namespace clearcut::report

@@ -1,0 +1,141 @@
+#include "report/picture/svg_writer.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "base/units.h"
+#include "base/xml_text.h"
+
+namespace clearcut::report {
+
+namespace {
+
+constexpr double kFarthest = 1e7;          // mm
+constexpr double kSmallestSagitta = 5e-4;  // mm: flatter arcs are drawn as lines, half of the last digit
+constexpr double kLongestArc =
+    0.75 * kPi;  // SVG finds the centre from the printed ends: near half a turn, badly
+
+std::string pair_of(Vec2 p) {
+  return svg_number(p.x) + " " + svg_number(p.y);
+}
+
+/// The point as it will be printed.
+Vec2 printed(Vec2 p) {
+  return {std::round(p.x * 1000) / 1000, std::round(p.y * 1000) / 1000};
+}
+
+}  // namespace
+
+std::string svg_number(double value) {
+  return std::isfinite(value) ? trimmed(value, 3) : "0";
+}
+
+bool drawable(Vec2 p) {
+  return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest;
+}
+
+bool drawable(const Edge& edge) {
+  return drawable(edge.from) && drawable(edge.to) && (!edge.is_arc() || drawable(edge.center));
+}
+
+void PathData::line_to(Vec2 p) {
+  if (printed(p) != printed(pen_)) text_ += "L" + pair_of(p);
+}
+
+void PathData::arc_to(const Edge& arc) {
+  const double sweep = std::abs(arc.sweep()), radius = arc.radius();
+  if (radius * (1 - std::cos(sweep / 2)) < kSmallestSagitta) return line_to(arc.to);
+  if (sweep > kLongestArc) {
+    arc_to(arc.part(0, 0.5));
+    return arc_to(arc.part(0.5, 1));
+  }
+  text_ += "A" + svg_number(radius) + " " + svg_number(radius) + " 0 0 " +
+           (arc.turn == Turn::kCounterClockwise ? "1 " : "0 ") + pair_of(arc.to);
+}
+
+void PathData::add(const Edge& edge) {
+  if (!drawable(edge)) {
+    down_ = false;
+    return;
+  }
+  if (!down_ || printed(pen_) != printed(edge.from)) text_ += "M" + pair_of(edge.from);
+  pen_ = edge.from;
+  if (edge.is_arc()) {
+    arc_to(edge);
+  } else {
+    line_to(edge.to);
+  }
+  pen_ = edge.to;
+  down_ = true;
+}
+
+void PathData::add(const Loop& closed) {
+  down_ = false;
+  for (const Edge& edge : closed) add(edge);
+  if (down_) text_ += "Z";
+  down_ = false;
+}
+
+void PathData::add(const Region& region) {
+  add(region.outer());
+  for (const Loop& island : region.islands()) add(island);
+}
+
+void PathData::add(const Regions& regions) {
+  for (const Region& region : regions) add(region);
+}
+
+void PathData::add(Vec2 point) {
+  if (drawable(point)) text_ += "M" + pair_of(point) + "h0";
+  down_ = false;
+}
+
+void SvgWriter::begin(std::string_view element, const Attributes& attributes) {
+  text_.append(open_.size(), ' ');
+  text_ += "<";
+  text_ += element;
+  for (const auto& [name, value] : attributes) {
+    text_ += " ";
+    text_ += name;
+    text_ += "=\"" + xml_escaped(value) + "\"";
+  }
+}
+
+void SvgWriter::open(std::string_view element, const Attributes& attributes) {
+  begin(element, attributes);
+  text_ += ">\n";
+  open_.emplace_back(element);
+}
+
+void SvgWriter::close() {
+  CLEARCUT_ASSERT(!open_.empty());
+  const std::string element = open_.back();
+  open_.pop_back();
+  text_.append(open_.size(), ' ');
+  text_ += "</" + element + ">\n";
+}
+
+void SvgWriter::leaf(std::string_view element, const Attributes& attributes) {
+  begin(element, attributes);
+  text_ += "/>\n";
+}
+
+void SvgWriter::words(std::string_view element, std::string_view content, const Attributes& attributes) {
+  begin(element, attributes);
+  text_ += ">" + xml_escaped(content) + "</";
+  text_ += element;
+  text_ += ">\n";
+}
+
+void SvgWriter::text(Vec2 at, std::string_view content, const Attributes& attributes) {
+  Attributes all{{"x", svg_number(at.x)}, {"y", svg_number(at.y)}};
+  all.insert(all.end(), attributes.begin(), attributes.end());
+  words("text", content, all);
+}
+
+std::string SvgWriter::new_id(std::string_view stem) {
+  return std::string(stem) + std::to_string(++ids_);
+}
+
+}  // namespace clearcut::report

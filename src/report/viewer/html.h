@@ -1,0 +1,27 @@
+// One page that plays the machining, needs no network and no other file.
+#pragma once
+
+#include <string>
+
+#include "model/part.h"
+#include "model/findings.h"
+#include "model/machine.h"
+#include "model/move.h"
+
+namespace clearcut::report {
+
+struct HtmlOptions {
+  Machine machine;      ///< for the time of each move
+  std::string program;  ///< text of the program that was judged; shown line by line when Move::line is known
+};
+
+/// Shape   a well-formed HTML page (also XML) that takes material away move by move, shaded by depth, true to
+///         time; play, speed, scrub; features, figures, program lines; a click on a fault goes to its moment
+///         and place. "#t=SECONDS", "#line=NUMBER" or "#fault=INDEX" behind the address opens it there.
+/// Units   moves to 1 um, times to 0.1 ms (kinematic model of move_times).
+/// Size    about 25 bytes a move.
+/// Text    every name is data, never markup; moves that are not finite are left out.
+std::string html(const Part& part, const Toolpath& toolpath, const Findings& findings,
+                 const HtmlOptions& options = {});
+
+}  // namespace clearcut::report

@@ -1,0 +1,151 @@
+#include "resolve/left_over.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm. What is taken to be swept stays this far inside of what is.
+constexpr double kSpare = 0.002;
+/// mm. What is narrower than twice this is left out: more than the strip that kSpare leaves along walls.
+constexpr double kSliver = 0.003;
+/// mm. What an earlier program has left no farther than this from what it cut stays: the certificate allows more.
+constexpr double kFilm = 0.007;
+/// mm. Half the width of what the chords of swept arcs make of it.
+constexpr double kFilmSliver = 0.001;
+/// mm. How far what is planned for a rest reaches over what is cut already.
+constexpr double kOverlap = 0.05;
+/// mm. Height differences that are rounding.
+constexpr double kSameHeight = 1e-6;
+/// mm. Chord of the arcs of an earlier program.
+constexpr double kChord = 0.002;
+
+const Workingstep& step_at(const Part& part, int index) {
+  return part.workplan.at(static_cast<std::size_t>(index));
+}
+
+Regions inset_all(const Regions& regions, double distance, const Tolerances& tol) {
+  Regions out;
+  for (const Region& region : regions) {
+    const Regions inside = inset(region, distance, tol);
+    out.insert(out.end(), inside.begin(), inside.end());
+  }
+  return out;
+}
+
+/// Outline of what a disc sweeps along a line.
+Loop capsule(Vec2 a, Vec2 b, double radius) {
+  const Vec2 across = left_of(a == b ? Vec2{1, 0} : (b - a) / distance(a, b)) * radius;
+  const Edge end = Edge::arc(b - across, b + across, b, Turn::kCounterClockwise);
+  const Edge start = Edge::arc(a + across, a - across, a, Turn::kCounterClockwise);
+  if (a == b) return {end, Edge::arc(a + across, a - across, a, Turn::kCounterClockwise)};
+  return {Edge::line(a - across, b - across), end, Edge::line(b + across, a + across), start};
+}
+
+/// Outlines that make up the area which `radius` mm round a move cover.
+void add_swept(const Move& move, double radius, double z, std::vector<Loop>& out) {
+  if (is_rapid(move.kind) || std::max(move.z_from, move.z_to) > z + kSameHeight) return;
+  if (move.is_vertical()) return out.push_back(capsule(move.path.from, move.path.from, radius));
+  std::vector<Vec2> points{move.path.from};
+  append_flattened(move.path, kChord, points);
+  for (std::size_t i = 1; i < points.size(); ++i) out.push_back(capsule(points[i - 1], points[i], radius));
+}
+
+/// Union of many outlines, pairwise, so that each takes part in few operations.
+Regions union_of(std::span<const Loop> loops, const Tolerances& tol) {
+  constexpr std::size_t kAtOnce = 64;
+  if (loops.size() <= kAtOnce) return resolve_nonzero(loops, tol);
+  const std::size_t half = loops.size() / 2;
+  return unite(union_of(loops.first(half), tol), union_of(loops.subspan(half), tol), tol);
+}
+
+/// What the earlier program has cut down to z near `where`, and films beside it.
+Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, const Box& where,
+                       Tolerances tol) {
+  tol.chord = kChord;
+  std::vector<Loop> loops;
+  for (const Section& section : toolpath.sections) {
+    const auto tool = std::find_if(part.tools.begin(), part.tools.end(),
+                                   [&](const Tool& t) { return t.number == section.tool_number; });
+    if (tool == part.tools.end()) continue;
+    for (const Move& move : section.moves) {
+      const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+      if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kFilm, z, loops);
+    }
+  }
+  return loops.empty() ? Regions{} : union_of(loops, tol);
+}
+
+/// What the cutter of a step can reach of a layer, lines on which it just fits included.
+Regions within_reach(const Layer& layer, double radius, double stock, const Tolerances& tol) {
+  Regions reached = swept(layer.allowed, radius, stock, 0, tol);
+  std::vector<Loop> fitting;
+  for (const Region& region : layer.allowed) {
+    for (const Path& line : Clearance(region, tol).fit_lines(radius + stock, layer.reserve)) {
+      for (const Edge& edge : line) add_swept({edge, 0, 0, MoveKind::kCut, {}, 0}, radius, 0, fitting);
+    }
+  }
+  return fitting.empty() ? reached : unite(reached, union_of(fitting, tol), tol);
+}
+
+bool reaches(const Part& part, const Workingstep& step, double z) {
+  const Operation& operation = step.operation;
+  if (operation.kind == OperationKind::kSideFinishing) return false;  // along the walls alone
+  const double floor = feature_of(part, step).floor_z + operation.allowance_floor;
+  return floor <= z + kSameHeight && !stock::only_plunges(tool_of(part, step));
+}
+
+}  // namespace
+
+Regions swept(const Regions& allowed, double radius, double stock, double more, const Tolerances& tol) {
+  const Regions legal = inset_all(allowed, radius + stock, tol);
+  return legal.empty() ? legal : dilate(legal, radius + more, tol);
+}
+
+Regions left_over(const Part& part, int workingstep, const Layer& layer, const PlanOptions& options) {
+  const Workingstep& own = step_at(part, workingstep);
+  const Tolerances& tol = options.tol;
+  Regions left = layer.target;
+  const bool upright = feature_of(part, own).wall_slope.radians() == 0;
+  for (int i = 0; upright && i < workingstep && !left.empty(); ++i) {
+    const Workingstep& step = step_at(part, i);
+    if (step.feature != own.feature || !reaches(part, step, layer.z)) continue;
+    const double stock = step.operation.allowance_side + layer.reserve;
+    left = subtract(left, swept(layer.allowed, tool_of(part, step).radius(), stock, -kSpare, tol), tol);
+  }
+  const double own_stock = own.operation.allowance_side;
+  if (options.earlier && !left.empty()) {
+    left = subtract(left, cut_by_program(*options.earlier, part, layer.z, box(left), tol), tol);
+    const double radius = tool_of(part, own).radius();
+    if (!left.empty())
+      left = intersect(left, within_reach(layer, radius, own_stock + layer.reserve, tol), tol);
+  }
+  if (own_stock > 0 && !left.empty()) left = intersect(left, inset_all(layer.allowed, own_stock, tol), tol);
+  const double sliver = options.earlier ? kFilmSliver : kSliver;
+  const Regions thick = inset_all(left, sliver, tol);
+  if (thick.empty()) return thick;
+  // Up to the wall over the stock that stays there: targets are bounded by walls or by what is cut.
+  const double grow = sliver + (options.earlier ? kFilm : 0) + kOverlap + 1.5 * own_stock;
+  return intersect(dilate(thick, grow, tol), layer.target, tol);
+}
+
+bool follows_milling(const Part& part, int workingstep) {
+  const Workingstep& own = step_at(part, workingstep);
+  for (int i = 0; i < workingstep; ++i) {
+    const Workingstep& step = step_at(part, i);
+    if (step.feature == own.feature && !stock::only_plunges(tool_of(part, step))) return true;
+  }
+  return false;
+}
+
+bool is_thicker_than(const Regions& left, double thickness, const Tolerances& tol) {
+  return std::any_of(left.begin(), left.end(),
+                     [&](const Region& region) { return !inset(region, thickness / 2, tol).empty(); });
+}
+
+}  // namespace clearcut::resolve

@@ -1,0 +1,26 @@
+// What earlier steps of a feature, or an earlier program, leave of a layer.
+#pragma once
+
+#include "resolve/plan_options.h"
+#include "model/layer.h"
+
+namespace clearcut::resolve {
+
+/// The part of `layer.target` that the milling steps before `workingstep` on the same feature cannot have reached, less
+/// what the earlier program of the options has cut down to the layer. A little more than that at its borders, so that
+/// what is planned for it overlaps; slivers below half of tol.uncut are left out. Of what an earlier program has left, only what
+/// lies in reach of the step's cutter counts, farther than 0.007 mm from what is cut. With leaning walls, and where no earlier
+/// step reaches the layer: all of the target. The part is prepared.
+Regions left_over(const Part& part, int workingstep, const Layer& layer, const PlanOptions& options);
+
+/// What a cutter of `radius` mm sweeps that keeps `stock` mm from the walls of `allowed`, and `more` mm round it (less than
+/// 0: inside it).
+Regions swept(const Regions& allowed, double radius, double stock, double more, const Tolerances& tol);
+
+/// Whether an earlier step of the workplan mills the same feature.
+bool follows_milling(const Part& part, int workingstep);
+
+/// Whether anything of `left` is more than `thickness` mm wide.
+bool is_thicker_than(const Regions& left, double thickness, const Tolerances& tol);
+
+}  // namespace clearcut::resolve

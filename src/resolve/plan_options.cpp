@@ -1,0 +1,141 @@
+#include "resolve/plan_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <thread>
+
+#include "base/error.h"
+#include "base/format.h"
+
+namespace clearcut::resolve {
+namespace {
+
+std::optional<double> number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+double required_number(const std::string& text, const std::string& place, const char* what) {
+  const auto value = number(text);
+  if (!value) throw InputError(place, fmt::format("'{}' is not {}", text, what));
+  return *value;
+}
+
+std::string kind_names() {
+  std::string names;
+  for (const auto kind : {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill,
+                          ToolKind::kBallEndMill, ToolKind::kDrill, ToolKind::kReamer}) {
+    names += (names.empty() ? "" : ", ") + std::string(name_of(kind));
+  }
+  return names;
+}
+
+void apply_word(Tool& tool, const std::string& word, const std::string& place) {
+  const auto equals = word.find('=');
+  const std::string key = word.substr(0, equals);
+  const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
+  if (key == "noplunge" && equals == std::string::npos) {
+    tool.center_cutting = false;
+  } else if (key.size() > 1 && (key[0] == 'T' || key[0] == 't') && equals == std::string::npos) {
+    tool.number = static_cast<int>(required_number(key.substr(1), place, "a tool number"));
+  } else if (key == "flutes") {
+    tool.teeth = static_cast<int>(required_number(value, place, "a number of flutes"));
+  } else if (key == "corner") {
+    tool.corner_radius = required_number(value, place, "a corner radius in mm");
+  } else if (key == "length") {
+    tool.flute_length = required_number(value, place, "a flute length in mm");
+  } else if (key == "name") {
+    tool.name = value;
+  } else {
+    throw InputError(
+        place,
+        fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, name=, noplunge", word));
+  }
+}
+
+void require(bool good, const char* option, const char* what) {
+  if (!good) throw InputError(option, what);
+}
+
+bool absent_or_positive(const std::optional<double>& value) {
+  return !value || (std::isfinite(*value) && *value > 0);
+}
+
+bool absent_or_not_negative(const std::optional<double>& value) {
+  return !value || (std::isfinite(*value) && *value >= 0);
+}
+
+}  // namespace
+
+Tool parse_tool(const std::string& text) {
+  const std::string place = "--tool " + text;
+  const auto words = split(text, ':');
+  if (words.size() < 2) throw InputError(place, "needs a kind and a diameter in mm, for example endmill:10");
+  const auto kind = tool_kind_named(words[0]);
+  if (!kind)
+    throw InputError(place, fmt::format("'{}' is no kind of tool; use one of {}", words[0], kind_names()));
+  Tool tool;
+  tool.number = 0;
+  tool.kind = *kind;
+  tool.diameter = required_number(words[1], place, "a diameter in mm");
+  if (!(tool.diameter > 0) || tool.diameter > 1000)
+    throw InputError(place, "the diameter must be above 0 and at most 1000 mm");
+  if (tool.kind == ToolKind::kFaceMill) tool.center_cutting = false;
+  if (tool.kind == ToolKind::kBallEndMill) tool.corner_radius = tool.diameter / 2;
+  for (std::size_t i = 2; i < words.size(); ++i) apply_word(tool, words[i], place);
+  return tool;
+}
+
+PredrilledHole parse_predrilled(const std::string& text) {
+  const std::string place = "--predrilled " + text;
+  const auto comma = text.find(','), colon = text.find(':');
+  if (comma == std::string::npos || colon == std::string::npos || colon < comma)
+    throw InputError(place, "needs a place and a diameter in mm, for example 12,8.5:6");
+  PredrilledHole hole;
+  hole.center.x = required_number(text.substr(0, comma), place, "a coordinate");
+  hole.center.y = required_number(text.substr(comma + 1, colon - comma - 1), place, "a coordinate");
+  hole.diameter = required_number(text.substr(colon + 1), place, "a diameter in mm");
+  if (!(hole.diameter > 0)) throw InputError(place, "the diameter must be above 0 mm");
+  return hole;
+}
+
+void check(const PlanOptions& options) {
+  require(absent_or_positive(options.stepdown), "--stepdown", "must be above 0 mm");
+  require(absent_or_not_negative(options.allowance), "--allowance", "must be 0 mm or more");
+  require(absent_or_not_negative(options.allowance_floor), "--allowance-floor", "must be 0 mm or more");
+  require(!options.angle_deg || std::isfinite(*options.angle_deg), "--angle", "must be a number of degrees");
+  require(!options.engagement_deg || (*options.engagement_deg >= 10 && *options.engagement_deg <= 180),
+          "--engagement", "must lie between 10 and 180 degrees");
+  require(!options.cutting.feed || options.cutting.feed->mm_per_min() > 0, "--feed",
+          "must be above 0 mm/min");
+  require(!options.cutting.plunge_feed || options.cutting.plunge_feed->mm_per_min() > 0, "--plunge-feed",
+          "must be above 0 mm/min");
+  require(absent_or_positive(options.cutting.spindle_rpm), "--spindle", "must be above 0 rpm");
+  require(!options.entry_angle || (options.entry_angle->degrees() > 0 && options.entry_angle->degrees() < 90),
+          "--entry-angle", "must lie between 0 and 90 degrees");
+  require(absent_or_not_negative(options.lead), "--lead", "must be 0 mm or more");
+  require(!options.lead_angle || (options.lead_angle->degrees() >= 0 && options.lead_angle->degrees() <= 90),
+          "--lead-angle", "must lie between 0 and 90 degrees");
+  require(absent_or_positive(options.scallop), "--scallop", "must be above 0 mm");
+  require(!options.cutting.ramp_feed || options.cutting.ramp_feed->mm_per_min() > 0, "--ramp-feed",
+          "must be above 0 mm/min");
+  require(!options.cutting.slot_feed || options.cutting.slot_feed->mm_per_min() > 0, "--slot-feed",
+          "must be above 0 mm/min");
+  check(options.shop, "--");
+  require(absent_or_positive(options.time_s), "--time", "must be above 0 s");
+  require(options.threads >= 0 && options.threads <= 1024, "--threads",
+          "must lie between 1 and 1024; 0: all cores");
+}
+
+int thread_count(const PlanOptions& options) {
+  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return options.threads == 0 ? cores : std::min(options.threads, cores);
+}
+
+}  // namespace clearcut::resolve

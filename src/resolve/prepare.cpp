@@ -1,0 +1,232 @@
+#include "resolve/prepare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "stock/round_hole.h"
+#include "resolve/left_over.h"
+#include "resolve/work_plan.h"
+
+namespace clearcut::resolve {
+namespace {
+
+constexpr double kDefaultFeed = 1000;     // mm/min
+constexpr double kPlungeShare = 0.3;      // of the cutting feed
+constexpr double kRampShare = 0.5;        // of the cutting feed
+constexpr double kFaceMillStepdown = 2;   // mm
+constexpr double kUnpeckedDiameters = 3;  // depth of a hole / diameter of the drill
+
+void number_tools(std::vector<Tool>& tools) {
+  std::set<int> taken;
+  for (const auto& tool : tools) {
+    if (tool.number > 0 && !taken.insert(tool.number).second) {
+      throw InputError("--tool",
+                       fmt::format("two tools are numbered T{}; give each its own number", tool.number));
+    }
+  }
+  int next = 1;
+  for (auto& tool : tools) {
+    if (tool.number > 0) continue;
+    while (taken.count(next)) ++next;
+    tool.number = next;
+    taken.insert(next);
+  }
+}
+
+double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
+  double largest = 0;
+  for (const auto& step : part.workplan) {
+    const auto& feature = feature_of(part, step);
+    largest = std::max(largest, largest_fitting_diameter(feature, tol));
+  }
+  return largest;
+}
+
+/// Tools that an earlier program has used are not chosen again while there are others.
+std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions& options) {
+  std::vector<char> used(tools.size(), 0);
+  if (!options.earlier) return used;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    used[i] = std::any_of(options.earlier->sections.begin(), options.earlier->sections.end(),
+                          [&](const Section& section) { return section.tool_number == tools[i].number; });
+  }
+  if (std::all_of(used.begin(), used.end(), [](char u) { return u; })) std::fill(used.begin(), used.end(), 0);
+  return used;
+}
+
+/// A drill of the hole's size; else the largest mill with a legal position in the feature, else the smallest (which
+/// then reports that it does not fit).
+int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& used,
+             const Tolerances& tol) {
+  if (tools.size() == 1) return 0;
+  const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
+  const auto hole = stock::round_hole_of(feature, tol);
+  int best = 0;
+  const auto drills = [&](const Tool& tool) {
+    return hole && tool.kind == ToolKind::kDrill && stock::makes_hole(tool, *hole, tol);
+  };
+  const auto better = [&](const Tool& a, const Tool& b) {
+    if (drills(a) != drills(b)) return drills(a);
+    if (stock::only_plunges(a) != stock::only_plunges(b)) return stock::only_plunges(b);
+    const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
+    if (a_fits != b_fits) return a_fits;
+    return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;
+  };
+  while (used[static_cast<std::size_t>(best)]) ++best;
+  for (std::size_t i = 1; i < tools.size(); ++i) {
+    if (!used[i] && better(tools[i], tools[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
+  }
+  return best;
+}
+
+void choose_tools(Part& part, const PlanOptions& options) {
+  if (!options.tools.empty()) {
+    part.tools = options.tools;
+    number_tools(part.tools);
+    const auto used = used_before(part.tools, options);
+    for (auto& step : part.workplan) {
+      step.operation.tool = tool_for(feature_of(part, step), part.tools, used, options.tol);
+    }
+  }
+  if (part.tools.empty()) {
+    throw InputError(
+        part.source_file,
+        fmt::format("names no tool; give one, for example --tool endmill:6 (the largest that fits has {} mm)",
+                    trimmed(std::floor(largest_fitting_diameter_of(part, options.tol) * 1000) / 1000, 3)));
+  }
+}
+
+/// Greatest distance of a place in `target` from the boundary of `allowed`, by its medial axis; where that runs
+/// beside the target (far open sides), by the middle of the target.
+double widest_over(const Regions& target, const Region& allowed, const Tolerances& tol) {
+  const Clearance clearance(allowed, tol);
+  double widest = 0;
+  for (const AxisPoint& p : clearance.axis().points) {
+    if (p.clearance > widest && contains(target, p.point)) widest = p.clearance;
+  }
+  for (const Region& region : target) {
+    const Clearance own(region, tol);
+    for (const AxisPoint& p : own.centers()) {
+      if (allowed.contains(p.point)) widest = std::max(widest, allowed.boundary_distance(p.point));
+    }
+  }
+  return widest;
+}
+
+double default_spindle(const Tool& tool, const Machine& machine) {
+  const double rpm =
+      std::max(10.0, std::round(kDefaultCuttingSpeed * 1000 / (kPi * tool.diameter) / 10) * 10);
+  return machine.max_spindle_rpm ? std::min(rpm, *machine.max_spindle_rpm) : rpm;
+}
+
+void apply_options(Operation& operation, const Tool& tool, const PlanOptions& options) {
+  if (options.stepdown && !stock::only_plunges(tool)) operation.stepdown = options.stepdown;
+  if (options.allowance) operation.allowance_side = *options.allowance;
+  if (options.allowance_floor) operation.allowance_floor = *options.allowance_floor;
+  if (options.entry) operation.entry = options.entry;
+  if (options.entry_angle) operation.entry_angle = options.entry_angle;
+  if (options.lead) operation.lead = options.lead;
+  if (options.lead_angle) operation.lead_angle = options.lead_angle;
+  if (options.scallop) operation.scallop = options.scallop;
+  if (options.direction) operation.direction = options.direction;
+  auto& cutting = operation.cutting;
+  // The feed a file states for a drill is how fast it goes down; one stated for all cutters is not.
+  if (stock::only_plunges(tool) && !cutting.plunge_feed) cutting.plunge_feed = cutting.feed;
+  if (options.cutting.feed) cutting.feed = options.cutting.feed;
+  if (options.cutting.plunge_feed) cutting.plunge_feed = options.cutting.plunge_feed;
+  if (options.cutting.ramp_feed) cutting.ramp_feed = options.cutting.ramp_feed;
+  if (options.cutting.slot_feed) cutting.slot_feed = options.cutting.slot_feed;
+  if (options.cutting.spindle_rpm) cutting.spindle_rpm = options.cutting.spindle_rpm;
+  if (stock::only_plunges(tool)) operation.allowance_side = 0;
+}
+
+/// mm. Half the diameter; face mills less; drills go down at once as far as their flutes clear the chips by
+/// themselves, deeper holes are pecked.
+double default_stepdown(const Tool& tool, const Feature& feature) {
+  const double depth = feature.top_z - feature.floor_z;
+  if (tool.kind == ToolKind::kFaceMill) return kFaceMillStepdown;
+  if (tool.kind == ToolKind::kReamer) return depth;
+  if (tool.kind == ToolKind::kDrill)
+    return depth <= kUnpeckedDiameters * tool.diameter ? depth : tool.diameter;
+  return tool.diameter / 2;
+}
+
+/// Fills what is still absent; returns the names of the values that were defaulted.
+std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
+                                        const Machine& machine) {
+  std::vector<std::string> defaulted;
+  auto& cutting = operation.cutting;
+  const auto fill = [&](auto& value, auto fallback, const std::string& text) {
+    if (value) return;
+    value = fallback;
+    if (!text.empty()) defaulted.push_back(text);
+  };
+  const double stepdown = default_stepdown(tool, feature);
+  fill(operation.stepdown, stepdown, stock::only_plunges(tool) ? "" : "stepdown " + trimmed(stepdown, 3) + " mm");
+  fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed " + trimmed(kDefaultFeed, 0) + " mm/min");
+  if (machine.max_feed) cutting.feed = std::min(*cutting.feed, *machine.max_feed);
+  fill(cutting.plunge_feed, *cutting.feed * kPlungeShare, "");
+  fill(cutting.ramp_feed, *cutting.feed * kRampShare, "");
+  const double rpm = default_spindle(tool, machine);
+  fill(cutting.spindle_rpm, rpm, "spindle " + trimmed(rpm, 0) + " rpm");
+  fill(operation.direction, CutDirection::kClimb, "");
+  return defaulted;
+}
+
+}  // namespace
+
+double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
+  const double deep = feature.top_z - feature.floor_z;
+  const bool leans = feature.wall_slope.radians() != 0 && deep > 0;
+  const Regions allowed = leans ? at_depth(feature.allowed, feature.wall_slope, deep, tol) : feature.allowed;
+  const Regions target = leans ? intersect(feature.target, allowed, tol) : feature.target;
+  const bool closed = closed_all_round(feature);
+  double radius = 0;
+  for (const auto& region : allowed) {
+    radius = std::max(radius, closed ? Clearance(region, tol).max() : widest_over(target, region, tol));
+  }
+  return 2 * radius;
+}
+
+Part with_tools(Part part, const PlanOptions& options) {
+  if (options.tools.empty() && part.tools.empty()) {
+    Tool tool;
+    tool.number = 1;
+    // Rounded down to tenths; never nothing.
+    tool.diameter = std::max(std::floor(largest_fitting_diameter_of(part, options.tol) * 5) / 10, 0.1);
+    part.tools = {tool};
+    part.diagnostics.note(part.source_file,
+                          "names no tool: an end mill of " + trimmed(tool.diameter, 1) + " mm is written");
+  }
+  choose_tools(part, options);
+  return part;
+}
+
+Part prepare(Part part, const PlanOptions& options) {
+  if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
+  choose_tools(part, options);
+  part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
+  for (auto& step : part.workplan) apply_options(step.operation, tool_of(part, step), options);
+  if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options);
+  if (options.shop.finish) add_finishing_steps(part, options);
+  std::vector<std::string> noted;
+  for (auto& step : part.workplan) {
+    const auto& tool = tool_of(part, step);
+    const auto& feature = feature_of(part, step);
+    for (auto& text : apply_defaults(step.operation, tool, feature, options.machine)) {
+      text += " (T" + std::to_string(tool.number) + ")";
+      if (std::find(noted.begin(), noted.end(), text) == noted.end()) noted.push_back(text);
+    }
+  }
+  for (const auto& text : noted) part.diagnostics.note("default", text);
+  return part;
+}
+
+}  // namespace clearcut::resolve

@@ -1,0 +1,27 @@
+// From a part as read to a part with every value decided.
+#pragma once
+
+#include "resolve/plan_options.h"
+
+namespace clearcut::resolve {
+
+/// m/min at the circumference.
+constexpr double kDefaultCuttingSpeed = 100;
+
+/// The part with the user's options applied and every absent value filled in:
+///   tool       from the options, else from the file; none at all is an InputError that names the largest
+///   that fits stepdown   option, operation, else half the diameter (face mills: 2 mm) feed       option,
+///   operation, else 1000 mm/min; plunge 30 % of it, ramp 50 % spindle    option, operation, else 100 m/min
+///   at the circumference, rounded to 10 rpm direction  climb
+/// What was defaulted is noted in the diagnostics, once per value.
+Part prepare(Part part, const PlanOptions& options);
+
+/// The part with the options' tools, else its own, else one end mill of half the largest diameter that fits (noted):
+/// STEP-NC has no operation without a tool.
+Part with_tools(Part part, const PlanOptions& options);
+
+/// Diameter of the largest cutter that has a legal position over the feature's floor, mm; 0 when none. At open
+/// sides only places over the feature itself count.
+double largest_fitting_diameter(const Feature& feature, const Tolerances& tol);
+
+}  // namespace clearcut::resolve

@@ -1,0 +1,175 @@
+#include "resolve/work_plan.h"
+
+#include <algorithm>
+
+#include "geometry/boolean.h"
+#include "stock/round_hole.h"
+#include "resolve/prepare.h"
+
+namespace clearcut::resolve {
+namespace {
+
+constexpr double kWallStock = 0.3;   // mm, where nothing is said
+constexpr double kFloorStock = 0.2;  // mm
+/// Of the cutter's radius.
+constexpr double kLead = 0.5;
+
+/// Indices of the mills, widest first, of each diameter the first.
+std::vector<int> mills_of(const std::vector<Tool>& tools) {
+  std::vector<int> mills;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    const auto as_wide = [&](int other) {
+      return tools[static_cast<std::size_t>(other)].diameter == tools[i].diameter;
+    };
+    if (!stock::only_plunges(tools[i]) && std::none_of(mills.begin(), mills.end(), as_wide))
+      mills.push_back(static_cast<int>(i));
+  }
+  std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {
+    return tools[static_cast<std::size_t>(a)].diameter > tools[static_cast<std::size_t>(b)].diameter;
+  });
+  return mills;
+}
+
+/// The last step of each feature that mills it, in the order of the workplan.
+std::vector<Workingstep> last_milling_steps(const Part& part) {
+  std::vector<Workingstep> last;
+  for (const Workingstep& step : part.workplan) {
+    if (stock::only_plunges(tool_of(part, step))) continue;
+    std::erase_if(last, [&](const Workingstep& other) { return other.feature == step.feature; });
+    last.push_back(step);
+  }
+  return last;
+}
+
+/// Whether a cutter wider than `tool` works on the feature of `step`.
+bool is_preceded_by_wider(const Part& part, const Workingstep& step, const Tool& tool) {
+  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
+    return other.feature == step.feature && !stock::only_plunges(tool_of(part, other)) &&
+           tool_of(part, other).diameter > tool.diameter;
+  });
+}
+
+Workingstep named_step(const Workingstep& step, const char* ending, OperationKind kind) {
+  Workingstep out = step;
+  out.name += ending;
+  out.operation.name = out.name;
+  out.operation.kind = kind;
+  out.operation.rest = false;
+  return out;
+}
+
+/// Along the walls, with the tool that came last.
+Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptions& shop) {
+  Workingstep step = named_step(last, "_walls", OperationKind::kSideFinishing);
+  Operation& operation = step.operation;
+  const Feature& feature = feature_of(part, last);
+  const double depth = feature.top_z - feature.floor_z - operation.allowance_floor;
+  // Leaning walls are cut by the edges of layers: one pass at their foot would leave them.
+  const bool leans = feature.wall_slope.radians() != 0;
+  if (depth > 0 && !leans) operation.stepdown = depth / shop.finish_depths.value_or(1);
+  if (!operation.lead) operation.lead = kLead * tool_of(part, last).radius();
+  return step;
+}
+
+/// Over the floor with the same tool, or what wider ones leave of it; away from walls that are finished afterwards.
+Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop) {
+  Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing);
+  step.operation.rest = rest;
+  if (*shop.finish == "all") step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+  return step;
+}
+
+/// The floor of a feature with its first mill, then with every narrower one.
+void add_floor_steps(const Part& part, int feature, const ShopOptions& shop,
+                     std::vector<Workingstep>& floors) {
+  std::optional<double> narrowest;
+  for (const Workingstep& step : part.workplan) {
+    const Tool& tool = tool_of(part, step);
+    if (step.feature != feature || stock::only_plunges(tool) || (narrowest && tool.diameter >= *narrowest)) continue;
+    floors.push_back(floor_step(step, narrowest.has_value(), shop));
+    narrowest = tool.diameter;
+  }
+}
+
+void leave_stock(Operation& operation, const ShopOptions& shop) {
+  if (*shop.finish != "floor") operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+  if (*shop.finish != "walls") operation.allowance_floor += shop.finish_stock_floor.value_or(kFloorStock);
+}
+
+Workingstep rest_step(const Workingstep& step, int mill, const Tool& tool) {
+  Workingstep rest = step;
+  rest.name += "_rest_T" + std::to_string(tool.number);
+  rest.operation.name = rest.name;
+  rest.operation.tool = mill;
+  rest.operation.rest = true;
+  return rest;
+}
+
+/// Position in the workplan of the first later step on a feature that lies under that of `step`: what `step` leaves would
+/// stand over it.
+std::optional<std::size_t> first_step_under(const Part& part, const Workingstep& step,
+                                            const Tolerances& tol) {
+  const Feature& feature = feature_of(part, step);
+  bool later = false;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const Feature& other = feature_of(part, part.workplan[i]);
+    if (later && other.floor_z < feature.floor_z && !intersect(other.target, feature.target, tol).empty())
+      return i;
+    later = later || part.workplan[i].feature == step.feature;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_rest_steps(Part& part, const PlanOptions& options) {
+  const bool everywhere = options.shop.rest.value_or(false);
+  std::vector<std::vector<Workingstep>> before(part.workplan.size());
+  std::vector<std::pair<int, Workingstep>> at_end;  // by mill, widest first
+  const auto mills = mills_of(part.tools);
+  if (mills.size() < 2) return;
+  for (const Workingstep& step : last_milling_steps(part)) {
+    const auto under = first_step_under(part, step, options.tol);
+    if (!everywhere && (!under || feature_of(part, step).wall_slope.radians() != 0)) continue;
+    const double fits = largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
+    for (std::size_t i = 0; i < mills.size(); ++i) {
+      const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
+      if (tool.diameter > fits || !is_preceded_by_wider(part, step, tool)) continue;
+      if (under) {
+        before[*under].push_back(rest_step(step, mills[i], tool));
+      } else {
+        at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], tool));
+      }
+    }
+  }
+  std::stable_sort(at_end.begin(), at_end.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Workingstep> all;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    all.insert(all.end(), before[i].begin(), before[i].end());
+    all.push_back(part.workplan[i]);
+  }
+  for (const auto& [mill, step] : at_end) all.push_back(step);
+  part.workplan = std::move(all);
+}
+
+void add_finishing_steps(Part& part, const PlanOptions& options) {
+  const ShopOptions& shop = options.shop;
+  std::vector<Workingstep> floors, walls;
+  for (const Workingstep& last : last_milling_steps(part)) {
+    const auto hole = stock::round_hole_of(feature_of(part, last), options.tol);
+    if (hole && stock::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
+    if (*shop.finish != "walls") add_floor_steps(part, last.feature, shop, floors);
+    if (*shop.finish != "floor") walls.push_back(wall_step(last, part, shop));
+  }
+  for (Workingstep& step : part.workplan) {
+    const auto same = [&](const Workingstep& finish) { return finish.feature == step.feature; };
+    const bool finished =
+        std::any_of(floors.begin(), floors.end(), same) || std::any_of(walls.begin(), walls.end(), same);
+    if (finished && !stock::only_plunges(tool_of(part, step))) leave_stock(step.operation, shop);
+  }
+  part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());
+  part.workplan.insert(part.workplan.end(), walls.begin(), walls.end());
+}
+
+}  // namespace clearcut::resolve

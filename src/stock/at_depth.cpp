@@ -1,0 +1,17 @@
+#include <cmath>
+
+#include "geometry/clearance.h"
+#include "model/part.h"
+
+namespace clearcut::stock {
+
+Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol) {
+  const double lean = below_top * std::tan(wall_slope.radians());
+  if (lean <= 0) return regions;
+  Regions result;
+  for (const Region& region : regions)
+    for (Region& piece : inset(region, lean, tol)) result.push_back(std::move(piece));
+  return result;
+}
+
+}  // namespace clearcut::stock

@@ -1,0 +1,355 @@
+#include "stock/engagement_arcs.h"
+
+#include <algorithm>
+
+#include "base/units.h"
+
+namespace clearcut::stock {
+namespace {
+
+/// mm. Of two discs in one place, as a cutter and where it stands, neither reaches out of the other.
+constexpr double kCoincident = 1e-9;
+
+/// mm. What goes on without a bend is taken to reach so far beyond its end, or rounding might leave a gap.
+constexpr double kSeam = 1e-9;
+
+/// Sine of the angle below which a circle is taken to meet a line or circle at that angle: tangential ends would run
+/// away infinitely fast.
+constexpr double kTangent = 1e-6;
+
+/// Grows with the angle of v from the x axis: -2 .. 2. v of any length > 0.
+double pseudo_angle(Vec2 v) {
+  const double q = 1 - v.x / (std::abs(v.x) + std::abs(v.y));
+  return v.y < 0 ? -q : q;
+}
+
+/// The direction of a pseudo-angle, not of unit length.
+Vec2 way_of(double pseudo) {
+  const double q = std::abs(pseudo);
+  return {1 - q, std::copysign(q <= 1 ? q : 2 - q, pseudo)};
+}
+
+/// A radius for sure no smaller.
+double enclosing(double radius) {
+  return radius * (1 + 1e-12) + 1e-12;
+}
+
+Vec2 right_of(Vec2 v) {
+  return {v.y, -v.x};
+}
+
+}  // namespace
+
+bool Swept::comes_within(Vec2 p, double far) const {
+  const double far_squared = far * far;
+  if (kind == Kind::kDisc) return norm_squared(p - from) <= far_squared;
+  const bool is_before = dot(before, p - from) > 0, is_after = dot(after, p - to) > 0;
+  if (is_before && norm_squared(p - from) <= far_squared) return true;
+  if (is_after && norm_squared(p - to) <= far_squared) return true;
+  if (is_before || is_after) return false;
+  if (kind == Kind::kLine) return std::abs(cross(after, p - from)) <= far;
+  const double squared = norm_squared(p - center), outer = ring + far, inner = ring - far;
+  return squared <= outer * outer && (inner <= 0 || squared >= inner * inner);
+}
+
+Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
+    : center_(center),
+      radius_(radius),
+      inverse_(1 / radius),
+      ahead_(ahead * (1 / std::sqrt(norm_squared(ahead)))),
+      rest_center_(center),
+      rest_radius_(enclosing(radius)) {
+  const Vec2 right = right_of(ahead_);
+  items_[0] = part == Part::kFront ? Span{{-1, right.x, right.y, 0, 0}, {1, -right.x, -right.y, 0, 0}}
+                                   : Span{{-2, -ahead_.x, -ahead_.y, 0, 0}, {2, -ahead_.x, -ahead_.y, 0, 0}};
+}
+
+double Horizon::Span::width() const {
+  const double angle = std::atan2(cross(from.way(), to.way()), dot(from.way(), to.way()));
+  return is_wide() && angle <= 0 ? angle + 2 * kPi : std::max(angle, 0.0);
+}
+
+/// Where a bound crosses a span: there but for rounding, which may carry it past an end, and past straight behind.
+Horizon::End Horizon::end_in(const Span& span, const Bound& bound, Vec2 way) const {
+  const double order = pseudo_angle({dot(ahead_, way), cross(ahead_, way)});
+  const double turn = 4, before = span.from.order - order, after = order - span.to.order;
+  if (before > 0) return before <= after + turn ? span.from : span.to;
+  if (after > 0) return after <= before + turn ? span.to : span.from;
+  const Vec2 normal = bound.normal + way * bound.round;
+  return {order, way.x, way.y, normal.x, normal.y};
+}
+
+/// The circle about the cutter's centre is within another where |w + radius u|^2 <= its_radius^2, w from that
+/// circle's centre to the cutter's.
+Horizon::Bound Horizon::within_circle(Vec2 w, double its_radius) const {
+  const double squared = norm_squared(w);
+  return {w, (its_radius * its_radius - squared - radius_ * radius_) * (0.5 * inverse_), squared, radius_};
+}
+
+void Horizon::remove_beyond(Vec2 normal, double q) {
+  Bounds bounds;
+  bounds.add({-normal, -q, 1, 0});
+  remove_within(bounds);
+}
+
+bool Horizon::remove(const Swept& swept) {
+  if (swept.kind == Swept::Kind::kDisc) return remove_disc(swept.from, swept.radius);
+  if (!swept.comes_within(rest_center_, swept.radius + rest_radius_)) return false;
+  const double before = dot(swept.before, rest_center_ - swept.from);
+  const double after = dot(swept.after, rest_center_ - swept.to);
+  bool changed = false;
+  if (before < rest_radius_ && after < rest_radius_) changed = remove_between(swept, before, after);
+  if (swept.round_start && may_pass(swept.from, swept.before))
+    changed |= remove_disc(swept.from, swept.radius);
+  if (swept.round_end && may_pass(swept.to, swept.after)) changed |= remove_disc(swept.to, swept.radius);
+  return changed;
+}
+
+bool Horizon::remove_disc(Vec2 at, double disc) {
+  if (!may_meet(at, disc)) return false;
+  Bounds bounds;
+  bounds.add(within_circle(center_ - at, disc));
+  const double room = radius_ - disc + kCoincident;
+  if (room >= 0 && bounds.items[0].squared <= room * room) return false;
+  return remove_within(bounds);
+}
+
+/// The rectangle, or part of a ring, between the planes across the ends. Bounds that all of what is left keeps are not
+/// looked at further.
+bool Horizon::remove_between(const Swept& swept, double before, double after) {
+  Bounds bounds;
+  if (swept.kind == Swept::Kind::kLine) {
+    bound_strip(swept, bounds);
+  } else {
+    bound_ring(swept, bounds);
+  }
+  if (before > -rest_radius_) bounds.add(within_line(swept.before, swept.from, 0));
+  if (after > -rest_radius_) bounds.add(within_line(swept.after, swept.to, swept.round_end ? 0 : kSeam));
+  return remove_within(bounds);
+}
+
+void Horizon::bound_strip(const Swept& line, Bounds& bounds) const {
+  const Vec2 left = left_of(line.after);
+  const double aside = dot(left, rest_center_ - line.from);
+  if (aside + rest_radius_ > line.radius) bounds.add(within_line(left, line.from, line.radius));
+  if (aside - rest_radius_ < -line.radius) bounds.add(within_line(-left, line.from, line.radius));
+}
+
+void Horizon::bound_ring(const Swept& arc, Bounds& bounds) const {
+  const double outer = arc.ring + arc.radius, inner = arc.ring - arc.radius;
+  const double squared = norm_squared(rest_center_ - arc.center);
+  const double kept = outer - rest_radius_, hollow = inner + rest_radius_;
+  if (kept <= 0 || squared > kept * kept) bounds.add(within_circle(center_ - arc.center, outer));
+  if (inner <= 0 || squared >= hollow * hollow) return;
+  const Bound hole = within_circle(center_ - arc.center, inner);
+  bounds.add({-hole.normal, -hole.most, hole.squared, -radius_});
+}
+
+Horizon::Side Horizon::side_of(const Bound& bound, const Span& span) {
+  const bool from_beyond = dot(bound.normal, span.from.way()) > bound.most;
+  const bool to_beyond = dot(bound.normal, span.to.way()) > bound.most;
+  if (from_beyond != to_beyond) return from_beyond ? Side::kFromBeyond : Side::kToBeyond;
+  // Between two ends on one side the bound is crossed twice, if at all.
+  const bool meets = bound.most * bound.most < bound.squared;
+  if (from_beyond)
+    return (bound.most >= 0 || meets) && span.holds(-bound.normal) ? Side::kMiddleWithin : Side::kBeyond;
+  return (bound.most < 0 || meets) && span.holds(bound.normal) ? Side::kMiddleBeyond : Side::kWithin;
+}
+
+/// Where a bound that crosses a span lets it go, seen from the bound's normal on the left (1) or on the right (-1):
+/// beyond begins on the right.
+Horizon::End Horizon::crossing(const Bound& bound, double side, const Span& span) const {
+  const double inverse = 1 / bound.squared;
+  const double half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most));
+  const Vec2 way = bound.normal * (bound.most * inverse) + left_of(bound.normal) * (side * half * inverse);
+  return end_in(span, bound, way);
+}
+
+/// The parts of a span beyond a bound that crosses it.
+void Horizon::add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const {
+  switch (side) {
+    case Side::kFromBeyond:
+      return pieces.add({span.from, crossing(bound, 1, span)});
+    case Side::kToBeyond:
+      return pieces.add({crossing(bound, -1, span), span.to});
+    case Side::kMiddleBeyond:
+      return pieces.add({crossing(bound, -1, span), crossing(bound, 1, span)});
+    case Side::kMiddleWithin:
+      pieces.add({span.from, crossing(bound, 1, span)});
+      return pieces.add({crossing(bound, -1, span), span.to});
+    case Side::kWithin:
+    case Side::kBeyond:
+      return;
+  }
+}
+
+void Horizon::Pieces::add(const Span& span) {
+  if (!(span.to.order > span.from.order)) return;
+  int place = count++;
+  for (; place > 0 && items[place - 1].from.order > span.from.order; --place) items[place] = items[place - 1];
+  items[place] = span;
+}
+
+void Horizon::Pieces::merge() {
+  int merged = 0;
+  for (int i = 1; i < count; ++i) {
+    if (items[i].from.order <= items[merged].to.order) {
+      if (items[i].to.order > items[merged].to.order) items[merged].to = items[i].to;
+    } else {
+      items[++merged] = items[i];
+    }
+  }
+  count = std::min(count, merged + 1);
+}
+
+/// Takes away what lies within all bounds.
+bool Horizon::remove_within(const Bounds& bounds) {
+  bool changed = false;
+  for (int i = 0; i < count_;) {
+    Crossed crossed;
+    if (is_beyond_any(bounds, items_[i], crossed)) {
+      ++i;
+    } else {
+      i = cut(i, crossed, changed);
+    }
+  }
+  if (changed && count_ > 0) look();
+  return changed;
+}
+
+/// Whether the whole span is beyond one of the bounds; else, those that cross it.
+bool Horizon::is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed) {
+  for (int k = 0; k < bounds.count; ++k) {
+    const Side side = side_of(bounds.items[k], span);
+    if (side == Side::kBeyond) return true;
+    if (side == Side::kWithin) continue;
+    crossed.bounds[crossed.count] = &bounds.items[k];
+    crossed.sides[crossed.count++] = side;
+  }
+  return false;
+}
+
+/// Leaves of a span what is beyond one of the bounds that cross it; returns the place after that.
+int Horizon::cut(int place, const Crossed& crossed, bool& changed) {
+  Span& span = items_[place];
+  // Nearly always one end is moved.
+  if (crossed.count == 1 && (crossed.sides[0] == Side::kFromBeyond || crossed.sides[0] == Side::kToBeyond)) {
+    const bool keeps_from = crossed.sides[0] == Side::kFromBeyond;
+    const End end = crossing(*crossed.bounds[0], keeps_from ? 1 : -1, span);
+    End& moved = keeps_from ? span.to : span.from;
+    changed |= moved.order != end.order;
+    moved = end;
+    return span.to.order > span.from.order ? place + 1 : replace(place, nullptr, 0);
+  }
+  Pieces pieces;
+  for (int k = 0; k < crossed.count; ++k) add_beyond(*crossed.bounds[k], crossed.sides[k], span, pieces);
+  if (crossed.count > 1) pieces.merge();
+  if (pieces.count == 1 && pieces.items[0].from.order == span.from.order &&
+      pieces.items[0].to.order == span.to.order)
+    return place + 1;
+  changed = true;
+  return replace(place, pieces.items, pieces.count);
+}
+
+/// Puts pieces where a span was; returns the place after them.
+int Horizon::replace(int place, const Span* pieces, int count) {
+  if (count == 1) {
+    items_[place] = pieces[0];
+    return place + 1;
+  }
+  if (count == 0) {
+    std::move(items_ + place + 1, items_ + count_, items_ + place);
+    --count_;
+    return place;
+  }
+  // Up to count - 1 more than there is room for are dropped one by one.
+  items_[place] = pieces[0];
+  int next = place + 1;
+  for (int i = 1; i < count; ++i) {
+    std::move_backward(items_ + next, items_ + count_, items_ + count_ + 1);
+    items_[next] = pieces[i];
+    ++next;
+    ++count_;
+    if (count_ > kCapacity) {
+      drop_narrowest();
+      next = std::min(next, count_);
+    }
+  }
+  return next;
+}
+
+/// A full set drops its narrowest item: less than is left is reported rather than none at all.
+void Horizon::drop_narrowest() {
+  Span* narrowest = std::min_element(items_, items_ + count_, [](const Span& a, const Span& b) {
+    return a.to.order - a.from.order < b.to.order - b.from.order;
+  });
+  std::move(narrowest + 1, items_ + count_, narrowest);
+  --count_;
+}
+
+/// What is left lies on the circle beside the widest gap.
+void Horizon::look() {
+  int first = 0;
+  double widest = items_[0].from.order + 4 - items_[count_ - 1].to.order;
+  for (int i = 1; i < count_; ++i) {
+    const double gap = items_[i].from.order - items_[i - 1].to.order;
+    if (gap <= widest) continue;
+    widest = gap;
+    first = i;
+  }
+  if (widest < 2) {  // more than a half turn is left
+    rest_center_ = center_;
+    rest_radius_ = enclosing(radius_);
+    return;
+  }
+  const Vec2 from = items_[first].from.way(), to = items_[first == 0 ? count_ - 1 : first - 1].to.way();
+  // The disc about the chord's middle holds the arc.
+  rest_center_ = center_ + (from + to) * (0.5 * radius_);
+  rest_radius_ = enclosing(0.5 * radius_ * std::sqrt(norm_squared(to - from)));
+}
+
+AngleSet Horizon::angles() const {
+  const auto angle = [](const End& end) {
+    const Vec2 way = way_of(end.order);
+    return std::atan2(way.y, way.x);
+  };
+  AngleInterval found[kCapacity];
+  for (int i = 0; i < count_; ++i) found[i] = {angle(items_[i].from), angle(items_[i].to)};
+  return AngleSet({found, static_cast<std::size_t>(count_)});
+}
+
+double Horizon::measure() const {
+  double sum = 0;
+  for (int i = 0; i < count_; ++i) sum += items_[i].width();
+  return sum;
+}
+
+/// Radians that an end goes to the left per mm that the cutter goes ahead.
+double Horizon::drift(const End& end) const {
+  const Vec2 normal = end.normal();
+  const double least = kTangent * std::sqrt(norm_squared(normal)), across = dot(normal, left_of(end.way()));
+  if (least == 0) return 0;
+  return -dot(normal, ahead_) /
+         (radius_ * (std::abs(across) < least ? std::copysign(least, across) : across));
+}
+
+ContactChange Horizon::change() const {
+  ContactChange change;
+  for (int i = 0; i < count_; ++i) {
+    const Span& span = items_[i];
+    change.per_mm += drift(span.to) - drift(span.from);
+    change.per_radian += (span.to.normal() == Vec2{}) - (span.from.normal() == Vec2{});
+  }
+  return change;
+}
+
+Vec2 Horizon::middle_of_widest() const {
+  const Span& widest = *std::max_element(items_, items_ + count_,
+                                         [](const Span& a, const Span& b) { return a.width() < b.width(); });
+  const Vec2 from = widest.from.way(), to = widest.to.way();
+  // Square to the chord, which is none of a whole circle.
+  const Vec2 middle = widest.is_wide() ? right_of(to - from) : from + to;
+  return middle == Vec2{} ? ahead_ : unit(middle);
+}
+
+}  // namespace clearcut::stock

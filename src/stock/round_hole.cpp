@@ -1,0 +1,53 @@
+#include "stock/round_hole.h"
+
+#include <algorithm>
+
+namespace clearcut::stock {
+
+std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol) {
+  if (!closed_all_round(feature) || feature.wall_slope.radians() != 0 || feature.target.size() != 1)
+    return std::nullopt;
+  const Region& region = feature.target.front();
+  const Edge& first = region.outer().front();
+  if (!region.islands().empty() || !first.is_arc()) return std::nullopt;
+  RoundHole hole{first.center, first.radius()};
+  for (const Edge& edge : region.outer()) {
+    if (!edge.is_arc() || edge.turn != first.turn) return std::nullopt;
+    if (distance(edge.center, first.center) > tol.join_gap) return std::nullopt;
+    if (std::abs(edge.radius() - first.radius()) > tol.join_gap) return std::nullopt;
+    hole.radius = std::min(hole.radius, edge.radius());
+  }
+  return hole;
+}
+
+bool only_plunges(const Tool& tool) {
+  return tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
+}
+
+bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) {
+  const double spare = 2 * hole.radius - tool.diameter;
+  return spare >= -tol.fit && spare <= tol.uncut;
+}
+
+std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol) {
+  std::vector<PredrilledHole> holes = part.predrilled;
+  const auto lowest = [&](const Workingstep& step) {
+    return feature_of(part, step).floor_z + step.operation.allowance_floor;
+  };
+  const Workingstep& own = part.workplan.at(static_cast<std::size_t>(workingstep));
+  const double deep = lowest(own);
+  const Box here = box(feature_of(part, own).allowed);  // most holes lie beside it: that is asked first
+  for (int i = 0; i < workingstep; ++i) {
+    const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
+    const Feature& feature = feature_of(part, step);
+    if (lowest(step) > deep || !box(feature.target).overlaps(here)) continue;
+    const Tool& tool = tool_of(part, step);
+    const auto hole = round_hole_of(feature, tol);
+    if (!hole || tool.radius() > hole->radius + tol.fit) continue;
+    const double milled = 2 * (hole->radius - step.operation.allowance_side);
+    holes.push_back({hole->center, only_plunges(tool) ? tool.diameter : milled});
+  }
+  return holes;
+}
+
+}  // namespace clearcut::stock

@@ -1,0 +1,119 @@
+#include "stock/standing.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::stock {
+namespace {
+
+/// How far beyond what is wanted a target reaches into the stock that stays, of that stock: planners expect targets that end
+/// at walls or where all is cut.
+constexpr double kIntoStock = 1.5;
+
+/// mm. The least stock that steps of one feature have left.
+struct StockLeft {
+  std::optional<double> side;
+  std::optional<double> floor;
+
+  void add(const Operation& operation) {
+    side = std::min(side.value_or(operation.allowance_side), operation.allowance_side);
+    // Where something was cleared before, finishing of walls does not come to the floor.
+    if (operation.kind == OperationKind::kSideFinishing && floor) return;
+    floor = std::min(floor.value_or(operation.allowance_floor), operation.allowance_floor);
+  }
+};
+
+/// A drill clears no more than its own hole.
+bool clears(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  if (!only_plunges(tool_of(part, step))) return true;
+  const auto hole = round_hole_of(feature_of(part, step), tol);
+  return hole && makes_hole(tool_of(part, step), *hole, tol);
+}
+
+/// Regions less `distance` mm along the walls that bound `allowed`.
+Regions off_the_walls(const Regions& regions, const Regions& allowed, double distance,
+                      const Tolerances& tol) {
+  if (distance <= 0) return regions;
+  Regions off;
+  for (const Region& region : allowed) {
+    const Regions inside = inset(region, distance, tol);
+    off.insert(off.end(), inside.begin(), inside.end());
+  }
+  return intersect(regions, off, tol);
+}
+
+Cleared cleared_by(const Feature& feature, const StockLeft& stock, const Tolerances& tol) {
+  const double deep = feature.top_z - feature.floor_z;
+  const Regions target = at_depth(feature.target, feature.wall_slope, deep, tol);
+  const double side = stock.side.value_or(0);
+  if (side <= 0) return {feature.floor_z + stock.floor.value_or(0), target};
+  const Regions allowed = at_depth(feature.allowed, feature.wall_slope, deep, tol);
+  return {feature.floor_z + stock.floor.value_or(0), off_the_walls(target, allowed, side, tol)};
+}
+
+void sort_deepest_first(std::vector<Cleared>& areas) {
+  std::stable_sort(areas.begin(), areas.end(),
+                   [](const Cleared& a, const Cleared& b) { return a.floor_z < b.floor_z; });
+}
+
+void erase_slivers(Regions& regions) {
+  std::erase_if(regions, is_sliver);
+}
+
+}  // namespace
+
+Standing::Standing(const Part& part, int workingstep, const Tolerances& tol)
+    : feature_(feature_of(part, part.workplan.at(static_cast<std::size_t>(workingstep)))),
+      stock_(part.workplan[static_cast<std::size_t>(workingstep)].operation.allowance_side),
+      tol_(tol),
+      start_(feature_.top_z) {
+  std::vector<StockLeft> stock(part.features.size());
+  for (int i = 0; i < workingstep; ++i) {
+    const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
+    if (clears(part, step, tol)) stock[static_cast<std::size_t>(step.feature)].add(step.operation);
+  }
+  const Box here = box(feature_.target);
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& other = part.features[i];
+    if (&other == &feature_ || !stock[i].side || !box(other.target).overlaps(here)) continue;
+    by_design_.push_back(cleared_by(other, {}, tol));
+    by_work_.push_back(cleared_by(other, stock[i], tol));
+    start_ = std::max(start_, other.top_z);
+    stock_left_ = stock_left_ || *stock[i].side > 0 || stock[i].floor.value_or(0) > 0;
+  }
+  sort_deepest_first(by_design_);
+  sort_deepest_first(by_work_);
+}
+
+double Standing::top() const {
+  if (!stock_left_) return feature_.top_z;
+  const double left = top_over(wanted(feature_.target), by_work_, start_, tol_);
+  const double designed = top_over(feature_.target, by_design_, start_, tol_);
+  return left > designed ? std::max(left, feature_.top_z) : feature_.top_z;
+}
+
+Regions Standing::above(double z) const {
+  Regions standing = feature_.target;
+  bool whole = true;
+  for (const Cleared& cleared : by_work_) {
+    if (cleared.floor_z > z + tol_.coincident) break;
+    standing = without(standing, cleared, tol_);
+    whole = false;
+  }
+  erase_slivers(standing);
+  if (whole || stock_ <= 0 || standing.empty()) return standing;
+  Regions asked = wanted(standing);
+  erase_slivers(asked);
+  if (asked.empty()) return asked;
+  return intersect(standing, dilate(asked, kIntoStock * stock_, tol_), tol_);
+}
+
+Regions Standing::wanted(const Regions& regions) const {
+  return off_the_walls(regions, feature_.allowed, stock_, tol_);
+}
+
+}  // namespace clearcut::stock

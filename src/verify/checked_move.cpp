@@ -1,0 +1,194 @@
+#include "verify/checked_move.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics/kinematics.h"
+#include "verify/edge_tree.h"
+
+namespace clearcut::verify {
+namespace {
+
+/// mm. Depths nearer than this are one layer.
+constexpr double kSameLayer = 1e-3;
+/// mm. A move belongs to a feature's range of heights when it leaves it by no more than this.
+constexpr double kHeightSlack = 0.05;
+
+const Tool* tool_of(const Part& part, int number) {
+  for (const Tool& tool : part.tools) {
+    if (tool.number == number) return &tool;
+  }
+  // A program without tool words, for a part with one tool.
+  return number <= 0 && part.tools.size() == 1 ? &part.tools.front() : nullptr;
+}
+
+/// Finds the workingstep that a feed move serves.
+class Attribution {
+ public:
+  explicit Attribution(const Part& part) : part_(part) {
+    for (const Feature& feature : part.features) {
+      std::vector<Edge> edges;
+      for (const Region& region : feature.target) {
+        for (const Edge& edge : region.edges()) edges.push_back(edge);
+      }
+      outlines_.emplace_back(std::move(edges));
+    }
+  }
+
+  /// Of the whole section: by number, else by the name of the workingstep or the feature.
+  int by_section(const Section& section) const {
+    const int count = static_cast<int>(part_.workplan.size());
+    if (section.workingstep >= 0 && section.workingstep < count) return section.workingstep;
+    if (section.label.empty()) return -1;
+    for (int i = 0; i < count; ++i) {
+      const Workingstep& step = part_.workplan[i];
+      if (section.label == step.name || section.label == part_.features[step.feature].name) return i;
+    }
+    return -1;
+  }
+
+  int by_place(const JudgedMove& judged, int previous) const {
+    const Vec2 middle = judged.move->is_vertical() ? judged.move->path.from : judged.move->path.at(0.5);
+    if (previous >= 0 && fits(judged, middle, previous)) return previous;
+    int found = -1;
+    for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
+      if (fits(judged, middle, i) && (found < 0 || has_tool(judged, i))) found = i;
+    }
+    return found;
+  }
+
+ private:
+  bool has_tool(const JudgedMove& judged, int workingstep) const {
+    const int index = part_.workplan[workingstep].operation.tool;
+    return judged.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
+           &part_.tools[index] == judged.tool;
+  }
+
+  bool fits(const JudgedMove& judged, Vec2 p, int workingstep) const {
+    const int index = part_.workplan[workingstep].feature;
+    const Feature& feature = part_.features[index];
+    const double z = judged.low_z();
+    if (z < feature.floor_z - kHeightSlack || z >= feature.top_z - 1e-6) return false;
+    const EdgeTree& outline = outlines_[index];
+    // Over open sides and at thin ends the centre runs beside the target.
+    return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + 1e-3).edge >= 0;
+  }
+
+  const Part& part_;
+  std::vector<EdgeTree> outlines_;
+};
+
+void attribute(const Part& part, const Toolpath& toolpath, std::vector<JudgedMove>& moves) {
+  const Attribution attribution(part);
+  std::size_t k = 0;
+  int previous = -1;
+  for (const Section& section : toolpath.sections) {
+    const int whole = attribution.by_section(section);
+    for (std::size_t i = 0; i < section.moves.size(); ++i, ++k) {
+      JudgedMove& judged = moves[k];
+      judged.workingstep = whole;
+      if (whole >= 0 || !judged.feeds()) continue;
+      judged.workingstep = previous = attribution.by_place(judged, previous);
+    }
+  }
+  // Rapids and feed moves beside everything go with what follows them, the last ones with what came before.
+  int next = -1;
+  for (auto judged = moves.rbegin(); judged != moves.rend(); ++judged) {
+    if (judged->workingstep < 0) judged->workingstep = next;
+    next = judged->workingstep;
+  }
+  previous = -1;
+  for (JudgedMove& judged : moves) {
+    if (judged.workingstep < 0) judged.workingstep = previous;
+    previous = judged.workingstep;
+  }
+}
+
+/// What is cut by nothing but plunges is one layer, at its lowest.
+void add_drilled_depths(const Part& part, JudgedProgram& program) {
+  std::vector<double> lowest(program.layers.size(), part.top_z());
+  for (const JudgedMove& judged : program.moves) {
+    if (judged.workingstep < 0 || !judged.feeds()) continue;
+    double& low = lowest[judged.workingstep];
+    low = std::min(low, judged.low_z());
+  }
+  for (std::size_t i = 0; i < lowest.size(); ++i) {
+    if (program.layers[i].empty() && lowest[i] < part.top_z()) program.layers[i].push_back(lowest[i]);
+  }
+}
+
+void find_layers(const Part& part, JudgedProgram& program) {
+  program.layers.resize(part.workplan.size());
+  for (const JudgedMove& judged : program.moves) {
+    if (judged.workingstep < 0 || !judged.feeds() || !judged.is_flat() || judged.low_z() >= part.top_z())
+      continue;
+    LayerHeights& layers = program.layers[judged.workingstep];
+    const bool known = std::any_of(layers.begin(), layers.end(),
+                                   [&](double z) { return std::abs(z - judged.low_z()) < kSameLayer; });
+    if (!known) layers.push_back(judged.low_z());
+  }
+  add_drilled_depths(part, program);
+  for (LayerHeights& layers : program.layers) std::sort(layers.rbegin(), layers.rend());
+}
+
+/// A move down belongs to the layer it goes to, the ways between to the layer cut before.
+void assign_layers(JudgedProgram& program) {
+  int layer = 0, workingstep = -1;
+  for (JudgedMove& judged : program.moves) {
+    if (judged.workingstep < 0) continue;
+    const LayerHeights& layers = program.layers[judged.workingstep];
+    if (judged.workingstep != workingstep) layer = 0;
+    workingstep = judged.workingstep;
+    if (layers.empty()) continue;
+    if (judged.feeds() && judged.low_z() < layers.front() + kSameLayer) {
+      const auto at = std::find_if(layers.begin(), layers.end(),
+                                   [&](double z) { return z <= judged.low_z() + kSameLayer; });
+      layer = static_cast<int>(std::min<std::ptrdiff_t>(at - layers.begin(), std::ssize(layers) - 1));
+    }
+    judged.layer = layer;
+  }
+}
+
+void append_moves(const Part& part, const Toolpath& toolpath, const Machine& machine,
+                  std::vector<JudgedMove>& out) {
+  for (const Section& section : toolpath.sections) {
+    const std::vector<Seconds> times = kinematics::move_times(section.moves, machine);
+    for (std::size_t i = 0; i < section.moves.size(); ++i) {
+      JudgedMove judged;
+      judged.move = &section.moves[i];
+      judged.tool = tool_of(part, section.tool_number);
+      judged.tool_number = section.tool_number;
+      judged.clockwise = section.spindle_clockwise;
+      judged.rpm = section.spindle_rpm;
+      judged.time_s = times[i].seconds();
+      judged.time_naive_s = kinematics::naive_time(section.moves[i], machine).seconds();
+      out.push_back(judged);
+    }
+  }
+}
+
+}  // namespace
+
+double radius_at(const Tool& tool, double height) {
+  const double flat = flat_radius_of(tool), round = tool.radius() - flat;
+  const double below = std::clamp(round - height, 0.0, round);  // the middle of the round
+  return flat + std::sqrt(round * round - below * below);
+}
+
+JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
+                             const Toolpath* earlier) {
+  JudgedProgram program;
+  append_moves(part, toolpath, machine, program.moves);
+  attribute(part, toolpath, program.moves);
+  find_layers(part, program);
+  assign_layers(program);
+  if (earlier == nullptr) return program;
+  std::vector<JudgedMove> own = std::move(program.moves);
+  program.moves.clear();
+  append_moves(part, *earlier, machine, program.moves);
+  for (JudgedMove& judged : program.moves) judged.earlier = true;
+  program.moves.insert(program.moves.end(), own.begin(), own.end());
+  return program;
+}
+
+}  // namespace clearcut::verify

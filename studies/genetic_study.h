@@ -1,0 +1,86 @@
+// The Monte-Carlo studies of the Tour text (4.3, 6.2), repeated: many runs of its genetic algorithm on square
+// lattices, whose optimum is known, with one thing changed at a time.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "order/genetic/genetic.h"
+#include "report/text_table.h"
+
+namespace clearcut::studies {
+
+/// Everything that decides what a run gives, but its number.
+struct StudyLevel {
+  std::string name;  ///< of the level: "pmx", "25", ...
+  int side = 20;     ///< of the lattice, points
+  std::string objective = "length";
+  order::GeneticOptions genetic{};
+};
+
+/// What a study measures of each run.
+enum class StudyMetric {
+  kFitness,   ///< optimum / value of the best, per cent
+  kImproved,  ///< children better than both parents, per cent
+  kSeconds,
+};
+
+struct GeneticStudy {
+  std::string name;
+  std::string figure;            ///< of the text
+  std::string factor;            ///< what changes from level to level
+  std::string published_size{};  ///< how much the text ran
+  StudyMetric metric = StudyMetric::kFitness;
+  std::vector<StudyLevel> levels{};
+  int runs = 0;
+};
+
+/// One line of the CSV: a run after a generation (those of eq. 5.1).
+struct StudyRow {
+  int level = 0;  ///< index
+  int run = 0;    ///< from 1
+  long long generation = 0;
+  double best = 0, mean = 0, worst = 0;  ///< values of the population
+  double fitness = 0;                    ///< of the best, per cent
+  double improved = 0;                   ///< per cent of all children so far; at the last generation only
+  double seconds = 0;                    ///< of the whole run; only in the study of time
+};
+
+struct GeneticStudyOptions {
+  std::optional<int> runs;               ///< per level; default: the study's, far fewer than the text's
+  std::optional<long long> generations;  ///< of each run
+  std::optional<int> side;               ///< of the lattice, where that is not the factor
+  std::string objective = "length";
+  bool published_size = false;  ///< runs, generations and sides of the text: days of work
+  std::uint64_t seed = 1;
+  int threads = 0;  ///< 0: all cores
+  /// Called after each run with the runs done, the runs asked for, and a function that gives all rows so far;
+  /// under a lock, from any thread.
+  std::function<void(int done, int total, const std::function<std::vector<StudyRow>()>& rows)> progress;
+};
+
+const std::vector<std::string>& genetic_study_names();
+
+/// The study with the options put into it. Throws InputError for an unknown name, or options without sense.
+GeneticStudy genetic_study(const std::string& name, const GeneticStudyOptions& options);
+
+/// Runs what `csv` (the file of an earlier call, may be empty) does not hold yet, on all cores, and gives all
+/// rows, sorted. Run i of every level has the same seed, so levels differ by their factor alone. The same
+/// options give the same rows on any number of threads, seconds excepted. Throws InputError when `csv` is of
+/// another study or other settings.
+std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const GeneticStudyOptions& options,
+                                        const std::string& csv);
+
+std::string study_csv(const GeneticStudy& study, const GeneticStudyOptions& options,
+                      const std::vector<StudyRow>& rows);
+
+/// Per level: runs, mean with its error E = z sigma / sqrt(N), z = 3 (eq. 4.11), standard deviation, quartiles.
+report::TextTable study_table(const GeneticStudy& study, const std::vector<StudyRow>& rows);
+
+/// Box plots of the levels, and the fitness over the generations with its spread; the study of spread has its
+/// histogram too.
+std::string study_svg(const GeneticStudy& study, const std::vector<StudyRow>& rows);
+
+}  // namespace clearcut::studies
