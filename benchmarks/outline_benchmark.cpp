@@ -37,7 +37,7 @@ void plan_and_certify(benchmark::State& state) {
   options.tools = {resolve::parse_tool("endmill:6")};
   bool clean = true;
   for (auto _ : state) {
-    const auto result = pipeline::plan(part, options);
+    const auto result = pipeline::plan_part(part, options);
     clean = clean && result.findings.all.clean;
     benchmark::DoNotOptimize(result.program.data());
   }

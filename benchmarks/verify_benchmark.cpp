@@ -33,11 +33,12 @@ void judge_outline(benchmark::State& state) {
   resolve::PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:10")};
   options.strategy = "contour";
-  const pipeline::PlanResult result = pipeline::plan(wavy_part(static_cast<int>(state.range(0))), options);
+  const pipeline::PlanResult result =
+      pipeline::plan_part(wavy_part(static_cast<int>(state.range(0))), options);
   std::size_t moves = 0;
   for (const Section& section : result.toolpath.sections) moves += section.moves.size();
   for (auto _ : state) {
-    const Findings findings = verify::verify(result.part, result.toolpath, {});
+    const Findings findings = verify::verify_program(result.part, result.toolpath, {});
     if (!findings.all.clean) state.SkipWithError("not clean");
   }
   state.counters["moves"] = static_cast<double>(moves);

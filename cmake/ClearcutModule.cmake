@@ -1,11 +1,15 @@
-# clearcut_add_module(NAME): the folder src/NAME becomes the static library clearcut_NAME, and every
+# clearcut_add_module(NAME): the folder src/NAME (or NAME, for studies) becomes the static library clearcut_NAME, and every
 # *_test.cpp beside its sources one test executable NAME_test. What a module may include is read from
 # src/dependencies.txt, which also gives the link order; a test compares the includes with that file.
 file(STRINGS ${CMAKE_CURRENT_SOURCE_DIR}/src/dependencies.txt CLEARCUT_DEPENDENCY_LINES REGEX "^[a-z]")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/dependencies.txt)
 
 function(clearcut_add_module name)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/src/${name}/*.cpp)
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR}/src/${name})
+  if(NOT IS_DIRECTORY ${folder})
+    set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${name})
+  endif()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
@@ -27,7 +31,7 @@ function(clearcut_add_module name)
     add_library(clearcut_${name} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_include_directories(clearcut_${name} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  target_include_directories(clearcut_${name} ${scope} ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
   target_link_libraries(clearcut_${name} ${scope} ${uses})
 
   if(CLEARCUT_TESTS AND tests)

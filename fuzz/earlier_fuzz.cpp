@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
-#include "resolve/left_over.h"
 #include "read/gcode/gcode.h"
+#include "resolve/left_over.h"
 
 namespace {
 

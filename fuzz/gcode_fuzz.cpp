@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   fuzz::require_sound(toolpath);
   if (!fuzz::is_small(toolpath)) return 0;
-  post::PostOptions options;
+  PostOptions options;
   options.dialect = post::post_dialects()[size % post::post_dialects().size()];
   options.inch = size % 3 == 0;
   fuzz::post_and_read_again(toolpath, options);

@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   fuzz::require_sound(toolpath);
   if (!fuzz::is_small(toolpath)) return 0;
-  post::PostOptions options;
+  PostOptions options;
   options.dialect = "heidenhain";
   options.inch = size % 2 == 0;
   fuzz::post_and_read_again(toolpath, options);

@@ -35,10 +35,10 @@ inline bool is_small(const Toolpath& toolpath) {
   return moves < 1000;
 }
 
-inline void post_and_read_again(const Toolpath& toolpath, const post::PostOptions& options) {
+inline void post_and_read_again(const Toolpath& toolpath, const PostOptions& options) {
   std::string text;
   try {
-    text = post::post(toolpath, Part{}, options);
+    text = post::write_program(toolpath, Part{}, options);
   } catch (const InputError&) {
     return;  // a feed move without feed
   }

@@ -17,8 +17,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const studies::GeneticStudy study = studies::genetic_study("spread", options);
   const std::string text(data, data + size);
   try {
-    const std::string once = studies::study_csv(study, options, studies::run_genetic_study(study, options, text));
-    const std::string twice = studies::study_csv(study, options, studies::run_genetic_study(study, options, once));
+    const std::string once =
+        studies::study_csv(study, options, studies::run_genetic_study(study, options, text));
+    const std::string twice =
+        studies::study_csv(study, options, studies::run_genetic_study(study, options, once));
     CLEARCUT_ASSERT(once == twice);
   } catch (const InputError& error) {
     CLEARCUT_ASSERT(std::string_view(error.what()).find('\n') == std::string_view::npos);

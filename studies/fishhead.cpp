@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "stock/stacking.h"
+
 namespace clearcut::studies {
 
 namespace {
@@ -257,7 +259,7 @@ Part fishhead(bool sloped, const Tolerances& tol) {
     part.features[5].wall_slope = Radians::of(kSlope);
     part.workplan[5].operation.scallop = kScallop;
   }
-  const std::vector<double> tops = stacked_tops(part, tol);
+  const std::vector<double> tops = stock::stacked_tops(part, tol);
   for (std::size_t i = 0; i < tops.size(); ++i) part.features[i].top_z = tops[i];
   return part;
 }

@@ -393,8 +393,8 @@ std::string study_svg(const GeneticStudy& study, const std::vector<StudyRow>& ro
   const std::string title = fmt::format("Tour {} repeated: {}", study.figure, study.name);
   report::ChartPanel boxes{.title = title, .x_label = study.factor, .y_label = metric_name(study.metric)};
   report::ChartPanel curves{.title = "Fitness over the generations: mean, smallest and largest",
-                    .x_label = "generation",
-                    .y_label = "fitness of the best individual, %"};
+                            .x_label = "generation",
+                            .y_label = "fitness of the best individual, %"};
   curves.log_x = true;
   for (int level = 0; level < static_cast<int>(study.levels.size()); ++level) {
     const auto values = metric_values(study, rows, level);

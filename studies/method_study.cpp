@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "studies/random_polygon.h"
 #include "pipeline/run.h"
 #include "pipeline/strategies.h"
 #include "plan/contour/step_rule.h"
+#include "studies/random_polygon.h"
 
 namespace clearcut::studies {
 namespace {
@@ -20,7 +20,7 @@ MethodOutcome outcome_of(const std::string& method, const Part& part, resolve::P
   options.strategy = method;
   MethodOutcome outcome;
   try {
-    const auto result = pipeline::plan(part, options);
+    const auto result = pipeline::plan_part(part, options);
     const auto& figures = result.findings.all;
     outcome = {true, figures.clean, figures.time_s, figures.feed_mm, ""};
   } catch (const InputError&) {
@@ -32,9 +32,9 @@ MethodOutcome outcome_of(const std::string& method, const Part& part, resolve::P
     outcome.cause = "as planned";
     return outcome;
   }
-  const plan::contour::Rest rest =
-      plan::contour::worst_rest(part.features.front().allowed, *rule, part.tools.front().radius(), options.tol);
-  outcome.cause = rest.cause == plan::contour::RestCause::kNone ? "other" : plan::contour::name_of(rest.cause);
+  const plan::contour::Rest rest = plan::contour::worst_rest(part.features.front().allowed, *rule,
+                                                             part.tools.front().radius(), options.tol);
+  outcome.cause = rest.cause == plan::contour::RestCause::kNone ? "other" : name_of(rest.cause);
   return outcome;
 }
 

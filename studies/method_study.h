@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "resolve/plan_options.h"
 #include "report/text_table.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::studies {
 

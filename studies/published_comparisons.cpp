@@ -84,7 +84,7 @@ std::optional<Figures> figures_of(const Part& part, const std::string& strategy,
   options.strategy = strategy;
   options.stepover = stepover;
   try {
-    return pipeline::plan(part, options).findings.all;
+    return pipeline::plan_part(part, options).findings.all;
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -140,7 +140,8 @@ std::string minutes(const Part& part, const std::string& strategy) {
   const auto figures = figures_of(part, strategy, std::nullopt, cutting);
   if (!figures) return "does not fit";
   const double feed = length_in_plan(*figures) / std::max(figures->feed_mm, 1e-9) * figures->time_naive_s;
-  return fmt::format("{:.2f}{}", pipeline::published_time(feed, figures->turns) / 60, figures->clean ? "" : " NO");
+  return fmt::format("{:.2f}{}", pipeline::published_time(feed, figures->turns) / 60,
+                     figures->clean ? "" : " NO");
 }
 
 }  // namespace
@@ -148,10 +149,14 @@ std::string minutes(const Part& part, const std::string& strategy) {
 report::TextTable length_comparison() {
   report::TextTable table;
   table.title = "CPO-kappa table 1: path lengths, mm; R = 4 mm, rivals at a step of 7.2 mm";
-  table.columns = {{"shape", report::Align::kLeft}, {"method", report::Align::kLeft},
-                   {"contours, theirs"},    {"ours"},
-                   {"added, theirs"},       {"ours"},
-                   {"total, theirs"},       {"ours"},
+  table.columns = {{"shape", report::Align::kLeft},
+                   {"method", report::Align::kLeft},
+                   {"contours, theirs"},
+                   {"ours"},
+                   {"added, theirs"},
+                   {"ours"},
+                   {"total, theirs"},
+                   {"ours"},
                    {"clean", report::Align::kLeft}};
   add_lengths(table, "concave", concave_star(),
               {{"proposed (lom)", "lom", 747.30, 0},

@@ -24,7 +24,8 @@ void ask_published(const Layer& layer, double pitch_mm, const plan::tour::TourSo
   plan::tour::plan_tour(layer, grid, answer, {});
 }
 
-bool with_largest_grid(const Layer& layer, double pitch_mm, const std::function<void(const plan::tour::TourTask&)>& use) {
+bool with_largest_grid(const Layer& layer, double pitch_mm,
+                       const std::function<void(const plan::tour::TourTask&)>& use) {
   const auto as_they_come = [](const plan::tour::TourTask& task) {
     std::vector<int> order(task.points.size());
     std::iota(order.begin(), order.end(), 0);

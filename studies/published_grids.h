@@ -16,6 +16,7 @@ order::Solution solved(const order::Problem& problem, const order::Objective& ob
 void ask_published(const Layer& layer, double pitch_mm, const plan::tour::TourSolver& answer);
 
 /// The largest of them. Its legal ways can be asked for only inside `use`. False where no grid has a point.
-bool with_largest_grid(const Layer& layer, double pitch_mm, const std::function<void(const plan::tour::TourTask&)>& use);
+bool with_largest_grid(const Layer& layer, double pitch_mm,
+                       const std::function<void(const plan::tour::TourTask&)>& use);
 
 }  // namespace clearcut::studies

@@ -10,15 +10,15 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/clearance.h"
+#include "model/layer.h"
+#include "model/pass.h"
+#include "plan/contour/contour.h"
+#include "plan/contour/side_offsets.h"
 #include "studies/published_comparisons.h"
 #include "studies/reproduce_objectives.h"
 #include "studies/reproduce_orders.h"
 #include "studies/reproduce_scallop.h"
 #include "studies/reproduce_tour.h"
-#include "plan/contour/contour.h"
-#include "model/layer.h"
-#include "plan/contour/side_offsets.h"
-#include "model/pass.h"
 
 namespace clearcut::studies {
 namespace {
@@ -63,7 +63,7 @@ void add_rows(report::TextTable& table, const std::string& name, const Printed& 
 /// CPO-rho table 2.
 report::TextTable coefficients() {
   report::TextTable table = angle_table("CPO-rho table 2: recovery coefficients");
-  add_rows(table, "LOM", {.543, .629, .711, .786, .853, .909, .953, .982, .998}, 3, kappa);
+  add_rows(table, "LOM", {.543, .629, .711, .786, .853, .909, .953, .982, .998}, 3, plan::contour::kappa);
   const std::pair<double, Printed> rows[] = {{5, {.534, .603, .669, .729, .782, .827, .862, .886, .898}},
                                              {10, {.539, .616, .690, .758, .818, .868, .907, .934, .948}},
                                              {20, {.541, .622, .700, .772, .835, .889, .930, .958, .973}},
@@ -83,7 +83,9 @@ report::TextTable overlaps() {
   for (const int angle : kAngles) {
     const double alpha = radians(angle);
     printed.push_back(fmt::format("{:.2f}", std::sin(alpha / 2)));
-    ours.push_back(marked(std::round(1000 * (plan::contour::kappa(alpha) - plan::contour::rho(alpha, 5))) / 100, std::sin(alpha / 2), 2));
+    ours.push_back(
+        marked(std::round(1000 * (plan::contour::kappa(alpha) - plan::contour::rho(alpha, 5))) / 100,
+               std::sin(alpha / 2), 2));
   }
   table.add(printed);
   table.add(ours);
@@ -101,7 +103,7 @@ Region equilateral(double edge) {
 double total_by_formulas(double edge, double radius, double step) {
   SideList list;
   for (int i = 0; i < 3; ++i) list.sides.push_back({edge, kPi / 3, 0});
-  return published_length(list, radius, 0, [&](double) { return step; }).total;
+  return plan::contour::published_length(list, radius, 0, [&](double) { return step; }).total;
 }
 
 /// CPO-kappa figure 10.
@@ -144,7 +146,9 @@ report::TextTable rho_triangle() {
   report::TextTable table;
   table.title = "CPO-rho figure 11: equilateral triangle, edge 100 mm, R = 8 mm";
   table.columns = {{"coefficient", report::Align::kLeft}, {"printed"}, {"ours"}};
-  table.add({"rho", "0.7187", marked(cut_to(plan::contour::rho(plan::contour::smallest_angle(equilateral(100)), 8), 4), 0.7187, 4)});
+  table.add(
+      {"rho", "0.7187",
+       marked(cut_to(plan::contour::rho(plan::contour::smallest_angle(equilateral(100)), 8), 4), 0.7187, 4)});
   return table;
 }
 

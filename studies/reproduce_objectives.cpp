@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "base/units.h"
-#include "studies/fishhead.h"
 #include "pipeline/engagement_model.h"
-#include "resolve/prepare.h"
-#include "studies/published_grids.h"
 #include "pipeline/tour_solver.h"
 #include "plan/common/layers.h"
+#include "resolve/prepare.h"
+#include "studies/fishhead.h"
+#include "studies/published_grids.h"
 
 namespace clearcut::studies {
 namespace {
@@ -39,7 +39,7 @@ std::vector<NamedLayer> fishhead_layers() {
   const Part part = resolve::prepare(fishhead(false, {}), options);
   std::vector<NamedLayer> layers;
   for (const auto& step : part.workplan) {
-    const auto& feature = report::feature_of(part, step);
+    const auto& feature = feature_of(part, step);
     const auto of_feature = plan::layers_of(feature, step.operation, kEndMill / 2, {});
     if (of_feature.empty()) continue;
     layers.push_back({feature.name, of_feature.front()});
@@ -108,8 +108,8 @@ struct Asked {
 
 std::vector<Asked> objectives_for(const plan::tour::TourTask& task) {
   const auto length = order::length_objective(), turns = order::turns_objective();
-  const auto engagement =
-      pipeline::engagement_objective(kEngagementShare, [&task] { return pipeline::raster_engagement(engagement_task(task)); });
+  const auto engagement = pipeline::engagement_objective(
+      kEngagementShare, [&task] { return pipeline::raster_engagement(engagement_task(task)); });
   return {{"length", length},
           {"turns", turns},
           {"turn angle", order::angle_objective()},
@@ -119,8 +119,9 @@ std::vector<Asked> objectives_for(const plan::tour::TourTask& task) {
           {"1 : 20 : 1", order::weighted_sum({{1, length}, {20, turns}, {1, engagement}})}};
 }
 
-void add_solution(report::TextTable& table, const std::string& name, const plan::tour::TourTask& task, const char* objective,
-                  const order::Solution& solution, double least_length, int least_turns) {
+void add_solution(report::TextTable& table, const std::string& name, const plan::tour::TourTask& task,
+                  const char* objective, const order::Solution& solution, double least_length,
+                  int least_turns) {
   const bool has_bound = solution.bound > 0;
   table.add({name, std::to_string(task.points.size()), objective, fmt::format("{:.0f}", solution.length),
              over(solution.length, least_length), std::to_string(solution.turns),
@@ -179,12 +180,12 @@ double matching_pitch(int target) {
 }
 
 void add_engagement(report::TextTable& table, const plan::tour::TourTask& task, int target) {
-  const auto objective =
-      pipeline::engagement_objective(target / 100.0, [&] { return pipeline::raster_engagement(engagement_task(task)); });
+  const auto objective = pipeline::engagement_objective(
+      target / 100.0, [&] { return pipeline::raster_engagement(engagement_task(task)); });
   const auto solution = solved(pipeline::grid_problem(task), *objective, 1);
   for (const bool exact : {false, true}) {
-    const auto model =
-        exact ? pipeline::exact_engagement(engagement_task(task)) : pipeline::raster_engagement(engagement_task(task));
+    const auto model = exact ? pipeline::exact_engagement(engagement_task(task))
+                             : pipeline::raster_engagement(engagement_task(task));
     add_histogram(table, task, target, exact ? "exact" : "raster", model->along(solution.tour));
   }
 }
@@ -241,7 +242,8 @@ report::TextTable engagement_table() {
     for (const bool is_matched : {false, true}) {
       for (int target = 20; target <= 100; target += 20) {
         const double pitch = is_matched ? matching_pitch(target) : kEndMill * target / 100;
-        with_largest_grid(layer, pitch, [&](const plan::tour::TourTask& task) { add_engagement(table, task, target); });
+        with_largest_grid(layer, pitch,
+                          [&](const plan::tour::TourTask& task) { add_engagement(table, task, target); });
       }
       if (!is_matched) table.add_rule();
     }

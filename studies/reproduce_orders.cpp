@@ -8,11 +8,11 @@
 #include "geometry/boolean.h"
 #include "order/lattice.h"
 #include "order/solve.h"
-#include "studies/fishhead.h"
-#include "resolve/prepare.h"
-#include "studies/published_grids.h"
 #include "pipeline/tour_solver.h"
 #include "plan/common/layers.h"
+#include "resolve/prepare.h"
+#include "studies/fishhead.h"
+#include "studies/published_grids.h"
 
 namespace clearcut::studies {
 namespace {
@@ -100,8 +100,8 @@ Job fishhead_figures(const Reading& reading, const order::Objective& objective) 
   Job job;
   std::vector<Layer> cut_before;  // the last layer of each step
   for (const auto& step : part.workplan) {
-    const double radius = report::tool_of(part, step).radius();
-    auto layers = plan::layers_of(report::feature_of(part, step), step.operation, radius, {});
+    const double radius = tool_of(part, step).radius();
+    auto layers = plan::layers_of(feature_of(part, step), step.operation, radius, {});
     if (layers.empty()) continue;
     const double pitch = radius > kEndMill ? reading.face_pitch : reading.pocket_pitch;
     // All layers have the same outline, so the same tour serves them all. Open sides: the target's own outline,
@@ -164,8 +164,12 @@ report::TextTable fishhead_table() {
   constexpr std::array<Reading, 2> kReadings{{{"50 % of D", 20, 5}, {"D", 40, 10}}};
   report::TextTable table;
   table.title = "Tour table 6.5: the fishhead, 40 mm face mill and 10 mm end mill, layers of 2 mm";
-  table.columns = {{"reading", report::Align::kLeft}, {"feed, bidirectional"}, {"turns"},
-                   {"feed, spiral"},          {"turn angle, deg"},     {"feed / printed"}};
+  table.columns = {{"reading", report::Align::kLeft},
+                   {"feed, bidirectional"},
+                   {"turns"},
+                   {"feed, spiral"},
+                   {"turn angle, deg"},
+                   {"feed / printed"}};
   table.add({"printed: GA", "25282", "423", "24103", "34686", "1.00"});
   table.add({"printed: NX", "24950", "415", "23830", "34090", "0.99"});
   table.add({"printed: FeatureCAM", "24395", "412", "23740", "34358", "0.96"});

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "studies/fishhead.h"
 #include "pipeline/run.h"
+#include "studies/fishhead.h"
 
 namespace clearcut::studies {
 namespace {
@@ -29,7 +29,7 @@ FeatureFindings planned(double asked) {
   resolve::PlanOptions options;
   options.strategy = "tour";
   options.scallop = asked;
-  const pipeline::PlanResult result = pipeline::plan(sloped_pocket(), options);
+  const pipeline::PlanResult result = pipeline::plan_part(sloped_pocket(), options);
   CLEARCUT_ASSERT(result.findings.all.clean && result.findings.features.front().scallop);
   return result.findings.features.front();
 }

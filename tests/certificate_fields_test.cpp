@@ -15,7 +15,7 @@ namespace {
 pipeline::PlanResult plan_example(resolve::PlanOptions options) {
   const std::string file = std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21";
   options.strategy = "contour";
-  return pipeline::plan(read::read_part(file, {}), options);
+  return pipeline::plan_part(read::read_part(file, {}), options);
 }
 
 void expect_figures(const nlohmann::json& json, const std::string& where) {
@@ -52,7 +52,7 @@ TEST(LeaningWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
   options.strategy = "contour";
   options.scallop = 0.3;
   const auto part = read::read_part(*test_support::data_folder() / "stepnc/fishhead_sloped.p21", {});
-  const auto result = pipeline::plan(part, options);
+  const auto result = pipeline::plan_part(part, options);
   EXPECT_TRUE(result.findings.all.clean);
   for (const auto& feature : result.findings.features) {
     if (feature.name != "POCKET3") continue;

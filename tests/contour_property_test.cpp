@@ -64,7 +64,7 @@ std::string fault_of(const RandomRegion& random_region, double diameter) {
   options.strategy = "contour";
   options.stepdown = 2;
   options.tools = {endmill(diameter)};
-  const auto result = pipeline::plan(pocket_of(random_region.region), options);
+  const auto result = pipeline::plan_part(pocket_of(random_region.region), options);
   if (result.findings.all.clean) return {};
   return result.findings.faults.empty() ? "not clean" : result.findings.faults.front().text;
 }

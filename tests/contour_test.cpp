@@ -169,7 +169,7 @@ TEST(Contour, EveryDataShapeIsCertifiedClean) {
       resolve::PlanOptions options;
       options.strategy = "contour";
       options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
-      const auto result = pipeline::plan(part, options);
+      const auto result = pipeline::plan_part(part, options);
       EXPECT_TRUE(result.findings.all.clean) << name << " " << diameter;
       for (const auto& fault : result.findings.faults)
         ADD_FAILURE() << name << " " << diameter << ": " << fault.text;
@@ -212,16 +212,20 @@ TEST(Contour, ClearsTheBreakersOfOtherPrograms) {
 
 TEST(Contour, ACutterAsWideAsTheSlotRunsOnceAlongIt) {
   for (const double width : {2.0, 2.0 + 1e-6, 2.0 - 1e-6}) {
-    const auto passes = plan::contour::plan_contour(pocket_layer(rectangle(30, width), 2), stepping("widest"), kTol);
+    const auto passes =
+        plan::contour::plan_contour(pocket_layer(rectangle(30, width), 2), stepping("widest"), kTol);
     ASSERT_EQ(passes.passes.size(), 1u) << width;
     EXPECT_NEAR(length(passes.passes[0].path), 28, 0.01) << width;
   }
 }
 
 TEST(Contour, ACutterThatDoesNotFitHasNoPasses) {
-  EXPECT_TRUE(plan::contour::plan_contour(pocket_layer(rectangle(30, 2), 2.1), stepping("widest"), kTol).passes.empty());
-  EXPECT_TRUE(linked({plan::contour::plan_contour(pocket_layer(rectangle(30, 2), 2.1), stepping("widest"), kTol)}, 1.05)
-                  .moves.empty());
+  EXPECT_TRUE(plan::contour::plan_contour(pocket_layer(rectangle(30, 2), 2.1), stepping("widest"), kTol)
+                  .passes.empty());
+  EXPECT_TRUE(
+      linked({plan::contour::plan_contour(pocket_layer(rectangle(30, 2), 2.1), stepping("widest"), kTol)},
+             1.05)
+          .moves.empty());
 }
 
 /// A star-shaped outline with `count` vertices and random radii.
@@ -265,8 +269,10 @@ TEST(Contour, PublishedAdditionsClearTheStarAtAPrice) {
   };
   Section ours;
   expect_clean(cut(layer, {}, &ours), "ours");
-  const double plain = length_with(plan::contour::ResidualRule::kNone), spurs = length_with(plan::contour::ResidualRule::kOurs);
-  const double loops = length_with(plan::contour::ResidualRule::kLoops), bisectors = length_with(plan::contour::ResidualRule::kBisectors);
+  const double plain = length_with(plan::contour::ResidualRule::kNone),
+               spurs = length_with(plan::contour::ResidualRule::kOurs);
+  const double loops = length_with(plan::contour::ResidualRule::kLoops),
+               bisectors = length_with(plan::contour::ResidualRule::kBisectors);
   EXPECT_LT(plain, spurs);
   EXPECT_LT(spurs, loops);
   EXPECT_LT(loops, bisectors);
@@ -320,7 +326,8 @@ TEST(Contour, RunsOutsideInOnRequestWithTheWallOnTheSameSide) {
 TEST(Contour, RingsRunOutsideInOnRequest) {
   auto options = stepping("0.5");
   options.outside_in = true;
-  const auto section = linked({plan::contour::plan_contour(pocket_layer(rectangle(50, 40), 6), options, kTol)}, 3);
+  const auto section =
+      linked({plan::contour::plan_contour(pocket_layer(rectangle(50, 40), 6), options, kTol)}, 3);
   const auto first_cut = std::find_if(section.moves.begin(), section.moves.end(),
                                       [](const Move& m) { return m.kind == MoveKind::kCut; });
   ASSERT_NE(first_cut, section.moves.end());
@@ -337,7 +344,8 @@ TEST(Contour, BeginsWhereAsked) {
 }
 
 TEST(Contour, LayersOfOneOutlineArePlannedOnce) {
-  const Strategy planner = plan::once_per_outline([](const Layer& layer) { return plan::contour::plan_contour(layer, {}, kTol); });
+  const Strategy planner =
+      plan::once_per_outline([](const Layer& layer) { return plan::contour::plan_contour(layer, {}, kTol); });
   Layer layer = pocket_layer(rectangle(50, 40), 6);
   const auto first = planner(layer);
   layer.z_top = -2;

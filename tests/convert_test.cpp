@@ -1,10 +1,10 @@
 // A part keeps its program on the way through another format.
 #include <gtest/gtest.h>
 
-#include "resolve/prepare.h"
 #include "pipeline/run.h"
 #include "post/part/stepnc_writer.h"
 #include "read/read_part.h"
+#include "resolve/prepare.h"
 #include "support/data.h"
 #include "support/programs.h"
 
@@ -31,7 +31,7 @@ std::vector<Drawing> drawings() {
 
 /// The program without its header, whose first lines name the part's file and format.
 std::string program_of(const Part& part, const resolve::PlanOptions& options) {
-  const std::string program = pipeline::plan(part, options).program;
+  const std::string program = pipeline::plan_part(part, options).program;
   return program.substr(program.find("G21"));
 }
 
@@ -43,7 +43,8 @@ TEST(Convert, ADrawingAsStepNcHasTheSameProgram) {
     resolve::PlanOptions options;
     options.tools = {resolve::parse_tool(drawing.tool)};
     const std::string wanted = program_of(drawn, options);
-    const Part stepnc = read::read_part_text(post::write_stepnc(resolve::with_tools(drawn, options)), "again.p21", {});
+    const Part stepnc = read::read_part_text(
+        post::write_stepnc(resolve::with_tools(drawn, options)), "again.p21", {});
     EXPECT_EQ(test_support::first_difference(program_of(stepnc, options), wanted), "") << drawing.file;
   }
 }

@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "resolve/prepare.h"
 #include "pipeline/run.h"
+#include "resolve/prepare.h"
 
 namespace clearcut {
 namespace {
@@ -50,10 +50,10 @@ TEST(ExactFit, TheWidestCutterIsPlannedCleanAndAWiderOneRefused) {
     const Part part = random_pocket(seed);
     const double widest = resolve::largest_fitting_diameter(part.features[0], {});
     for (const double over : {-0.0004, 0.0, 0.0006}) {
-      const auto result = pipeline::plan(part, with_diameter(widest + over));
+      const auto result = pipeline::plan_part(part, with_diameter(widest + over));
       EXPECT_TRUE(result.findings.all.clean) << seed << " over by " << over;
     }
-    EXPECT_THROW(pipeline::plan(part, with_diameter(widest + 0.01)), InputError) << seed;
+    EXPECT_THROW(pipeline::plan_part(part, with_diameter(widest + 0.01)), InputError) << seed;
   }
 }
 
@@ -133,7 +133,7 @@ TEST(ExactFit, PlannerAndVerifierAgreeAboutSlotsOfTheCuttersWidthToMicrometres) 
     resolve::PlanOptions options = with_diameter(diameter);
     options.strategy = "contour";
     try {
-      const auto result = pipeline::plan(part, options);
+      const auto result = pipeline::plan_part(part, options);
       EXPECT_TRUE(result.findings.all.clean) << seed << " over by " << over;
       ++planned;
     } catch (const InputError&) {

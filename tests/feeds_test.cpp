@@ -31,7 +31,7 @@ TEST(Feeds, EveryKindOfMoveHasItsOwn) {
     options.shop.link_feed = MmPerMin::of(444);
     options.lead = 1;
     options.entry = EntryKind::kHelix;
-    const auto result = pipeline::plan(pocket_with_island(6), options);
+    const auto result = pipeline::plan_part(pocket_with_island(6), options);
     ASSERT_TRUE(result.findings.all.clean) << strategy;
     std::set<double> level;
     for (const auto& section : result.toolpath.sections) {
@@ -87,7 +87,7 @@ TEST(Feeds, WhatIsFasterThanTheCuttingFeedCutsNothing) {
       options.threads = 1;
       if (i % 2) options.shop.link_feed = MmPerMin::of(3000);
       try {
-        const auto result = pipeline::plan(part, options);
+        const auto result = pipeline::plan_part(part, options);
         const double feed = result.part.workplan.front().operation.cutting.feed->mm_per_min();
         EXPECT_LT(widest_contact_above(result, feed), 5) << strategy << ", seed " << i + 1;
       } catch (const InputError&) {

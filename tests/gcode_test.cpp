@@ -107,7 +107,8 @@ TEST(GcodeCorpus, OtherDialectsMeanWhatTheySay) {
   };
   for (const Row& row : rows) {
     SCOPED_TRACE(row.file);
-    const read::gcode::Program program = load(fs::path(CLEARCUT_SOURCE_DIR) / "tests/corpus/gcode/other" / row.file);
+    const read::gcode::Program program =
+        load(fs::path(CLEARCUT_SOURCE_DIR) / "tests/corpus/gcode/other" / row.file);
     EXPECT_EQ(program.ended, row.ended);
     ASSERT_EQ(program.toolpath.sections.size(), row.sections);
     double cut = 0;

@@ -60,7 +60,8 @@ bool is_solid(const Example& example) {
 
 resolve::PlanOptions options_of(const Case& c, bool inch) {
   resolve::PlanOptions options;
-  if (c.example.file == std::string("bracket.toml")) options.machine = read::read_job(file_of(c.example)).machine;
+  if (c.example.file == std::string("bracket.toml"))
+    options.machine = read::read_job(file_of(c.example)).machine;
   if (c.example.tool) options.tools = {resolve::parse_tool(*c.example.tool)};
   options.stepdown = c.example.stepdown;
   options.post.dialect = c.dialect;
@@ -96,10 +97,10 @@ void expect_accepted(const std::string& dialect, const std::string& program) {
 Toolpath checked_program(const Case& c, bool inch) {
   const Part part = read::read_part(file_of(c.example), {});
   const resolve::PlanOptions options = options_of(c, inch);
-  const std::string program = pipeline::plan(part, options).program;
+  const std::string program = pipeline::plan_part(part, options).program;
   const std::string wanted = golden(c, inch, program);
   EXPECT_EQ(test_support::first_difference(program, wanted), "");
-  const pipeline::JudgeResult judged = pipeline::judge(part, wanted, "golden", options);
+  const pipeline::CheckResult judged = pipeline::check_program(part, wanted, "golden", options);
   EXPECT_TRUE(judged.findings.all.clean)
       << (judged.findings.faults.empty() ? "" : judged.findings.faults[0].text);
   expect_accepted(c.dialect, wanted);
@@ -117,7 +118,7 @@ void expect_same_path(const Toolpath& one, const Toolpath& other, double limit) 
 
 /// mm; what rounding to either unit's decimals may part, and 1 um.
 double limit_of(const std::string& dialect) {
-  post::PostOptions metric, inch;
+  PostOptions metric, inch;
   metric.dialect = inch.dialect = dialect;
   inch.inch = true;
   return 0.001 + 2 * post::rounding_of(metric) + 2 * post::rounding_of(inch);
@@ -135,7 +136,8 @@ TEST(OtherFormsOfTheBracket, GiveItsGoldenProgram) {
     SCOPED_TRACE(file);
     const Case c{{file, kBracket.folder, kBracket.tool, kBracket.stepdown}, "linuxcnc"};
     if (is_solid(c.example) && !read::solids_can_be_read()) continue;
-    const pipeline::PlanResult result = pipeline::plan(read::read_part(file_of(c.example), {}), options_of(c, false));
+    const pipeline::PlanResult result =
+        pipeline::plan_part(read::read_part(file_of(c.example), {}), options_of(c, false));
     EXPECT_TRUE(result.findings.all.clean);
     const std::string wanted =
         read_file((fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden/examples/bracket/linuxcnc-mm.ngc").string());
@@ -147,7 +149,8 @@ TEST(OtherFormsOfTheBracket, GiveItsGoldenProgram) {
 /// The grid's own reduction leaves corners uncut; all else is as for any other program.
 Toolpath checked_elements(const std::string& dialect, bool inch) {
   const Case c{kFivePockets, dialect};
-  const pipeline::ElementsResult result = pipeline::plan_elements(read::read_elements(file_of(kFivePockets)), options_of(c, inch));
+  const pipeline::ElementsResult result =
+      pipeline::plan_elements(read::read_elements(file_of(kFivePockets)), options_of(c, inch));
   const std::string wanted = golden(c, inch, result.plan.program);
   EXPECT_EQ(test_support::first_difference(result.plan.program, wanted), "");
   for (const Fault& fault : result.plan.findings.faults)

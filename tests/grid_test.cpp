@@ -42,7 +42,7 @@ diameter = 6
 number = 2
 diameter = 4
 )" + elements,
-                            "job.toml");
+                                  "job.toml");
 }
 
 std::string square_pocket(double side, double radius, const std::string& rule) {
@@ -247,9 +247,12 @@ TEST(RectangleInterpolator, IsTheSameFromEveryCornerAndHoldsExactlyTheSquaresIns
     }
     EXPECT_EQ(squares, inside) << "row by row from the lower left";
     using enum Corner;
-    EXPECT_EQ(squares, plan::grid::activate_rectangle(rectangle({right, low}, length, width, kLowerRight), grid));
-    EXPECT_EQ(squares, plan::grid::activate_rectangle(rectangle({left, high}, length, width, kUpperLeft), grid));
-    EXPECT_EQ(squares, plan::grid::activate_rectangle(rectangle({right, high}, length, width, kUpperRight), grid));
+    EXPECT_EQ(squares,
+              plan::grid::activate_rectangle(rectangle({right, low}, length, width, kLowerRight), grid));
+    EXPECT_EQ(squares,
+              plan::grid::activate_rectangle(rectangle({left, high}, length, width, kUpperLeft), grid));
+    EXPECT_EQ(squares,
+              plan::grid::activate_rectangle(rectangle({right, high}, length, width, kUpperRight), grid));
   }
 }
 
@@ -268,7 +271,8 @@ TEST(EdgePointSearch, FindsTheGeometricEdges) {
   Random random(5);
   for (int trial = 0; trial < 100; ++trial) {
     const int columns = 2 + int(random.below(15)), rows = 2 + int(random.below(15));
-    const auto squares = plan::grid::activate_rectangle(rectangle({3, 4}, columns - 1, rows - 1), grid_with(1));
+    const auto squares =
+        plan::grid::activate_rectangle(rectangle({3, 4}, columns - 1, rows - 1), grid_with(1));
     plan::grid::ElementEdges expected;
     for (std::size_t i = 0; i < squares.size(); ++i) {
       const int column = squares[i].column - 3, row = squares[i].row - 4;

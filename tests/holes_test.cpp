@@ -17,7 +17,7 @@ namespace clearcut {
 namespace {
 
 using test_support::expect_clean;
-using test_support::with_tools;
+using test_support::plan_options_with;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -56,7 +56,8 @@ bool descends_on_a_helix(const Toolpath& toolpath) {
 }
 
 TEST(Holes, ADrillOfItsSizeGoesStraightDownOnce) {
-  const auto result = pipeline::plan(part_with_hole(6, 10), resolve::with_tools({"drill:6"}));
+  const auto result =
+      pipeline::plan_part(part_with_hole(6, 10), test_support::plan_options_with({"drill:6"}));
   expect_clean(result, "6 in 6");
   EXPECT_NEAR(result.findings.all.plunge_mm, 11, 1e-6);
   EXPECT_THAT(result.program, HasSubstr("G98 G81 X2.54 Y-5.08 Z-10 R1 F"));
@@ -65,7 +66,8 @@ TEST(Holes, ADrillOfItsSizeGoesStraightDownOnce) {
 }
 
 TEST(Holes, DeepOnesArePeckedAndTheControlSaysSoInOneBlock) {
-  const auto result = pipeline::plan(part_with_hole(6, 30), resolve::with_tools({"drill:6"}));
+  const auto result =
+      pipeline::plan_part(part_with_hole(6, 30), test_support::plan_options_with({"drill:6"}));
   expect_clean(result, "6 mm, 30 deep");
   EXPECT_THAT(result.program, HasSubstr("G98 G83 X2.54 Y-5.08 Z-30 R1 Q6 F"));
 }
@@ -73,10 +75,10 @@ TEST(Holes, DeepOnesArePeckedAndTheControlSaysSoInOneBlock) {
 TEST(Holes, EveryControlMakesTheSameHole) {
   for (const auto& dialect : post::post_dialects()) {
     for (const bool inch : {false, true}) {
-      resolve::PlanOptions options = resolve::with_tools({"drill:6"});
+      resolve::PlanOptions options = test_support::plan_options_with({"drill:6"});
       options.post.dialect = dialect;
       options.post.inch = inch;
-      const auto result = pipeline::plan(part_with_hole(6, 30), options);
+      const auto result = pipeline::plan_part(part_with_hole(6, 30), options);
       expect_clean(result, dialect);
       EXPECT_NEAR(result.findings.all.plunge_mm, 31 + 5 * 0.254, 0.5) << dialect;
       const bool cycles = dialect != "grbl" && dialect != "marlin" && dialect != "heidenhain";
@@ -87,7 +89,8 @@ TEST(Holes, EveryControlMakesTheSameHole) {
 
 TEST(Holes, TheControlsOwnInterpreterDrillsAsWeRead) {
   CLEARCUT_SKIP_WITHOUT_RS274();
-  const auto result = pipeline::plan(part_with_hole(6, 30), resolve::with_tools({"drill:6"}));
+  const auto result =
+      pipeline::plan_part(part_with_hole(6, 30), test_support::plan_options_with({"drill:6"}));
   const auto canon = test_support::run_rs274(result.program);
   ASSERT_TRUE(canon.accepted) << canon.message;
   double lowest = 0;
@@ -104,7 +107,8 @@ TEST(Holes, TheDrillIsPreferredToAMillAndUsedForHolesOnly) {
   pocket.floor_z = -3;
   part.features.push_back(pocket);
   part.workplan.push_back({"POCKETING", "", 1, {}});
-  const auto result = pipeline::plan(part, resolve::with_tools({"endmill:5:T1", "drill:6:T2", "drill:8:T3"}));
+  const auto result = pipeline::plan_part(
+      part, test_support::plan_options_with({"endmill:5:T1", "drill:6:T2", "drill:8:T3"}));
   expect_clean(result, "drill and mill");
   EXPECT_EQ(result.findings.features[0].tool_number, 2);
   EXPECT_EQ(result.findings.features[1].tool_number, 1);
@@ -112,7 +116,7 @@ TEST(Holes, TheDrillIsPreferredToAMillAndUsedForHolesOnly) {
 
 TEST(Holes, ADrillNeverMills) {
   Part part = part_with_hole(12, 4);
-  const auto result = pipeline::plan(part, resolve::with_tools({"drill:6"}));
+  const auto result = pipeline::plan_part(part, test_support::plan_options_with({"drill:6"}));
   EXPECT_FALSE(result.findings.all.clean) << "a ring is left, and the certificate says so";
   EXPECT_GT(result.findings.all.uncut_thickness_mm, 2.9);
   for (const Section& section : result.toolpath.sections) {
@@ -122,7 +126,7 @@ TEST(Holes, ADrillNeverMills) {
       Region::from_valid_loops(loop_from_points(std::vector<Vec2>{{0, 0}, {20, 0}, {20, 20}, {0, 20}}), {})};
   part.features[0].kind = FeatureKind::kClosedPocket;
   try {
-    pipeline::plan(part, resolve::with_tools({"drill:6"}));
+    pipeline::plan_part(part, test_support::plan_options_with({"drill:6"}));
     FAIL() << "a square drilled";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("only makes round holes; HOLE needs a mill"));
@@ -134,7 +138,8 @@ TEST(Holes, SmallerMillsBoreAlongAHelixAndCloseTheFloor) {
   for (int i = 0; i < 40; ++i) {
     const double tool = random.between(2, 12), hole = tool * random.between(1.12, 1.9);
     const auto result =
-        pipeline::plan(part_with_hole(hole, random.between(1, 20)), resolve::with_tools({"endmill:" + std::to_string(tool)}));
+        pipeline::plan_part(part_with_hole(hole, random.between(1, 20)),
+                            test_support::plan_options_with({"endmill:" + std::to_string(tool)}));
     expect_clean(result, std::to_string(tool) + " in " + std::to_string(hole));
     EXPECT_TRUE(descends_on_a_helix(result.toolpath)) << tool << " in " << hole;
     EXPECT_LE(result.findings.all.max_axial_mm, tool / 2 + 0.01);
@@ -143,10 +148,10 @@ TEST(Holes, SmallerMillsBoreAlongAHelixAndCloseTheFloor) {
 
 TEST(Holes, BoringClimbsWithTheSpindleEitherWayRound) {
   for (const bool clockwise : {true, false}) {
-    resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
+    resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
     Part part = part_with_hole(10, 6);
     part.workplan[0].operation.cutting.spindle_clockwise = clockwise;
-    const auto result = pipeline::plan(part, options);
+    const auto result = pipeline::plan_part(part, options);
     expect_clean(result, "10 by 6");
     for (const Move& move : result.toolpath.sections[0].moves) {
       if (!move.path.is_arc()) continue;
@@ -156,9 +161,9 @@ TEST(Holes, BoringClimbsWithTheSpindleEitherWayRound) {
 }
 
 TEST(Holes, StockIsLeftInABore) {
-  resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
   options.allowance = 0.25;
-  const auto result = pipeline::plan(part_with_hole(10, 6), options);
+  const auto result = pipeline::plan_part(part_with_hole(10, 6), options);
   expect_clean(result, "with stock to leave");
   double farthest = 0;
   for (const Move& move : result.toolpath.sections[0].moves)
@@ -167,14 +172,15 @@ TEST(Holes, StockIsLeftInABore) {
 }
 
 TEST(Holes, WideOnesAreClearedLikePockets) {
-  const auto result = pipeline::plan(part_with_hole(30, 6), resolve::with_tools({"endmill:6"}));
+  const auto result =
+      pipeline::plan_part(part_with_hole(30, 6), test_support::plan_options_with({"endmill:6"}));
   expect_clean(result, "30 by 6");
 }
 
 TEST(Holes, PublishedSampleIsDrilledAndClean) {
   CLEARCUT_SKIP_WITHOUT_DATA();
   const auto file = *test_support::data_folder() / "stepnc/ufsc_hole_slot_step_pocket.p21";
-  const auto result = pipeline::plan(read::read_part(file, {}), {});
+  const auto result = pipeline::plan_part(read::read_part(file, {}), {});
   expect_clean(result, "ufsc");
   EXPECT_THAT(result.program, HasSubstr("G81 X20 Y10 Z30"));
   EXPECT_THAT(result.program, Not(HasSubstr("SKIPPED")));
@@ -183,7 +189,7 @@ TEST(Holes, PublishedSampleIsDrilledAndClean) {
 TEST(Holes, DrilledThenReamedAsTheStandardsExampleAsks) {
   CLEARCUT_SKIP_WITHOUT_DATA();
   const auto file = *test_support::data_folder() / "stepnc/iso14649_11_ex1_nist.stp";
-  const auto result = pipeline::plan(read::read_part(file, {}), {});
+  const auto result = pipeline::plan_part(read::read_part(file, {}), {});
   expect_clean(result, "example 1");
   EXPECT_EQ(result.findings.features[1].tool_diameter, 20);
   EXPECT_EQ(result.findings.features[2].tool_diameter, 22);
@@ -202,7 +208,7 @@ Part pocket_with_drilled_hole(double drill, double hole_depth) {
   Tool mill;
   mill.diameter = 6;
   mill.center_cutting = false;
-  part.tools = {test_support::with_tools({"drill:" + std::to_string(drill) + ":T2"}).tools.front(), mill};
+  part.tools = {test_support::plan_options_with({"drill:" + std::to_string(drill) + ":T2"}).tools.front(), mill};
   part.workplan[0].operation.tool = 0;
   part.workplan[1].operation.tool = 1;
   part.workplan[1].operation.entry = EntryKind::kPlunge;
@@ -226,7 +232,7 @@ TEST(Holes, ADrilledHoleIsTheWayDownIntoThePocketRoundIt) {
   for (const std::string strategy : {"contour", "zigzag", "spiral", "adaptive", "tour", "auto"}) {
     resolve::PlanOptions options;
     options.strategy = strategy;
-    const auto result = pipeline::plan(pocket_with_drilled_hole(8, 6), options);
+    const auto result = pipeline::plan_part(pocket_with_drilled_hole(8, 6), options);
     expect_clean(result, strategy);
     EXPECT_EQ(entries_beside_hole(result), 0) << strategy;
   }
@@ -236,7 +242,7 @@ TEST(Holes, AHoleThatIsTooShallowOrTooNarrowIsNoWayDown) {
   resolve::PlanOptions options;
   options.strategy = "contour";
   for (const Part& part : {pocket_with_drilled_hole(8, 4), pocket_with_drilled_hole(5, 6)}) {
-    const auto result = pipeline::plan(part, options);
+    const auto result = pipeline::plan_part(part, options);
     EXPECT_GT(entries_beside_hole(result), 0);
   }
 }

@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "resolve/prepare.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
+#include "resolve/prepare.h"
 #include "support/command.h"
 #include "support/data.h"
 #include "support/plans.h"
@@ -25,7 +25,7 @@ using test_support::with_tool;
 
 pipeline::PlanResult plan_outline(const std::string& json, double diameter) {
   const test_support::ScratchFolder folder;
-  return pipeline::plan(read::read_part(folder.file("a.json", json), {}), with_tool(diameter));
+  return pipeline::plan_part(read::read_part(folder.file("a.json", json), {}), with_tool(diameter));
 }
 
 std::string outline(const std::string& outer, const std::string& islands = "[]") {
@@ -55,7 +55,7 @@ TEST(MainJob, ExactFitsArePlungedOrCutInOnePass) {
       resolve::PlanOptions options = with_tool(10);
       options.strategy = strategy;
       const test_support::ScratchFolder folder;
-      const auto result = pipeline::plan(read::read_part(folder.file("a.json", json), {}), options);
+      const auto result = pipeline::plan_part(read::read_part(folder.file("a.json", json), {}), options);
       expect_clean(result, strategy + " " + json);
       EXPECT_NEAR(result.findings.all.feed_mm, 3, 1e-9) << json;  // from 1 mm over the top, down 2
       EXPECT_EQ(result.findings.all.retracts, 0) << json;
@@ -98,7 +98,7 @@ TEST(MainJob, StockOnWallsAndRoundCornersLeaveNothingAtOpenSides) {
   for (const char* tool : {"endmill:10", "bullnose:10:corner=1.5"}) {
     for (const double allowance : {0.0, 1.0}) {
       const std::string what = std::string(tool) + " leaving " + std::to_string(allowance);
-      expect_clean(pipeline::plan(faced_block(resolve::parse_tool(tool), allowance), {}), what);
+      expect_clean(pipeline::plan_part(faced_block(resolve::parse_tool(tool), allowance), {}), what);
     }
   }
 }
@@ -106,8 +106,8 @@ TEST(MainJob, StockOnWallsAndRoundCornersLeaveNothingAtOpenSides) {
 TEST(MainJob, FishheadIsCleanInEveryWorkingstep) {
   resolve::PlanOptions options;
   options.stepdown = 2;
-  const auto result =
-      pipeline::plan(read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
+  const auto result = pipeline::plan_part(
+      read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
   ASSERT_EQ(result.findings.features.size(), 10u);
   for (const auto& feature : result.findings.features) {
     EXPECT_TRUE(feature.figures.clean) << feature.name;
@@ -121,15 +121,16 @@ TEST(MainJob, PublishedFishheadFileIsCleanToo) {
   CLEARCUT_SKIP_WITHOUT_DATA();
   resolve::PlanOptions options;
   options.stepdown = 2;
-  expect_clean(pipeline::plan(read::read_part(*data_folder() / "stepnc/fishhead.p21", {}), options), "published fishhead");
+  expect_clean(pipeline::plan_part(read::read_part(*data_folder() / "stepnc/fishhead.p21", {}), options),
+               "published fishhead");
 }
 
 TEST(MainJob, ControllersOwnInterpreterAcceptsTheProgram) {
   CLEARCUT_SKIP_WITHOUT_RS274();
   resolve::PlanOptions options;
   options.stepdown = 2;
-  const auto result =
-      pipeline::plan(read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
+  const auto result = pipeline::plan_part(
+      read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21", {}), options);
   const auto canon = test_support::run_rs274(result.program);
   EXPECT_TRUE(canon.accepted) << canon.message;
   EXPECT_GT(canon.moves.size(), 100u);
@@ -145,10 +146,11 @@ TEST_P(Shapes, AreCleanOrRefusedByName) {
     if (entry.path().extension() != ".json") continue;
     const auto part = read::read_part(entry.path(), {});
     if (resolve::largest_fitting_diameter(part.features.at(0), {}) + Tolerances{}.fit < GetParam()) {
-      EXPECT_THROW(pipeline::plan(part, with_tool(GetParam())), InputError) << name;
+      EXPECT_THROW(pipeline::plan_part(part, with_tool(GetParam())), InputError) << name;
       continue;
     }
-    expect_clean(pipeline::plan(part, with_tool(GetParam())), name + " with " + std::to_string(GetParam()));
+    expect_clean(pipeline::plan_part(part, with_tool(GetParam())),
+                 name + " with " + std::to_string(GetParam()));
     ++planned;
   }
   EXPECT_GE(planned, 15);

@@ -7,10 +7,10 @@
 
 #include "base/file.h"
 #include "geometry/boolean.h"
-#include "studies/method_study.h"
 #include "pipeline/run.h"
 #include "pipeline/tool_sets.h"
 #include "read/read_part.h"
+#include "studies/method_study.h"
 #include "support/command.h"
 
 namespace clearcut {
@@ -70,7 +70,7 @@ double fastest_by_trial(const Part& part, const std::vector<Tool>& tools, double
                         resolve::PlanOptions options) {
   const auto planned = [&](const std::vector<Tool>& of) {
     options.tools = of;
-    return pipeline::plan(part, options).findings.all;
+    return pipeline::plan_part(part, options).findings.all;
   };
   options.shop.rest = true;
   const double corners = planned({tools.front()}).unreachable_mm2;
@@ -150,7 +150,7 @@ TEST(Methods, CompareShowsWhatEveryRivalAdds) {
 TEST(Methods, OnRandomPocketsOursIsCleanAndNeverSlowerThanACleanRival) {
   std::map<std::string, int> clean, causes;
   int cases = 0;
-  study_methods(30, 1, {}, [&](const studies::StudyCase& one) {
+  studies::study_methods(30, 1, {}, [&](const studies::StudyCase& one) {
     ++cases;
     EXPECT_FALSE(one.faster) << "seed " << one.seed << ": " << one.faster.value_or("");
     for (const auto& [method, outcome] : one.outcomes) {

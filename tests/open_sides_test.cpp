@@ -133,7 +133,7 @@ TEST_P(OpenSides, AreWhereTheCutterComesIn) {
     const Part part = seed % 2 ? random_notch(random, diameter) : random_block(random, diameter);
     if (part.features.empty()) continue;
     try {
-      const auto result = pipeline::plan(part, options);
+      const auto result = pipeline::plan_part(part, options);
       const Entries entries = entries_of(result);
       ++parts;
       unclean += !result.findings.all.clean;

@@ -23,14 +23,14 @@ using test_support::largest_distance;
 struct Case {
   std::string folder;
   std::vector<std::string> dialects;
-  post::PostOptions options;
+  PostOptions options;
 };
 
 std::vector<Case> cases() {
-  post::PostOptions lines;
+  PostOptions lines;
   lines.arcs = false;
   lines.tol.chord = 0.01;
-  post::PostOptions by_hand;
+  PostOptions by_hand;
   by_hand.tool_changer = false;
   by_hand.exact_stop = true;
   by_hand.spindle_wait = Seconds::of(4);
@@ -58,8 +58,8 @@ Part golden_part() {
   return part;
 }
 
-post::PostOptions options_of(const Case& c, const std::string& dialect, bool inch) {
-  post::PostOptions options = c.options;
+PostOptions options_of(const Case& c, const std::string& dialect, bool inch) {
+  PostOptions options = c.options;
   options.dialect = dialect;
   options.inch = inch;
   options.program_name = c.folder;
@@ -83,11 +83,13 @@ void expect_same(const Toolpath& wanted, const Toolpath& got, double tolerance) 
 }
 
 void check(const Case& c, const std::string& dialect, bool inch) {
-  const post::PostOptions options = options_of(c, dialect, inch);
-  const fs::path file = folder_of(c) / (dialect + (inch ? "-inch" : "-mm") + post::file_extension_of(dialect));
+  const PostOptions options = options_of(c, dialect, inch);
+  const fs::path file =
+      folder_of(c) / (dialect + (inch ? "-inch" : "-mm") + post::file_extension_of(dialect));
   SCOPED_TRACE(file);
-  const Toolpath input = read::gcode::read_gcode(read_file((folder_of(c) / "input.ngc").string()), "input.ngc").toolpath;
-  const std::string text = post::post(input, golden_part(), options);
+  const Toolpath input =
+      read::gcode::read_gcode(read_file((folder_of(c) / "input.ngc").string()), "input.ngc").toolpath;
+  const std::string text = post::write_program(input, golden_part(), options);
   if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) std::ofstream(file, std::ios::binary) << text;
   ASSERT_TRUE(fs::exists(file));
   const std::string wanted = read_file(file.string());

@@ -198,8 +198,8 @@ void expect_same(const Toolpath& wanted, const Toolpath& got, double aside, doub
   }
 }
 
-post::PostOptions options_for(const std::string& dialect, bool inch) {
-  post::PostOptions options;
+PostOptions options_for(const std::string& dialect, bool inch) {
+  PostOptions options;
   options.dialect = dialect;
   options.inch = inch;
   return options;
@@ -212,7 +212,7 @@ TEST_P(RoundTrip, RandomToolpathsComeBack) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const bool inch = seed % 2 == 0;
     const Toolpath toolpath = RandomPath(seed).toolpath(1 + static_cast<int>(seed % 7), 30);
-    const std::string text = post::post(toolpath, Part{}, options_for(GetParam(), inch));
+    const std::string text = post::write_program(toolpath, Part{}, options_for(GetParam(), inch));
     const read::gcode::Program program = read::gcode::read_gcode(text, "random");
     EXPECT_TRUE(program.ended);
     expect_joined(program.toolpath);
@@ -228,7 +228,8 @@ TEST(LinuxCnc, InterpreterMakesTheSameMotionOfRandomPrograms) {
   CLEARCUT_SKIP_WITHOUT_RS274();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const std::string text = post::post(RandomPath(seed).toolpath(4, 100), Part{}, options_for("linuxcnc", false));
+    const std::string text =
+        post::write_program(RandomPath(seed).toolpath(4, 100), Part{}, options_for("linuxcnc", false));
     const test_support::CanonProgram canon = test_support::run_rs274(text);
     ASSERT_TRUE(canon.accepted) << canon.message;
     test_support::expect_same_motion(canon, read::gcode::read_gcode(text, "random.ngc").toolpath, 2e-4);
@@ -242,7 +243,8 @@ TEST(LinuxCnc, InterpreterTakesEveryDialectCloseToItsOwn) {
     for (const bool inch : {false, true}) {
       for (std::uint64_t seed = 100; seed < 102; ++seed) {
         SCOPED_TRACE(dialect + std::to_string(seed));
-        const std::string text = post::post(RandomPath(seed).toolpath(4, 50), Part{}, options_for(dialect, inch));
+        const std::string text =
+            post::write_program(RandomPath(seed).toolpath(4, 50), Part{}, options_for(dialect, inch));
         const test_support::CanonProgram canon = test_support::run_rs274(text);
         EXPECT_TRUE(canon.accepted) << canon.message;
       }
@@ -300,7 +302,7 @@ TEST(GrblChecker, KnowsTheErrors) {
 TEST(Grbl, TakesEveryLine) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const std::string text =
-        post::post(RandomPath(seed).toolpath(4, 60), Part{}, options_for("grbl", seed % 2 == 0));
+        post::write_program(RandomPath(seed).toolpath(4, 60), Part{}, options_for("grbl", seed % 2 == 0));
     for (const auto& fault : test_support::grbl_faults(text)) {
       ADD_FAILURE() << "seed " << seed << " line " << fault.line << " error " << fault.error << ": "
                     << fault.text;
@@ -316,10 +318,11 @@ TEST(Dialects, LinesFitTheControl) {
   ASSERT_EQ(limits.size(), post::post_dialects().size());
   for (const auto& [dialect, limit] : limits) {
     for (const bool inch : {false, true}) {
-      post::PostOptions options = options_for(dialect, inch);
+      PostOptions options = options_for(dialect, inch);
       options.decimals = 6;
       options.header = {std::string(300, 'X')};
-      for (const std::string& line : lines_of(post::post(RandomPath(3).toolpath(3, 50), Part{}, options))) {
+      for (const std::string& line :
+           lines_of(post::write_program(RandomPath(3).toolpath(3, 50), Part{}, options))) {
         EXPECT_LE(line.size(), limit) << dialect << ": " << line;
       }
     }
@@ -329,7 +332,7 @@ TEST(Dialects, LinesFitTheControl) {
 TEST(Dialects, NumbersAreNeverMinusZeroOrExponents) {
   for (const std::string& dialect : post::post_dialects()) {
     for (const std::string& line :
-         lines_of(post::post(RandomPath(5).toolpath(5, 100), Part{}, options_for(dialect, false)))) {
+         lines_of(post::write_program(RandomPath(5).toolpath(5, 100), Part{}, options_for(dialect, false)))) {
       const std::string words = words_of(line) + " ";
       EXPECT_EQ(words.find("-0 "), std::string::npos) << line;
       EXPECT_EQ(words.find("-0. "), std::string::npos) << line;
@@ -343,7 +346,7 @@ TEST(Dialects, FanucAndHaasAlwaysWriteThePoint) {
   for (const std::string dialect : {"fanuc", "haas"}) {
     int numbers = 0;
     for (const std::string& line :
-         lines_of(post::post(RandomPath(6).toolpath(3, 50), Part{}, options_for(dialect, false)))) {
+         lines_of(post::write_program(RandomPath(6).toolpath(3, 50), Part{}, options_for(dialect, false)))) {
       std::istringstream words(words_of(line));
       for (std::string word; words >> word;) {
         if (std::string("XYZIJF").find(word[0]) == std::string::npos) continue;
@@ -364,7 +367,8 @@ TEST(Dialects, WordsAControlDoesNotKnowAreNotWritten) {
       {"haas", {"G91.1", "G64", "G28"}},
   };
   for (const auto& [dialect, words] : never) {
-    const std::string text = post::post(RandomPath(7).toolpath(6, 10), Part{}, options_for(dialect, false));
+    const std::string text =
+        post::write_program(RandomPath(7).toolpath(6, 10), Part{}, options_for(dialect, false));
     for (const std::string& line : lines_of(text)) {
       for (const std::string& word : words) EXPECT_EQ(words_of(line).find(word), std::string::npos) << line;
     }
@@ -377,7 +381,7 @@ TEST(Dialects, EveryFirstFeedMoveAfterARapidSaysItsFeed) {
     bool after_rapid = true;
     int checked = 0;
     for (const std::string& line :
-         lines_of(post::post(RandomPath(8).toolpath(6, 30), Part{}, options_for(dialect, false)))) {
+         lines_of(post::write_program(RandomPath(8).toolpath(6, 30), Part{}, options_for(dialect, false)))) {
       const std::string words = words_of(line) + " ";
       if (words.rfind("G0 ", 0) == 0) after_rapid = true;
       const bool feeds =
@@ -393,8 +397,8 @@ TEST(Dialects, EveryFirstFeedMoveAfterARapidSaysItsFeed) {
 
 TEST(Klartext, BlocksAreNumberedWithoutGaps) {
   int number = 0;
-  for (const std::string& line :
-       lines_of(post::post(RandomPath(9).toolpath(3, 20), Part{}, options_for("heidenhain", false)))) {
+  for (const std::string& line : lines_of(
+           post::write_program(RandomPath(9).toolpath(3, 20), Part{}, options_for("heidenhain", false)))) {
     EXPECT_EQ(line.substr(0, line.find(' ')), std::to_string(number++)) << line;
   }
   EXPECT_GT(number, 60);
@@ -403,10 +407,11 @@ TEST(Klartext, BlocksAreNumberedWithoutGaps) {
 TEST(Post, LinesOnlyWhenAskedFor) {
   const Toolpath toolpath = RandomPath(10).toolpath(2, 40);
   for (const std::string& dialect : post::post_dialects()) {
-    post::PostOptions options = options_for(dialect, false);
+    PostOptions options = options_for(dialect, false);
     options.arcs = false;
     options.tol.chord = 0.001;
-    const read::gcode::Program program = read::gcode::read_gcode(post::post(toolpath, Part{}, options), "lines");
+    const read::gcode::Program program =
+        read::gcode::read_gcode(post::write_program(toolpath, Part{}, options), "lines");
     for (const Section& section : program.toolpath.sections) {
       for (const Move& move : section.moves) EXPECT_FALSE(move.path.is_arc()) << dialect;
     }
@@ -418,8 +423,12 @@ TEST(Post, LinesOnlyWhenAskedFor) {
 TEST(Post, InchAndMetricAgree) {
   const Toolpath toolpath = RandomPath(11).toolpath(3, 60);
   for (const std::string& dialect : post::post_dialects()) {
-    const Toolpath mm = read::gcode::read_gcode(post::post(toolpath, Part{}, options_for(dialect, false)), "mm").toolpath;
-    const Toolpath inch = read::gcode::read_gcode(post::post(toolpath, Part{}, options_for(dialect, true)), "inch").toolpath;
+    const Toolpath mm =
+        read::gcode::read_gcode(post::write_program(toolpath, Part{}, options_for(dialect, false)), "mm")
+            .toolpath;
+    const Toolpath inch =
+        read::gcode::read_gcode(post::write_program(toolpath, Part{}, options_for(dialect, true)), "inch")
+            .toolpath;
     const double rounding =
         post::rounding_of(options_for(dialect, false)) + post::rounding_of(options_for(dialect, true));
     expect_same(mm, inch, rounding + Tolerances{}.chord, 2 * rounding);
@@ -430,10 +439,10 @@ TEST(Post, CommentsCannotBreakOut) {
   Toolpath toolpath = RandomPath(12).toolpath(1, 3);
   toolpath.sections[0].label = "A (nested) % ! ~ ?\nG0 Z-50";
   for (const std::string& dialect : post::post_dialects()) {
-    post::PostOptions options = options_for(dialect, false);
+    PostOptions options = options_for(dialect, false);
     options.header = {"MSG, DEBUG", "a\r\nM3 S99999", "50 % (stock)", "h\xC3\xA9 \x18 ~!?"};
     options.program_name = "PART (1)\n%";
-    const std::string text = post::post(toolpath, Part{}, options);
+    const std::string text = post::write_program(toolpath, Part{}, options);
     for (const std::string& line : lines_of(text)) {
       EXPECT_EQ(line.find_first_of("!~?\r\x18\xC3"), std::string::npos) << line;
       EXPECT_EQ(line.find("(MSG,"), std::string::npos) << line;
@@ -447,29 +456,29 @@ TEST(Post, CommentsCannotBreakOut) {
 
 TEST(Post, SwitchesUsersAskFor) {
   const Toolpath toolpath = RandomPath(13).toolpath(4, 5);
-  post::PostOptions options;
+  PostOptions options;
   options.tool_changer = false;
   options.exact_stop = true;
   options.spindle_wait = Seconds::of(2.5);
-  const std::string text = post::post(toolpath, Part{}, options);
+  const std::string text = post::write_program(toolpath, Part{}, options);
   EXPECT_EQ(text.find("M6"), std::string::npos);
   EXPECT_EQ(text.find("G43"), std::string::npos);
   EXPECT_EQ(text.find("G64"), std::string::npos);
   EXPECT_NE(text.find("\nM0\n"), std::string::npos);
   EXPECT_NE(text.find("\nG61\n"), std::string::npos);
   EXPECT_NE(text.find("\nG4 P2.5\n"), std::string::npos);
-  post::PostOptions without_length;
+  PostOptions without_length;
   without_length.length_offset = false;
-  EXPECT_EQ(post::post(toolpath, Part{}, without_length).find("G43"), std::string::npos);
+  EXPECT_EQ(post::write_program(toolpath, Part{}, without_length).find("G43"), std::string::npos);
 }
 
 TEST(Post, RefusesUnknownDialectsAndNumbersThatAreNone) {
   Toolpath toolpath = RandomPath(1).toolpath(1, 3);
-  EXPECT_THROW(post::post(toolpath, Part{}, options_for("basic", false)), InputError);
+  EXPECT_THROW(post::write_program(toolpath, Part{}, options_for("basic", false)), InputError);
   for (const double bad : {std::nan(""), HUGE_VAL, 1e9}) {
     Toolpath broken = toolpath;
     broken.sections[0].moves[0].path.from.x = bad;
-    EXPECT_THROW(post::post(broken, Part{}, options_for("linuxcnc", false)), InputError) << bad;
+    EXPECT_THROW(post::write_program(broken, Part{}, options_for("linuxcnc", false)), InputError) << bad;
   }
 }
 

@@ -262,7 +262,9 @@ TEST(ReadPart, ContentDecidesWhereTheNameDoesNot) {
   const fs::path examples = fs::path(CLEARCUT_SOURCE_DIR) / "examples";
   for (const char* name : {"bracket.dxf", "bracket.svg", "bracket.json"}) {
     const std::string copy = folder.file(std::string(name) + ".txt", read_file((examples / name).string()));
-    EXPECT_NEAR(area_of(read::read_part(copy, depth_2())), area_of(read::read_part(examples / name, {})), 1e-6) << name;
+    EXPECT_NEAR(area_of(read::read_part(copy, depth_2())), area_of(read::read_part(examples / name, {})),
+                1e-6)
+        << name;
   }
 }
 

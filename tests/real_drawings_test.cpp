@@ -26,8 +26,8 @@ void expect_clean_or_refused(const std::string& file, double diameter) {
   read.depth = 2;
   resolve::PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
-  const auto result =
-      pipeline::plan(read::read_part(test_support::data_folder()->string() + "/drawings/" + file, read), options);
+  const auto result = pipeline::plan_part(
+      read::read_part(test_support::data_folder()->string() + "/drawings/" + file, read), options);
   EXPECT_GT(result.findings.all.feed_mm, 0);
   for (const auto& fault : result.findings.faults) {
     if (fault.kind == FaultKind::kNothingCut && is_refused(result.part, fault.feature)) continue;
@@ -54,7 +54,7 @@ TEST(RealParts, EverySampleOfStepNcIsCleanWithCuttersThatFit) {
     // It asks for a ball end mill on a flat floor.
     if (std::string(name) == "unb_final_test.p21")
       options.tools = {resolve::parse_tool("endmill:4"), resolve::parse_tool("endmill:6")};
-    const auto result = pipeline::plan(read::read_part(folder + name, {}), options);
+    const auto result = pipeline::plan_part(read::read_part(folder + name, {}), options);
     for (const auto& fault : result.findings.faults) ADD_FAILURE() << name << ": " << fault.text;
   }
 }

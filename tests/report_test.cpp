@@ -6,12 +6,12 @@
 
 #include "base/file.h"
 #include "base/units.h"
-#include "pipeline/run.h"
-#include "report/viewer/html.h"
-#include "report/sample_job.h"
-#include "report/picture/svg.h"
-#include "support/command.h"
 #include "kinematics/kinematics.h"
+#include "pipeline/run.h"
+#include "report/picture/svg.h"
+#include "report/sample_job.h"
+#include "report/viewer/html.h"
+#include "support/command.h"
 
 namespace clearcut {
 namespace {
@@ -58,7 +58,8 @@ TEST(Page, PlaysInABrowser) {
   std::string program;
   for (int line = 1; line < 60; ++line)
     program += "N" + std::to_string(line) + " <G1> & X" + std::to_string(line) + "\n";
-  const std::string page = report::html(sample::part(), sample::toolpath(), sample::findings(), {Machine{}, program});
+  const std::string page =
+      report::html(sample::part(), sample::toolpath(), sample::findings(), {Machine{}, program});
 
   const std::string at_line = document_in_browser(page, "#line=17");
   EXPECT_THAT(at_line, HasSubstr(">sample &lt;part&gt; &amp; \"name\"</h1>"));
@@ -71,7 +72,8 @@ TEST(Page, PlaysInABrowser) {
 
   // A fault without a line is shown when its feature is done.
   const std::string at_fault = document_in_browser(page, "#fault=0");
-  const long seconds = std::lround(kinematics::kinematic_time(sample::pocket_section().moves, Machine{}).seconds());
+  const long seconds =
+      std::lround(kinematics::kinematic_time(sample::pocket_section().moves, Machine{}).seconds());
   const std::string clock =
       std::to_string(seconds / 60) + ":" + (seconds % 60 < 10 ? "0" : "") + std::to_string(seconds % 60);
   EXPECT_THAT(at_fault, HasSubstr("\">" + clock + " / ")) << "clock";
@@ -93,7 +95,7 @@ TEST(Page, ColoursWhatIsLeft) {
   resolve::PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:8")};
   options.strategy = "fixed";
-  const auto result = pipeline::plan(part, options);
+  const auto result = pipeline::plan_part(part, options);
   ASSERT_FALSE(result.findings.all.clean);
   const auto page = [&](const char* moment) {
     return document_in_browser(

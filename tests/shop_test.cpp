@@ -19,7 +19,7 @@ namespace clearcut {
 namespace {
 
 using test_support::expect_clean;
-using test_support::with_tools;
+using test_support::plan_options_with;
 
 Region rectangle(double width, double height) {
   return Region::from_valid_loops(
@@ -58,10 +58,10 @@ TEST(Entries, NoneIsSteeperThanAskedForAndNonePlungesIntoMaterial) {
   for (const char* tool : {"endmill:6", "endmill:6:noplunge"}) {
     for (const EntryKind entry : {EntryKind::kHelix, EntryKind::kRamp, EntryKind::kZigzagRamp}) {
       for (const double angle : {2.0, 8.0}) {
-        resolve::PlanOptions options = resolve::with_tools({tool});
+        resolve::PlanOptions options = test_support::plan_options_with({tool});
         options.entry = entry;
         options.entry_angle = Radians::of_degrees(angle);
-        const auto result = pipeline::plan(part_of({rectangle(40, 25)}, 5), options);
+        const auto result = pipeline::plan_part(part_of({rectangle(40, 25)}, 5), options);
         expect_clean(result, tool);
         EXPECT_GT(steepest(result.toolpath), 0);
         EXPECT_LE(steepest(result.toolpath), std::tan(angle * kPi / 180) * 1.01);
@@ -75,17 +75,17 @@ TEST(Entries, NoneIsSteeperThanAskedForAndNonePlungesIntoMaterial) {
 }
 
 TEST(Entries, HelixKeepsItsDiameterOrGivesWayAndSaysSo) {
-  resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
   options.entry = EntryKind::kHelix;
   options.shop.helix_widest = 3;
-  const auto wide = pipeline::plan(part_of({rectangle(40, 25)}, 3), options);
+  const auto wide = pipeline::plan_part(part_of({rectangle(40, 25)}, 3), options);
   expect_clean(wide, "helix of 3 mm");
   for (const Move& move : moves_of(wide.toolpath)) {
     const bool helix = move.path.is_arc() && move.z_to < move.z_from;
     EXPECT_NEAR(helix ? move.path.radius() : 1.5, 1.5, 0.01);
   }
   options.shop.helix_widest = options.shop.helix_narrowest = 30;
-  const auto none = pipeline::plan(part_of({rectangle(40, 25)}, 3), options);
+  const auto none = pipeline::plan_part(part_of({rectangle(40, 25)}, 3), options);
   expect_clean(none, "no helix of 30 mm");
   bool said = false;
   for (const auto& entry : none.part.diagnostics.items())
@@ -94,10 +94,10 @@ TEST(Entries, HelixKeepsItsDiameterOrGivesWayAndSaysSo) {
 }
 
 TEST(Entries, APredrilledHoleIsTheWayDownForACutterThatMayNotPlunge) {
-  resolve::PlanOptions options = resolve::with_tools({"endmill:6:noplunge"});
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6:noplunge"});
   options.entry = EntryKind::kPlunge;
   options.predrilled = {resolve::parse_predrilled("20,12.5:7")};
-  const auto result = pipeline::plan(part_of({rectangle(40, 25)}, 5), options);
+  const auto result = pipeline::plan_part(part_of({rectangle(40, 25)}, 5), options);
   expect_clean(result, "predrilled");
   int plunges = 0;
   for (const Move& move : moves_of(result.toolpath)) {
@@ -150,10 +150,10 @@ TEST(Leads, ARingBegunElsewhereIsTheSameRing) {
 
 TEST(SlotFeed, RulesWhereTheCutterIsInAllRoundAndOnlyThere) {
   const Part part = part_of({rectangle(60, 40)}, 2);
-  resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
-  const auto fast = pipeline::plan(part, options);
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+  const auto fast = pipeline::plan_part(part, options);
   options.cutting.slot_feed = MmPerMin::of(250);
-  const auto slow = pipeline::plan(part, options);
+  const auto slow = pipeline::plan_part(part, options);
   expect_clean(slow, "with slot feed");
   EXPECT_NEAR(slow.findings.all.feed_mm, fast.findings.all.feed_mm, 0.01) << "the same way";
   double slotted = 0, other = 0;
@@ -167,11 +167,11 @@ TEST(SlotFeed, RulesWhereTheCutterIsInAllRoundAndOnlyThere) {
 }
 
 TEST(Finishing, LeavesStockFirstAndNothingAtTheEnd) {
-  resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
   options.shop.finish = "all";
   options.shop.finish_stock = 0.4;
   options.shop.finish_depths = 2;
-  const auto result = pipeline::plan(part_of({rectangle(40, 30)}, 6), options);
+  const auto result = pipeline::plan_part(part_of({rectangle(40, 30)}, 6), options);
   expect_clean(result, "finished");
   ASSERT_EQ(result.toolpath.sections.size(), 3u) << "rough, floor, walls";
   const auto nearest_to_wall = [&](const Section& section) {
@@ -189,12 +189,12 @@ TEST(Finishing, LeavesStockFirstAndNothingAtTheEnd) {
 
 TEST(Finishing, WallsAreMetAndLeftByLeadsAndRunOverTheirStart) {
   for (const bool lines : {false, true}) {
-    resolve::PlanOptions options = resolve::with_tools({"endmill:6"});
+    resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
     options.shop.finish = "walls";
     if (lines) options.lead_angle = Radians::of_degrees(30);
-    const auto plain = pipeline::plan(part_of({rectangle(40, 30)}, 3), options);
+    const auto plain = pipeline::plan_part(part_of({rectangle(40, 30)}, 3), options);
     options.shop.lead_overlap = 2;
-    const auto over = pipeline::plan(part_of({rectangle(40, 30)}, 3), options);
+    const auto over = pipeline::plan_part(part_of({rectangle(40, 30)}, 3), options);
     for (const auto* result : {&plain, &over}) {
       expect_clean(*result, "finished walls");
       const auto& moves = result->toolpath.sections.back().moves;
@@ -217,11 +217,11 @@ TEST(Finishing, WallsAreMetAndLeftByLeadsAndRunOverTheirStart) {
 
 TEST(Rest, SmallerToolsCutOnlyWhatLargerOnesLeave) {
   Part part = part_of({rectangle(60, 40)}, 2);
-  resolve::PlanOptions options = resolve::with_tools({"endmill:12", "endmill:4"});
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:12", "endmill:4"});
   options.shop.rest = true;
-  const auto both = pipeline::plan(part, options);
+  const auto both = pipeline::plan_part(part, options);
   expect_clean(both, "12 then 4");
-  const auto fine = pipeline::plan(part, resolve::with_tools({"endmill:4"}));
+  const auto fine = pipeline::plan_part(part, test_support::plan_options_with({"endmill:4"}));
   ASSERT_EQ(both.findings.features.size(), 2u);
   EXPECT_EQ(both.findings.features[1].tool_diameter, 4);
   EXPECT_LT(both.findings.features[1].figures.feed_mm, 0.25 * fine.findings.all.feed_mm);
@@ -232,12 +232,13 @@ TEST(Rest, SmallerToolsCutOnlyWhatLargerOnesLeave) {
 TEST(Rest, RandomPocketsAreCleanWithTwoTools) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);
-    resolve::PlanOptions options = resolve::with_tools({"endmill:9", "endmill:3.5"});
+    resolve::PlanOptions options = test_support::plan_options_with({"endmill:9", "endmill:3.5"});
     options.shop.rest = true;
     const double size = random.between(20, 50);
     const Vec2 corners[] = {
         {0, 0}, {size, random.between(-5, 5)}, {size * 0.9, size}, {size * 0.5, size * 0.7}, {0, size}};
-    const auto result = pipeline::plan(part_of({Region::from_valid_loops(loop_from_points(corners), {})}, 3), options);
+    const auto result =
+        pipeline::plan_part(part_of({Region::from_valid_loops(loop_from_points(corners), {})}, 3), options);
     expect_clean(result, "seed " + std::to_string(seed));
   }
 }
@@ -251,20 +252,23 @@ TEST(Rest, SeveralCuttersChosenBySizeLeaveNothingOverWhatLiesUnder) {
       options.tools.push_back(resolve::parse_tool(tool));
     options.strategy = "zigzag";
     options.shop.rest = rest;
-    for (const auto& fault : pipeline::plan(part, options).findings.faults) ADD_FAILURE() << fault.text;
+    for (const auto& fault : pipeline::plan_part(part, options).findings.faults) ADD_FAILURE() << fault.text;
   }
 }
 
 TEST(Rest, AnEarlierProgramIsTakenIntoAccountAndCertifiedWith) {
   const Part part = part_of({rectangle(60, 40)}, 2);
-  const auto before = pipeline::plan(part, resolve::with_tools({"endmill:12:T3"}));
-  resolve::PlanOptions options = resolve::with_tools({"endmill:12:T3", "endmill:4:T1"});
+  const auto before = pipeline::plan_part(part, test_support::plan_options_with({"endmill:12:T3"}));
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:12:T3", "endmill:4:T1"});
   options.earlier = read::gcode::read_gcode(before.program, "before.ngc").toolpath;
-  const auto after = pipeline::plan(part, options);
+  const auto after = pipeline::plan_part(part, options);
   expect_clean(after, "after");
   EXPECT_EQ(after.toolpath.sections.at(0).tool_number, 1);
-  EXPECT_LT(after.findings.all.feed_mm, 0.25 * pipeline::plan(part, resolve::with_tools({"endmill:4"})).findings.all.feed_mm);
-  pipeline::JudgeResult alone = pipeline::judge(part, after.program, "after.ngc", resolve::with_tools({"endmill:4:T1"}));
+  EXPECT_LT(
+      after.findings.all.feed_mm,
+      0.25 * pipeline::plan_part(part, test_support::plan_options_with({"endmill:4"})).findings.all.feed_mm);
+  pipeline::CheckResult alone = pipeline::check_program(part, after.program, "after.ngc",
+                                                        test_support::plan_options_with({"endmill:4:T1"}));
   EXPECT_FALSE(alone.findings.all.clean) << "without the earlier program nearly all is left";
 }
 
@@ -278,12 +282,12 @@ TEST(Rest, AfterAProgramOfTheSameCutterNothingIsCut) {
     options.strategy = seed % 2 ? "contour" : "zigzag";
     pipeline::PlanResult before;
     try {
-      before = pipeline::plan(part, options);
+      before = pipeline::plan_part(part, options);
     } catch (const InputError&) {
       continue;
     }
     options.earlier = read::gcode::read_gcode(before.program, "before.ngc").toolpath;
-    const auto after = pipeline::plan(part, options);
+    const auto after = pipeline::plan_part(part, options);
     EXPECT_EQ(after.findings.all.feed_mm, 0) << "seed " << seed;
     EXPECT_EQ(after.findings.all.clean, before.findings.all.clean) << "seed " << seed;
     ++programs;
@@ -305,7 +309,8 @@ TEST(Shop, ImpossibleOptionsAreRefusedByName) {
   using ::testing::HasSubstr;
   EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish = "ceiling"; }),
               HasSubstr("--finish: must be walls, floor or all"));
-  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish_depths = 1.5; }), HasSubstr("--finish-depths"));
+  EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish_depths = 1.5; }),
+              HasSubstr("--finish-depths"));
   EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.material = "cheese"; }),
               HasSubstr("'cheese' is unknown; use one of"));
   EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.lead = -1; }), HasSubstr("--lead"));

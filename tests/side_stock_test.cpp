@@ -1,8 +1,8 @@
 // Stock on walls: what earlier steps leave stands over later features, and is cut in layers like all else.
 #include <gtest/gtest.h>
 
-#include "studies/fishhead.h"
 #include "pipeline/run.h"
+#include "studies/fishhead.h"
 #include "support/plans.h"
 
 namespace clearcut {
@@ -23,7 +23,8 @@ Part fishhead_with(double corner_radius) {
 
 /// No fault means, among others, that no cut is deeper than the stepdown.
 void expect_clean_fishhead(double corner_radius, const resolve::PlanOptions& options) {
-  expect_clean(pipeline::plan(fishhead_with(corner_radius), options), "corners " + std::to_string(corner_radius));
+  expect_clean(pipeline::plan_part(fishhead_with(corner_radius), options),
+               "corners " + std::to_string(corner_radius));
 }
 
 resolve::PlanOptions leaving(double stock) {
@@ -52,7 +53,7 @@ TEST(SideStock, FishheadIsCleanOnceItsStockIsFinished) {
 
 TEST(SideStock, LeaningWallsAreCleanOnceTheirStockIsFinished) {
   for (const char* what : {"all", "walls", "floor"}) {
-    const auto result = pipeline::plan(studies::fishhead(true, {}), finishing(what, 0.4));
+    const auto result = pipeline::plan_part(studies::fishhead(true, {}), finishing(what, 0.4));
     expect_clean(result, what);
     for (const FeatureFindings& feature : result.findings.features) {
       const double height = feature.scallop ? feature.scallop->height_mm : 0.5;

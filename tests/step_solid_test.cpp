@@ -14,12 +14,12 @@
 #include "base/file.h"
 #include "base/random.h"
 #include "base/units.h"
-#include "resolve/prepare.h"
 #include "pipeline/run.h"
 #include "post/part/stepnc_writer.h"
 #include "read/read_part.h"
 #include "read/step_solid/apart.h"
 #include "read/step_solid/solid_model.h"
+#include "resolve/prepare.h"
 #include "support/plans.h"
 #include "support/same_regions.h"
 
@@ -161,7 +161,8 @@ TEST(StepSolid, TheRestOfAnAwkwardSolidIsFoundAllTheSame) {
 
 /// Plans the whole solid and expects a clean certificate of every feature whose walls close.
 void expect_clean_pockets(const std::string& name, double tool, std::size_t closed) {
-  const pipeline::PlanResult result = pipeline::plan(read::read_part(example(name), {}), with_tool(tool));
+  const pipeline::PlanResult result =
+      pipeline::plan_part(read::read_part(example(name), {}), with_tool(tool));
   ASSERT_EQ(result.findings.features.size(), result.part.features.size()) << name;
   std::size_t judged = 0;
   for (std::size_t i = 0; i < result.part.features.size(); ++i) {

@@ -12,9 +12,10 @@
 #include "base/file.h"
 #include "base/random.h"
 #include "geometry/boolean.h"
-#include "studies/fishhead.h"
 #include "post/part/stepnc_writer.h"
 #include "read/outline/outline_reader.h"
+#include "stock/stacking.h"
+#include "studies/fishhead.h"
 #include "support/data.h"
 #include "support/same_regions.h"
 
@@ -331,7 +332,7 @@ class RandomPart {
     make_tools();
     const auto features = 1 + random_.below(5);
     for (std::uint64_t i = 0; i < features; ++i) make_feature();
-    stack_tops(part_, {});
+    stock::stack_tops(part_, {});
     for (Workingstep& step : part_.workplan)
       if (step.operation.retract_z)
         *step.operation.retract_z = part_.features[static_cast<std::size_t>(step.feature)].top_z + 2;

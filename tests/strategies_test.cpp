@@ -27,7 +27,7 @@ resolve::PlanOptions options_for(const std::string& strategy) {
 /// regions, that is said and no fault of the strategy.
 std::string fault_of(const Part& part, const resolve::PlanOptions& options) {
   try {
-    for (const auto& fault : pipeline::plan(part, options).findings.faults) {
+    for (const auto& fault : pipeline::plan_part(part, options).findings.faults) {
       if (fault.kind != FaultKind::kNothingCut) return fault.text;
     }
   } catch (const InputError&) {
@@ -94,11 +94,11 @@ TEST(Adaptive, ClearsRandomParts) {
 TEST_P(EveryStrategy, WritesTheSameProgramAgain) {
   Random random(5);
   const Part part = test_support::random_part(random, 4);
-  const auto first = pipeline::plan(part, options_for(GetParam())).program;
-  EXPECT_EQ(pipeline::plan(part, options_for(GetParam())).program, first);
+  const auto first = pipeline::plan_part(part, options_for(GetParam())).program;
+  EXPECT_EQ(pipeline::plan_part(part, options_for(GetParam())).program, first);
   auto threaded = options_for(GetParam());
   threaded.threads = 3;
-  EXPECT_EQ(pipeline::plan(part, threaded).program, first);
+  EXPECT_EQ(pipeline::plan_part(part, threaded).program, first);
 }
 
 TEST(Zigzag, KeepsTheDirectionAskedFor) {
@@ -107,7 +107,8 @@ TEST(Zigzag, KeepsTheDirectionAskedFor) {
   for (const double angle : {0.0, 30.0, 90.0, -45.0}) {
     auto options = options_for("zigzag");
     options.angle_deg = angle;
-    const auto result = pipeline::plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
+    const auto result =
+        pipeline::plan_part(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
     EXPECT_TRUE(result.findings.all.clean);
     double along = 0, inside = 0;
     for (const auto& move : result.toolpath.sections.front().moves) {
@@ -128,7 +129,8 @@ TEST(Zigzag, LinesAreNoFartherApartThanAskedFor) {
   auto options = options_for("zigzag");
   options.angle_deg = 0;
   options.stepover = "0.3";
-  const auto result = pipeline::plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
+  const auto result =
+      pipeline::plan_part(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options);
   std::vector<double> heights;
   for (const auto& move : result.toolpath.sections.front().moves) {
     const Vec2 d = move.path.to - move.path.from;
@@ -140,8 +142,9 @@ TEST(Zigzag, LinesAreNoFartherApartThanAskedFor) {
   // The outermost are those along the walls.
   for (std::size_t i = 2; i + 1 < heights.size(); ++i) EXPECT_LT(heights[i] - heights[i - 1], 0.3 * 6 + 1e-3);
   options.stepover = "lom";
-  EXPECT_THROW(pipeline::plan(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options),
-               InputError);
+  EXPECT_THROW(
+      pipeline::plan_part(test_support::part_of(square, square, FeatureKind::kClosedPocket, 6), options),
+      InputError);
 }
 
 Regions rectangle(double width, double height) {
@@ -191,7 +194,7 @@ TEST(Auto, KeepsTheFastestOfThosePlannedAndListsAll) {
   for (const std::uint64_t seed : {1u, 2u, 4u, 6u}) {
     Random random(seed);
     const Part part = test_support::random_part(random, random.between(3, 8));
-    const auto result = pipeline::plan(part, options_for("auto"));
+    const auto result = pipeline::plan_part(part, options_for("auto"));
     ASSERT_TRUE(result.findings.all.clean) << seed;
     ASSERT_EQ(result.contests.size(), 1u);
     const auto& contest = result.contests.front();
@@ -216,10 +219,11 @@ TEST(Auto, LeavesOutOnlyWhatCannotWin) {
   for (const double width : {30.0, 60.0, 110.0}) {
     const Part part =
         test_support::part_of(rectangle(width, 40), rectangle(width, 40), FeatureKind::kClosedPocket, 6);
-    const auto contest = pipeline::plan(part, options_for("auto")).contests.front();
+    const auto contest = pipeline::plan_part(part, options_for("auto")).contests.front();
     for (const auto& one : contest.contestants) {
       if (one.least_s == 0) continue;
-      EXPECT_GE(pipeline::plan(part, options_for(one.strategy)).findings.all.time_s, one.least_s) << one.strategy;
+      EXPECT_GE(pipeline::plan_part(part, options_for(one.strategy)).findings.all.time_s, one.least_s)
+          << one.strategy;
     }
   }
 }
@@ -227,7 +231,7 @@ TEST(Auto, LeavesOutOnlyWhatCannotWin) {
 TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
   auto options = options_for("auto");
   options.engagement_deg = 60;
-  const auto result = pipeline::plan(
+  const auto result = pipeline::plan_part(
       test_support::part_of(rectangle(50, 40), rectangle(50, 40), FeatureKind::kClosedPocket, 6), options);
   EXPECT_EQ(result.contests.front().kept(), "adaptive");
   EXPECT_TRUE(result.findings.all.clean);
@@ -235,12 +239,13 @@ TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
 
 TEST(Auto, DoesNotDependOnTheNumberOfThreads) {
   CLEARCUT_SKIP_WITHOUT_DATA();
-  const Part part = read::read_part((*test_support::data_folder() / "shapes/fishhead_pocket5.json").string(), {});
+  const Part part =
+      read::read_part((*test_support::data_folder() / "shapes/fishhead_pocket5.json").string(), {});
   auto options = options_for("auto");
   options.tools = {resolve::parse_tool("endmill:6")};
-  const auto one = pipeline::plan(part, options);
+  const auto one = pipeline::plan_part(part, options);
   options.threads = 4;
-  const auto four = pipeline::plan(part, options);
+  const auto four = pipeline::plan_part(part, options);
   EXPECT_EQ(one.program, four.program);
   EXPECT_EQ(one.contests.front().kept(), four.contests.front().kept());
 }

@@ -41,7 +41,7 @@ pipeline::PlanResult planned(double depth) {
   options.tools = {resolve::parse_tool("endmill:4")};
   options.stepdown = 2;
   options.strategy = "contour";
-  return pipeline::plan(small_part(depth), options);
+  return pipeline::plan_part(small_part(depth), options);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -58,7 +58,7 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 Findings judged(const Part& part, const std::string& text) {
-  return verify::verify(part, read::gcode::read_gcode(text, "x.ngc").toolpath, {});
+  return verify::verify_program(part, read::gcode::read_gcode(text, "x.ngc").toolpath, {});
 }
 
 bool has(const Findings& findings, FaultKind kind) {
@@ -87,7 +87,7 @@ TEST(VerifyPrograms, LabelsThatLieChangeNoVerdict) {
     section.label = "SOMETHING ELSE";
     section.workingstep = 17;
   }
-  EXPECT_TRUE(verify::verify(result.part, lying, {}).all.clean);
+  EXPECT_TRUE(verify::verify_program(result.part, lying, {}).all.clean);
 }
 
 TEST(VerifyPrograms, ALevelLeftOutOfTheTextIsFound) {
@@ -214,7 +214,7 @@ TEST(VerifyPrograms, SpoiltProgramsAreJudgedAsSamplingJudgesThem) {
       ++refused;  // an arc whose ends no longer fit its centre
       continue;
     }
-    const Findings findings = verify::verify(result.part, toolpath, {});
+    const Findings findings = verify::verify_program(result.part, toolpath, {});
     const double gouge = slow.gouge(toolpath), uncut = slow.uncut(toolpath, -2);
     gouged += gouge > 0.002;
     left += uncut > 0.02;

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "pipeline/run.h"
+#include "stock/stacking.h"
 #include "support/height_field.h"
 #include "support/random_parts.h"
 
@@ -79,7 +80,7 @@ void expect_clean_parts(const resolve::PlanOptions& options, int count,
     if (part.workplan.empty()) continue;
     if (changed) changed(part, random);
     try {
-      const pipeline::PlanResult result = pipeline::plan(part, options);
+      const pipeline::PlanResult result = pipeline::plan_part(part, options);
       for (const auto& fault : result.findings.faults) {
         if (fault.kind != FaultKind::kNothingCut) ADD_FAILURE() << "seed " << seed << ": " << fault.text;
       }
@@ -117,7 +118,7 @@ TEST(WholePart, IsCleanWithFinishing) {
 
 /// Stock of each step's own on walls and floors; pockets under others begin at their floors.
 void leave_stock(Part& part, Random& random) {
-  stack_tops(part, {});
+  stock::stack_tops(part, {});
   for (Workingstep& step : part.workplan) {
     if (random.below(3) > 0) step.operation.allowance_side = random.between(0.1, 1.2);
     if (random.below(3) == 0) step.operation.allowance_floor = random.between(0.1, 0.5);
@@ -133,7 +134,7 @@ TEST(WholePart, IsCleanWithStockThatIsFinishedAfterwards) {
   options.shop.finish = "all";
   options.shop.finish_stock = 0.8;
   options.shop.finish_stock_floor = 0.4;
-  const auto stacked = [](Part& part, Random&) { stack_tops(part, {}); };
+  const auto stacked = [](Part& part, Random&) { stock::stack_tops(part, {}); };
   expect_clean_parts(options, test_support::random_count(4), stacked);
 }
 

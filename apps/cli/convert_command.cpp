@@ -5,10 +5,10 @@
 #include "base/file.h"
 #include "commands.h"
 #include "output.h"
-#include "resolve/prepare.h"
 #include "plan_arguments.h"
 #include "post/part/outline_writer.h"
 #include "post/part/stepnc_writer.h"
+#include "resolve/prepare.h"
 
 namespace clearcut::cli {
 namespace {

@@ -29,7 +29,7 @@ constexpr std::array<std::pair<const char*, const char*>, 5> kElementOptions{
 struct ElementsCommand {
   std::string input;
   std::map<std::string, std::vector<std::string>> typed;  ///< by kind
-  std::vector<read::ElementOption> elements;                    ///< the same in the order they were typed
+  std::vector<read::ElementOption> elements;              ///< the same in the order they were typed
   read::ElementDefaults defaults;
   std::vector<std::string> tools;
   bool strict = false;
@@ -77,9 +77,10 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
   const auto& plan = result.plan;
   std::vector<OutputFile> files{{command.output, plan.program}};
   if (!command.certificate.empty())
-    files.push_back({command.certificate,
-                     report::certificate_json(plan.part, plan.findings, certificate_info(command, plan.program))});
-  if (!command.svg.empty()) files.push_back({command.svg, report::grid_picture(job, result.points, plan.toolpath)});
+    files.push_back({command.certificate, report::certificate_json(plan.part, plan.findings,
+                                                                   certificate_info(command, plan.program))});
+  if (!command.svg.empty())
+    files.push_back({command.svg, report::grid_picture(job, result.points, plan.toolpath)});
   if (!command.points.empty()) files.push_back({command.points, report::points_csv(job, result.points)});
   return files;
 }

@@ -5,8 +5,8 @@
 #include "base/format.h"
 #include "commands.h"
 #include "output.h"
-#include "resolve/prepare.h"
 #include "plan_arguments.h"
+#include "resolve/prepare.h"
 
 namespace clearcut::cli {
 namespace {

@@ -131,8 +131,8 @@ void PlanArguments::add_post_options(CLI::App& command) {
       ->check(CLI::NonNegativeNumber);
 }
 
-post::PostOptions PlanArguments::post(const read::JobOutput& job) const {
-  post::PostOptions post;
+PostOptions PlanArguments::post(const read::JobOutput& job) const {
+  PostOptions post;
   post.dialect = post_.value_or(job.post.value_or("linuxcnc"));
   post.inch = inch_ || job.inch.value_or(false);
   post.decimals = decimals_ ? decimals_ : job.decimals;
@@ -257,7 +257,7 @@ resolve::PlanOptions PlanArguments::options() const {
   options.cutting.ramp_feed = feed_of(ramp_feed_);
   options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
-  options.post = post::post(given.output);
+  options.post = post(given.output);
   options.objective = objective_.value_or(given.objective.value_or("time"));
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));

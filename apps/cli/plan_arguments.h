@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "resolve/plan_options.h"
 #include "read/job/job_file.h"
 #include "read/read_part.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::cli {
 
@@ -33,7 +33,7 @@ class PlanArguments {
   std::vector<Tool> tools() const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
-  post::PostOptions post::post(const read::JobOutput& job) const;
+  PostOptions post(const read::JobOutput& job) const;
   Machine machine(const std::optional<read::JobFile>& job) const;
   ShopOptions shop(const read::JobFile& job) const;
   std::optional<Toolpath> earlier(const read::JobFile& job, const Machine& machine) const;

@@ -10,10 +10,10 @@
 #include "plan_arguments.h"
 #include "report/certificate.h"
 #include "report/contest_table.h"
-#include "report/viewer/html.h"
-#include "report/result.h"
 #include "report/picture/svg.h"
+#include "report/result.h"
 #include "report/table.h"
+#include "report/viewer/html.h"
 
 namespace clearcut::cli {
 namespace {
@@ -29,7 +29,7 @@ struct PlanCommand {
 };
 
 report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
-                                 const pipeline::PlanResult& result) {
+                                         const pipeline::PlanResult& result) {
   report::CertificateInfo info;
   info.version = kVersion;
   info.seed = options.seed;
@@ -53,7 +53,9 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const resolve::
   add(command.html, [&] {
     return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
   });
-  add(command.result, [&] { return report::result_file(result.toolpath, {result.part.name, result.contours}); });
+  add(command.result, [&] {
+    return report::result_file(result.toolpath, {result.part.name, result.contours});
+  });
   return files;
 }
 
@@ -77,7 +79,7 @@ int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
   const resolve::PlanOptions options = command.arguments.options();
-  const pipeline::PlanResult result = pipeline::plan(command.arguments.read(), options);
+  const pipeline::PlanResult result = pipeline::plan_part(command.arguments.read(), options);
   write_files(output_files(command, options, result));
   if (!command.quiet) {
     print(result.part.diagnostics, true);

@@ -50,7 +50,8 @@ void run(StudyCommand& command) {
   if (!command.svg.empty()) files.push_back({command.svg, studies::study_svg(study, rows)});
   write_files(files);
   const auto table = studies::study_table(study, rows);
-  if (!command.quiet && command.csv != "-") print_line(command.as_markdown ? report::markdown(table) : report::plain(table));
+  if (!command.quiet && command.csv != "-")
+    print_line(command.as_markdown ? report::markdown(table) : report::plain(table));
 }
 
 }  // namespace

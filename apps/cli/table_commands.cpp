@@ -9,11 +9,11 @@
 #include "commands.h"
 #include "output.h"
 #include "pipeline/compare.h"
-#include "studies/method_study.h"
-#include "studies/reproduce.h"
 #include "pipeline/tool_sets.h"
 #include "plan_arguments.h"
 #include "post/part/outline_writer.h"
+#include "studies/method_study.h"
+#include "studies/reproduce.h"
 
 namespace clearcut::cli {
 
@@ -43,9 +43,10 @@ void write_slower(const studies::StudyCase& one, const std::string& folder) {
 
 void compare_at_random(const CompareCommand& command) {
   const auto options = command.arguments.options();
-  const auto study = studies::study_methods(command.random, options.seed, options, [&](const studies::StudyCase& one) {
-    if (one.faster && !command.slower.empty()) write_slower(one, command.slower);
-  });
+  const auto study =
+      studies::study_methods(command.random, options.seed, options, [&](const studies::StudyCase& one) {
+        if (one.faster && !command.slower.empty()) write_slower(one, command.slower);
+      });
   print(studies::study_table(study), command.as_markdown);
 }
 
@@ -92,7 +93,8 @@ void add_tools_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
   command->callback([state, &exit_code] {
-    print(pipeline::tool_table(state->arguments.read(), state->speeds, state->arguments.options()), state->as_markdown);
+    print(pipeline::tool_table(state->arguments.read(), state->speeds, state->arguments.options()),
+          state->as_markdown);
     exit_code = kClean;
   });
 }

@@ -22,7 +22,7 @@ struct VerifyCommand {
 };
 
 report::CertificateInfo certificate_info(const VerifyCommand& command, const resolve::PlanOptions& options,
-                                 const std::string& program) {
+                                         const std::string& program) {
   report::CertificateInfo info;
   info.version = kVersion;
   info.seed = options.seed;
@@ -35,11 +35,12 @@ report::CertificateInfo certificate_info(const VerifyCommand& command, const res
 int run(const VerifyCommand& command) {
   const resolve::PlanOptions options = command.arguments.options();
   const std::string program = read_file(command.program);
-  const pipeline::JudgeResult result = pipeline::judge(command.arguments.read(), program, command.program, options);
+  const pipeline::CheckResult result =
+      pipeline::check_program(command.arguments.read(), program, command.program, options);
   std::vector<OutputFile> files;
   if (!command.json.empty()) {
     files.push_back({command.json, report::certificate_json(result.part, result.findings,
-                                                    certificate_info(command, options, program))});
+                                                            certificate_info(command, options, program))});
   }
   if (!command.svg.empty())
     files.push_back({command.svg, report::svg(result.part, result.toolpath, result.findings, {})});

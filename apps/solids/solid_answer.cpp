@@ -84,8 +84,8 @@ Path projected(const TopoDS_Edge& edge) {
              std::abs(curve.Circle().Axis().Direction().Z()) > 1 - kSquare * kSquare) {
     path = circular(curve.Circle(), first, last);
   } else {
-    append_fitted([&](double t) { return plan_of(curve.Value(first + t * (last - first))); }, read::kCurveTolerance,
-                  path);
+    read::append_fitted([&](double t) { return plan_of(curve.Value(first + t * (last - first))); },
+                        read::kCurveTolerance, path);
   }
   return edge.Orientation() == TopAbs_REVERSED ? reversed(path) : path;
 }

@@ -82,7 +82,7 @@ void append_axis_curve(const WallPair& walls, const AxisPoint& a, const AxisPoin
                        int halvings, std::vector<AxisPoint>& out) {
   const Vec2 middle = lerp(a.point, b.point, 0.5);
   const AxisPoint on = onto_bisector(walls, middle);
-  const double length = geometry::voronoi::distance(a.point, b.point), off = geometry::voronoi::distance(on.point, middle);
+  const double length = distance(a.point, b.point), off = distance(on.point, middle);
   const double bend = std::max(off, std::abs(on.clearance - (a.clearance + b.clearance) / 2));
   if (halvings > 0 && bend > chord && off < length) {
     append_axis_curve(walls, a, on, chord, halvings - 1, out);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "link/link.h"
 #include "geometry/route/legal_area.h"
+#include "link/link.h"
 #include "model/move.h"
 
 namespace clearcut::link {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "kinematics/kinematics.h"
 #include "link/linker.h"
 #include "link/short_order.h"
 #include "link/work.h"
-#include "kinematics/kinematics.h"
 
 namespace clearcut::link {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "base/tolerances.h"
 #include "link/lead.h"
-#include "model/part.h"
 #include "model/machine.h"
+#include "model/part.h"
 #include "model/pass.h"
 
 namespace clearcut::link {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "link/work.h"
 #include "kinematics/kinematics.h"
+#include "link/work.h"
 
 namespace clearcut::link {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "link/entry.h"
 #include "kinematics/kinematics.h"
+#include "link/entry.h"
 
 namespace clearcut::link {
 namespace {

@@ -54,8 +54,12 @@ class ShortOrder {
                         work_.layer_of(cuts_[from.last - 1].item).layer().z};
       return linker_.travel(at, begins[b.visit][b.way], low);
     };
-    question.travel = [&](const order::VisitStep& a, const order::VisitStep& b) { return travel(a, b, true); };
-    question.far_travel = [&](const order::VisitStep& a, const order::VisitStep& b) { return travel(a, b, false); };
+    question.travel = [&](const order::VisitStep& a, const order::VisitStep& b) {
+      return travel(a, b, true);
+    };
+    question.far_travel = [&](const order::VisitStep& a, const order::VisitStep& b) {
+      return travel(a, b, false);
+    };
     return tasks_of(order::order_visits(question));
   }
 

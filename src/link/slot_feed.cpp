@@ -13,7 +13,8 @@ constexpr double kTouching = 1;
 constexpr double kFilm = 1e-3;
 
 /// One of the equal steps of a move, slow or not.
-std::vector<bool> slow_steps(const Move& move, double radius, Radians limit, const stock::Material& material) {
+std::vector<bool> slow_steps(const Move& move, double radius, Radians limit,
+                             const stock::Material& material) {
   const int count = std::max(1, static_cast<int>(std::ceil(move.path.length() * kStepsPerRadius / radius)));
   std::vector<bool> slow;
   Move lifted = move;

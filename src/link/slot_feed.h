@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/units.h"
-#include "stock/material.h"
 #include "model/move.h"
+#include "stock/material.h"
 
 namespace clearcut::link {
 

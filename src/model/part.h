@@ -122,14 +122,4 @@ const Feature& feature_of(const Part& part, const Workingstep& step);
 /// Whether walls bound the feature on all sides, so that the cutter can leave it upwards alone.
 bool closed_all_round(const Feature& feature);
 
-/// The outline of `regions` at depth `below_top` mm under a feature with leaning walls (SPEC B4).
-Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol);
-/// Sets top_z of every feature in workplan order to the height that the features before it leave standing over its
-/// target (stacking); warns where that differs from the declared top by more than tol.join_gap.
-void stack_tops(Part& part, const Tolerances& tol);
-/// The same heights, one per feature, without setting or reporting anything. Features outside the workplan keep
-/// their declared top. Slivers thinner than 0.05 mm in the mean do not count. Cost O(features) booleans per feature
-/// at worst.
-std::vector<double> stacked_tops(const Part& part, const Tolerances& tol);
-
 }  // namespace clearcut::inline model

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "order/exchange_search.h"
 #include "order/length/ab_cycles.h"
 #include "order/length/array_tour.h"
 #include "order/length/assembly.h"
 #include "order/length/chained_search.h"
 #include "order/length/edge_counts.h"
-#include "order/exchange_search.h"
 #include "order/length/start_tours.h"
 #include "order/test_support.h"
 

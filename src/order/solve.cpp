@@ -8,14 +8,14 @@
 #include <limits>
 #include <optional>
 
-#include "order/exact.h"
-#include "order/exchange_search.h"
-#include "order/lattice.h"
 #include "order/bounds/lattice_bounds.h"
-#include "order/length/length_search.h"
 #include "order/bounds/line_cover.h"
 #include "order/bounds/one_tree.h"
 #include "order/bounds/run_cover.h"
+#include "order/exact.h"
+#include "order/exchange_search.h"
+#include "order/lattice.h"
+#include "order/length/length_search.h"
 
 namespace clearcut::order {
 

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "order/exact.h"
-#include "order/lattice.h"
 #include "order/bounds/lattice_bounds.h"
 #include "order/bounds/line_cover.h"
 #include "order/bounds/run_cover.h"
+#include "order/exact.h"
+#include "order/lattice.h"
 #include "order/test_support.h"
 
 namespace clearcut::order {

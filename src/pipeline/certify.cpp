@@ -8,8 +8,8 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
-#include "stock/round_hole.h"
 #include "read/gcode/gcode.h"
+#include "stock/round_hole.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
@@ -59,10 +59,10 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
 
 std::string post_with(const std::optional<Figures>& verdict, const Toolpath& toolpath, const Part& part,
                       const resolve::PlanOptions& options) {
-  post::PostOptions post_options = options.post;
+  PostOptions post_options = options.post;
   post_options.header = header(part, verdict);
   if (post_options.program_name.empty()) post_options.program_name = part.name;
-  return post::post(toolpath, part, post_options);
+  return post::write_program(toolpath, part, post_options);
 }
 
 /// mm over all that stands, where nothing is said.
@@ -78,11 +78,12 @@ double crossing_z(const Part& part, const Operation& operation) {
   return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
 }
 
-link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const resolve::PlanOptions& options) {
+link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry,
+                               const resolve::PlanOptions& options) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
   const auto& operation = step.operation;
   link::LinkOptions link;
-  link.tool_radius = report::tool_of(part, step).radius();
+  link.tool_radius = tool_of(part, step).radius();
   link.safe_z = part.safe_z();
   link.cross_z = crossing_z(part, operation);
   link.direction = *operation.direction;
@@ -92,7 +93,7 @@ link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entr
   link.ramp_feed = *operation.cutting.ramp_feed;
   link.entry = operation.entry.value_or(entry);
   if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
-  link.may_plunge = report::tool_of(part, step).center_cutting;
+  link.may_plunge = tool_of(part, step).center_cutting;
   link.helix_widest = options.shop.widest_helix(operation.entry_size);
   link.zigzag_length = operation.entry_size.value_or(0);
   link.helix_narrowest = options.shop.helix_narrowest;
@@ -108,9 +109,9 @@ link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entr
 
 void describe(Section& section, int workingstep, const Part& part) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  section.label = report::feature_of(part, step).name;
+  section.label = feature_of(part, step).name;
   section.workingstep = workingstep;
-  section.tool_number = report::tool_of(part, step).number;
+  section.tool_number = tool_of(part, step).number;
   section.spindle_rpm = *step.operation.cutting.spindle_rpm;
   section.spindle_clockwise = step.operation.cutting.spindle_clockwise;
   section.coolant = step.operation.cutting.coolant;
@@ -154,7 +155,7 @@ verify::VerifyOptions verify_options(const resolve::PlanOptions& options) {
 void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
   result.program = post_with(std::nullopt, planned, result.part, options);
   result.toolpath = read::gcode::read_gcode(result.program, "program", home_z(options.machine)).toolpath;
-  result.findings = verify::verify(result.part, result.toolpath, verify_options(options));
+  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {

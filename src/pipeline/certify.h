@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "link/link.h"
-#include "pipeline/run.h"
 #include "model/pass.h"
+#include "pipeline/run.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
@@ -15,7 +15,8 @@ double crossing_z(const Part& part, const Operation& operation);
 
 /// How a workingstep of a prepared part is linked, by its place in the workplan. `entry` is how to go down where the operation
 /// does not say.
-link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry, const resolve::PlanOptions& options);
+link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry,
+                               const resolve::PlanOptions& options);
 
 /// Writes into `section` whose work it is and how its tool is driven.
 void describe(Section& section, int workingstep, const Part& part);

@@ -21,7 +21,8 @@ double least_way(const std::string& strategy, const StepPlan& known, double radi
   const double plain = known.reached_mm2 / (2 * radius);
   if (strategy == "spiral") return plain + plan::spiral::kSpiralFall * known.legal_rim_mm / 2;
   if (strategy == "adaptive") {
-    return known.reached_mm2 / (radius * (1 - std::cos(plan::adaptive::AdaptiveOptions{}.engagement.radians())));
+    return known.reached_mm2 /
+           (radius * (1 - std::cos(plan::adaptive::AdaptiveOptions{}.engagement.radians())));
   }
   return plain;
 }

@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "pipeline/strategies.h"
 #include "model/contest.h"
 #include "model/move.h"
+#include "pipeline/strategies.h"
 
 namespace clearcut::pipeline {
 
@@ -39,7 +39,8 @@ class Choice {
  public:
   /// Plans the first two strategies of `attempts` everywhere, then those others that may be faster by their least
   /// length and are worth the effort; all in parallel. Throws what the planner throws for the first strategy.
-  Choice(std::vector<ChoiceStep> steps, Attempts attempts, StepPlanner planner, const resolve::PlanOptions& options);
+  Choice(std::vector<ChoiceStep> steps, Attempts attempts, StepPlanner planner,
+         const resolve::PlanOptions& options);
 
   const Section& section(std::size_t step) const;
   /// Takes the next best plan after one that was not certified clean: a slower one, else a fallback. False when

@@ -23,7 +23,7 @@ struct Row {
 Row row_of(const std::string& strategy, const Part& part, resolve::PlanOptions options) {
   options.strategy = strategy;
   try {
-    return {strategy, plan(part, options).findings.all, ""};
+    return {strategy, plan_part(part, options).findings.all, ""};
   } catch (const InputError& error) {
     return {strategy, std::nullopt, error.what()};
   }

@@ -1,8 +1,8 @@
 // Every strategy and rival on one part, judged alike.
 #pragma once
 
-#include "resolve/plan_options.h"
 #include "report/text_table.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::pipeline {
 

@@ -9,11 +9,12 @@
 #include "geometry/clearance.h"
 #include "order/solve.h"
 #include "pipeline/certify.h"
-#include "resolve/prepare.h"
+#include "plan/common/layers.h"
 #include "plan/grid/check.h"
 #include "plan/grid/shape.h"
 #include "plan/grid/visit.h"
-#include "plan/common/layers.h"
+#include "resolve/prepare.h"
+#include "stock/stacking.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -40,14 +41,15 @@ Workingstep step_of(std::size_t element, const ElementJob& job) {
   step.source = from.source;
   step.feature = static_cast<int>(element);
   step.operation.name = from.id;
-  step.operation.tool = static_cast<int>(report::tool_of(job, from) - job.tools.data());
+  step.operation.tool = static_cast<int>(tool_of(job, from) - job.tools.data());
   step.operation.cutting = from.cutting;
   step.operation.stepdown = from.stepdown;
   return step;
 }
 
 /// The part that the elements describe, its workplan in the order of the visits.
-Part part_of(const ElementJob& job, const std::vector<plan::grid::ElementVisit>& visits, const Tolerances& tol) {
+Part part_of(const ElementJob& job, const std::vector<plan::grid::ElementVisit>& visits,
+             const Tolerances& tol) {
   Part part;
   part.name = job.name;
   part.source_file = job.source_file;
@@ -56,7 +58,7 @@ Part part_of(const ElementJob& job, const std::vector<plan::grid::ElementVisit>&
   for (const auto& element : job.elements) part.features.push_back(plan::grid::feature_of(element, job));
   for (const auto& visit : visits) part.workplan.push_back(step_of(visit.element, job));
   for (const auto& noticed : plan::grid::off_grid(job)) part.diagnostics.warn(noticed.place, noticed.text);
-  stack_tops(part, tol);
+  stock::stack_tops(part, tol);
   return part;
 }
 
@@ -67,10 +69,10 @@ Regions legal_of(const Region& target, double tool_radius, const Tolerances& tol
   return legal.empty() ? clearance.inset(tool_radius - tol.fit) : legal;
 }
 
-std::vector<LayerPasses> passes_of(const plan::grid::ElementVisit& visit, const Part& part, const Workingstep& step,
-                                   const Tolerances& tol) {
-  const auto& feature = plan::grid::feature_of(part, step);
-  const double radius = report::tool_of(part, step).radius();
+std::vector<LayerPasses> passes_of(const plan::grid::ElementVisit& visit, const Part& part,
+                                   const Workingstep& step, const Tolerances& tol) {
+  const auto& feature = feature_of(part, step);
+  const double radius = tool_of(part, step).radius();
   const Regions legal = legal_of(feature.target.front(), radius, tol);
   std::vector<LayerPasses> layers;
   double top = feature.top_z;
@@ -110,7 +112,7 @@ Toolpath toolpath_of(const std::vector<plan::grid::ElementVisit>& visits, const 
 
 std::vector<ElementFigures> figures_of(const ElementJob& job, const PointTable& table,
                                        const std::vector<plan::grid::ElementVisit>& visits) {
-  std::vector<ElementFigures> order::figures(job.elements.size());
+  std::vector<ElementFigures> figures(job.elements.size());
   for (std::size_t i = 0; i < figures.size(); ++i) figures[i].id = job.elements[i].id;
   for (const auto& point : table.points) {
     auto& own = figures[static_cast<std::size_t>(point.element) - 1];

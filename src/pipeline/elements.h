@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "model/design_element.h"
-#include "resolve/plan_options.h"
 #include "pipeline/run.h"
 #include "report/text_table.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::pipeline {
 

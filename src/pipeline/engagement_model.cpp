@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "base/units.h"
-#include "stock/material.h"
 #include "geometry/route/legal_area.h"
+#include "stock/material.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -281,7 +281,7 @@ const std::vector<double>& EngagementModel::along(std::span<const int> tour) {
     if (i == 0) {
       plunge(task_.points[static_cast<std::size_t>(tour[0])]);
     } else {
-      engagement_.push_back(cut(order::move_points(tour[i - 1], tour[i])));
+      engagement_.push_back(cut(move_points(tour[i - 1], tour[i])));
     }
   }
   last_.assign(tour.begin(), tour.end());

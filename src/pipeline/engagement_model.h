@@ -17,7 +17,7 @@ namespace clearcut::pipeline {
 struct EngagementTask {
   std::vector<Vec2> points;
   plan::tour::WayFunction way;  ///< bends between two points; empty: straight
-  Regions target;   ///< material before the first move, plan view
+  Regions target;               ///< material before the first move, plan view
   double radius = 0;
 };
 
@@ -43,7 +43,7 @@ class EngagementModel {
 
  private:
   const std::vector<Vec2>& bends(int a, int b);
-  std::vector<Vec2> order::move_points(int a, int b);
+  std::vector<Vec2> move_points(int a, int b);
 
   EngagementTask task_;
   std::unordered_map<unsigned long long, std::vector<Vec2>> bends_;

@@ -9,8 +9,8 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "pipeline/tour_solver.h"
 #include "kinematics/kinematics.h"
+#include "pipeline/tour_solver.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -89,7 +89,7 @@ TEST(Engagement, TooMuchCostsMoreThanTooLittle) {
   EXPECT_GT(engagement_cost(0.2), 2 * engagement_cost(0.1));
 }
 
-TEST(plan::tour::TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
+TEST(TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
   plan::tour::TourTask task;
   task.points = grid_task().points;
   Layer layer;

@@ -1,8 +1,8 @@
 #include "pipeline/holes.h"
 
 #include "link/hole.h"
-#include "stock/round_hole.h"
 #include "pipeline/certify.h"
+#include "stock/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -14,7 +14,8 @@ link::HoleWork work_of(const stock::RoundHole& hole, const std::vector<Layer>& l
 bool is_drilled(const stock::RoundHole& hole, const Workingstep& step, const Tool& tool,
                 const resolve::PlanOptions& options) {
   if (stock::only_plunges(tool)) return tool.radius() <= hole.radius + options.tol.fit;
-  return tool.center_cutting && step.operation.allowance_side == 0 && stock::makes_hole(tool, hole, options.tol);
+  return tool.center_cutting && step.operation.allowance_side == 0 &&
+         stock::makes_hole(tool, hole, options.tol);
 }
 
 bool is_bored(const link::HoleWork& work, const Feature& feature, const Workingstep& step, const Tool& tool,
@@ -28,8 +29,8 @@ bool is_bored(const link::HoleWork& work, const Feature& feature, const Workings
 std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingstep, const Part& part,
                                  const resolve::PlanOptions& options) {
   const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  const auto& feature = report::feature_of(part, step);
-  const auto& tool = report::tool_of(part, step);
+  const auto& feature = feature_of(part, step);
+  const auto& tool = tool_of(part, step);
   const auto hole = stock::round_hole_of(feature, options.tol);
   std::optional<Section> section;
   if (hole && !layers.empty()) {

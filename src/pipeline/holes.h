@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "resolve/plan_options.h"
 #include "model/layer.h"
 #include "model/move.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::pipeline {
 

@@ -5,8 +5,9 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "resolve/left_over.h"
 #include "plan/common/layers.h"
+#include "resolve/left_over.h"
+#include "stock/at_depth.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -60,7 +61,8 @@ std::optional<Regions> MeetingPockets::widened(const Layer& layer,
                                                const std::vector<const Feature*>& open) const {
   Regions wide = layer.allowed;
   for (const Feature* other : open)
-    wide = unite(wide, at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol_), tol_);
+    wide =
+        unite(wide, stock::at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol_), tol_);
   const double around = 2 * (layer.tool_radius + layer.wall_stock);
   const Regions near = dilate(layer.allowed, around, tol_);
   const auto reached = [&](const Regions& allowed, double more) {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/part.h"
 #include "model/layer.h"
+#include "model/part.h"
 
 namespace clearcut::pipeline {
 

@@ -8,11 +8,10 @@
 #include "base/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "kinematics/kinematics.h"
 #include "link/slot_feed.h"
-#include "stock/round_hole.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
-#include "resolve/prepare.h"
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
@@ -20,7 +19,8 @@
 #include "plan/common/layers.h"
 #include "plan/common/walls.h"
 #include "read/gcode/gcode.h"
-#include "kinematics/kinematics.h"
+#include "resolve/prepare.h"
+#include "stock/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -91,7 +91,7 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }
-    const EntryKind entry = default_entry(report::tool_of(part, step), attempt);
+    const EntryKind entry = default_entry(tool_of(part, step), attempt);
     plan.section = link_step(passes, work.workingstep, entry, part, options);
   }
   plan.time_s = kinematics::kinematic_time(plan.section.moves, options.machine).seconds();
@@ -102,22 +102,23 @@ std::vector<ChoiceStep> choice_steps(const Part& part) {
   std::vector<ChoiceStep> steps;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
-    steps.push_back({report::feature_of(part, step).name, static_cast<int>(i), report::tool_of(part, step).radius(),
+    steps.push_back({feature_of(part, step).name, static_cast<int>(i), tool_of(part, step).radius(),
                      *step.operation.cutting.feed});
   }
   return steps;
 }
 
 std::string does_not_fit(const Part& part, const Workingstep& step, const resolve::PlanOptions& options) {
-  if (stock::only_plunges(report::tool_of(part, step)) && !stock::round_hole_of(report::feature_of(part, step), options.tol)) {
+  if (stock::only_plunges(tool_of(part, step)) &&
+      !stock::round_hole_of(feature_of(part, step), options.tol)) {
     return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
-                       report::tool_of(part, step).number, plan::contour::name_of(report::tool_of(part, step).kind),
-                       trimmed(report::tool_of(part, step).diameter, 4), report::feature_of(part, step).name);
+                       tool_of(part, step).number, name_of(tool_of(part, step).kind),
+                       trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
   }
   return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
-                     report::tool_of(part, step).number, trimmed(report::tool_of(part, step).diameter, 4),
-                     report::feature_of(part, step).name,
-                     trimmed(resolve::largest_fitting_diameter(report::feature_of(part, step), options.tol), 3));
+                     tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
+                     feature_of(part, step).name,
+                     trimmed(resolve::largest_fitting_diameter(feature_of(part, step), options.tol), 3));
 }
 
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
@@ -127,7 +128,7 @@ constexpr std::size_t kMostEdgesForRivals = 400;
 StepPlan fastest_plan(const StepWork& work, const Part& part, const Attempt& attempt,
                       const resolve::PlanOptions& options) {
   StepPlan best = plan_step(work, part, attempt, options);
-  const auto& feature = report::feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
+  const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
   const bool alone = !attempt.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
   for (const auto& rival : rival_attempts()) {
@@ -167,7 +168,7 @@ void slow_down_slots(Toolpath& toolpath, const Part& part, const resolve::PlanOp
     const auto& step = part.workplan[static_cast<std::size_t>(section.workingstep)];
     const MmPerMin feed = *step.operation.cutting.feed;
     const MmPerMin slot_feed = slot_feed_of(section).value_or(feed);
-    slow_down_slots(section, report::tool_of(part, step).radius(), {limit, slot_feed, feed}, material);
+    link::slow_down_slots(section, tool_of(part, step).radius(), {limit, slot_feed, feed}, material);
   }
 }
 
@@ -184,7 +185,7 @@ Toolpath toolpath_of(const Choice& choice, const Part& part, const resolve::Plan
 void report_notes(const Choice& choice, const std::vector<StepWork>& works, Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (works[i].done_before) {
-      part.diagnostics.note(report::feature_of(part, part.workplan[i]).name,
+      part.diagnostics.note(feature_of(part, part.workplan[i]).name,
                             "nothing is cut: the earlier program has left no more than films under 0.007 mm "
                             "where the cutter can reach");
     }
@@ -206,10 +207,10 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
     if (!choice.section(i).moves.empty()) continue;
-    const bool fits =
-        report::tool_of(part, step).diameter <= resolve::largest_fitting_diameter(report::feature_of(part, step), options.tol);
+    const bool fits = tool_of(part, step).diameter <=
+                      resolve::largest_fitting_diameter(feature_of(part, step), options.tol);
     if (fits && works[i].layers.empty()) continue;
-    part.diagnostics.skip(report::feature_of(part, step).name, does_not_fit(part, step, options));
+    part.diagnostics.skip(feature_of(part, step).name, does_not_fit(part, step, options));
   }
 }
 
@@ -219,7 +220,7 @@ bool retry_unclean(Choice& choice, PlanResult& result) {
   for (const auto& feature : result.findings.features) {
     if (feature.figures.clean || feature.workingstep < 0) continue;
     const auto i = static_cast<std::size_t>(feature.workingstep);
-    const Tool& tool = report::tool_of(result.part, result.part.workplan[i]);
+    const Tool& tool = tool_of(result.part, result.part.workplan[i]);
     if (tool.corner_radius >= tool.radius()) continue;  // no passes leave a floor flat
     if (!choice.next(i)) continue;
     const Attempt& next = choice.attempt(i);
@@ -253,7 +254,7 @@ void number_sections(Toolpath& toolpath, const Part& part) {
 /// A program of another CAM is held to the stepdown that somebody stated, not to our default.
 void keep_stated_stepdowns(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    const bool mills = !stock::only_plunges(report::tool_of(prepared, prepared.workplan[i]));
+    const bool mills = !stock::only_plunges(tool_of(prepared, prepared.workplan[i]));
     prepared.workplan[i].operation.stepdown =
         options.stepdown && mills ? options.stepdown : part.workplan[i].operation.stepdown;
   }
@@ -269,7 +270,7 @@ std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
 
 }  // namespace
 
-PlanResult plan(const Part& part, const resolve::PlanOptions& options) {
+PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = resolve::prepare(part, options);
   const auto works = step_works(result.part, options);
@@ -290,16 +291,16 @@ PlanResult plan(const Part& part, const resolve::PlanOptions& options) {
   return result;
 }
 
-JudgeResult judge(const Part& part, const std::string& program, const std::string& program_name,
-                  const resolve::PlanOptions& options) {
+CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
+                          const resolve::PlanOptions& options) {
   auto read = read::gcode::read_gcode(program, program_name, home_z(options.machine));
-  JudgeResult result;
+  CheckResult result;
   result.part = resolve::prepare(part, numbered_by(read.toolpath, options));
   keep_stated_stepdowns(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
-  result.findings = verify::verify(result.part, result.toolpath, verify_options(options));
+  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));
   return result;
 }
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "resolve/plan_options.h"
-#include "report/result.h"
 #include "model/contest.h"
 #include "model/findings.h"
 #include "model/move.h"
+#include "report/result.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::pipeline {
 
@@ -23,15 +23,15 @@ struct PlanResult {
 
 /// Plans, posts and certifies a part.
 /// Throws InputError where the options cannot be met or nothing at all can be cut.
-PlanResult plan(const Part& part, const resolve::PlanOptions& options);
+PlanResult plan_part(const Part& part, const resolve::PlanOptions& options);
 
 /// Judges any program text against a part. `tools` replace the part's, as in PlanOptions.
-struct JudgeResult {
+struct CheckResult {
   Part part;
   Toolpath toolpath;
   Findings findings;
 };
-JudgeResult judge(const Part& part, const std::string& program, const std::string& program_name,
-                  const resolve::PlanOptions& options);
+CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
+                          const resolve::PlanOptions& options);
 
 }  // namespace clearcut::pipeline

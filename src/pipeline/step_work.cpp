@@ -5,13 +5,13 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "stock/round_hole.h"
-#include "stock/standing.h"
 #include "pipeline/certify.h"
 #include "pipeline/holes.h"
-#include "resolve/left_over.h"
 #include "pipeline/meeting_pockets.h"
 #include "plan/common/layers.h"
+#include "resolve/left_over.h"
+#include "stock/round_hole.h"
+#include "stock/standing.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -21,11 +21,11 @@ namespace {
 /// asked for are those of one unit.
 double printing_reserve(const resolve::PlanOptions& options) {
   if (options.post.decimals) return std::max(0.0, post::rounding_of(options.post) - options.tol.gouge / 2);
-  post::PostOptions metric = options.post, inch = options.post;
+  PostOptions metric = options.post, inch = options.post;
   metric.inch = false;
   inch.inch = true;
-  return std::max(
-      {0.0, post::rounding_of(metric) - options.tol.gouge / 2, post::rounding_of(inch) - options.tol.gouge / 2});
+  return std::max({0.0, post::rounding_of(metric) - options.tol.gouge / 2,
+                   post::rounding_of(inch) - options.tol.gouge / 2});
 }
 
 /// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning
@@ -49,19 +49,19 @@ Regions overrun(const Regions& target, const Regions& allowed, const resolve::Pl
 /// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(const Part& part, int index, const resolve::PlanOptions& options) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
-  const auto& feature = report::feature_of(part, step);
+  const auto& feature = feature_of(part, step);
   Operation operation = step.operation;
   const double reserve = printing_reserve(options);
   operation.allowance_side += reserve;
   operation.allowance_floor += reserve;
-  const Tool& tool = report::tool_of(part, step);
+  const Tool& tool = tool_of(part, step);
   MeetingPockets met(part, index, options.tol);
   // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
   const bool bare = is_bare(part, feature) || !met.empty();
   const auto holes = stock::holes_before(part, index, options.tol);
   const stock::Standing standing(part, index, options.tol);
   auto layers = plan::layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius,
-                          standing.top() - feature.top_z);
+                                standing.top() - feature.top_z);
   for (auto& layer : layers) {
     layer.reserve = reserve;
     layer.holes = holes;
@@ -69,7 +69,7 @@ std::vector<Layer> standing_layers(const Part& part, int index, const resolve::P
     Regions stands = standing.above(layer.z);
     // It stands in the outline at the top: between leaning walls there is less.
     if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, options.tol);
-    if (stands.empty() || !plan::closed_all_round(feature) || layer.z >= feature.top_z) {
+    if (stands.empty() || !closed_all_round(feature) || layer.z >= feature.top_z) {
       layer.target = overrun(stands, layer.allowed, options);
     } else if (!met.empty()) {
       met.widen(layer);
@@ -94,7 +94,7 @@ constexpr double kThinStock = 0.5;
 /// finished otherwise.
 bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
                        const Layer& layer, const resolve::PlanOptions& options) {
-  if (!plan::closed_all_round(feature) || !finishes(step.operation)) return false;
+  if (!closed_all_round(feature) || !finishes(step.operation)) return false;
   if (step.operation.kind == OperationKind::kFinishing && last) return false;
   return !resolve::is_thicker_than(left, 2 * kThinStock * layer.tool_radius, options.tol);
 }
@@ -115,7 +115,7 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
     if (!whole_floor && (finishing || step.operation.rest || options.earlier)) {
       const Regions left = resolve::left_over(part, index, one.layer, options);
       one.walls_only =
-          finishing && is_wall_finishing(step, report::feature_of(part, step), left, last, one.layer, options);
+          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, options);
       if (!one.walls_only) one.layer.target = left;
       one.rest = true;
     }
@@ -149,7 +149,7 @@ std::vector<StepWork> step_works(const Part& part, const resolve::PlanOptions& o
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     StepWork work;
     work.workingstep = static_cast<int>(i);
-    work.wall_top = top_of_flush_walls(part, report::feature_of(part, part.workplan[i]), options.tol);
+    work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), options.tol);
     const auto standing = standing_layers(part, work.workingstep, options);
     work.hole = hole_step(standing, work.workingstep, part, options);
     work.layers = layers_left(standing, work.workingstep, part, options);

@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "pipeline/tour_solver.h"
 #include "plan/adaptive/adaptive.h"
-#include "plan/contour/contour.h"
 #include "plan/common/layers.h"
+#include "plan/contour/contour.h"
 #include "plan/spiral/spiral.h"
 #include "plan/tour/tour.h"
 #include "plan/zigzag/zigzag.h"
@@ -26,21 +26,26 @@ struct ContourMethod {
 };
 
 constexpr ContourMethod kContourMethods[] = {
-    {"contour", "contours as wide as the cutter allows, rests cut locally", "widest", plan::contour::ResidualRule::kOurs},
+    {"contour", "contours as wide as the cutter allows, rests cut locally", "widest",
+     plan::contour::ResidualRule::kOurs},
     {"lom", "published: step 2 R kappa from the smallest angle", "lom", plan::contour::ResidualRule::kNone},
-    {"rho", "published: step 2 R rho, overlap of 1 mm in the corner", "rho", plan::contour::ResidualRule::kNone},
+    {"rho", "published: step 2 R rho, overlap of 1 mm in the corner", "rho",
+     plan::contour::ResidualRule::kNone},
     {"second", "published: rho of the second smallest angle, passages along the smallest", "second",
      plan::contour::ResidualRule::kPassages},
     {"lom-corrected", "ours: the widest step between contours that leaves nothing", "lom-corrected",
      plan::contour::ResidualRule::kNone},
-    {"rho-corrected", "ours: the same with the overlap of rho", "rho-corrected", plan::contour::ResidualRule::kNone},
+    {"rho-corrected", "ours: the same with the overlap of rho", "rho-corrected",
+     plan::contour::ResidualRule::kNone},
     {"fixed", "contours at a fixed step, nothing else", "0.9", plan::contour::ResidualRule::kNone},
     {"loops", "published: fixed step and a loop in every corner", "0.9", plan::contour::ResidualRule::kLoops},
     {"pwid", "published: fixed step and a kite in every corner", "0.9", plan::contour::ResidualRule::kPwid},
-    {"single", "published: fixed step and a tangent loop in every corner", "0.9", plan::contour::ResidualRule::kSingleLoops},
+    {"single", "published: fixed step and a tangent loop in every corner", "0.9",
+     plan::contour::ResidualRule::kSingleLoops},
     {"double", "published: fixed step and two tangent loops in every corner", "0.9",
      plan::contour::ResidualRule::kDoubleLoops},
-    {"bisectors", "published: fixed step and every corner's bisector", "0.9", plan::contour::ResidualRule::kBisectors}};
+    {"bisectors", "published: fixed step and every corner's bisector", "0.9",
+     plan::contour::ResidualRule::kBisectors}};
 
 const ContourMethod* contour_method(const std::string& name) {
   const auto found = std::find_if(std::begin(kContourMethods), std::end(kContourMethods),
@@ -63,8 +68,9 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
   contour.wall_on_right = wall_on_right(operation);
   contour.outside_in = options.outside_in;
   contour.start = options.start;
-  return once_per_outline(
-      [contour, tol = options.tol](const Layer& layer) { return plan::contour::plan_contour(layer, contour, tol); });
+  return plan::once_per_outline([contour, tol = options.tol](const Layer& layer) {
+    return plan::contour::plan_contour(layer, contour, tol);
+  });
 }
 
 Strategy adaptive_strategy(const Operation& operation, const resolve::PlanOptions& options) {
@@ -72,8 +78,9 @@ Strategy adaptive_strategy(const Operation& operation, const resolve::PlanOption
   if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
   adaptive.start = options.start;
   adaptive.widest_helix = options.shop.widest_helix(operation.entry_size);
-  return once_per_outline(
-      [adaptive, tol = options.tol](const Layer& layer) { return plan::adaptive::plan_adaptive(layer, adaptive, tol); });
+  return plan::once_per_outline([adaptive, tol = options.tol](const Layer& layer) {
+    return plan::adaptive::plan_adaptive(layer, adaptive, tol);
+  });
 }
 
 /// mm between lines, where one is asked for; rules about the angles of contours mean nothing to lines.
@@ -88,7 +95,8 @@ std::optional<double> line_distance(const std::optional<std::string>& stepover, 
                                              *stepover));
 }
 
-Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options) {
+Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation,
+                         const resolve::PlanOptions& options) {
   plan::zigzag::ZigzagOptions zigzag;
   // Among others, lines are free to run where they are fastest.
   if (options.strategy == "zigzag") zigzag.angle = operation.feed_direction;
@@ -97,27 +105,30 @@ Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation, con
   zigzag.machine = options.machine;
   zigzag.feed = *operation.cutting.feed;
   line_distance(attempt.stepover, 1);  // refused before anything is planned
-  return once_per_outline(
+  return plan::once_per_outline(
       [zigzag, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
         zigzag.stepover = line_distance(stepover, 2 * layer.tool_radius);
         return plan::zigzag::plan_zigzag(layer, zigzag, tol);
       });
 }
 
-Strategy tour_strategy(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options) {
-  const auto grid = attempt.stepover ? plan::tour::parse_tour_grid(*attempt.stepover) : plan::tour::TourGridOptions{};
-  return once_per_outline(
+Strategy tour_strategy(const Attempt& attempt, const Operation& operation,
+                       const resolve::PlanOptions& options) {
+  const auto grid =
+      attempt.stepover ? plan::tour::parse_tour_grid(*attempt.stepover) : plan::tour::TourGridOptions{};
+  return plan::once_per_outline(
       [grid, solve = tour_solver(options, *operation.cutting.feed, attempt.briefly),
        tol = options.tol](const Layer& layer) { return plan::tour::plan_tour(layer, grid, solve, tol); });
 }
 
-Strategy spiral_strategy(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options) {
+Strategy spiral_strategy(const Attempt& attempt, const Operation& operation,
+                         const resolve::PlanOptions& options) {
   plan::spiral::SpiralOptions spiral;
   spiral.wall_on_right = wall_on_right(operation);
   spiral.machine = options.machine;
   spiral.feed = *operation.cutting.feed;
   line_distance(attempt.stepover, 1);  // refused before anything is planned
-  return once_per_outline(
+  return plan::once_per_outline(
       [spiral, stepover = attempt.stepover, tol = options.tol](const Layer& layer) mutable {
         spiral.stepover = line_distance(stepover, 2 * layer.tool_radius);
         return plan::spiral::plan_spiral(layer, spiral, tol);
@@ -161,7 +172,8 @@ std::string description_of(const std::string& strategy) {
   return "the fastest that certifies clean";
 }
 
-Strategy strategy_for(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options) {
+Strategy strategy_for(const Attempt& attempt, const Operation& operation,
+                      const resolve::PlanOptions& options) {
   if (const auto* method = contour_method(attempt.strategy)) {
     return contour_strategy(*method, attempt, operation, options);
   }

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "resolve/plan_options.h"
-#include "plan/contour/contour.h"
 #include "model/layer.h"
 #include "model/pass.h"
+#include "plan/contour/contour.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::pipeline {
 
@@ -37,7 +37,8 @@ const std::vector<Attempt>& rival_attempts();
 
 /// The strategy of an attempt with the operation's feed and the options' limits bound in.
 /// Throws InputError for an unknown name or a stepover that cannot be read.
-Strategy strategy_for(const Attempt& attempt, const Operation& operation, const resolve::PlanOptions& options);
+Strategy strategy_for(const Attempt& attempt, const Operation& operation,
+                      const resolve::PlanOptions& options);
 
 /// What the wanted strategy stands for: those among which the fastest is kept, the surest first, and those tried
 /// one after the other where none of them was certified clean.

@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "pipeline/compare.h"
-#include "resolve/prepare.h"
 #include "pipeline/run.h"
+#include "resolve/prepare.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -43,7 +43,8 @@ CuttingData cutting_of(const Tool& tool, std::size_t index, const ToolSpeeds& sp
   return given;
 }
 
-std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
+std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds,
+                                     const resolve::PlanOptions& options) {
   const auto& tools = options.tools.empty() ? part.tools : options.tools;
   if (tools.empty()) {
     throw InputError("tools",
@@ -66,7 +67,7 @@ ToolRun run_of(const Candidate& candidate, const Part& part, resolve::PlanOption
   ToolRun run;
   run.tool = tool;
   try {
-    const auto result = plan(part, options);
+    const auto result = plan_part(part, options);
     const auto& figures = result.findings.all;
     const auto& cutting = result.part.workplan.front().operation.cutting;
     run.spindle_rpm = cutting.spindle_rpm.value_or(0);
@@ -122,7 +123,7 @@ std::optional<double> rest_time(const Candidate& first, const Candidate& then, c
   options.cutting = then.cutting;
   options.shop.rest = true;
   try {
-    const auto findings = plan(part, options).findings;
+    const auto findings = plan_part(part, options).findings;
     double time = 0;
     for (const auto& feature : findings.features) {
       if (feature.tool_diameter == then.tool.diameter) time += feature.figures.time_s;
@@ -136,7 +137,8 @@ std::optional<double> rest_time(const Candidate& first, const Candidate& then, c
 /// The fastest way to end with each cutter; `all` and `runs` run from the smallest up.
 std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate>& all,
                                                      const std::vector<ToolRun>& runs, const Part& part,
-                                                     const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
+                                                     const ToolSpeeds& speeds,
+                                                     const resolve::PlanOptions& options) {
   std::vector<std::optional<Sequence>> best(all.size());
   for (std::size_t i = all.size(); i-- > 0;) {
     if (runs[i].clean) best[i] = Sequence{{i}, runs[i].time_s};
@@ -190,7 +192,8 @@ CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth
   return data;
 }
 
-std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
+std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds,
+                               const resolve::PlanOptions& options) {
   std::vector<ToolRun> runs;
   for (const auto& one : candidates_of(part, speeds, options)) runs.push_back(run_of(one, part, options));
   return runs;
@@ -201,7 +204,8 @@ std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds&
   return fastest_of(run_tools(part, speeds, options), part, speeds, options);
 }
 
-report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
+report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds,
+                             const resolve::PlanOptions& options) {
   const auto runs = run_tools(part, speeds, options);
   if (std::none_of(runs.begin(), runs.end(), [](const ToolRun& run) { return run.fits; }))
     throw InputError("", runs.front().refusal);

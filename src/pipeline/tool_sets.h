@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "resolve/plan_options.h"
 #include "report/text_table.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::pipeline {
 
@@ -45,7 +45,8 @@ struct ToolRun {
 /// Every tool of the options (else of the part) alone on every feature, smallest first. Throws InputError without tools
 /// and for speeds that are not above 0.
 /// Cost one plan each.
-std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options);
+std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds,
+                               const resolve::PlanOptions& options);
 
 /// Cutters one after the other, largest first.
 struct ToolSequence {

@@ -72,8 +72,8 @@ double engagement_target(const resolve::PlanOptions& options) {
   return options.engagement_deg ? *options.engagement_deg / 180 : 0.5;
 }
 
-order::ObjectivePtr layer_objective(const std::string& name, const plan::tour::TourTask& task, const resolve::PlanOptions& options,
-                                    MmPerMin feed) {
+order::ObjectivePtr layer_objective(const std::string& name, const plan::tour::TourTask& task,
+                                    const resolve::PlanOptions& options, MmPerMin feed) {
   const EngagementTask engagement{task.points, task.way, task.layer->target, task.layer->tool_radius};
   if (name == "length") return order::length_objective();
   if (name == "turns") return order::turns_objective();

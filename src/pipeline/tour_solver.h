@@ -6,8 +6,8 @@
 
 #include "order/objective.h"
 #include "order/problem.h"
-#include "resolve/plan_options.h"
 #include "plan/tour/tour.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::pipeline {
 

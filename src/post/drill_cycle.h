@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "post/print_grid.h"
 #include "model/move.h"
+#include "post/print_grid.h"
 
 namespace clearcut::post {
 

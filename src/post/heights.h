@@ -1,8 +1,8 @@
 // Heights a program needs besides those of its moves.
 #pragma once
 
-#include "model/part.h"
 #include "model/move.h"
+#include "model/part.h"
 
 namespace clearcut::post {
 

@@ -83,7 +83,7 @@ double rounding_of(const PostOptions& options) {
   return largest_deviation(grid) + (options.dialect == kKlartext ? kKlartextDrift * grid.step() : 0);
 }
 
-std::string post(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
+std::string write_program(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
   const IsoDialect* dialect = iso_dialect_named(options.dialect);
   if (!dialect && options.dialect != kKlartext) refuse_dialect(options.dialect);
   if (options.decimals && (*options.decimals < 1 || *options.decimals > 6)) {

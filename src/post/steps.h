@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "model/move.h"
 #include "post/post.h"
 #include "post/print_grid.h"
-#include "model/move.h"
 
 namespace clearcut::post {
 

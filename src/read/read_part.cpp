@@ -6,11 +6,11 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "read/common/text.h"
 #include "read/dxf/dxf_reader.h"
 #include "read/edges/edges_reader.h"
 #include "read/job/job_file.h"
 #include "read/outline/outline_reader.h"
-#include "read/common/text.h"
 #include "read/step_solid/step_solid.h"
 #include "read/stepnc/stepnc.h"
 #include "read/svg/svg_reader.h"

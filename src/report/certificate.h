@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "model/part.h"
 #include "model/contest.h"
 #include "model/findings.h"
+#include "model/part.h"
 
 namespace clearcut::report {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "report/text_table.h"
 #include "model/contest.h"
+#include "report/text_table.h"
 
 namespace clearcut::report {
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "model/part.h"
 #include "model/findings.h"
+#include "model/part.h"
 
 namespace clearcut::report {
 

@@ -1,8 +1,8 @@
 // What earlier steps of a feature, or an earlier program, leave of a layer.
 #pragma once
 
-#include "resolve/plan_options.h"
 #include "model/layer.h"
+#include "resolve/plan_options.h"
 
 namespace clearcut::resolve {
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "base/tolerances.h"
+#include "model/machine.h"
+#include "model/move.h"
 #include "model/part.h"
 #include "model/shop_options.h"
 #include "post/post.h"
-#include "model/machine.h"
-#include "model/move.h"
 
 namespace clearcut::resolve {
 
@@ -38,7 +38,7 @@ struct PlanOptions {
   std::optional<Vec2> start;  ///< where the cutting of contours should begin, or adaptive clearing go down
   CuttingData cutting;
   Machine machine;
-  post::PostOptions post;
+  PostOptions post;
   std::string objective = "time";
   std::optional<double> time_s;  ///< longest search
   std::uint64_t seed = 1;

@@ -10,9 +10,10 @@
 #include "base/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "stock/round_hole.h"
 #include "resolve/left_over.h"
 #include "resolve/work_plan.h"
+#include "stock/at_depth.h"
+#include "stock/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -169,7 +170,8 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
     if (!text.empty()) defaulted.push_back(text);
   };
   const double stepdown = default_stepdown(tool, feature);
-  fill(operation.stepdown, stepdown, stock::only_plunges(tool) ? "" : "stepdown " + trimmed(stepdown, 3) + " mm");
+  fill(operation.stepdown, stepdown,
+       stock::only_plunges(tool) ? "" : "stepdown " + trimmed(stepdown, 3) + " mm");
   fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed " + trimmed(kDefaultFeed, 0) + " mm/min");
   if (machine.max_feed) cutting.feed = std::min(*cutting.feed, *machine.max_feed);
   fill(cutting.plunge_feed, *cutting.feed * kPlungeShare, "");
@@ -185,7 +187,8 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
   const double deep = feature.top_z - feature.floor_z;
   const bool leans = feature.wall_slope.radians() != 0 && deep > 0;
-  const Regions allowed = leans ? at_depth(feature.allowed, feature.wall_slope, deep, tol) : feature.allowed;
+  const Regions allowed =
+      leans ? stock::at_depth(feature.allowed, feature.wall_slope, deep, tol) : feature.allowed;
   const Regions target = leans ? intersect(feature.target, allowed, tol) : feature.target;
   const bool closed = closed_all_round(feature);
   double radius = 0;

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "geometry/boolean.h"
-#include "stock/round_hole.h"
 #include "resolve/prepare.h"
+#include "stock/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -85,7 +85,8 @@ void add_floor_steps(const Part& part, int feature, const ShopOptions& shop,
   std::optional<double> narrowest;
   for (const Workingstep& step : part.workplan) {
     const Tool& tool = tool_of(part, step);
-    if (step.feature != feature || stock::only_plunges(tool) || (narrowest && tool.diameter >= *narrowest)) continue;
+    if (step.feature != feature || stock::only_plunges(tool) || (narrowest && tool.diameter >= *narrowest))
+      continue;
     floors.push_back(floor_step(step, narrowest.has_value(), shop));
     narrowest = tool.diameter;
   }

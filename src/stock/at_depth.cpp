@@ -1,7 +1,8 @@
+#include "stock/at_depth.h"
+
 #include <cmath>
 
 #include "geometry/clearance.h"
-#include "model/part.h"
 
 namespace clearcut::stock {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "geometry/box.h"
+#include "model/move.h"
 #include "stock/angle_set.h"
 #include "stock/engagement_arcs.h"
-#include "model/move.h"
 
 namespace clearcut::stock {
 

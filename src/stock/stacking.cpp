@@ -1,10 +1,10 @@
-// Where each feature's material begins, given what was cut before it: over a point of a feature it stands at the lowest
-// floor of the earlier features that cover the point, or at the stock's top.
+#include "stock/stacking.h"
+
 #include <algorithm>
 
 #include "base/format.h"
+#include "stock/at_depth.h"
 #include "stock/cleared.h"
-#include "model/part.h"
 
 namespace clearcut::stock {
 

@@ -1,8 +1,9 @@
 // Tops by stacking: the height that earlier features leave over a later one's target.
+#include "stock/stacking.h"
+
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "studies/fishhead.h"
 #include "model/part.h"
 #include "stock/standing.h"
 
@@ -116,18 +117,6 @@ TEST(Stacking, AgreesWithAHeightMapOnRandomParts) {
     }
     EXPECT_EQ(stacked_tops(part, {}), expected) << "seed " << seed;
   }
-}
-
-// The wall that FACE2 leaves is wider than what FACE3 leaves of it: a wedge beside it stands at -2, the rest
-// at -12.
-TEST(Stacking, FishheadTops) {
-  const Part part = studies::fishhead(false, {});
-  const double tops[] = {0, -2, -2, -12, -17, -17, -23.5, -23.5, -23.5, -23.5};
-  ASSERT_EQ(part.features.size(), 10U);
-  for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(part.features[i].top_z, tops[i]) << part.features[i].name;
-  const Standing third(part, 2, {});
-  EXPECT_LT(area(third.above(-11)), 200);
-  EXPECT_NEAR(area(third.above(-13)), area(part.features[2].target), 1e-2);
 }
 
 TEST(Names, ToolKindsAreNamedAsOnTheCommandLine) {

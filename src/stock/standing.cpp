@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "stock/at_depth.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::stock {

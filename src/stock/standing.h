@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "stock/cleared.h"
 #include "model/part.h"
+#include "stock/cleared.h"
 
 namespace clearcut::stock {
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "stock/stacking.h"
+
 namespace clearcut::stock {
 namespace {
 

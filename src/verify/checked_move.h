@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "model/part.h"
 #include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "model/part.h"
 #include "verify/gouge.h"
 
 namespace clearcut::verify {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "model/findings.h"
-#include "verify/feature_work.h"
 #include "verify/checked_move.h"
+#include "verify/feature_work.h"
 #include "verify/verify.h"
 
 namespace clearcut::verify {

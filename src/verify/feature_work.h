@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "verify/coverage.h"
 #include "verify/checked_move.h"
+#include "verify/coverage.h"
 #include "verify/verify.h"
 
 namespace clearcut::verify {

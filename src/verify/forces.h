@@ -5,8 +5,8 @@
 
 #include "model/work_material.h"
 #include "stock/material.h"
-#include "verify/finished_part.h"
 #include "verify/checked_move.h"
+#include "verify/finished_part.h"
 
 namespace clearcut::verify {
 

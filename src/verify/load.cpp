@@ -132,7 +132,8 @@ class LoadMeter {
   }
 
   /// Height of the material before the cutter, well inside what it takes away; here, and the greatest of the move.
-  double measure_axial(JudgedMove& judged, Vec2 center, double heading, double z, const stock::AngleSet& contact) {
+  double measure_axial(JudgedMove& judged, Vec2 center, double heading, double z,
+                       const stock::AngleSet& contact) {
     const double inside = judged.radius() - kSliver;
     double here = 0;
     const bool may_be_more = z + judged.load.axial_mm + kFilm < material_.z_top();

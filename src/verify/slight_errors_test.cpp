@@ -41,7 +41,7 @@ Findings round_pocket(double last, double depth = 3) {
   Writer writer;
   writer.enter(kCenter + Vec2{4, 0}, 0, -depth);
   for (const double r : {4.0, 8.0, 12.0, last}) circle(writer, r);
-  return verify(part, writer.done(), {});
+  return verify_program(part, writer.done(), {});
 }
 
 TEST(SlightErrors, ASliverOfElevenMicrometresAlongAnArc) {
@@ -68,7 +68,7 @@ TEST(SlightErrors, OneRingTooHigh) {
   circle(writer, 4).feed(kCenter + Vec2{11, 0}, -2.98);
   circle(writer, 11).feed(kCenter + Vec2{15, 0}, -3);
   circle(writer, 15);
-  EXPECT_TRUE(has(verify(part, writer.done(), {}), FaultKind::kUncut));
+  EXPECT_TRUE(has(verify_program(part, writer.done(), {}), FaultKind::kUncut));
 }
 
 /// 60 x 60 x 2 with a round island of radius `island` about the middle, cut by a 10 mm cutter.
@@ -89,7 +89,7 @@ TEST(SlightErrors, AnIslandGougedByTwoMicrometresOnTheWayDown) {
     circle(writer, 15);
     cut_square_rings(writer, kCenter, {19.5, 24, 25}, 0, -2);
     writer.feed({10, 10}).feed({5, 5}).feed({55, 5}).feed({50, 10});
-    const Findings findings = verify(island_part(10), writer.done(), {});
+    const Findings findings = verify_program(island_part(10), writer.done(), {});
     EXPECT_EQ(has(findings, FaultKind::kGouge), too_near > 0) << report_of(findings);
     EXPECT_NEAR(findings.all.gouge_mm, too_near, 1e-9);
   }
@@ -100,7 +100,7 @@ TEST(SlightErrors, ARapidThroughAnIslandBelowItsTop) {
     Writer writer;
     circle(writer.enter({45, 30}, 0, -2), 15);
     writer.rapid({45, 30}, z).rapid({15, 30}, z);
-    const Findings findings = verify(island_part(10), writer.done(), {});
+    const Findings findings = verify_program(island_part(10), writer.done(), {});
     EXPECT_EQ(has(findings, FaultKind::kGouge), z < 0) << z << report_of(findings);
     if (z < -0.1) {
       EXPECT_TRUE(has(findings, FaultKind::kRapidInMaterial));
@@ -112,7 +112,7 @@ TEST(SlightErrors, AnArcTheWrongWayRound) {
   for (const Turn turn : {Turn::kCounterClockwise, Turn::kClockwise}) {
     Writer writer;
     writer.enter({55, 50}, 0, -2).arc({55, 40}, {55, 45}, turn);
-    const Findings findings = verify(island_part(10), writer.done(), {});
+    const Findings findings = verify_program(island_part(10), writer.done(), {});
     EXPECT_EQ(has(findings, FaultKind::kGouge), turn == Turn::kClockwise) << report_of(findings);
   }
 }
@@ -127,7 +127,7 @@ TEST(SlightErrors, NoRingMayBeMissing) {
     kept.push_back(kept.back());
     Writer writer;
     cut_square_rings(writer, kCenter, kept, 0, -2);
-    const Findings findings = verify(part, writer.done(), {});
+    const Findings findings = verify_program(part, writer.done(), {});
     EXPECT_EQ(findings.all.clean, missing == rings.size()) << missing << "\n" << report_of(findings);
   }
 }
@@ -142,7 +142,7 @@ TEST(SlightErrors, GapsBetweenRingsByMicrometres) {
     Writer writer;
     writer.enter(kCenter + Vec2{first, 0}, 0, -3);
     for (const double r : radii) circle(writer, r);
-    const Findings findings = verify(part, writer.done(), {});
+    const Findings findings = verify_program(part, writer.done(), {});
     // The middle of the gap lies gap / 2 from both rings.
     if (gap / 2 > 0.0101) {
       EXPECT_FALSE(findings.all.clean) << gap;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "model/part.h"
 #include "model/move.h"
+#include "model/part.h"
 
 namespace clearcut::testing {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/checked_move.h"
 #include "verify/coverage.h"
 #include "verify/faults.h"
 #include "verify/feature_work.h"
@@ -10,7 +11,6 @@
 #include "verify/finished_part.h"
 #include "verify/forces.h"
 #include "verify/gouge.h"
-#include "verify/checked_move.h"
 #include "verify/load.h"
 
 namespace clearcut::verify {
@@ -161,7 +161,7 @@ class FindingsBuilder {
 
 }  // namespace
 
-Findings verify(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
+Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
   const FinishedPart finished(part);
   JudgedProgram program = judged_program(part, toolpath, options.machine, options.earlier);
   std::vector<FeatureWork> works = works_of(part);

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "base/tolerances.h"
-#include "model/part.h"
-#include "model/work_material.h"
 #include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "model/part.h"
+#include "model/work_material.h"
 
 namespace clearcut::verify {
 
@@ -32,6 +32,6 @@ struct VerifyOptions {
 /// Error   gouges exact for lines and arcs; what is left by proven upper bounds; see docs/verification.md.
 /// Throws  nothing for a valid part; the result does not depend on options.threads.
 /// Cost    O((moves + outline + cells) log n) for gouges and coverage, O(feed length / step) for the load.
-Findings verify(const Part& part, const Toolpath& toolpath, const VerifyOptions& options);
+Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options);
 
 }  // namespace clearcut::verify

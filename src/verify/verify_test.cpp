@@ -51,7 +51,7 @@ Toolpath square_program(const std::vector<double>& rings, double z = -2, Vec2 ce
 }
 
 TEST(Verify, ARightProgramIsClean) {
-  const Findings findings = verify(square_part(), square_program(kRings), {});
+  const Findings findings = verify_program(square_part(), square_program(kRings), {});
   EXPECT_TRUE(findings.all.clean) << report_of(findings);
   EXPECT_LE(findings.all.uncut_thickness_mm, 0.005);
   EXPECT_EQ(findings.all.uncut_mm2, 0);
@@ -66,7 +66,7 @@ TEST(Verify, ARightProgramIsClean) {
 }
 
 TEST(Verify, FiguresAreThoseOfTheMoves) {
-  const Findings findings = verify(square_part(), square_program(kRings), {});
+  const Findings findings = verify_program(square_part(), square_program(kRings), {});
   double rings = 0, links = 0;
   for (std::size_t i = 0; i < kRings.size(); ++i) {
     rings += 8 * kRings[i];
@@ -85,7 +85,7 @@ TEST(Verify, FiguresAreThoseOfTheMoves) {
 TEST(Verify, AMissingRingIsNamedWhereItWas) {
   std::vector<double> rings = kRings;
   rings.erase(rings.begin() + 2);  // the one at 11: leaves 9.5 .. 12.5
-  const Findings findings = verify(square_part(), square_program(rings), {});
+  const Findings findings = verify_program(square_part(), square_program(rings), {});
   EXPECT_FALSE(findings.all.clean);
   ASSERT_TRUE(has(findings, FaultKind::kUncut)) << report_of(findings);
   const Fault& fault = fault_of(findings, FaultKind::kUncut);
@@ -101,7 +101,7 @@ TEST(Verify, AMissingRingIsNamedWhereItWas) {
 TEST(Verify, AMissingWallRingIsNamed) {
   std::vector<double> rings = kRings;
   rings.back() = 21.9;
-  const Findings findings = verify(square_part(), square_program(rings), {});
+  const Findings findings = verify_program(square_part(), square_program(rings), {});
   ASSERT_TRUE(has(findings, FaultKind::kUncut)) << report_of(findings);
   EXPECT_NEAR(findings.all.uncut_thickness_mm, 0.1 * std::sqrt(2.0), 0.03);
 }
@@ -109,7 +109,7 @@ TEST(Verify, AMissingWallRingIsNamed) {
 TEST(Verify, AThinFilmWithinToleranceIsNoFault) {
   std::vector<double> rings = kRings;
   rings.back() = 22 - 0.004;
-  const Findings findings = verify(square_part(), square_program(rings), {});
+  const Findings findings = verify_program(square_part(), square_program(rings), {});
   EXPECT_FALSE(has(findings, FaultKind::kUncut)) << report_of(findings);
   EXPECT_GE(findings.all.uncut_thickness_mm, 0.004);
   EXPECT_LE(findings.all.uncut_thickness_mm, 0.01);
@@ -121,7 +121,7 @@ TEST(Verify, StepoverJustOverTheCuttersWidthLeavesARidge) {
     Part part = pocket_part(rectangle(0, 0, 60, 12 + gap), 6, -2);
     Writer writer;
     writer.enter({3, 3}, 0, -2).feed({57, 3}).feed({57, 9 + gap}).feed({3, 9 + gap}).feed({3, 3});
-    return verify(part, writer.done(), {});
+    return verify_program(part, writer.done(), {});
   };
   EXPECT_TRUE(judged(0).all.clean) << report_of(judged(0));
   EXPECT_TRUE(judged(-0.06).all.clean);
@@ -133,7 +133,7 @@ TEST(Verify, StepoverJustOverTheCuttersWidthLeavesARidge) {
 }
 
 TEST(Verify, AShiftedProgramGougesAndLeaves) {
-  const Findings findings = verify(square_part(), square_program(kRings, -2, {25.5, 25}), {});
+  const Findings findings = verify_program(square_part(), square_program(kRings, -2, {25.5, 25}), {});
   ASSERT_TRUE(has(findings, FaultKind::kGouge)) << report_of(findings);
   const Fault& fault = fault_of(findings, FaultKind::kGouge);
   EXPECT_NEAR(fault.size, 0.5, 1e-9);
@@ -146,31 +146,31 @@ TEST(Verify, AShiftedProgramGougesAndLeaves) {
 TEST(Verify, AGougeOfFiveMicrometresIsFoundAndHalfAMicrometreIsNot) {
   std::vector<double> rings = kRings;
   rings.back() = 22.005;
-  const Findings deep = verify(square_part(), square_program(rings), {});
+  const Findings deep = verify_program(square_part(), square_program(rings), {});
   ASSERT_TRUE(has(deep, FaultKind::kGouge));
   EXPECT_NEAR(deep.all.gouge_mm, 0.005, 1e-9);
   rings.back() = 22.0005;
-  const Findings rounding = verify(square_part(), square_program(rings), {});
+  const Findings rounding = verify_program(square_part(), square_program(rings), {});
   EXPECT_TRUE(rounding.all.clean) << report_of(rounding);
   EXPECT_NEAR(rounding.all.gouge_mm, 0.0005, 1e-9);
 }
 
 TEST(Verify, AFloorCutTooDeepIsAGouge) {
-  const Findings findings = verify(square_part(), square_program(kRings, -2.01), {});
+  const Findings findings = verify_program(square_part(), square_program(kRings, -2.01), {});
   ASSERT_TRUE(has(findings, FaultKind::kGouge)) << report_of(findings);
   EXPECT_NEAR(findings.all.gouge_mm, 0.01, 1e-9);
   EXPECT_NE(fault_of(findings, FaultKind::kGouge).text.find("below"), std::string::npos);
 }
 
 TEST(Verify, AFloorNotReachedIsNothingCut) {
-  const Findings findings = verify(square_part(), square_program(kRings, -1.9), {});
+  const Findings findings = verify_program(square_part(), square_program(kRings, -1.9), {});
   EXPECT_TRUE(has(findings, FaultKind::kNothingCut)) << report_of(findings);
   EXPECT_NEAR(findings.all.uncut_mm2, 2500 - 4 * (1 - kPi / 4) * 9, 2);
 }
 
 TEST(Verify, ACutterThatDoesNotFitIsSaid) {
   const Part part = pocket_part(rectangle(0, 0, 50, 5), 6, -2);
-  const Findings findings = verify(part, Writer().done(), {});
+  const Findings findings = verify_program(part, Writer().done(), {});
   ASSERT_TRUE(has(findings, FaultKind::kNothingCut)) << report_of(findings);
   EXPECT_NE(fault_of(findings, FaultKind::kNothingCut).text.find("fits"), std::string::npos);
   EXPECT_EQ(findings.all.uncut_mm2, 0);
@@ -181,12 +181,12 @@ TEST(Verify, ASlotAsWideAsTheCutterIsCutByOnePass) {
     const Part part = pocket_part(rectangle(0, 0, 50, width), 6, -2);
     Writer writer;
     writer.enter({3, width / 2}, 0, -2).feed({47, width / 2});
-    const Findings findings = verify(part, writer.done(), {});
+    const Findings findings = verify_program(part, writer.done(), {});
     EXPECT_TRUE(findings.all.clean) << width << "\n" << report_of(findings);
     EXPECT_NEAR(findings.all.unreachable_mm2, 2 * 2 * (1 - kPi / 4) * 9, 0.3) << width;
     Writer half;
     half.enter({3, width / 2}, 0, -2).feed({40, width / 2});
-    EXPECT_TRUE(has(verify(part, half.done(), {}), FaultKind::kUncut)) << width;
+    EXPECT_TRUE(has(verify_program(part, half.done(), {}), FaultKind::kUncut)) << width;
   }
 }
 
@@ -215,7 +215,7 @@ TEST(Verify, WhatIsOutOfReachIsMeasuredByItsOutline) {
   for (const double r : {11.0, 15.0, 17.0}) {
     writer.feed({r, 0}).arc({-r, 0}, {}, Turn::kCounterClockwise).arc({r, 0}, {}, Turn::kCounterClockwise);
   }
-  const Findings findings = verify(part, writer.done(), {});
+  const Findings findings = verify_program(part, writer.done(), {});
   EXPECT_FALSE(has(findings, FaultKind::kNothingCut)) << report_of(findings);
   const double slots = kPi * (32 * 32 - 20 * 20) / 2;
   EXPECT_NEAR(findings.all.unreachable_mm2, slots, 0.02 * slots);
@@ -237,7 +237,7 @@ TEST(Verify, NearlyStraightArcsAreJudgedAsLines) {
         writer.feed(at(left, 50 - left)).feed(at(left, left));
       };
       for (const double left : {22.0, 17.5, 13.0, 8.5, 5.0, 4.0, 3.0 + bow}) ring(left);
-      const Findings findings = verify(part, writer.done(), {});
+      const Findings findings = verify_program(part, writer.done(), {});
       EXPECT_LE(findings.all.uncut_thickness_mm, std::abs(bulge) * 50 + 0.01) << report_of(findings);
       // Bows turn the corners by 50 / radius.
       EXPECT_NEAR(findings.all.unreachable_mm2, 4 * (1 - kPi / 4) * 9, 0.6 + 2000 / radius) << radius;
@@ -270,14 +270,14 @@ Toolpath slot_program(double low, double high, std::optional<double> across = {}
 
 TEST(Verify, LeaningWallsEndAtTheSideOfTheStock) {
   const Part part = leaning_slot();
-  const Findings right = verify(part, slot_program(19, 21), {});
+  const Findings right = verify_program(part, slot_program(19, 21), {});
   EXPECT_TRUE(right.all.clean) << report_of(right);
   EXPECT_LE(right.all.unreachable_mm2, 0.1);
   // What leans ends with the stock: beside it a cutter may pass as near as beside an upright side.
-  EXPECT_TRUE(verify(part, slot_program(19, 21, -3), {}).all.clean);
-  EXPECT_NEAR(verify(part, slot_program(19, 21, -2.99), {}).all.gouge_mm, 0.01, 1e-9);
-  EXPECT_NEAR(verify(part, slot_program(18.99, 21), {}).all.gouge_mm, 0.01, 1e-9);
-  EXPECT_TRUE(has(verify(part, slot_program(19.02, 21), {}), FaultKind::kUncut));
+  EXPECT_TRUE(verify_program(part, slot_program(19, 21, -3), {}).all.clean);
+  EXPECT_NEAR(verify_program(part, slot_program(19, 21, -2.99), {}).all.gouge_mm, 0.01, 1e-9);
+  EXPECT_NEAR(verify_program(part, slot_program(18.99, 21), {}).all.gouge_mm, 0.01, 1e-9);
+  EXPECT_TRUE(has(verify_program(part, slot_program(19.02, 21), {}), FaultKind::kUncut));
 }
 
 TEST(Verify, AHoleOfTheCuttersSizeIsCutByAPlunge) {
@@ -291,14 +291,14 @@ TEST(Verify, AHoleOfTheCuttersSizeIsCutByAPlunge) {
     const Vec2 center = box(hole).center();
     Writer writer;
     writer.enter(center, 0, -4);
-    const Findings findings = verify(part, writer.done(), {});
+    const Findings findings = verify_program(part, writer.done(), {});
     EXPECT_TRUE(findings.all.clean) << report_of(findings);
     Writer shallow;
     shallow.enter(center, 0, -3.97);
-    EXPECT_FALSE(verify(part, shallow.done(), {}).all.clean);
+    EXPECT_FALSE(verify_program(part, shallow.done(), {}).all.clean);
     Writer beside;
     beside.enter(center + Vec2{0.0021, 0}, 0, -4);
-    EXPECT_TRUE(has(verify(part, beside.done(), {}), FaultKind::kGouge));
+    EXPECT_TRUE(has(verify_program(part, beside.done(), {}), FaultKind::kGouge));
   }
 }
 
@@ -317,16 +317,16 @@ TEST(Verify, AHoleOfTheCuttersSizeAtTheEndOfASlotIsAskedFor) {
     if (both) writer.leave().enter({0, 0}, 0, -4);
     return writer.done();
   };
-  const Findings whole = verify(part, program(true), {});
+  const Findings whole = verify_program(part, program(true), {});
   EXPECT_TRUE(whole.all.clean) << report_of(whole);
-  EXPECT_TRUE(has(verify(part, program(false), {}), FaultKind::kUncut));
+  EXPECT_TRUE(has(verify_program(part, program(false), {}), FaultKind::kUncut));
 }
 
 TEST(Verify, ADrilledHoleIsCutByAPlunge) {
   Part part = pocket_part({Region::from_valid_loops(circle_loop({10, 10}, 4), {})}, 8, -5);
   Writer writer;
   writer.enter({10, 10}, 0, -5);
-  const Findings findings = verify(part, writer.done(), {});
+  const Findings findings = verify_program(part, writer.done(), {});
   EXPECT_TRUE(findings.all.clean) << report_of(findings);
   EXPECT_NEAR(findings.all.unreachable_mm2, 0, 0.05);
 }
@@ -342,7 +342,7 @@ TEST(Verify, ACircularPocketCutInCirclesIsClean) {
     writer.feed(c + Vec2{r, 0});
     writer.arc(c - Vec2{r, 0}, c, Turn::kCounterClockwise).arc(c + Vec2{r, 0}, c, Turn::kCounterClockwise);
   }
-  const Findings findings = verify(part, writer.done(), {});
+  const Findings findings = verify_program(part, writer.done(), {});
   EXPECT_TRUE(findings.all.clean) << report_of(findings);
   EXPECT_NEAR(findings.all.unreachable_mm2, 0, 0.2);
   EXPECT_LE(findings.all.uncut_thickness_mm, 0.005);
@@ -367,12 +367,12 @@ Toolpath island_program(double ring) {
 }
 
 TEST(Verify, AnIslandIsLeftStanding) {
-  const Findings findings = verify(island_part(), island_program(15), {});
+  const Findings findings = verify_program(island_part(), island_program(15), {});
   EXPECT_TRUE(findings.all.clean) << report_of(findings);
 }
 
 TEST(Verify, AnIslandCutByFiveMicrometresIsNamed) {
-  const Findings findings = verify(island_part(), island_program(14.995), {});
+  const Findings findings = verify_program(island_part(), island_program(14.995), {});
   ASSERT_TRUE(has(findings, FaultKind::kGouge));
   EXPECT_NEAR(findings.all.gouge_mm, 0.005, 1e-9);
   EXPECT_NEAR(distance(fault_of(findings, FaultKind::kGouge).at.point, {30, 30}), 14.995, 1e-6);
@@ -381,7 +381,7 @@ TEST(Verify, AnIslandCutByFiveMicrometresIsNamed) {
 TEST(Verify, AMoveAcrossAnIslandIsNamed) {
   Writer writer;
   writer.enter({5, 30}, 0, -2).feed({55, 30});
-  const Findings findings = verify(island_part(), writer.done(), {});
+  const Findings findings = verify_program(island_part(), writer.done(), {});
   ASSERT_TRUE(has(findings, FaultKind::kGouge));
   EXPECT_GE(findings.all.gouge_mm,
             2 - 1e-9);  // the island is 2 mm high: lifting that much would have spared it
@@ -392,7 +392,7 @@ TEST(Verify, ARapidThroughStockIsNamed) {
   cut_square_rings(writer, {25, 25}, {2, 6.5}, 0, -2);
   writer.rapid({40, 25}, -2);
   const int line = writer.line();
-  const Findings findings = verify(square_part(), writer.done(), {});
+  const Findings findings = verify_program(square_part(), writer.done(), {});
   ASSERT_TRUE(has(findings, FaultKind::kRapidInMaterial));
   EXPECT_EQ(fault_of(findings, FaultKind::kRapidInMaterial).at.line, line);
   EXPECT_EQ(findings.all.rapid_in_material, 2);  // and the way up from where it ended
@@ -403,7 +403,7 @@ TEST(Verify, ARapidDownIntoStockIsNamed) {
   writer.rapid({25, 25}, 10).rapid({25, 25}, -0.5);
   const int line = writer.line();
   writer.feed({25, 25}, -2).feed({30, 25});
-  const Findings findings = verify(square_part(), writer.done(), {});
+  const Findings findings = verify_program(square_part(), writer.done(), {});
   ASSERT_TRUE(has(findings, FaultKind::kRapidInMaterial));
   EXPECT_EQ(fault_of(findings, FaultKind::kRapidInMaterial).at.line, line);
 }
@@ -412,7 +412,7 @@ TEST(Verify, RapidsInWhatIsClearedAreFine) {
   Writer writer;
   cut_square_rings(writer, {25, 25}, kRings, 0, -2);
   writer.rapid({25, 25}, -2).rapid({25, 25}, 10).rapid({10, 10}, 10).rapid({10, 10}, -2);
-  const Findings findings = verify(square_part(), writer.done(), {});
+  const Findings findings = verify_program(square_part(), writer.done(), {});
   EXPECT_TRUE(findings.all.clean) << report_of(findings);
   EXPECT_EQ(findings.all.rapid_in_material, 0);
 }
@@ -422,7 +422,7 @@ TEST(Verify, ARapidThatBrushesUncutStockByFiveMicrometresIsNamed) {
     Writer writer;
     writer.enter({10, 25}, 0, -2).feed({40, 25});
     writer.rapid({10, y}, -2);
-    return verify(square_part(), writer.done(), {});
+    return verify_program(square_part(), writer.done(), {});
   };
   EXPECT_FALSE(has(judged(25), FaultKind::kRapidInMaterial));
   EXPECT_FALSE(has(judged(25.0005), FaultKind::kRapidInMaterial));
@@ -441,12 +441,12 @@ TEST(Verify, AMissingLevelIsTooDeep) {
     }
     return writer.done();
   };
-  const Findings right = verify(part, program({-2, -4, -6}), {});
+  const Findings right = verify_program(part, program({-2, -4, -6}), {});
   EXPECT_TRUE(right.all.clean) << report_of(right);
   EXPECT_NEAR(right.all.max_axial_mm, 2, 1e-6);
   ASSERT_EQ(right.features[0].layers.size(), 3u);
   EXPECT_GT(right.features[0].layers[1].figures.feed_mm, 600);
-  const Findings wrong = verify(part, program({-2, -6}), {});
+  const Findings wrong = verify_program(part, program({-2, -6}), {});
   ASSERT_TRUE(has(wrong, FaultKind::kTooDeep)) << report_of(wrong);
   EXPECT_NEAR(fault_of(wrong, FaultKind::kTooDeep).size, 4, 1e-6);
   EXPECT_EQ(fault_of(wrong, FaultKind::kTooDeep).at.z, -6);
@@ -457,7 +457,7 @@ TEST(Verify, AnAllowanceOnTheWallIsLeft) {
   part.workplan[0].operation.allowance_side = 0.5;
   std::vector<double> rings = kRings;
   rings.back() = 21.5;
-  const Findings findings = verify(part, square_program(rings), {});
+  const Findings findings = verify_program(part, square_program(rings), {});
   EXPECT_TRUE(findings.all.clean) << report_of(findings);
   EXPECT_NEAR(findings.all.unreachable_mm2, 4 * (1 - kPi / 4) * 9, 0.5);
 }
@@ -475,7 +475,7 @@ TEST(Verify, OpenSidesMayBePassedOver) {
       .feed({-15, 24})
       .feed({-15, 36})
       .feed({115, 36});
-  const Findings findings = verify(part, writer.done(), {});
+  const Findings findings = verify_program(part, writer.done(), {});
   EXPECT_TRUE(findings.all.clean) << report_of(findings);
   EXPECT_NEAR(findings.all.unreachable_mm2, 0, 1e-9);
   EXPECT_GT(findings.all.air_cut_mm, 20);
@@ -502,13 +502,13 @@ TEST(Verify, APocketUnderAPocketOpensItsFloor) {
       .feed({13, 43})
       .feed({7, 43});
   writer.feed({3, 47}).feed({3, 3}).feed({17, 3}).feed({17, 47}).feed({3, 47});
-  const Findings right = verify(part, writer.done(), {});
+  const Findings right = verify_program(part, writer.done(), {});
   EXPECT_TRUE(right.all.clean) << report_of(right);
   ASSERT_EQ(right.features.size(), 2u);
   EXPECT_GT(right.features[1].figures.feed_mm, 200);
   EXPECT_NEAR(right.features[0].figures.feed_mm + right.features[1].figures.feed_mm, right.all.feed_mm, 1e-9);
   writer.enter({16, 25}, -2, -4).feed({17.1, 25});
-  const Findings wrong = verify(part, writer.done(), {});
+  const Findings wrong = verify_program(part, writer.done(), {});
   ASSERT_TRUE(has(wrong, FaultKind::kGouge)) << report_of(wrong);
   EXPECT_NEAR(wrong.all.gouge_mm, 0.1, 1e-9);
 }
@@ -519,10 +519,10 @@ TEST(Verify, LeaningWallsStandNearerBelow) {
   std::vector<double> rings = kRings;
   rings.back() = 20;
   rings[4] = 18;
-  const Findings right = verify(part, square_program(rings), {});
+  const Findings right = verify_program(part, square_program(rings), {});
   EXPECT_TRUE(right.all.clean) << report_of(right);
   rings.back() = 20.1;
-  const Findings wrong = verify(part, square_program(rings), {});
+  const Findings wrong = verify_program(part, square_program(rings), {});
   ASSERT_TRUE(has(wrong, FaultKind::kGouge));
   EXPECT_NEAR(wrong.all.gouge_mm, 0.1, 1e-9);
 }
@@ -543,16 +543,16 @@ TEST(Verify, EveryLayerCountsOnLeaningWalls) {
     }
     return writer.done();
   };
-  const Findings right = verify(part, program({-1, -2, -3, -4}, 0), {});
+  const Findings right = verify_program(part, program({-1, -2, -3, -4}, 0), {});
   EXPECT_TRUE(right.all.clean) << report_of(right);
   // A wall ring left out half way down leaves 22 - 1.155 - 15 beside it, though the floor is clear.
-  const Findings skipped = verify(part, program({-1, -2, -3, -4}, -2), {});
+  const Findings skipped = verify_program(part, program({-1, -2, -3, -4}, -2), {});
   ASSERT_TRUE(has(skipped, FaultKind::kUncut)) << report_of(skipped);
   EXPECT_EQ(fault_of(skipped, FaultKind::kUncut).at.z, -2);
   EXPECT_GT(skipped.features[0].layers[1].figures.uncut_mm2, 10);
   EXPECT_LE(skipped.features[0].layers[3].figures.uncut_thickness_mm, 0.005);
   // 2 mm between layers leave steps of 2 sin 30.
-  const Findings coarse = verify(part, program({-1, -3, -4}, 0), {});
+  const Findings coarse = verify_program(part, program({-1, -3, -4}, 0), {});
   ASSERT_TRUE(has(coarse, FaultKind::kUncut)) << report_of(coarse);
   EXPECT_NEAR(fault_of(coarse, FaultKind::kUncut).size, 1, 1e-9);
 }
@@ -581,11 +581,11 @@ TEST(Verify, LayersThatLeaveStockMakeNoStepsInLeaningWalls) {
     for (int i = 0; i < 2; ++i) done.sections[static_cast<std::size_t>(i)].workingstep = i;
     return done;
   };
-  const Findings right = verify(part, program({-1, -2, -3, -4}), {});
+  const Findings right = verify_program(part, program({-1, -2, -3, -4}), {});
   EXPECT_TRUE(right.all.clean) << report_of(right);
   EXPECT_NEAR(right.features[1].scallop->height_mm, 0.5, 1e-9);
   // What roughing did at -1.8 is no step.
-  const Findings coarse = verify(part, program({-1, -3, -4}), {});
+  const Findings coarse = verify_program(part, program({-1, -3, -4}), {});
   ASSERT_TRUE(has(coarse, FaultKind::kUncut)) << report_of(coarse);
   EXPECT_NEAR(fault_of(coarse, FaultKind::kUncut).size, 1, 1e-9);
 }
@@ -597,7 +597,7 @@ TEST(Verify, WhatIsLeftIsSaidLayerByLayer) {
   Writer writer;
   cut_square_rings(writer, {25, 25}, rings, 0, -2);
   cut_square_rings(writer, {25, 25}, rings, -2, -4);
-  const Findings findings = verify(part, writer.done(), {});
+  const Findings findings = verify_program(part, writer.done(), {});
   ASSERT_EQ(findings.features[0].layers.size(), 2u);
   const double floor = findings.features[0].layers[1].figures.uncut_mm2;
   EXPECT_GT(floor, 200);
@@ -609,37 +609,37 @@ TEST(Verify, ARoundedCutterLeavesItsFilletAtTheWall) {
   Part part = square_part();
   part.tools[0].corner_radius = 1;
   std::vector<double> rings{1, 4, 7, 10, 13, 16, 19, 22};
-  const Findings findings = verify(part, square_program(rings), {});
+  const Findings findings = verify_program(part, square_program(rings), {});
   EXPECT_FALSE(has(findings, FaultKind::kUncut)) << report_of(findings);
   // A band 1 mm wide along the walls is out of the flat end's reach, and more in the corners.
   EXPECT_NEAR(findings.all.unreachable_mm2, 4 * 50 - 4 + 4 * (1 - kPi / 4) * 4, 1);
   part.tools[0].kind = ToolKind::kBallEndMill;
-  EXPECT_TRUE(has(verify(part, square_program(rings), {}), FaultKind::kNothingCut));
+  EXPECT_TRUE(has(verify_program(part, square_program(rings), {}), FaultKind::kNothingCut));
 }
 
 TEST(Verify, APlungeByACutterThatMayNotIsNamed) {
   Part part = square_part();
   part.tools[0].center_cutting = false;
-  const Findings findings = verify(part, square_program(kRings), {});
+  const Findings findings = verify_program(part, square_program(kRings), {});
   ASSERT_TRUE(has(findings, FaultKind::kPlungeTooFast));
   part.tools[0].center_cutting = true;
-  EXPECT_FALSE(has(verify(part, square_program(kRings), {}), FaultKind::kPlungeTooFast));
+  EXPECT_FALSE(has(verify_program(part, square_program(kRings), {}), FaultKind::kPlungeTooFast));
 }
 
 TEST(Verify, TravelFeedAndToolAreChecked) {
   VerifyOptions options;
   options.machine.travel = {{{0, 40}, {0, 50}, {-10, 20}}};
-  EXPECT_TRUE(has(verify(square_part(), square_program(kRings), options), FaultKind::kOutsideTravel));
+  EXPECT_TRUE(has(verify_program(square_part(), square_program(kRings), options), FaultKind::kOutsideTravel));
   Writer still;
   still.enter({10, 10}, 0, -2).feed({20, 10}, -2, 0);
-  EXPECT_TRUE(has(verify(square_part(), still.done(), {}), FaultKind::kNoFeed));
+  EXPECT_TRUE(has(verify_program(square_part(), still.done(), {}), FaultKind::kNoFeed));
   Writer other(7);
   other.enter({10, 10}, 0, -2).feed({20, 10});
-  EXPECT_TRUE(has(verify(square_part(), other.done(), {}), FaultKind::kWrongTool));
+  EXPECT_TRUE(has(verify_program(square_part(), other.done(), {}), FaultKind::kWrongTool));
 }
 
 TEST(Verify, AnEmptyProgramIsNotClean) {
-  const Findings findings = verify(square_part(), Toolpath{}, {});
+  const Findings findings = verify_program(square_part(), Toolpath{}, {});
   EXPECT_FALSE(findings.all.clean);
   EXPECT_TRUE(has(findings, FaultKind::kNothingCut));
 }
@@ -647,8 +647,8 @@ TEST(Verify, AnEmptyProgramIsNotClean) {
 TEST(Verify, ThreadsDoNotChangeTheResult) {
   VerifyOptions one, four;
   four.threads = 4;
-  const Findings a = verify(island_part(), island_program(15), one),
-                 b = verify(island_part(), island_program(15), four);
+  const Findings a = verify_program(island_part(), island_program(15), one),
+                 b = verify_program(island_part(), island_program(15), four);
   EXPECT_EQ(a.all.uncut_thickness_mm, b.all.uncut_thickness_mm);
   EXPECT_EQ(a.all.unreachable_mm2, b.all.unreachable_mm2);
   EXPECT_EQ(a.all.engagement.mean_deg, b.all.engagement.mean_deg);
@@ -661,11 +661,11 @@ TEST(Verify, TheRoundThatEndsAHelixIsPartOfTheEntry) {
   for (const double z : {0.0, -1.0, -2.0})
     writer.helix(c - Vec2{2, 0}, c, z + 0.5).helix(c + Vec2{2, 0}, c, z);
   writer.helix(c - Vec2{2, 0}, c, -2).helix(c + Vec2{2, 0}, c, -2);
-  const Findings round = verify(square_part(), writer.done(), {});
+  const Findings round = verify_program(square_part(), writer.done(), {});
   EXPECT_EQ(round.all.engagement.max_deg, 0);
   EXPECT_EQ(round.all.air_cut_mm, 0);
   writer.rapid(c + Vec2{2, 0}, -2).helix(c - Vec2{8, 0}, c - Vec2{3, 0}, -2);
-  EXPECT_GT(verify(square_part(), writer.done(), {}).all.engagement.max_deg, 60);
+  EXPECT_GT(verify_program(square_part(), writer.done(), {}).all.engagement.max_deg, 60);
 }
 
 TEST(Verify, EngagementOfStraightPasses) {
@@ -679,7 +679,7 @@ TEST(Verify, EngagementOfStraightPasses) {
   writer.feed({20, 22.6}, -2).feed({180, 22.6});
   VerifyOptions options;
   options.engagement_limit_deg = 100;
-  const Engagement engagement = verify(part, writer.done(), options).all.engagement;
+  const Engagement engagement = verify_program(part, writer.done(), options).all.engagement;
   EXPECT_NEAR(engagement.max_deg, 180, 1);
   EXPECT_NEAR(engagement.histogram_mm[6], 160, 3);  // acos(1 - 2.6 / 5) = 61.3 degrees, less at both ends
   EXPECT_NEAR(engagement.histogram_mm[17], 160, 0.5);

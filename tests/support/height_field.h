@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "model/part.h"
 #include "model/move.h"
+#include "model/part.h"
 
 namespace clearcut::test_support {
 

@@ -4,14 +4,14 @@
 
 namespace clearcut::test_support {
 
-resolve::PlanOptions with_tools(const std::vector<std::string>& tools) {
+resolve::PlanOptions plan_options_with(const std::vector<std::string>& tools) {
   resolve::PlanOptions options;
   for (const auto& tool : tools) options.tools.push_back(resolve::parse_tool(tool));
   return options;
 }
 
 resolve::PlanOptions with_tool(double diameter) {
-  return with_tools({"endmill:" + std::to_string(diameter)});
+  return plan_options_with({"endmill:" + std::to_string(diameter)});
 }
 
 void expect_clean(const pipeline::PlanResult& result, const std::string& what) {

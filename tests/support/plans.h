@@ -9,7 +9,7 @@
 namespace clearcut::test_support {
 
 /// Options with these tools, each written as on the command line.
-resolve::PlanOptions resolve::with_tools(const std::vector<std::string>& tools);
+resolve::PlanOptions plan_options_with(const std::vector<std::string>& tools);
 
 /// Options with one end mill; diameter in mm.
 resolve::PlanOptions with_tool(double diameter);

@@ -5,9 +5,9 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "plan/adaptive/finish/finish.h"
 #include "plan/adaptive/clearing_outline.h"
 #include "plan/adaptive/entry_regions.h"
+#include "plan/adaptive/finish/finish.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 
 namespace clearcut::plan::adaptive {

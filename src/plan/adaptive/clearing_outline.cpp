@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/adaptive/trace/arcs.h"
 #include "geometry/route/legal_area.h"
+#include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
 namespace {

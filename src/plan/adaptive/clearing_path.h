@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "plan/adaptive/disc_engagement.h"
-#include "plan/adaptive/clear_links.h"
 #include "model/pass.h"
+#include "plan/adaptive/clear_links.h"
+#include "plan/adaptive/disc_engagement.h"
 
 namespace clearcut::plan::adaptive {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "geometry/clearance.h"
+#include "model/layer.h"
 #include "plan/adaptive/disc_engagement.h"
 #include "plan/adaptive/remaining_stock.h"
-#include "model/layer.h"
 
 namespace clearcut::plan::adaptive {
 

@@ -131,7 +131,7 @@ void Ground::note_standing(Vec2 met) const {
 /// Whether any of the material met lately still stands near p.
 bool Ground::is_standing_within(Vec2 p, double radius) const {
   const double near = radius - kRounding;
-  for (stock::Standing& met : standing_) {
+  for (Standing& met : standing_) {
     if (norm_squared(met.at - p) >= near * near) continue;
     if (met.age == age_ || !is_removed(met.at)) {
       met.age = age_;

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/route/legal_area.h"
 #include "plan/adaptive/cleared_cells.h"
 #include "stock/material.h"
-#include "geometry/route/legal_area.h"
 
 namespace clearcut::plan::adaptive {
 

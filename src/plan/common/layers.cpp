@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "geometry/boolean.h"
+#include "stock/at_depth.h"
 
 namespace clearcut::plan {
 namespace {
@@ -33,14 +34,14 @@ Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
     layer.allowed = feature.allowed;
     return layer;
   }
-  layer.allowed = at_depth(feature.allowed, feature.wall_slope, feature.top_z - z, tol);
+  layer.allowed = stock::at_depth(feature.allowed, feature.wall_slope, feature.top_z - z, tol);
   // Open sides do not lean: only the walls, which bound `allowed`, move inwards.
   layer.target = closed_all_round(feature) ? layer.allowed : intersect(feature.target, layer.allowed, tol);
   return layer;
 }
 
 /// Whether what is planned for one layer serves the other, at its own depth.
-bool same_outline(const Layer& a, const Layer& b) {
+bool same_areas(const Layer& a, const Layer& b) {
   return a.tool_radius == b.tool_radius && a.wall_stock == b.wall_stock && a.reserve == b.reserve &&
          a.bare == b.bare && same_outline(a.allowed, b.allowed) && same_outline(a.target, b.target);
 }
@@ -92,7 +93,7 @@ bool same_outline(const Regions& a, const Regions& b) {
 Strategy once_per_outline(Strategy plan) {
   return [plan = std::move(plan), last = std::optional<Layer>(),
           passes = LayerPasses()](const Layer& layer) mutable {
-    if (!last || !same_outline(*last, layer)) passes = plan(layer);
+    if (!last || !same_areas(*last, layer)) passes = plan(layer);
     last = layer;
     passes.z_top = layer.z_top;
     passes.z = layer.z;

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "model/part.h"
 #include "model/layer.h"
+#include "model/part.h"
 
 namespace clearcut::plan {
 

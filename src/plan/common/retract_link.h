@@ -5,8 +5,8 @@
 #include <span>
 
 #include "base/units.h"
-#include "model/layer.h"
 #include "geometry/route/legal_route.h"
+#include "model/layer.h"
 #include "model/machine.h"
 
 namespace clearcut::plan {

@@ -18,11 +18,11 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
+#include "geometry/route/legal_area.h"
 #include "plan/common/clearing_area.h"
 #include "plan/contour/passes.h"
 #include "plan/contour/search.h"
 #include "plan/contour/step_rule.h"
-#include "geometry/route/legal_area.h"
 
 namespace clearcut::plan::contour {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "plan/contour/contour.h"
 #include "plan/common/layers.h"
+#include "plan/contour/contour.h"
 
 namespace clearcut::plan::contour {
 namespace {

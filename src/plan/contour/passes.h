@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "plan/contour/contour.h"
-#include "plan/common/rings.h"
 #include "model/pass.h"
+#include "plan/common/rings.h"
+#include "plan/contour/contour.h"
 
 namespace clearcut::plan::contour {
 

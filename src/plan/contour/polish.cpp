@@ -1,7 +1,7 @@
 #include "plan/contour/polish.h"
 
-#include "plan/common/cover.h"
 #include "geometry/spatial/cell_grid.h"
+#include "plan/common/cover.h"
 
 namespace clearcut::plan::contour {
 namespace {

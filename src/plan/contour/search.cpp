@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
+#include "plan/common/retract_link.h"
 #include "plan/contour/skeleton.h"
 #include "plan/contour/tighten.h"
-#include "plan/common/retract_link.h"
 
 namespace clearcut::plan::contour {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "plan/contour/contour.h"
 #include "plan/common/rings.h"
+#include "plan/contour/contour.h"
 #include "plan/contour/ring_band.h"
 
 namespace clearcut::plan::contour {

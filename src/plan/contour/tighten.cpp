@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "base/units.h"
-#include "plan/contour/bands.h"
-#include "plan/common/cover.h"
 #include "geometry/spatial/cell_grid.h"
+#include "plan/common/cover.h"
+#include "plan/contour/bands.h"
 #include "plan/contour/minimise.h"
 #include "plan/contour/polish.h"
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include "plan/contour/skeleton.h"
 #include "geometry/route/legal_area.h"
+#include "plan/contour/skeleton.h"
 
 namespace clearcut::plan::contour {
 

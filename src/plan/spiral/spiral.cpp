@@ -6,10 +6,10 @@
 
 #include "base/error.h"
 #include "plan/common/clearing_area.h"
-#include "plan/common/residual.h"
-#include "plan/common/rings.h"
-#include "plan/common/retract_link.h"
 #include "plan/common/mend.h"
+#include "plan/common/residual.h"
+#include "plan/common/retract_link.h"
+#include "plan/common/rings.h"
 #include "plan/spiral/chains.h"
 #include "plan/spiral/turn.h"
 

@@ -9,9 +9,9 @@
 #include "base/error.h"
 #include "geometry/clearance.h"
 #include "geometry/line_path.h"
+#include "geometry/route/legal_ways.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
-#include "geometry/route/legal_ways.h"
 #include "plan/contour/step_rule.h"
 
 namespace clearcut::plan::tour {

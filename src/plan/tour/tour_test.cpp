@@ -9,8 +9,8 @@
 #include "base/random.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "plan/common/cover.h"
 #include "geometry/route/legal_area.h"
+#include "plan/common/cover.h"
 
 namespace clearcut::plan::tour {
 namespace {

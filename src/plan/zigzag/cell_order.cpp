@@ -37,7 +37,8 @@ std::vector<CellVisit> order_cells(const std::vector<ZigzagCell>& cells, const O
     return question.far_travel(way(a).end, way(b).begin);
   };
   std::vector<CellVisit> order;
-  for (const auto& step : order::order_visits(visits)) order.push_back({step.visit, static_cast<int>(step.way)});
+  for (const auto& step : order::order_visits(visits))
+    order.push_back({step.visit, static_cast<int>(step.way)});
   return order;
 }
 

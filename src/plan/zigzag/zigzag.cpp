@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/retract_link.h"
-#include "plan/zigzag/cells.h"
 #include "plan/zigzag/cell_order.h"
+#include "plan/zigzag/cells.h"
 
 namespace clearcut::plan::zigzag {
 namespace {

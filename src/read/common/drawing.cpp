@@ -10,6 +10,7 @@
 #include "geometry/boolean.h"
 #include "read/common/text.h"
 #include "read/repair/mends.h"
+#include "stock/stacking.h"
 
 namespace clearcut::read {
 namespace {
@@ -162,7 +163,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   const bool several_floors = features.front().floor_z > features.back().floor_z;
   add_features(part, std::move(features));
   // A deep pocket within a shallow one begins on its floor.
-  if (several_floors) stack_tops(part, options.tol);
+  if (several_floors) stock::stack_tops(part, options.tol);
 }
 
 }  // namespace clearcut::read

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "read/dxf/dxf_spline.h"
 #include "read/common/curve_fit.h"
+#include "read/dxf/dxf_spline.h"
 #include "read/repair/clean.h"
 
 namespace clearcut::read {

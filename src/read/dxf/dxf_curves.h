@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "read/dxf/dxf_document.h"
 #include "read/common/affine.h"
+#include "read/dxf/dxf_document.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {

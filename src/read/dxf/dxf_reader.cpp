@@ -8,10 +8,10 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "base/units.h"
-#include "read/dxf/dxf_curves.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
+#include "read/dxf/dxf_curves.h"
 #include "read/repair/mends.h"
 
 namespace clearcut::read {

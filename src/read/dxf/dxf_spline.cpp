@@ -1,8 +1,8 @@
 #include "read/dxf/dxf_spline.h"
 
-#include "read/dxf/fit_points.h"
 #include "read/common/b_spline.h"
 #include "read/common/curve_fit.h"
+#include "read/dxf/fit_points.h"
 
 namespace clearcut::read {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "geometry/edge.h"
-#include "read/dxf/dxf_document.h"
 #include "read/common/affine.h"
+#include "read/dxf/dxf_document.h"
 
 namespace clearcut::read {
 

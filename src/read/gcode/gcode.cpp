@@ -44,8 +44,8 @@ bool read_words(std::string_view text, const std::string& file_name, read::gcode
 Program read_gcode(std::string_view text, const std::string& file_name, double home_z) {
   Program program;
   read::gcode::ToolpathBuilder builder(file_name, home_z, program.diagnostics);
-  program.ended =
-      read::gcode::is_klartext(text) ? read::gcode::read_klartext(text, builder) : read_words(text, file_name, builder);
+  program.ended = read::gcode::is_klartext(text) ? read::gcode::read_klartext(text, builder)
+                                                 : read_words(text, file_name, builder);
   if (!program.ended) program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");
   program.toolpath = builder.take();
   return program;

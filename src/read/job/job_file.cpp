@@ -5,9 +5,9 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/format.h"
-#include "read/job/machine_file.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
+#include "read/job/machine_file.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "model/machine.h"
 #include "model/part.h"
 #include "model/shop_options.h"
 #include "read/read_options.h"
 #include "read/tools/tool_library.h"
-#include "model/machine.h"
 
 namespace clearcut::read {
 

@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 #include "base/format.h"
-#include "read/job/job_file.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"
+#include "read/job/job_file.h"
 #include "read/read_part.h"
 
 namespace clearcut::read {

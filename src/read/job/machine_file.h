@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "read/common/data_value.h"
 #include "model/machine.h"
+#include "read/common/data_value.h"
 
 namespace clearcut::read {
 

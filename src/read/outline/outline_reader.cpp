@@ -15,6 +15,7 @@
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/repair/repair.h"
+#include "stock/stacking.h"
 
 namespace clearcut::read {
 namespace {
@@ -255,7 +256,7 @@ void add_pockets(const Context& context, const DataValue& pockets, double unit, 
     features.push_back(feature_of(context, pocket, unit, name));
   }
   add_features(part, std::move(features));
-  if (part.features.size() > 1) stack_tops(part, context.options.tol);
+  if (part.features.size() > 1) stock::stack_tops(part, context.options.tol);
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ std::string read_all(int pipe) {
   std::string text;
   std::array<char, 65536> chunk{};
   for (;;) {
-    const ssize_t got = read(pipe, chunk.data(), chunk.size());
+    const ssize_t got = ::read(pipe, chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return text;
     text.append(chunk.data(), static_cast<std::size_t>(got));

@@ -13,6 +13,7 @@
 #include "read/common/text.h"
 #include "read/step_solid/height_map.h"
 #include "read/step_solid/solid_model.h"
+#include "stock/stacking.h"
 
 namespace clearcut::read {
 namespace {
@@ -181,7 +182,7 @@ void Finder::add_area(const Region& target, const Region& allowed, bool open, do
 
 /// What the features before it leave standing decides where each begins.
 void Finder::set_tops() {
-  const std::vector<double> tops = stacked_tops(part_, tol_);
+  const std::vector<double> tops = stock::stacked_tops(part_, tol_);
   for (std::size_t i = 0; i < tops.size(); ++i) part_.features[i].top_z = tops[i];
 }
 

@@ -12,11 +12,9 @@
 #include "read/stepnc/parts.h"
 #include "read/stepnc/regions.h"
 #include "read/stepnc/setup.h"
+#include "stock/stacking.h"
 
 namespace clearcut::read::stepnc {
-
-namespace stepnc {
-
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -341,13 +339,13 @@ void Reader::drop_unused_features() {
 /// Tops from stacking; retract planes follow, and stay below the security plane.
 void Reader::set_tops() {
   if (absolute_depths_) {
-    const std::vector<double> tops = stacked_tops(part_, context_.tol);
+    const std::vector<double> tops = stock::stacked_tops(part_, context_.tol);
     for (Workingstep& step : part_.workplan)
       if (step.operation.retract_z)
         *step.operation.retract_z += tops[static_cast<std::size_t>(step.feature)] - feature_of(step).top_z;
     for (std::size_t i = 0; i < tops.size(); ++i) part_.features[i].top_z = tops[i];
   } else {
-    stack_tops(part_, context_.tol);
+    stock::stack_tops(part_, context_.tol);
     context_.diagnostics.append(part_.diagnostics);
   }
   for (Workingstep& step : part_.workplan)
@@ -357,12 +355,10 @@ void Reader::set_tops() {
 
 }  // namespace
 
-}  // namespace stepnc
-
 Part read_stepnc(std::string_view text, const std::string& file_name, const Tolerances& tol) {
   const P21File file = parse_part21(text, file_name);
-  read::stepnc::check_schema(file);
-  return read::stepnc::Reader(file, tol).read();
+  check_schema(file);
+  return Reader(file, tol).read();
 }
 
 }  // namespace clearcut::read::stepnc

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "model/design_element.h"
-#include "report/text_table.h"
 #include "model/move.h"
+#include "report/text_table.h"
 
 namespace clearcut::report {
 

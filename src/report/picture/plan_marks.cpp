@@ -71,9 +71,11 @@ void draw_badge(SvgWriter& svg, Vec2 at, int number) {
                       {"fill", "#ffffff"},
                       {"stroke", report::palette::kInk},
                       {"stroke-width", "1.4"}});
-  svg.text(
-      {at.x, at.y + 4.6}, std::to_string(number),
-      {{"font-size", "13"}, {"font-weight", "bold"}, {"text-anchor", "middle"}, {"fill", report::palette::kInk}});
+  svg.text({at.x, at.y + 4.6}, std::to_string(number),
+           {{"font-size", "13"},
+            {"font-weight", "bold"},
+            {"text-anchor", "middle"},
+            {"fill", report::palette::kInk}});
 }
 
 void draw_scale_bar(SvgWriter& svg, const PlanView& view) {
@@ -83,8 +85,10 @@ void draw_scale_bar(SvgWriter& svg, const PlanView& view) {
   const std::string data =
       "M" + svg_number(left.x) + " " + svg_number(left.y - 5) + "v5H" + svg_number(right) + "v-5";
   svg.leaf("path", {{"d", data}, {"fill", "none"}, {"stroke", "#ffffff"}, {"stroke-width", "4.5"}});
-  svg.leaf("path", {{"d", data}, {"fill", "none"}, {"stroke", report::palette::kInk}, {"stroke-width", "1.6"}});
-  halo_text(svg, {(left.x + right) / 2, left.y - 6}, trimmed(length, 3) + " mm", report::palette::kInk, "middle");
+  svg.leaf("path",
+           {{"d", data}, {"fill", "none"}, {"stroke", report::palette::kInk}, {"stroke-width", "1.6"}});
+  halo_text(svg, {(left.x + right) / 2, left.y - 6}, trimmed(length, 3) + " mm", report::palette::kInk,
+            "middle");
 }
 
 void draw_worst_places(SvgWriter& svg, const PlanView& view,
@@ -93,7 +97,8 @@ void draw_worst_places(SvgWriter& svg, const PlanView& view,
     const Figures& f = one->figures;
     const char* judged = f.clean ? report::palette::kFaint : report::palette::kBad;
     if (f.engagement.max_at) {
-      draw_place(svg, view, *f.engagement.max_at, fixed(f.engagement.max_deg, 0) + "\u00b0", report::palette::kFaint);
+      draw_place(svg, view, *f.engagement.max_at, fixed(f.engagement.max_deg, 0) + "\u00b0",
+                 report::palette::kFaint);
     }
     if (f.uncut_at && f.uncut_thickness_mm >= kLeastShown) {
       draw_place(svg, view, *f.uncut_at, "left \u2264 " + fixed(f.uncut_thickness_mm, 3), judged);

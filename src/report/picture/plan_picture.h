@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "model/part.h"
-#include "report/picture/svg_writer.h"
 #include "model/findings.h"
 #include "model/move.h"
+#include "model/part.h"
+#include "report/picture/svg_writer.h"
 
 namespace clearcut::report {
 

@@ -6,6 +6,7 @@
 
 #include "geometry/clearance.h"
 #include "report/picture/job_view.h"
+#include "stock/at_depth.h"
 
 namespace clearcut::report {
 
@@ -43,7 +44,7 @@ double smallest_diameter(const Job& job, int feature) {
 
 Regions at_floor(const Regions& regions, const Feature& feature) {
   if (!(feature.wall_slope.radians() > 0)) return regions;
-  return at_depth(regions, feature.wall_slope, feature.top_z - feature.floor_z, kTolerances);
+  return stock::at_depth(regions, feature.wall_slope, feature.top_z - feature.floor_z, kTolerances);
 }
 
 }  // namespace

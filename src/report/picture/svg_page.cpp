@@ -133,13 +133,14 @@ std::vector<LegendRow> legend_rows(const Job& job) {
   std::vector<LegendRow> rows;
   const Part& part = job.part;
   for (std::size_t i = 0; i < part.tools.size() && i < 5; ++i) {
-    rows.push_back(
-        {Kind::kLine, report::palette::tool_color(static_cast<int>(i)), "cut, " + description_of(part.tools[i])});
+    rows.push_back({Kind::kLine, report::palette::tool_color(static_cast<int>(i)),
+                    "cut, " + description_of(part.tools[i])});
   }
   if (rows.empty()) rows.push_back({Kind::kLine, report::palette::kCut, "cut"});
   const auto has = [&job](MoveKind kind, bool vertical) { return has_move(job.toolpath, kind, vertical); };
   if (has(MoveKind::kLink, false)) rows.push_back({Kind::kLine, report::palette::kLink, "link, tool down"});
-  if (has(MoveKind::kRamp, false)) rows.push_back({Kind::kLine, report::palette::kEntry, "entry: ramp, helix"});
+  if (has(MoveKind::kRamp, false))
+    rows.push_back({Kind::kLine, report::palette::kEntry, "entry: ramp, helix"});
   if (has(MoveKind::kPlunge, true)) rows.push_back({Kind::kDot, report::palette::kEntry, "plunge"});
   if (has(MoveKind::kRapid, false)) rows.push_back({Kind::kDashed, report::palette::kRapid, "rapid"});
   rows.push_back({Kind::kArea, report::palette::kFloor, "swept by the cutter"});
@@ -187,7 +188,8 @@ void draw_feature_row(SvgWriter& svg, const Job& job, int feature, Vec2 at, doub
   svg.text({at.x + 17, at.y}, std::to_string(feature + 1),
            text_style(13, fraction > 0.5 ? "#ffffff" : report::palette::kInk, "bold", "middle"));
   svg.text({at.x + 46, at.y}, shortened(f.name, 20), text_style(14, report::palette::kInk));
-  svg.text({right - 200, at.y}, trimmed(f.floor_z, 3), text_style(14, report::palette::kInk, "normal", "end"));
+  svg.text({right - 200, at.y}, trimmed(f.floor_z, 3),
+           text_style(14, report::palette::kInk, "normal", "end"));
   svg.text({right - 120, at.y}, s.cut ? clock_time(s.time_s) : "-",
            text_style(14, report::palette::kInk, "normal", "end"));
   svg.text({right - 30, at.y}, s.cut ? fixed(s.uncut_mm, 4) : "-",
@@ -225,7 +227,8 @@ double draw_feature_list(SvgWriter& svg, const Job& job, Vec2 at, double width) 
     draw_feature_row(svg, job, static_cast<int>(i), {at.x, y}, width);
   }
   if (count > kFeaturesListed) {
-    svg.text({at.x, y}, fmt::format("and {} more", count - kFeaturesListed), text_style(13, report::palette::kFaint));
+    svg.text({at.x, y}, fmt::format("and {} more", count - kFeaturesListed),
+             text_style(13, report::palette::kFaint));
     y += kLineHeight;
   }
   return y + 20;
@@ -250,7 +253,8 @@ double draw_fault_list(SvgWriter& svg, const Findings& findings, Vec2 at, double
     const Fault& fault = findings.faults[i];
     const std::string where = fault.feature.empty() ? "" : ", " + fault.feature;
     const std::string line = fault.at.line > 0 ? fmt::format(", line {}", fault.at.line) : "";
-    svg.text({at.x, y}, shortened(headline_of(fault) + where + line, letters), text_style(13, report::palette::kInk));
+    svg.text({at.x, y}, shortened(headline_of(fault) + where + line, letters),
+             text_style(13, report::palette::kInk));
   }
   if (findings.faults.size() > kFaultsListed) {
     svg.text({at.x, y}, fmt::format("and {} more", findings.faults.size() - kFaultsListed),

@@ -9,8 +9,8 @@
 #include <set>
 
 #include "report/picture/palette.h"
-#include "report/sample_job.h"
 #include "report/picture/svg_writer.h"
+#include "report/sample_job.h"
 
 namespace clearcut::report {
 namespace {

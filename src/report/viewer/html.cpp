@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "base/xml_text.h"
+#include "report/picture/palette.h"
 #include "report/viewer/html_data.h"
 #include "report/viewer/html_page.h"
-#include "report/picture/palette.h"
 
 namespace clearcut::report {
 
@@ -16,8 +16,9 @@ std::string colors() {
       ":root {{ --ink: {}; --faint: {}; --rule: {}; --good: {}; --bad: {}; --cut: {}; --link: {}; --entry: "
       "{}; "
       "--rapid: {}; }}",
-      report::palette::kInk, report::palette::kFaint, report::palette::kRule, report::palette::kGood, report::palette::kBad, report::palette::kCut,
-      report::palette::kLink, report::palette::kEntry, report::palette::kRapid);
+      report::palette::kInk, report::palette::kFaint, report::palette::kRule, report::palette::kGood,
+      report::palette::kBad, report::palette::kCut, report::palette::kLink, report::palette::kEntry,
+      report::palette::kRapid);
 }
 
 }  // namespace

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "kinematics/kinematics.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"
 #include "report/picture/reach.h"
 #include "report/picture/svg_writer.h"
-#include "kinematics/kinematics.h"
 
 namespace clearcut::report {
 
@@ -31,7 +31,7 @@ Json corners(const Box& box) {
   return {number(box.min.x), number(box.min.y), number(box.max.x), number(box.max.y)};
 }
 
-bool drawable(const Move& move) {
+bool drawable_move(const Move& move) {
   return drawable(move.path) && std::abs(move.z_from) < 1e7 && std::abs(move.z_to) < 1e7;
 }
 
@@ -113,7 +113,7 @@ void write_moves(const Job& job, const Machine& machine, Json& json) {
     json["sections"].push_back(one);
     std::vector<Move> moves;
     std::copy_if(section.moves.begin(), section.moves.end(), std::back_inserter(moves),
-                 [](const Move& move) { return drawable(move); });
+                 [](const Move& move) { return drawable_move(move); });
     const std::vector<Seconds> times = kinematics::move_times(moves, machine);
     for (std::size_t i = 0; i < moves.size(); ++i) columns.add(moves[i], times[i].seconds());
   }
@@ -125,7 +125,7 @@ double lowest_z(const Job& job) {
   for (const Feature& feature : job.part.features) z = std::min(z, feature.floor_z);
   for (const Section& section : job.toolpath.sections) {
     for (const Move& move : section.moves) {
-      if (drawable(move)) z = std::min(z, std::min(move.z_from, move.z_to));
+      if (drawable_move(move)) z = std::min(z, std::min(move.z_from, move.z_to));
     }
   }
   return z;
@@ -221,7 +221,7 @@ Box stage_of(const Job& job) {
     const Tool* tool = tool_of(job.part, section);
     const double radius = tool != nullptr && std::isfinite(tool->diameter) ? tool->radius() : 0;
     for (const Move& move : section.moves) {
-      if (drawable(move) && !is_rapid(move.kind)) box.add(move.path.box().grown(radius));
+      if (drawable_move(move) && !is_rapid(move.kind)) box.add(move.path.box().grown(radius));
     }
   }
   return {{std::max(box.min.x, most.min.x), std::max(box.min.y, most.min.y)},
@@ -232,7 +232,8 @@ Box stage_of(const Job& job) {
 Json shades(const Part& part, double bottom) {
   Json json = Json::array();
   for (int i = 0; i < 256; ++i) {
-    json.push_back(report::palette::depth_color(depth_fraction(part, bottom + (part.top_z() - bottom) * i / 255)));
+    json.push_back(
+        report::palette::depth_color(depth_fraction(part, bottom + (part.top_z() - bottom) * i / 255)));
   }
   return json;
 }

@@ -8,9 +8,9 @@
 #include <pugixml.hpp>
 #include <regex>
 
-#include "report/viewer/html_data.h"
-#include "report/sample_job.h"
 #include "kinematics/kinematics.h"
+#include "report/sample_job.h"
+#include "report/viewer/html_data.h"
 
 namespace clearcut::report {
 namespace {

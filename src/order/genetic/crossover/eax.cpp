@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "order/genetic/crossover.h"
 #include "order/length/ab_cycles.h"
 #include "order/length/assembly.h"
-#include "order/genetic/crossover.h"
 
 namespace clearcut::order {
 

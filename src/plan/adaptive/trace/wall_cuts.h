@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "plan/adaptive/clearing_path.h"
 #include "plan/adaptive/trace/tracer.h"
 #include "plan/adaptive/trace/walls.h"
-#include "plan/adaptive/clearing_path.h"
 
 namespace clearcut::plan::adaptive {
 
