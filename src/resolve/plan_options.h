@@ -12,7 +12,7 @@
 #include "model/move.h"
 #include "model/part.h"
 #include "model/shop_options.h"
-#include "post/post.h"
+#include "model/post_options.h"
 
 namespace clearcut::resolve {
 
