@@ -26,6 +26,7 @@ class PlanArguments {
   Part read() const;
   resolve::PlanOptions options() const;
   const std::string& input() const { return input_; }
+  const read::SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
   std::optional<read::JobFile> job() const;
 
@@ -44,6 +45,7 @@ class PlanArguments {
   std::vector<std::string> layers_;
   std::optional<double> top_;
   std::optional<double> depth_;
+  read::SolidOptions solid_;
   std::optional<std::string> tool_library_;
   std::optional<std::string> machine_file_;
   std::optional<std::string> strategy_;
