@@ -11,8 +11,8 @@
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/part.h"
-#include "model/shop_options.h"
 #include "model/post_options.h"
+#include "model/shop_options.h"
 
 namespace clearcut::resolve {
 
