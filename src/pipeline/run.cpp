@@ -341,7 +341,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.part = resolve::prepare(part, numbered_by(read.toolpath, options));
   keep_stated_stepdowns(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
-  for (const toolpath::Condition& one : read.conditions) {
+  for (const Condition& one : read.conditions) {
     result.part.diagnostics.warn(program_name + ":" + std::to_string(one.line),
                                  "condition '" + one.name + "': " + one.text);
   }
