@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/adaptive/clearing_outline.h"
@@ -80,7 +81,8 @@ class AdaptivePlanner {
         clearing_(ground_, path_, {front_, legal, kMarkPitch * radius_, film_between_cuts(radius_, limit)},
                   inner.clearing, limit, {kAir * radius_, 0}),
         finish_(ground_, path_, legal, inner.finishing, layer.target, limit),
-        open_(layer.stock && has_open_side(layer)) {
+        open_(layer.stock && has_open_side(layer)),
+        cancel_(options.cancel) {
     leave_corners();
     for (const PredrilledHole& hole : layer.holes) ground_.remove_disc(hole.center, hole.diameter / 2);
   }
@@ -201,6 +203,7 @@ class AdaptivePlanner {
   void cut_fronts(const Wanted& wanted) {
     std::vector<WallPlace> unreached;
     for (bool cut_since = false;;) {
+      throw_if_cancelled(cancel_);
       auto starts = clearing_.walls.starts();
       std::erase_if(starts, [&](const WallPlace& start) {
         return !wanted(clearing_.walls.point(start)) ||
@@ -232,6 +235,7 @@ class AdaptivePlanner {
   WallCuts clearing_;
   AdaptiveFinish finish_;
   bool open_;  ///< something beside the target is free
+  std::stop_token cancel_;
 };
 
 /// The passes of one legal area, to run one after the other.
