@@ -1,19 +1,26 @@
-# The two commands: `make demo` and `make test`. Both install what is missing (Debian packages), build, and run.
+# The two commands: `make demo` and `make test`. Both install what they need (Debian packages), build that alone, and run.
+# `make setup` installs everything that any command here needs, the programs that a few tests run among it.
 BUILD := build/release
 OUT := out
+configure = cmake --preset release $(1) $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
+            rm -f build-configure.log
 
-.PHONY: all setup build demo test format tidy clean
+.PHONY: all setup build demo test format lint-viewer clean
 all: build
 
 setup:
 	@scripts/setup.sh
 
-build: setup
-	@cmake --preset release $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1)
-	@rm -f build-configure.log
+build:
+	@scripts/setup.sh build demo test
+	@$(call configure,-DCLEARCUT_TESTS=ON)
 	@cmake --build --preset release
 
-demo: build
+# A folder that is configured stays as it is, so that `make demo` after `make test` takes no test away.
+demo:
+	@scripts/setup.sh build demo
+	@[ -e $(BUILD)/build.ninja ] && [ -z "$(CMAKE_ARGS)" ] || { $(call configure,-DCLEARCUT_TESTS=OFF); }
+	@cmake --build --preset release --target clearcut
 	@scripts/demo.sh $(BUILD)/apps/cli/clearcut $(OUT)
 
 test: build
@@ -21,6 +28,10 @@ test: build
 
 format:
 	@scripts/format.sh
+
+# ESLint over the report's scripts and style; needs npm, which the build does not.
+lint-viewer:
+	@scripts/lint_viewer.sh
 
 clean:
 	rm -rf build out

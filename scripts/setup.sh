@@ -1,13 +1,28 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing; does nothing where all are present.
+# setup.sh [GROUP...]: installs the Debian packages of these groups of packages.txt (none named: of all) that are missing;
+# does nothing where all are present.
 set -euo pipefail
 list=$(dirname "$0")/packages.txt
-missing() { dpkg-query -W -f='${Status}' "$1" 2>/dev/null | grep -q 'install ok installed' || echo "$1"; }
-required=() optional=()
-while read -r name; do
-  case $name in ''|'#'*) ;; optional:*) optional+=($(missing "${name#optional:}")) ;; *) required+=($(missing "$name")) ;; esac
+for group in "$@"; do
+  grep -qxF "[$group]" "$list" || { echo "setup.sh: packages.txt has no group $group" >&2; exit 2; }
+done
+
+declare -A present
+while read -r name status; do
+  [ "$status" != installed ] || present[$name]=1
+done < <(dpkg-query -W -f='${Package} ${db:Status-Status}\n')
+
+required=() optional=() wanted=
+while read -r line; do
+  case $line in
+    ''|'#'*) ;;
+    '['*) wanted=; [ $# -gt 0 ] && [[ " $* " != *" ${line:1:-1} "* ]] || wanted=yes ;;
+    optional:*) [ -z "$wanted" ] || [ -n "${present[${line#optional:}]:-}" ] || optional+=("${line#optional:}") ;;
+    *) [ -z "$wanted" ] || [ -n "${present[$line]:-}" ] || required+=("$line") ;;
+  esac
 done < "$list"
 [ $((${#required[@]} + ${#optional[@]})) -eq 0 ] && exit 0
+
 as_root=; [ "$(id -u)" -eq 0 ] || as_root=sudo
 export DEBIAN_FRONTEND=noninteractive
 $as_root apt-get update -qq

@@ -19,7 +19,7 @@ struct MethodOutcome {
   bool clean = false;
   double time_s = 0;  ///< kinematic
   double feed_mm = 0;
-  std::string cause;  ///< of what a published rule left, by plan/ring_band.h; "" where it is clean
+  std::string cause;  ///< of what a published rule left, by plan/contour/ring_band.h; "" where it is clean
 };
 
 struct StudyCase {

@@ -7,7 +7,6 @@
 #include "pipeline/run.h"
 #include "read/read_part.h"
 #include "report/certificate.h"
-#include "support/data.h"
 
 namespace clearcut {
 namespace {
@@ -47,11 +46,10 @@ TEST(CertificateFields, AreAllThereInAllAndPerFeatureAndLayer) {
 }
 
 TEST(LeaningWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
   resolve::PlanOptions options;
   options.strategy = "contour";
   options.scallop = 0.3;
-  const auto part = read::read_part(*test_support::data_folder() / "stepnc/fishhead_sloped.p21", {});
+  const auto part = read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead_sloped.p21", {});
   const auto result = pipeline::plan_part(part, options);
   EXPECT_TRUE(result.findings.all.clean);
   for (const auto& feature : result.findings.features) {

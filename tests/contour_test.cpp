@@ -5,17 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <numeric>
-#include <sstream>
 
 #include "base/random.h"
 #include "link/link.h"
 #include "pipeline/run.h"
 #include "plan/common/layers.h"
 #include "read/outline/outline_reader.h"
-#include "support/data.h"
 #include "support/raster_simulator.h"
+#include "support/shapes.h"
 
 namespace clearcut {
 namespace {
@@ -119,38 +117,28 @@ struct Shape {
   Region region;
 };
 
-const char* const kDataShapes[] = {"dumbbell",
-                                   "rect100x60_island",
-                                   "square50",
-                                   "star6",
-                                   "triangle80",
-                                   "fishhead_pocket1",
-                                   "fishhead_pocket2",
-                                   "fishhead_pocket3",
-                                   "fishhead_pocket4",
-                                   "fishhead_pocket5",
-                                   "fishhead_pocket5_boss17",
-                                   "fishhead_pocket6"};
-
-std::string text_of(const std::string& shape) {
-  std::ifstream file(*test_support::data_folder() / "shapes" / (shape + ".json"));
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-std::vector<Shape> data_shapes() {
-  std::vector<Shape> shapes;
-  for (const char* name : kDataShapes) {
-    const auto part = read::read_outline_json(text_of(name), name, kTol);
-    for (const auto& region : part.features.at(0).target) shapes.push_back({name, region});
+/// Pockets with upright walls: contours of one layer clear them.
+std::vector<std::pair<std::string, Part>> pockets() {
+  std::vector<std::pair<std::string, Part>> all;
+  for (const auto& shape : test_support::all_shapes()) {
+    Part part = test_support::part_of(shape);
+    const Feature& feature = part.features.at(0);
+    if (feature.kind == FeatureKind::kClosedPocket && feature.wall_slope == Radians())
+      all.emplace_back(shape.name, std::move(part));
   }
-  return shapes;
+  EXPECT_GE(all.size(), 11u);
+  return all;
 }
 
-TEST(Contour, ClearsEveryDataShapeWithEveryCutter) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  for (const auto& shape : data_shapes()) {
+std::vector<Shape> shapes() {
+  std::vector<Shape> all;
+  for (const auto& [name, part] : pockets())
+    for (const auto& region : part.features.at(0).target) all.push_back({name, region});
+  return all;
+}
+
+TEST(Contour, ClearsEveryShapeWithEveryCutter) {
+  for (const auto& shape : shapes()) {
     for (const double diameter : {4.0, 8.0}) {
       for (const char* rule : {"widest", "lom", "0.95"}) {
         expect_clean(cut(pocket_layer(shape.region, diameter), stepping(rule)),
@@ -161,10 +149,8 @@ TEST(Contour, ClearsEveryDataShapeWithEveryCutter) {
 }
 
 /// From file to written program, judged by the verifier.
-TEST(Contour, EveryDataShapeIsCertifiedClean) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  for (const char* name : kDataShapes) {
-    const auto part = read::read_outline_json(text_of(name), name, kTol);
+TEST(Contour, EveryShapeIsCertifiedClean) {
+  for (const auto& [name, part] : pockets()) {
     for (const double diameter : {6.0, 10.0}) {
       resolve::PlanOptions options;
       options.strategy = "contour";

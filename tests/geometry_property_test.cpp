@@ -10,8 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <polyclipping/clipper.hpp>
 
 #include "base/debug_sink.h"
@@ -19,8 +17,8 @@
 #include "base/units.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "support/data.h"
 #include "support/random_regions.h"
+#include "support/shapes.h"
 
 namespace clearcut {
 namespace {
@@ -309,37 +307,20 @@ TEST(GeometryProperty, BooleansOfRandomRegions) {
   }
 }
 
-Region read_shape(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  const auto json = nlohmann::json::parse(in);
-  const auto loop_of = [](const nlohmann::json& vertices) {
-    std::vector<BulgeVertex> bulges;
-    for (const auto& v : vertices) {
-      bulges.push_back({{v[0].get<double>(), v[1].get<double>()}, v.size() > 2 ? v[2].get<double>() : 0.0});
-    }
-    return loop_from_bulges(bulges);
-  };
-  std::vector<Loop> islands;
-  for (const auto& island : json["islands"]) islands.push_back(loop_of(island));
-  return Region::from_valid_loops(loop_of(json["outer"]), islands);
-}
-
 /// The fishhead's pockets have corner arcs of the cutter's radius, with noise of some um.
-TEST(GeometryProperty, InsetsOfTheSharedShapes) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  int shapes = 0;
-  for (const auto& file : std::filesystem::directory_iterator(*test_support::data_folder() / "shapes")) {
-    if (file.path().extension() != ".json") continue;
-    ++shapes;
-    const Region region = read_shape(file.path());
+TEST(GeometryProperty, InsetsOfTheShapes) {
+  const auto shapes = test_support::all_shapes();
+  for (const auto& shape : shapes) {
+    const Part part = test_support::part_of(shape);
+    const Region& region = part.features.at(0).target.at(0);
     for (int seed = 0; seed < 5; ++seed) {
       Random random(static_cast<std::uint64_t>(seed));
-      EXPECT_EQ(check_case(file.path().stem().string(), {region, {5, 5, 4.99, 5.01, 2}}, seed, random), "");
+      EXPECT_EQ(check_case(shape.name, {region, {5, 5, 4.99, 5.01, 2}}, seed, random), "");
     }
     const double largest = Clearance(region, kTol).max();
-    EXPECT_EQ(inset(region, 5, kTol).empty(), largest <= 5) << file.path();
+    EXPECT_EQ(inset(region, 5, kTol).empty(), largest <= 5) << shape.name;
   }
-  EXPECT_GT(shapes, 10);
+  EXPECT_GT(shapes.size(), 10u);
 }
 
 }  // namespace

@@ -7,10 +7,12 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "pipeline/run.h"
+#include "post/part/stepnc_writer.h"
 #include "post/post.h"
 #include "read/read_part.h"
 #include "support/data.h"
 #include "support/plans.h"
+#include "support/plate.h"
 #include "support/rs274.h"
 
 namespace clearcut {
@@ -177,22 +179,29 @@ TEST(Holes, WideOnesAreClearedLikePockets) {
   expect_clean(result, "30 by 6");
 }
 
-TEST(Holes, PublishedSampleIsDrilledAndClean) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  const auto file = *test_support::data_folder() / "stepnc/ufsc_hole_slot_step_pocket.p21";
-  const auto result = pipeline::plan_part(read::read_part(file, {}), {});
-  expect_clean(result, "ufsc");
-  EXPECT_THAT(result.program, HasSubstr("G81 X20 Y10 Z30"));
-  EXPECT_THAT(result.program, Not(HasSubstr("SKIPPED")));
+TEST(Holes, AStepNcPlateIsDrilledReamedAndClean) {
+  const auto plate = pipeline::plan_part(
+      read::read_part_text(post::write_stepnc(test_support::plate()), "plate.p21", {}), {});
+  expect_clean(plate, "plate");
+  EXPECT_THAT(plate.program, HasSubstr("X20 Y10 Z-10"));
+  EXPECT_THAT(plate.program, Not(HasSubstr("SKIPPED")));
+  EXPECT_EQ(plate.findings.features[0].tool_diameter, 11.8);
+  EXPECT_EQ(plate.findings.features[1].tool_diameter, 12);
 }
 
-TEST(Holes, DrilledThenReamedAsTheStandardsExampleAsks) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  const auto file = *test_support::data_folder() / "stepnc/iso14649_11_ex1_nist.stp";
-  const auto result = pipeline::plan_part(read::read_part(file, {}), {});
-  expect_clean(result, "example 1");
-  EXPECT_EQ(result.findings.features[1].tool_diameter, 20);
-  EXPECT_EQ(result.findings.features[2].tool_diameter, 22);
+/// Published files, where they are; they only add to the plate above.
+TEST(Holes, PublishedSamplesAreDrilledReamedAndClean) {
+  const auto data = test_support::data_folder();
+  if (!data) return;
+  const auto sample =
+      pipeline::plan_part(read::read_part(*data / "stepnc/ufsc_hole_slot_step_pocket.p21", {}), {});
+  expect_clean(sample, "ufsc");
+  EXPECT_THAT(sample.program, HasSubstr("G81 X20 Y10 Z30"));
+  EXPECT_THAT(sample.program, Not(HasSubstr("SKIPPED")));
+  const auto reamed = pipeline::plan_part(read::read_part(*data / "stepnc/iso14649_11_ex1_nist.stp", {}), {});
+  expect_clean(reamed, "example 1");
+  EXPECT_EQ(reamed.findings.features[1].tool_diameter, 20);
+  EXPECT_EQ(reamed.findings.features[2].tool_diameter, 22);
 }
 
 /// A pocket round a hole that is drilled before it.
@@ -208,7 +217,8 @@ Part pocket_with_drilled_hole(double drill, double hole_depth) {
   Tool mill;
   mill.diameter = 6;
   mill.center_cutting = false;
-  part.tools = {test_support::plan_options_with({"drill:" + std::to_string(drill) + ":T2"}).tools.front(), mill};
+  part.tools = {test_support::plan_options_with({"drill:" + std::to_string(drill) + ":T2"}).tools.front(),
+                mill};
   part.workplan[0].operation.tool = 0;
   part.workplan[1].operation.tool = 1;
   part.workplan[1].operation.entry = EntryKind::kPlunge;

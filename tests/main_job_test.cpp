@@ -14,6 +14,7 @@
 #include "support/data.h"
 #include "support/plans.h"
 #include "support/rs274.h"
+#include "support/shapes.h"
 
 namespace clearcut {
 namespace {
@@ -115,14 +116,9 @@ TEST(MainJob, FishheadIsCleanInEveryWorkingstep) {
     EXPECT_LE(feature.figures.gouge_mm, 0.001) << feature.name;
   }
   expect_clean(result, "fishhead");
-}
-
-TEST(MainJob, PublishedFishheadFileIsCleanToo) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  resolve::PlanOptions options;
-  options.stepdown = 2;
-  expect_clean(pipeline::plan_part(read::read_part(*data_folder() / "stepnc/fishhead.p21", {}), options),
-               "published fishhead");
+  if (const auto data = data_folder())
+    expect_clean(pipeline::plan_part(read::read_part(*data / "stepnc/fishhead.p21", {}), options),
+                 "published fishhead");
 }
 
 TEST(MainJob, ControllersOwnInterpreterAcceptsTheProgram) {
@@ -139,12 +135,10 @@ TEST(MainJob, ControllersOwnInterpreterAcceptsTheProgram) {
 class Shapes : public ::testing::TestWithParam<int> {};
 
 TEST_P(Shapes, AreCleanOrRefusedByName) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
   int planned = 0;
-  for (const auto& entry : fs::directory_iterator(*data_folder() / "shapes")) {
-    const auto name = entry.path().filename().string();
-    if (entry.path().extension() != ".json") continue;
-    const auto part = read::read_part(entry.path(), {});
+  for (const auto& shape : test_support::all_shapes()) {
+    const auto& name = shape.name;
+    const auto part = test_support::part_of(shape);
     if (resolve::largest_fitting_diameter(part.features.at(0), {}) + Tolerances{}.fit < GetParam()) {
       EXPECT_THROW(pipeline::plan_part(part, with_tool(GetParam())), InputError) << name;
       continue;

@@ -129,6 +129,13 @@ TEST(Methods, ReproducedTablesDifferOnlyWhereTheirOutlinesAreNotPrinted) {
   for (const char* table : {"coefficients", "overlaps", "triangle", "rho-triangle"}) {
     EXPECT_THAT(run_clearcut({"reproduce", table}).out, Not(HasSubstr("(differs)"))) << table;
   }
+  const std::string overlaps = run_clearcut({"reproduce", "overlaps"}).out;
+  EXPECT_THAT(overlaps,
+              ContainsRegex("R = 5 mm, printed +0.09 +0.26 +0.42 +0.57 +0.71 +0.82 +0.91 +0.96 +1.00"));
+  EXPECT_THAT(overlaps,
+              ContainsRegex("R = 40 mm, ours +0.08 +0.24 +0.40 +0.56 +0.72 +0.80 +0.96 +0.96 +1.04"));
+  EXPECT_THAT(overlaps,
+              ContainsRegex("R = 50 mm, ours +0.10 +0.30 +0.40 +0.50 +0.70 +0.80 +0.90 +0.90 +1.00"));
   EXPECT_THAT(run_clearcut({"reproduce", "scallop"}).out, ContainsRegex("0.50 +0.48 +0.500 +14"));
   EXPECT_THAT(run_clearcut({"reproduce", "lengths"}).out, HasSubstr("the shapes are ours"));
 }

@@ -21,6 +21,8 @@
 #include "read/repair/meetings.h"
 #include "support/command.h"
 #include "support/data.h"
+#include "support/drawings.h"
+#include "support/shapes.h"
 
 namespace clearcut {
 namespace {
@@ -77,10 +79,76 @@ void expect_valid(const Part& part) {
   }
 }
 
-// Counts, sizes and units below are those of the drawings' README.
+Part own_drawing(const std::string& text, const std::string& name) {
+  Part part = read::read_part_text(text, name, depth_2());
+  expect_valid(part);
+  return part;
+}
+
+int arcs_of(const Region& region) {
+  const auto edges = region.edges();
+  return static_cast<int>(
+      std::count_if(edges.begin(), edges.end(), [](const Edge& e) { return e.is_arc(); }));
+}
+
+TEST(OwnDrawings, GearWithGaps) {
+  const Part part = own_drawing(test_support::gear_with_gaps_dxf(), "gear.dxf");
+  ASSERT_EQ(part.features.size(), 1u);
+  EXPECT_EQ(loops_of(part), 2u);
+  EXPECT_EQ(part.features[0].target[0].outer().size(), 48u);
+  EXPECT_EQ(arcs_of(part.features[0].target[0]), 8);
+  EXPECT_NEAR(box_of(part).width(), 27.96, 0.01);
+  EXPECT_EQ(said(part, Severity::kWarning, "millimetres assumed"), 1);
+  EXPECT_EQ(said(part, Severity::kRepair, "closed a gap of 0.0001 mm"), 48);
+}
+
+TEST(OwnDrawings, NecksInMillimetres) {
+  const Part part = own_drawing(test_support::narrow_necks_dxf(), "necks.dxf");
+  EXPECT_EQ(loops_of(part), 2u);
+  EXPECT_NEAR(area_of(part), 322 - kPi, 1e-6);
+  EXPECT_EQ(said(part, Severity::kWarning), 0);
+  EXPECT_EQ(said(part, Severity::kRepair), 0);
+}
+
+TEST(OwnDrawings, OldPolylinesThatAreClosedInFact) {
+  const Part part = own_drawing(test_support::old_polylines_dxf(), "old.dxf");
+  EXPECT_EQ(loops_of(part), 12u);
+  EXPECT_NEAR(area_of(part), 120000, 1e-6);
+  EXPECT_EQ(said(part, Severity::kWarning, "550 x 400"), 1);
+}
+
+TEST(OwnDrawings, BulgesAboveOneAndBelowZero) {
+  const Part part = own_drawing(test_support::bulges_dxf(), "bulges.dxf");
+  ASSERT_EQ(part.features.size(), 1u);
+  const Region& region = part.features[0].target[0];
+  ASSERT_EQ(region.islands().size(), 2u);
+  EXPECT_EQ(arcs_of(region), 9);
+  const auto edges = region.edges();
+  EXPECT_EQ(std::count_if(edges.begin(), edges.end(),
+                          [](const Edge& e) { return std::abs(e.sweep()) > kPi + 1e-9; }),
+            1);
+  EXPECT_NEAR(box_of(part).max.x, 135, 1e-9);  // sagitta 0.5 * 60 / 2
+  EXPECT_NEAR(box_of(part).max.y, 90, 1e-9);   // sagitta 1.5 * 40 / 2
+}
+
+TEST(OwnDrawings, SquaresThatTouchKeepTheirArea) {
+  const Part part = own_drawing(test_support::touching_squares_svg(), "touch.svg");
+  EXPECT_EQ(loops_of(part), 10u);
+  EXPECT_EQ(said(part, Severity::kNote, "two outlines touch"), 12);
+  EXPECT_NEAR(area_of(part), 1000, 1e-6);
+}
+
+TEST(OwnDrawings, TracedOutline) {
+  const Part part = own_drawing(test_support::traced_svg(), "trace.svg");
+  ASSERT_EQ(loops_of(part), 1u);
+  EXPECT_NEAR(box_of(part).width(), 68.22, 0.01);
+  EXPECT_EQ(said(part, Severity::kWarning, "96 px per inch"), 1);
+}
+
+// Published drawings, where they are; they only add to the own ones. Counts, sizes and units are those of their README.
 
 TEST(Drawings, GearWithGapsAndABlockThatIsNeverInserted) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
+  if (!test_support::data_folder()) return;
   const Part part = drawing("gear-endpoint-gaps.dxf");
   ASSERT_EQ(part.features.size(), 1u);
   EXPECT_EQ(loops_of(part), 2u);
@@ -98,7 +166,7 @@ TEST(Drawings, GearWithGapsAndABlockThatIsNeverInserted) {
 }
 
 TEST(Drawings, SlotProfileInMillimetres) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
+  if (!test_support::data_folder()) return;
   const Part part = drawing("vslot-narrow-necks.dxf");
   EXPECT_EQ(loops_of(part), 2u);
   EXPECT_NEAR(box_of(part).width(), 20, 1e-9);
@@ -108,7 +176,7 @@ TEST(Drawings, SlotProfileInMillimetres) {
 }
 
 TEST(Drawings, OldPolylinesThatAreClosedInFact) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
+  if (!test_support::data_folder()) return;
   const Part part = drawing("polylines-no-units.dxf");
   EXPECT_EQ(loops_of(part), 29u);
   EXPECT_NEAR(box_of(part).width(), 571.5, 1e-6);
@@ -118,7 +186,7 @@ TEST(Drawings, OldPolylinesThatAreClosedInFact) {
 }
 
 TEST(Drawings, BulgesAboveOneAndBelowZero) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
+  if (!test_support::data_folder()) return;
   const Part part = drawing("bulge-polylines.dxf");
   ASSERT_EQ(part.features.size(), 1u);
   ASSERT_EQ(part.features[0].target[0].islands().size(), 2u);
@@ -133,7 +201,7 @@ TEST(Drawings, BulgesAboveOneAndBelowZero) {
 }
 
 TEST(Drawings, ContoursThatTouchAreSplitAndKeepTheirArea) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
+  if (!test_support::data_folder()) return;
   const Part part = drawing("touching-contours-88.svg");
   EXPECT_GE(loops_of(part), 88u);
   EXPECT_GT(said(part, Severity::kRepair, "touches itself"), 0);
@@ -151,7 +219,7 @@ TEST(Drawings, ContoursThatTouchAreSplitAndKeepTheirArea) {
 }
 
 TEST(Drawings, TracedRabbit) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
+  if (!test_support::data_folder()) return;
   const Part part = drawing("rabbit-trace.svg");
   ASSERT_EQ(loops_of(part), 1u);
   EXPECT_NEAR(static_cast<double>(part.features[0].target[0].outer().size()), 133, 1);
@@ -159,13 +227,10 @@ TEST(Drawings, TracedRabbit) {
 }
 
 TEST(Shapes, AllLoadWithoutMendsAndSurviveARoundTrip) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  int count = 0;
-  for (const auto& entry : fs::directory_iterator(*test_support::data_folder() / "shapes")) {
-    if (entry.path().extension() != ".json") continue;
-    ++count;
-    const Part part = read::read_part(entry.path(), {});
-    EXPECT_EQ(said(part, Severity::kRepair), 0) << entry.path();
+  const auto shapes = test_support::all_shapes();
+  for (const auto& shape : shapes) {
+    const Part part = test_support::part_of(shape);
+    EXPECT_EQ(said(part, Severity::kRepair), 0) << shape.name;
     expect_valid(part);
     const Part again = read::read_outline_json(post::write_outline_json(part), "again.json", Tolerances{});
     ASSERT_EQ(again.features.size(), part.features.size());
@@ -174,12 +239,11 @@ TEST(Shapes, AllLoadWithoutMendsAndSurviveARoundTrip) {
     EXPECT_EQ(again.features[0].floor_z, part.features[0].floor_z);
     EXPECT_EQ(again.features[0].wall_slope, part.features[0].wall_slope);
   }
-  EXPECT_GE(count, 17);
+  EXPECT_GE(shapes.size(), 16u);
 }
 
 TEST(Shapes, OpenSidesStockAndKindsSurviveTheOutlineFormat) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  const Part part = read::read_part(*test_support::data_folder() / "stepnc" / "fishhead.p21", {});
+  const Part part = read::read_part(fs::path(CLEARCUT_SOURCE_DIR) / "examples/fishhead.p21", {});
   const std::string text = post::write_outline_json(part);
   const Part again = read::read_outline_json(text, "again.json", Tolerances{});
   ASSERT_TRUE(again.stock);

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/file.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
 #include "support/data.h"
+#include "support/drawings.h"
 
 namespace clearcut {
 namespace {
@@ -20,14 +22,13 @@ bool is_refused(const Part& part, const std::string& feature) {
 }
 
 /// Every pocket is clean, or refused by name.
-void expect_clean_or_refused(const std::string& file, double diameter) {
+void expect_clean_or_refused(const std::string& text, const std::string& file, double diameter) {
   SCOPED_TRACE(file + " with " + std::to_string(diameter));
   read::ReadOptions read;
   read.depth = 2;
   resolve::PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
-  const auto result = pipeline::plan_part(
-      read::read_part(test_support::data_folder()->string() + "/drawings/" + file, read), options);
+  const auto result = pipeline::plan_part(read::read_part_text(text, file, read), options);
   EXPECT_GT(result.findings.all.feed_mm, 0);
   for (const auto& fault : result.findings.faults) {
     if (fault.kind == FaultKind::kNothingCut && is_refused(result.part, fault.feature)) continue;
@@ -35,8 +36,22 @@ void expect_clean_or_refused(const std::string& file, double diameter) {
   }
 }
 
+TEST(OwnDrawings, EveryPocketIsCleanOrRefusedByName) {
+  expect_clean_or_refused(test_support::gear_with_gaps_dxf(), "gear.dxf", 1);
+  expect_clean_or_refused(test_support::gear_with_gaps_dxf(), "gear.dxf", 3);
+  expect_clean_or_refused(test_support::narrow_necks_dxf(), "necks.dxf", 2);
+  expect_clean_or_refused(test_support::bulges_dxf(), "bulges.dxf", 6);
+  expect_clean_or_refused(test_support::touching_squares_svg(), "touch.svg", 3);
+  expect_clean_or_refused(test_support::traced_svg(), "trace.svg", 3);
+}
+
+/// Published drawings, where they are; they only add to the own ones.
 TEST(RealDrawings, EveryPocketIsCleanOrRefusedByName) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
+  const auto data = test_support::data_folder();
+  if (!data) return;
+  const auto expect_clean_or_refused = [&](const std::string& file, double diameter) {
+    clearcut::expect_clean_or_refused(read_file((*data / "drawings" / file).string()), file, diameter);
+  };
   expect_clean_or_refused("gear-endpoint-gaps.dxf", 1);
   expect_clean_or_refused("gear-endpoint-gaps.dxf", 3);  // no tooth is wide enough
   expect_clean_or_refused("vslot-narrow-necks.dxf", 2);
@@ -45,9 +60,11 @@ TEST(RealDrawings, EveryPocketIsCleanOrRefusedByName) {
   expect_clean_or_refused("rabbit-trace.svg", 3);
 }
 
+/// The plate of tests/holes_test.cpp is ours; published samples are added where they are.
 TEST(RealParts, EverySampleOfStepNcIsCleanWithCuttersThatFit) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  const std::string folder = test_support::data_folder()->string() + "/stepnc/";
+  const auto data = test_support::data_folder();
+  if (!data) return;
+  const std::string folder = data->string() + "/stepnc/";
   for (const char* name : {"unb_final_test.p21", "ufsc_hole_slot_step_pocket.p21", "ufsc_slot_rounded_u.p21",
                            "iso14649_11_ex1.stp", "iso14649_11_ex1_nist.stp"}) {
     resolve::PlanOptions options;

@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
-#include "support/data.h"
 #include "support/random_parts.h"
+#include "support/shapes.h"
 
 namespace clearcut {
 namespace {
@@ -51,20 +51,16 @@ std::vector<double> cutters_for(int shape, const std::string& strategy) {
   return {all[first], all[(first + step) % all.size()]};
 }
 
-TEST_P(EveryStrategy, ClearsEveryDataShapeWithEveryCutter) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  std::vector<std::filesystem::path> shapes;
-  for (const auto& entry : std::filesystem::directory_iterator(*test_support::data_folder() / "shapes"))
-    if (entry.path().extension() == ".json") shapes.push_back(entry.path());
-  std::sort(shapes.begin(), shapes.end());
+TEST_P(EveryStrategy, ClearsEveryShapeWithEveryCutter) {
+  const auto shapes = test_support::all_shapes();
   ASSERT_GT(shapes.size(), 10u);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const Part part = read::read_part(shapes[i].string(), {});
+    const Part part = test_support::part_of(shapes[i]);
     for (const double diameter : cutters_for(static_cast<int>(i), GetParam())) {
       auto options = options_for(GetParam());
       options.tools = {resolve::parse_tool("endmill:" + std::to_string(diameter))};
       options.stepdown = 100;
-      EXPECT_EQ(fault_of(part, options), "") << shapes[i].filename() << " " << diameter;
+      EXPECT_EQ(fault_of(part, options), "") << shapes[i].name << " " << diameter;
     }
   }
 }
@@ -238,9 +234,11 @@ TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
 }
 
 TEST(Auto, DoesNotDependOnTheNumberOfThreads) {
-  CLEARCUT_SKIP_WITHOUT_DATA();
-  const Part part =
-      read::read_part((*test_support::data_folder() / "shapes/fishhead_pocket5.json").string(), {});
+  const auto shapes = test_support::own_shapes();
+  const auto pocket5 = std::find_if(shapes.begin(), shapes.end(),
+                                    [](const auto& shape) { return shape.name == "fishhead_pocket5"; });
+  ASSERT_NE(pocket5, shapes.end());
+  const Part part = test_support::part_of(*pocket5);
   auto options = options_for("auto");
   options.tools = {resolve::parse_tool("endmill:6")};
   const auto one = pipeline::plan_part(part, options);

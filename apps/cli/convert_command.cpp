@@ -48,7 +48,7 @@ void add_init_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", *output, "Job to write (default: standard output)");
   command->callback([state, output, &exit_code] {
     const std::string path = output->empty() ? "-" : *output;
-    write_outputs({{path, job_text(state->read(), state->input())}});
+    write_outputs({{path, job_text(state->read(), state->input(), state->solid())}});
     exit_code = kClean;
   });
 }

@@ -61,6 +61,16 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   command.add_option("--layer", layers_, "Layer of a drawing to read (repeatable; default all)");
   command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm");
   command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm");
+  command.add_option(
+      "--up", solid_.up,
+      "Side of a solid that looks up: +Z, -Z, +X, -X, +Y, -Y, or face12 for a flat face of `info`");
+  command.add_option("--turn", solid_.turn_deg,
+                     "Turn of a solid about the vertical, degrees counter-clockwise seen from above");
+  command.add_option("--body", solid_.body, "Body of an assembly to make: its name or number, or all");
+  command
+      .add_option("--breakthrough", solid_.breakthrough,
+                  "How far through cuts of a solid go below it, mm (default 0.5)")
+      ->check(CLI::NonNegativeNumber);
 }
 
 void PlanArguments::add_tool_list_options(CLI::App& command) {
@@ -199,6 +209,9 @@ Part PlanArguments::read() const {
   options.layers = layers_;
   options.top = top_;
   options.depth = depth_;
+  options.solid = solid_;
+  for (const Tool& tool : tools())
+    if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
   Part part = read_part(input_, options);
   if (clearance_z_) part.clearance_z = clearance_z_;
   return part;

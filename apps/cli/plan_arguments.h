@@ -25,6 +25,7 @@ class PlanArguments {
   Part read() const;
   PlanOptions options() const;
   const std::string& input() const { return input_; }
+  const SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
   std::optional<JobFile> job() const;
 
@@ -43,6 +44,7 @@ class PlanArguments {
   std::vector<std::string> layers_;
   std::optional<double> top_;
   std::optional<double> depth_;
+  SolidOptions solid_;
   std::optional<std::string> tool_library_;
   std::optional<std::string> machine_file_;
   std::optional<std::string> strategy_;

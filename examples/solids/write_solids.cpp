@@ -1,5 +1,6 @@
-// Writes bracket.step (the pocket of bracket.json in a block), nested.step, and
-// awkward.step, where much is not for a cutter from above.
+// Writes bracket.step (the pocket of bracket.json in a block), nested.step, awkward.step, where much is not for a cutter
+// from above, on_edge.step and sideways.step, which must be turned, disc.step, which fills no box, and the assembly
+// plate_and_pins.step.
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -11,6 +12,8 @@
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepData_StepModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
@@ -102,16 +105,70 @@ TopoDS_Shape awkward() {
   return shape;
 }
 
-void write(const TopoDS_Shape& shape, const std::filesystem::path& file) {
+/// A plate of 3 mm that stands on its edge: a pocket in the side that looks along +Y, and a hole through it.
+TopoDS_Shape on_edge() {
+  TopoDS_Shape shape = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), gp_Pnt(80, 3, 50));
+  const auto cut = [&](const TopoDS_Shape& tool) { shape = BRepAlgoAPI_Cut(shape, tool); };
+  cut(BRepPrimAPI_MakeBox(gp_Pnt(10, 2, 10), gp_Pnt(40, 4, 40)));
+  cut(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(60, -1, 25), gp_Dir(0, 1, 0)), 6, 5));
+  return shape;
+}
+
+/// A block with a pocket in the side that looks along -X alone.
+TopoDS_Shape sideways() {
+  TopoDS_Shape shape = block({{0, 0}, {20, 30}}, 40);
+  return BRepAlgoAPI_Cut(shape, BRepPrimAPI_MakeBox(gp_Pnt(-1, 8, -30), gp_Pnt(6, 22, -10)));
+}
+
+/// A round plate with a hole through.
+TopoDS_Shape disc() {
+  TopoDS_Shape shape = swept(Region::from_valid_loops(circle({0, 0}, 30), {}), 6);
+  return BRepAlgoAPI_Cut(shape, swept(Region::from_valid_loops(circle({0, 0}, 3), {}), 6));
+}
+
+struct NamedShape {
+  const char* name;  ///< of the product; null for the kernel's own
+  TopoDS_Shape shape;
+};
+
+/// A plate with a pocket, and two pins on it.
+std::vector<NamedShape> plate_and_pins() {
+  TopoDS_Shape plate = block({{0, 0}, {60, 40}}, 10);
+  plate = BRepAlgoAPI_Cut(plate, swept(Region::from_valid_loops(rounded({{10, 10}, {40, 30}}, 4), {}), 4));
+  const auto pin = [](double x) {
+    return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 20, 0), gp_Dir(0, 0, 1)), 3, 12).Shape();
+  };
+  return {{"PLATE", plate}, {"PIN", pin(48)}, {"PIN", pin(55)}};
+}
+
+/// The kernel's own names are numbered.
+void name_last_product(STEPControl_Writer& writer, const char* name) {
+  for (int i = writer.Model()->NbEntities(); i > 0; --i) {
+    const auto product = Handle(StepBasic_Product)::DownCast(writer.Model()->Value(i));
+    if (product.IsNull()) continue;
+    product->SetName(new TCollection_HAsciiString(name));
+    product->SetId(new TCollection_HAsciiString(name));
+    return;
+  }
+}
+
+void write(const std::vector<NamedShape>& shapes, const std::filesystem::path& file) {
   STEPControl_Writer writer;
   // Without curves in parameter space, which any reader finds again.
   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
-  writer.Transfer(shape, STEPControl_ManifoldSolidBrep);
+  for (const NamedShape& shape : shapes) {
+    writer.Transfer(shape.shape, STEPControl_ManifoldSolidBrep);
+    if (shape.name) name_last_product(writer, shape.name);
+  }
   APIHeaderSection_MakeHeader header(writer.Model());
   header.SetName(new TCollection_HAsciiString(file.stem().c_str()));
   header.SetTimeStamp(new TCollection_HAsciiString("2024-01-01T00:00:00"));
   header.Apply(writer.Model());
   writer.Write(file.c_str());
+}
+
+void write(const TopoDS_Shape& shape, const std::filesystem::path& file) {
+  write(std::vector<NamedShape>{{nullptr, shape}}, file);
 }
 
 }  // namespace
@@ -125,5 +182,9 @@ int main(int argc, char** argv) {
   write(bracket(folder), folder / "bracket.step");
   write(nested(), folder / "nested.step");
   write(awkward(), folder / "awkward.step");
+  write(on_edge(), folder / "on_edge.step");
+  write(sideways(), folder / "sideways.step");
+  write(disc(), folder / "disc.step");
+  write(plate_and_pins(), folder / "plate_and_pins.step");
   return 0;
 }

@@ -5,9 +5,9 @@
 #include "model/machine.h"
 #include "model/part.h"
 #include "model/tool.h"
-#include "post/post.h"
 #include "post/part/outline_writer.h"
 #include "post/part/stepnc_writer.h"
+#include "post/post.h"
 #include "read/job/job_file.h"
 #include "read/job/machine_file.h"
 #include "read/read_part.h"
@@ -22,6 +22,7 @@ using read::OpenCurves;
 using read::read_part;
 using read::read_part_text;
 using read::ReadOptions;
+using read::SolidOptions;
 
 // Jobs: a part with its stock, tools, machine and wishes.
 using read::job_text;

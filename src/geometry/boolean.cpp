@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/unite_all.h"
 
 namespace clearcut::inline geometry {
 namespace {
@@ -290,7 +291,27 @@ Regions resolved(std::span<const Loop> loops, ClipperLib::PolyFillType fill, con
   return executed(clipper, ClipperLib::ctUnion, fill, sources, tol);
 }
 
+/// Twice the area over the perimeter is about the thickness.
+bool is_thin(const ClipperLib::Path& path, const Tolerances& tol) {
+  double around = 0;
+  for (std::size_t i = 0; i < path.size(); ++i)
+    around += distance(from_grid(path[i]), from_grid(path[(i + 1) % path.size()]));
+  const double covered = std::abs(ClipperLib::Area(path)) / (kGridPerMm * kGridPerMm);
+  return 2 * covered <= 2 * tol.chord * around;
+}
+
 }  // namespace
+
+Regions unite_all(const Regions& regions, const Tolerances& tol) {
+  Sources sources(tol);
+  ClipperLib::Clipper flat, nested;
+  add_regions(regions, ClipperLib::ptSubject, sources, flat);
+  ClipperLib::Paths paths;
+  if (!flat.Execute(ClipperLib::ctUnion, paths, ClipperLib::pftNonZero, ClipperLib::pftNonZero)) return {};
+  for (const ClipperLib::Path& path : paths)
+    if (!is_thin(path, tol)) nested.AddPath(path, ClipperLib::ptSubject, true);
+  return executed(nested, ClipperLib::ctUnion, ClipperLib::pftNonZero, sources, tol);
+}
 
 Regions unite(const Regions& a, const Regions& b, const Tolerances& tol) {
   return combined(a, b, ClipperLib::ctUnion, tol);

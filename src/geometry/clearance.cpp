@@ -119,6 +119,24 @@ voronoi::Diagram diagram_of(const Region& region, const Tolerances& tol) {
   }
 }
 
+/// Ends the path where the boundary is `least` mm away: the diagram's sites are as much nearer or farther as runs of lines
+/// were simplified.
+void pull_back_end(Path& path, const Region& region, double least) {
+  while (!path.empty() && region.boundary_distance(path.back().from) < least) path.pop_back();
+  if (path.empty()) return;
+  const Edge last = path.back();
+  double good = 0, bad = 1;
+  while ((bad - good) * last.length() > kFine) {
+    const double middle = (good + bad) / 2;
+    (region.boundary_distance(last.at(middle)) < least ? bad : good) = middle;
+  }
+  if (good > 0) {
+    path.back() = last.part(0, good);
+  } else {
+    path.pop_back();
+  }
+}
+
 }  // namespace
 
 struct Clearance::Impl {
@@ -168,8 +186,18 @@ std::vector<Regions> Clearance::insets(const std::vector<double>& ascending) con
 
 std::vector<Path> Clearance::fit_lines(double d, double reserve) const {
   const double least = d - reserve - kFitShare * impl_->tol.fit;
-  return voronoi::fit_lines(impl_->axis, impl_->diagram, {least, d - reserve, d + kMargin},
-                            kStubFactor * impl_->tol.fit);
+  auto lines = voronoi::fit_lines(impl_->axis, impl_->diagram, {least, d - reserve, d + kMargin},
+                                  kStubFactor * impl_->tol.fit);
+  for (Path& line : lines) {
+    if (line.front().from == line.back().to) continue;
+    for (int end = 0; end < 2; ++end) {
+      line = reversed(line);
+      if (!line.empty() && impl_->region.boundary_distance(line.back().to) < d - reserve - impl_->tol.fit)
+        pull_back_end(line, impl_->region, least);
+    }
+  }
+  std::erase_if(lines, [](const Path& line) { return line.empty(); });
+  return lines;
 }
 
 const MedialAxis& Clearance::axis() const {

@@ -44,6 +44,36 @@ TEST(Inset, ZeroIsTheRegionItself) {
   EXPECT_EQ(same[0].outer(), square.outer());
 }
 
+TEST(Inset, OfAnInsetThatEndsInCuspsBetweenCorridorsOfExactlyTwiceTheDistance) {
+  const Vec2 points[] = {{30, 30}, {30, 50}, {40, 50}, {40, 60}, {10, 60}, {10, 50}, {0, 50},  {0, 40},
+                         {10, 40}, {10, 10}, {20, 10}, {20, 0},  {30, 0},  {30, 20}, {40, 20}, {40, 30}};
+  Loop outline = loop_from_points(points);
+  if (signed_area(outline) < 0) outline = reversed(outline);
+  const Regions first = inset(region(outline), 5, kTol);
+  ASSERT_EQ(first.size(), 1U);
+  // Arcs and lines meet there without an angle, so that walls of no thickness arise.
+  const Regions second = inset(first.front(), 1, kTol);
+  ASSERT_FALSE(second.empty());
+  for (const Region& inner : second) {
+    for (const Edge& edge : inner.edges())
+      EXPECT_NEAR(first.front().boundary_distance(edge.at(0.5)), 1, 1e-3);
+  }
+}
+
+TEST(FitLines, EndWhereTheWallsThemselvesAreTooNearNotTheirSimplification) {
+  // The walls bulge inwards by less than what is simplified.
+  const Vec2 points[] = {{0, 0}, {5, 0.00039}, {10, 0}, {10, 1.95}, {5, 1.99961}, {0, 2.05}};
+  const Region wedge = region(loop_from_points(points));
+  const auto lines = Clearance(wedge, kTol).fit_lines(1);
+  ASSERT_FALSE(lines.empty());
+  for (const Path& line : lines) {
+    for (const Edge& edge : line) {
+      EXPECT_GE(wedge.boundary_distance(edge.from), 1 - kTol.fit);
+      EXPECT_GE(wedge.boundary_distance(edge.to), 1 - kTol.fit);
+    }
+  }
+}
+
 TEST(Inset, RectangleShrinksToARectangle) {
   const Regions r = inset(region(rectangle({0, 0}, {100, 60})), 5, kTol);
   ASSERT_EQ(r.size(), 1U);

@@ -15,7 +15,7 @@ enum class Together {
 
 /// The passes in an order of fewer seconds between them, estimated, found from the one in which `linker` has cut them
 /// all. Precedence is kept; a ring that is alone may begin elsewhere. Empty where there is nothing to choose.
-/// Cost: see toolpath/visit_order.h.
+/// Cost: see order/visit/visit_order.h.
 std::vector<Task> short_order(const Work& work, const Linker& linker, Together together);
 
 }  // namespace clearcut::link

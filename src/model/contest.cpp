@@ -20,6 +20,8 @@ const char* name_of(Outcome outcome) {
       return "not clean";
     case Outcome::kCannotWin:
       return "cannot win";
+    case Outcome::kTooMuchWork:
+      return "too much work";
     case Outcome::kNotTried:
       break;
   }

@@ -430,20 +430,40 @@ TEST(Solve, DetoursAreRoutedAround) {
   EXPECT_EQ(solution.gap, 0);
 }
 
-TEST(Solve, ReferenceInstancesReachTheirOptimum) {
+void expect_optimum(const Problem& problem, double optimum) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const Solution solution = solve(problem, *length_objective(), rounds(2, seed));
+    EXPECT_EQ(solution.length, optimum) << problem.name << " seed " << seed;
+    EXPECT_LE(solution.bound, optimum);
+    EXPECT_LT(solution.gap, 0.02);
+  }
+}
+
+TEST(Solve, InstancesReachTheirKnownOptimum) {
+  for (const KnownInstance& known : known_instances()) {
+    const Problem problem = read_tsplib(known.text, known.name);
+    expect_optimum(problem, tour_length(problem, known.tour));
+  }
   for (const auto& [file, optimum] : {std::pair{"berlin52.tsp", 7542.0},
                                       {"qa194.tsp", 9352.0},
                                       {"a280.tsp", 2579.0},
                                       {"pcb442.tsp", 50778.0}}) {
-    const auto text = reference_text(file);
-    if (!text) GTEST_SKIP() << "no reference instances; set CLEARCUT_DATA";
-    const Problem problem = read_tsplib(*text, file);
-    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-      const Solution solution = solve(problem, *length_objective(), rounds(2, seed));
-      EXPECT_EQ(solution.length, optimum) << file << " seed " << seed;
-      EXPECT_LE(solution.bound, optimum);
-      EXPECT_LT(solution.gap, 0.02);
-    }
+    if (const auto text = reference_text(file)) expect_optimum(read_tsplib(*text, file), optimum);
+  }
+}
+
+/// Three clusters far apart, few enough for complete enumeration.
+TEST(Solve, ClustersReachTheOptimumOfTheExactMethod) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Random random(seed);
+    Problem problem;
+    for (int i = 0; i < 13; ++i)
+      problem.points.push_back(direction_of(2.1 * (i % 3)) * 60 +
+                               Vec2{random.between(0, 20), random.between(0, 20)});
+    const auto objective = length_objective();
+    const auto exact = solve_exact(Moves(problem), *objective);
+    ASSERT_TRUE(exact);
+    EXPECT_NEAR(solve(problem, *objective, rounds(1, seed)).length, exact->value, 1e-9) << "seed " << seed;
   }
 }
 

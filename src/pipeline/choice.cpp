@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/work_budget.h"
 #include "plan/adaptive/adaptive.h"
 #include "plan/spiral/turn.h"
 #include "plan/tour/tour.h"
@@ -76,6 +77,9 @@ void Choice::plan_into(std::size_t step, Try& one) const {
     if (!one.plan.section.moves.empty()) one.outcome = Outcome::kOutrun;
   } catch (const InputError&) {
     if (first) throw;
+  } catch (const OutOfWork&) {
+    one.plan = {};
+    one.outcome = Outcome::kTooMuchWork;
   }
 }
 
@@ -134,6 +138,14 @@ const Section& Choice::section(std::size_t step) const {
 
 const Attempt& Choice::attempt(std::size_t step) const {
   return candidates_[step].tries[candidates_[step].at].attempt;
+}
+
+std::vector<std::string> Choice::left_out(std::size_t step) const {
+  std::vector<std::string> names;
+  for (const auto& one : candidates_[step].tries) {
+    if (one.outcome == Outcome::kTooMuchWork) names.push_back(one.attempt.strategy);
+  }
+  return names;
 }
 
 bool Choice::next(std::size_t step) {

@@ -47,6 +47,8 @@ class Choice {
   /// nothing is left, and the last plan stays.
   bool next(std::size_t step);
   const Attempt& attempt(std::size_t step) const;
+  /// Names of strategies whose planning took too much work.
+  std::vector<std::string> left_out(std::size_t step) const;
   std::vector<Contest> contests() const;
 
  private:

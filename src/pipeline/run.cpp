@@ -1,11 +1,13 @@
 #include "pipeline/run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "base/error.h"
 #include "base/format.h"
+#include "base/work_budget.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
@@ -73,9 +75,19 @@ class Sizes {
   double reached_mm2_ = 0;
 };
 
-/// What a strategy makes of one workingstep.
+/// Steps of work that a strategy may take for one workingstep, about 20 s of them; and one that is asked for by name, which
+/// there is nothing else for.
+constexpr std::uint64_t kMostWork = 2'000'000;
+constexpr std::uint64_t kMostWorkAlone = 4 * kMostWork;
+
+std::uint64_t most_work(const resolve::PlanOptions& options) {
+  return options.strategy == "auto" ? kMostWork : kMostWorkAlone;
+}
+
+/// What a strategy makes of one workingstep. Throws OutOfWork where that is too much.
 StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attempt,
                    const resolve::PlanOptions& options) {
+  const WorkBudget budget(most_work(options));
   const auto& step = part.workplan[static_cast<std::size_t>(work.workingstep)];
   const auto strategy = strategy_for(attempt, step.operation, options);
   StepPlan plan;
@@ -134,10 +146,14 @@ StepPlan fastest_plan(const StepWork& work, const Part& part, const Attempt& att
   const bool alone = !attempt.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
   for (const auto& rival : rival_attempts()) {
-    StepPlan plan = plan_step(work, part, rival, options);
-    if (plan.section.moves.empty() || plan.time_s >= best.time_s) continue;
-    best.section = std::move(plan.section);
-    best.time_s = plan.time_s;
+    try {
+      StepPlan plan = plan_step(work, part, rival, options);
+      if (plan.section.moves.empty() || plan.time_s >= best.time_s) continue;
+      best.section = std::move(plan.section);
+      best.time_s = plan.time_s;
+    } catch (const OutOfWork&) {
+      continue;  // the attempt itself stands
+    }
   }
   return best;
 }
@@ -184,16 +200,40 @@ Toolpath toolpath_of(const Choice& choice, const Part& part, const resolve::Plan
   return toolpath;
 }
 
-void report_notes(const Choice& choice, const std::vector<StepWork>& works, Part& part) {
+void report_notes(const Choice& choice, const std::vector<StepWork>& works,
+                  const resolve::PlanOptions& options, Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (works[i].done_before) {
       part.diagnostics.note(feature_of(part, part.workplan[i]).name,
                             "nothing is cut: the earlier program has left no more than films under 0.007 mm "
                             "where the cutter can reach");
     }
+    for (const auto& name : choice.left_out(i)) {
+      part.diagnostics.note(feature_of(part, part.workplan[i]).name,
+                            fmt::format("{} is left out: planning it took more than {} million steps of work",
+                                        name, most_work(options) / 1'000'000));
+    }
     const Section& section = choice.section(i);
     for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
   }
+}
+
+/// Why there are no passes for a workingstep.
+std::string no_passes(const Part& part, std::size_t i, const Choice& choice,
+                      const resolve::PlanOptions& options) {
+  const auto& step = part.workplan[i];
+  const std::string& name = feature_of(part, step).name;
+  if (!choice.left_out(i).empty()) {
+    return fmt::format(
+        "planning {} by {} took more than {} million steps of work; use another --strategy (zigzag takes "
+        "the least) or a larger cutter",
+        name, fmt::join(choice.left_out(i), " and "), most_work(options) / 1'000'000);
+  }
+  const bool fits =
+      tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), options.tol);
+  if (!fits || stock::only_plunges(tool_of(part, step))) return does_not_fit(part, step, options);
+  return fmt::format("{} found no passes for {}; use another --strategy, for example contour",
+                     choice.attempt(i).strategy, name);
 }
 
 void report_what_does_not_fit(Part& part, const Choice& choice, const std::vector<StepWork>& works,
@@ -203,8 +243,7 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
   const bool done_before =
       std::any_of(works.begin(), works.end(), [](const StepWork& work) { return work.done_before; });
   if (nothing && !done_before) {
-    throw InputError(part.source_file,
-                     "nothing can be cut: " + does_not_fit(part, part.workplan.front(), options));
+    throw InputError(part.source_file, "nothing can be cut: " + no_passes(part, 0, choice, options));
   }
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
@@ -212,7 +251,7 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
     const bool fits = tool_of(part, step).diameter <=
                       resolve::largest_fitting_diameter(feature_of(part, step), options.tol);
     if (fits && works[i].layers.empty()) continue;
-    part.diagnostics.skip(feature_of(part, step).name, does_not_fit(part, step, options));
+    part.diagnostics.skip(feature_of(part, step).name, no_passes(part, i, choice, options));
   }
 }
 
@@ -294,19 +333,30 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     meter.add();
   } while (retry_unclean(choice, result));
   sign(result, toolpath, options);
-  report_notes(choice, works, result.part);
+  report_notes(choice, works, options, result.part);
   result.contours = contours_of(toolpath);
   result.contests = choice.contests();
   return result;
 }
 
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options) {
-  auto read = read::gcode::read_gcode(program, program_name, home_z(options.machine));
+                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect) {
+  read::gcode::ReadControllerOptions reading;
+  reading.dialect = dialect;
+  reading.home_z = home_z(options.machine);
+  reading.safe_z = part.top_z();
+  auto read = read::gcode::read_gcode(program, program_name, reading);
   CheckResult result;
   result.part = resolve::prepare(part, numbered_by(read.toolpath, options));
   keep_stated_stepdowns(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
+  for (const Condition& one : read.conditions) {
+    result.part.diagnostics.warn(program_name + ":" + std::to_string(one.line),
+                                 "condition '" + one.name + "': " + one.text);
+  }
+  result.conditions = std::move(read.conditions);
+  result.control = std::move(read.control);
+  result.dialect = read.dialect;
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
   result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));

@@ -12,8 +12,8 @@ namespace clearcut::stock {
 ///
 /// An earlier feature has cleared its target less the least stock that its steps so far have left on walls, down to its floor
 /// and the least stock left there. Of the step's own target, what lies in its own stock is not asked for. Earlier steps of the
-/// same feature do not count: what they left is a matter of the cutter (pipeline/left_over.h). Tops must be
-/// stacked. Slivers as in part/cleared.h are left out.
+/// same feature do not count: what they left is a matter of the cutter (resolve/left_over.h). Tops must be
+/// stacked. Slivers as in stock/cleared.h are left out.
 class Standing {
  public:
   Standing(const Part& part, int workingstep, const Tolerances& tol);

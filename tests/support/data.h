@@ -1,8 +1,7 @@
-// The shared data folder: CLEARCUT_DATA, else ../shared/data beside the checkout. Absent: tests skip and say
-// so.
+// Published files that are no part of the project: the folder CLEARCUT_DATA, else ../shared/data beside the checkout. Every
+// test has shapes, drawings, parts or instances of its own (shapes.h, drawings.h, plate.h, order/test_support.h); where the
+// folder is there, its files are tried, too.
 #pragma once
-
-#include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -19,8 +18,3 @@ inline std::optional<std::filesystem::path> data_folder() {
 }
 
 }  // namespace clearcut::test_support
-
-#define CLEARCUT_SKIP_WITHOUT_DATA()                                                        \
-  if (!clearcut::test_support::data_folder()) {                                             \
-    GTEST_SKIP() << "the shared data folder is absent; set CLEARCUT_DATA to run this test"; \
-  }

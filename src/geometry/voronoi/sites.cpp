@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "base/work_budget.h"
 #include "geometry/voronoi/contacts.h"
 
 namespace clearcut::inline geometry::voronoi {
@@ -117,12 +118,15 @@ class Builder {
 
   Sites run() {
     CLEARCUT_ASSERT(!sites_.segments.empty());
-    for (int round = 0;; ++round) {
+    for (int splits = 0;;) {
+      WorkBudget::spend(sites_.segments.size());
       const Contacts contacts = find_contacts(sites_.segments);
       if (contacts.mixed) name_points();
       if (contacts.doubled) merge_doubled();
       if (contacts.places.empty()) break;
-      CLEARCUT_ASSERT(round < kMostRounds);
+      // Places name segments by their numbers, which merging has changed: they are looked for again.
+      if (contacts.doubled) continue;
+      CLEARCUT_ASSERT(splits++ < kMostRounds);
       split(contacts.places);
     }
     return std::move(sites_);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/error.h"
@@ -527,29 +528,47 @@ TEST(Genetic, RefusesWhatMakesNoSense) {
   EXPECT_THROW(with([](auto& o) { o.patience = 0; }), InputError);
 }
 
-/// Table 6.2: the text ends 4.1 % above the optimum, ours 3 to 6 % after the text's 10 million individuals; here a
-/// quarter of them.
-TEST(Genetic, EndsNearTheTextOnQatar) {
-  const auto text = reference_text("qa194.tsp");
-  if (!text) GTEST_SKIP() << "qa194.tsp is not there: set CLEARCUT_DATA to the folder that holds tsp/";
-  const Problem problem = read_tsplib(*text, "qa194.tsp");
+/// How far the text's algorithm ends above `optimum`; a quarter of the text's 10 million individuals.
+double excess(const Problem& problem, double optimum, int runs) {
   double sum = 0;
-  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+  for (int seed = 1; seed <= runs; ++seed) {
     GeneticOptions options = generations(60000);
-    options.seed = seed;
-    sum += run_genetic(problem, *length_objective(), options).value / 2;
+    options.seed = static_cast<std::uint64_t>(seed);
+    sum += run_genetic(problem, *length_objective(), options).value / runs;
   }
-  EXPECT_LT(sum / 9352, 1.09);
-  EXPECT_GT(sum / 9352, 1.0);
+  return sum / optimum;
 }
 
-/// Table 6.6, length of the open path through a lattice.
-TEST(Genetic, EndsNearTheOptimumOnASmallLattice) {
+/// Table 6.2, the instance of Qatar: the text ends 4.1 % above the optimum, ours 3 to 6 % after as many individuals. Random
+/// points of the same number stand beside it; their best known length is the solver's, within its proven gap.
+TEST(Genetic, EndsNearTheTextOn194Points) {
+  const Problem ours = random_problem(194, 1);
+  SolveOptions options;
+  options.stop.rounds = 2;
+  options.stop.seconds = std::numeric_limits<double>::infinity();
+  const Solution solution = solve(ours, *length_objective(), options);
+  EXPECT_LT(solution.gap, 0.02);
+  const double above = excess(ours, solution.length, 1);
+  EXPECT_LT(above, 1.12);
+  EXPECT_GT(above, 1.0);
+  if (const auto text = reference_text("qa194.tsp")) {
+    const double qatar = excess(read_tsplib(*text, "qa194.tsp"), 9352, 2);
+    EXPECT_LT(qatar, 1.09);
+    EXPECT_GT(qatar, 1.0);
+  }
+}
+
+/// Table 6.6, length of the open path through a lattice. Nearest-neighbour paths begin at the optimum there, so the first
+/// paths are drawn from all points.
+TEST(Genetic, EndsNearTheOptimumOnASmallLatticeFromRandomPaths) {
   double sum = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     GeneticOptions options = generations(20000);
     options.seed = seed;
-    sum += 99 / run_genetic(open_lattice(10, 10), *length_objective(), options).value / 4;
+    options.breadth = 100;
+    const GeneticResult result = run_genetic(open_lattice(10, 10), *length_objective(), options);
+    EXPECT_GT(result.samples.front().best, 2 * 99) << "begins far from the optimum";
+    sum += 99 / result.value / 4;
   }
   EXPECT_GT(sum, 0.97);
 }

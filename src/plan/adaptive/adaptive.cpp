@@ -25,6 +25,9 @@ constexpr double kMarkPitch = 0.1;
 constexpr double kKeepOff = 0.0035;
 /// Entries for what the cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
+/// Rests that are cut one by one: of an area that is cleared by then; and where nothing else clears it.
+constexpr int kFewRests = 60;
+constexpr int kMostRests = 2000;
 /// Tool radii that the centre may run beyond an open side.
 constexpr double kBeyondOpenSides = 1.01;
 /// Tool radii between the places beside the stock from where cuts are tried, how far inside their outline these are, and
@@ -64,11 +67,18 @@ double film_between_cuts(double radius, double limit) {
   return std::max(0.16 * step * step / radius, radius * (1 - std::cos(limit / 3)));
 }
 
+/// Where cuts may begin that no free way leads to.
+enum class Lifts {
+  kFew,  ///< from above only where all else is cut, and not often
+  kAny   ///< as often as it takes: in areas so large that free ways do not lead back round them
+};
+
 /// The passes of one connected legal area.
 class AdaptivePlanner {
  public:
   AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                  const Layer& layer, double limit, const AdaptiveOptions& options)
+                  const std::vector<Path>& slots, const Layer& layer, double limit,
+                  const AdaptiveOptions& options, Lifts lifts)
       : legal_(legal),
         front_(front_area(legal, layer.tool_radius, limit)),
         radius_(layer.tool_radius),
@@ -80,18 +90,21 @@ class AdaptivePlanner {
         finder_(front_, clearance, ground_, layer, limit, options.start),
         clearing_(ground_, path_, {front_, legal, kMarkPitch * radius_, film_between_cuts(radius_, limit)},
                   inner.clearing, limit, {kAir * radius_, 0}),
-        finish_(ground_, path_, legal, inner.finishing, layer.target, limit),
+        finish_(ground_, path_, legal, inner.finishing, layer.target, slots, limit),
         open_(layer.stock && has_open_side(layer)),
+        lifts_(lifts),
         cancel_(options.cancel) {
     leave_corners();
     for (const PredrilledHole& hole : layer.holes) ground_.remove_disc(hole.center, hole.diameter / 2);
   }
 
-  std::vector<Pass> plan() {
+  /// Absent where more was left to the end than is cut one by one.
+  std::optional<std::vector<Pass>> plan() {
     if (open_) cut_from_outside();
     clear_rooms();
     enter_what_is_left();
-    finish_.run(open_);
+    if (!finish_.run(open_, lifts_ == Lifts::kFew ? kFewRests : kMostRests) && lifts_ == Lifts::kFew)
+      return std::nullopt;
     return path_.take_passes();
   }
 
@@ -123,12 +136,25 @@ class AdaptivePlanner {
   /// In at open sides, as far as that leads.
   void cut_from_outside() {
     clearing_.walls.update(ground_, legal_.box());
-    cut_fronts(everywhere);
+    cut_fronts_from_above();
     const Wall outline(legal_.outer());
     const double end = outline.length();
     for (double s = 0; s < end; s += kAirPitch * radius_) {
-      if (cut_from_air(outline, s)) cut_fronts(everywhere);
+      if (cut_from_air(outline, s)) cut_fronts_from_above();
     }
+  }
+
+  /// Cuts from wall to wall; where lifts are free, from above, too, until that leads to no more.
+  void cut_fronts_from_above() {
+    cut_fronts(everywhere);
+    if (lifts_ == Lifts::kFew) return;
+    for (std::size_t before = 0; !path_.empty() && !clearing_.walls.starts().empty();) {
+      before = ground_.cuts();
+      path_.finish_pass();
+      cut_fronts(everywhere);
+      if (ground_.cuts() == before) break;
+    }
+    path_.resume_pass();
   }
 
   /// Round the stock with it on the right, nearer until the contact is at the limit, and on. Whether it stands beside
@@ -235,8 +261,20 @@ class AdaptivePlanner {
   WallCuts clearing_;
   AdaptiveFinish finish_;
   bool open_;  ///< something beside the target is free
+  Lifts lifts_;
   std::stop_token cancel_;
 };
+
+/// With few lifts, else with as many as it takes.
+std::vector<Pass> passes_of(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
+                            const std::vector<Path>& slots, const Layer& layer, double limit,
+                            const AdaptiveOptions& options) {
+  for (const Lifts lifts : {Lifts::kFew, Lifts::kAny}) {
+    auto passes = AdaptivePlanner(legal, inner, clearance, slots, layer, limit, options, lifts).plan();
+    if (passes) return std::move(*passes);
+  }
+  return {};
+}
 
 /// The passes of one legal area, to run one after the other.
 void add_passes(LayerPasses& result, std::vector<Pass> passes) {
@@ -291,11 +329,12 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);
     const auto inner = inner_areas(legal, clearance, layer, limit);
+    const auto slots = clearance.fit_lines(first, layer.reserve);
     for (std::size_t i = 0; i < legal.size(); ++i) {
-      add_passes(result, AdaptivePlanner(legal[i], inner[i], clearance, layer, limit, options).plan());
+      add_passes(result, passes_of(legal[i], inner[i], clearance, slots, layer, limit, options));
       result.legal.push_back(std::move(legal[i]));
     }
-    add_fit_lines(result, clearance.fit_lines(first, layer.reserve));
+    add_fit_lines(result, slots);
   }
   return result;
 }

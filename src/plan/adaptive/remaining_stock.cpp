@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/work_budget.h"
+
 namespace clearcut::plan::adaptive {
 namespace {
 
@@ -46,10 +48,12 @@ Ground::Ground(const Regions& legal, double tool_radius, const std::optional<Box
       cleared_(box(legal).grown(tool_radius * (1 + 2 * kCell)), tool_radius * kCell) {}
 
 double Ground::contact(Vec2 p, Vec2 heading) const {
+  WorkBudget::spend(1);
   return material_.contact_size(p, heading, tool_radius_ - kRounding, -1).angle;
 }
 
 Ground::Look Ground::look(const Edge& edge, double t) const {
+  WorkBudget::spend(1);
   const auto [size, change] =
       material_.contact_trend(edge.at(t), edge.tangent_at(t), tool_radius_ - kRounding, -1);
   return {t, size.angle, change.per_mm * edge.length() + change.per_radian * edge.sweep(), size.parts};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/work_budget.h"
+
 namespace clearcut::plan {
 namespace {
 
@@ -91,6 +93,7 @@ Cover::Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base)
 }
 
 void Cover::sort_edges() {
+  WorkBudget::spend(edges_.size());
   strokes_.reserve(edges_.size());
   whole_.assign(grid_.count(), 0);
   const double half_diagonal = grid_.cell * kHalfDiagonal;

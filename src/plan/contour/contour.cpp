@@ -54,9 +54,23 @@ bool has_open_side(const Loop& loop, const Regions& allowed) {
 /// thin rests along walls need at least 2.
 constexpr double kReachBesideWalls = 2.05;
 
+/// mm. What stays of a face farther than this from the sweep of its rings belongs to an arm that is too narrow for them.
+constexpr double kArmFilm = 0.005;
+
+/// Whether the first ring comes near enough to all of a face where rings may use `reach` mm of the air: no ring runs in
+/// arms narrower than twice what it stays inside their edges.
+bool reaches_all(const Region& face, double reach, double radius, const Tolerances& tol) {
+  Regions swept;
+  for (const auto& domain : dilate({face}, reach, tol)) {
+    const auto rings = dilate(inset(domain, radius, tol), radius + kArmFilm, tol);
+    swept.insert(swept.end(), rings.begin(), rings.end());
+  }
+  return subtract({face}, swept, tol).empty();
+}
+
 /// How far beyond the target's open sides rings may use the air, mm (see docs/contour.md, "Open sides"). What stands beside
 /// walls may be thinner than the round of the cutter's corners.
-double reach_beyond(const Region& target, const Layer& layer) {
+double reach_beyond(const Region& target, const Layer& layer, const Tolerances& tol) {
   const Regions& allowed = layer.allowed;
   const double radius = layer.tool_radius;
   const auto islands_clear = [&](const Loop& island) {
@@ -69,7 +83,9 @@ double reach_beyond(const Region& target, const Layer& layer) {
                     std::all_of(target.islands().begin(), target.islands().end(), islands_clear);
   if (!face) return kReachBesideWalls * radius + layer.rounded;
   // The first ring runs inside the edge, just near enough to it to clear the sharpest corner.
-  return radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
+  const double inside = radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
+  // Else on the edge.
+  return reaches_all(target, inside, radius, tol) ? inside : radius;
 }
 
 /// Where rings are planned: `allowed`, less what lies far beyond the target's open sides.
@@ -83,7 +99,7 @@ Regions working_domain(const Layer& layer, const Tolerances& tol) {
                                    [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
     (opens ? open : closed).push_back(target);
     // Stock is left on walls; the air needs none.
-    const double reach = reach_beyond(target, layer) + layer.wall_stock;
+    const double reach = reach_beyond(target, layer, tol) + layer.wall_stock;
     if (opens) beyond = std::max(beyond, reach);
   }
   if (!open.empty()) {

@@ -21,7 +21,7 @@ struct StepRule {
     kKappa,        ///< "lom": the widest that leaves nothing in the smallest angle (CPO-kappa eq. 6)
     kRho,          ///< "rho": the same with an overlap of `value` * sin(alpha/2) mm (CPO-rho eq. 8)
     kSecondAngle,  ///< "second": rho of the second smallest angle when the smallest is single (CPO-rho 3.2)
-    kKappaCorrected,  ///< "lom-corrected": the widest that leaves nothing anywhere (plan/ring_band.h)
+    kKappaCorrected,  ///< "lom-corrected": the widest that leaves nothing anywhere (plan/contour/ring_band.h)
     kRhoCorrected,    ///< "rho-corrected": the same with rho's overlap
     kFraction,        ///< `value` * diameter
     kMm,              ///< `value` mm
@@ -42,7 +42,7 @@ enum class ResidualRule {
   kOurs,   ///< the cheapest local pass along the medial axis, only where something is left
   kNone,   ///< not at all: the plain method, for comparison
   kLoops,  ///< a loop at every corner of every contour that leaves something (Zhao); ridges as ours
-  kPwid,   ///< the same with the kite of pair-wise interference detection (Park et al.); plan/corner_loop.h
+  kPwid,  ///< the same with the kite of pair-wise interference detection (Park et al.); plan/contour/corner_loop.h
   kSingleLoops,  ///< the same with one tangent loop (Choy and Chan)
   kDoubleLoops,  ///< the same with two
   kBisectors,    ///< along the whole bisector of every such corner (Lin)

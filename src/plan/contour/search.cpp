@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/progress.h"
+#include "base/work_budget.h"
 #include "plan/common/retract_link.h"
 #include "plan/contour/skeleton.h"
 #include "plan/contour/tighten.h"
@@ -67,7 +68,11 @@ std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, b
 /// Trials have nothing to do with one another. What waits for them takes up no other work meanwhile.
 template <typename Work>
 void in_parallel(std::size_t count, const Work& work) {
-  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+  const auto uncounted = [&](std::size_t i) {
+    const WorkBudget own = WorkBudget::unlimited();
+    work(i);
+  };
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, uncounted); });
 }
 
 /// One component's contest.

@@ -27,7 +27,7 @@ struct OrderQuestion {
   std::function<double(const CellVisit&)> own;
 };
 
-/// All cells once, cheap in sum; method and cost: toolpath/visit_order.h.
+/// All cells once, cheap in sum; method and cost: order/visit/visit_order.h.
 std::vector<CellVisit> order_cells(const std::vector<ZigzagCell>& cells, const OrderQuestion& question);
 
 }  // namespace clearcut::plan::zigzag

@@ -83,6 +83,13 @@ CutSettings settings_of(DataSection& section) {
   return out;
 }
 
+void read_solid_options(DataSection& section, SolidOptions& solid) {
+  solid.up = section.text("up").value_or("");
+  solid.turn_deg = coordinate(section, "turn").value_or(0);
+  solid.body = section.text("body").value_or("");
+  solid.breakthrough = section.not_negative("breakthrough");
+}
+
 void read_part_section(DataSection section, JobFile& job) {
   const auto file = section.text("file");
   if (!file || file->empty()) section.fail("file is missing; add file = \"part.dxf\"");
@@ -100,6 +107,7 @@ void read_part_section(DataSection section, JobFile& job) {
     section.fail_at("join_gap", "must lie between 1e-6 and 10 mm");
   const auto open = section.choice("open_curves", {"refuse", "skip"});
   if (open && *open == 1) read.open_curves = OpenCurves::kSkip;
+  read_solid_options(section, read.solid);
   section.refuse_unknown();
 }
 

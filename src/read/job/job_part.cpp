@@ -5,14 +5,18 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/format.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/job/job_file.h"
 #include "read/read_part.h"
+#include "read/step_solid/step_solid.h"
 
 namespace clearcut::read {
 namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 
 /// Command line before job.
 ReadOptions merged(ReadOptions options, const ReadOptions& over) {
@@ -22,7 +26,16 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (over.top) options.top = over.top;
   if (!over.layers.empty()) options.layers = over.layers;
   if (over.find_arcs) options.find_arcs = over.find_arcs;
+  if (!over.solid.up.empty()) options.solid.up = over.solid.up;
+  if (over.solid.turn_deg != 0) options.solid.turn_deg = over.solid.turn_deg;
+  if (!over.solid.body.empty()) options.solid.body = over.solid.body;
+  options.solid.drills = over.solid.drills;
+  if (over.solid.breakthrough) options.solid.breakthrough = over.solid.breakthrough;
   return options;
+}
+
+StockRequest requested(const JobStock& stock) {
+  return {stock.x, stock.y, stock.margin.value_or(0), *stock.z};
 }
 
 Stock stock_of(const JobStock& stock, const Part& part, const std::string& file) {
@@ -257,8 +270,14 @@ Part part_of_job(const JobFile& job, const ReadOptions& over) {
   if (capitals(job.part_file.extension().string()) == ".TOML") {
     throw InputError(job.file, "the part of a job cannot be a job; name the drawing or program");
   }
-  Part part = read_part(job.part_file, merged(job.read, over));
-  if (job.stock) part.stock = stock_of(*job.stock, part, job.file);
+  ReadOptions options = merged(job.read, over);
+  // What stands around a solid belongs to its features: its reader sets the stock itself.
+  if (job.stock) options.solid.stock = requested(*job.stock);
+  for (const LibraryTool& tool : tools_of(job).tools)
+    if (tool.tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.tool.diameter);
+  const std::string text = read_file(job.part_file.string(), kLargestFile);
+  Part part = read_part_text(text, job.part_file.string(), options);
+  if (job.stock && !is_step_solid(text)) part.stock = stock_of(*job.stock, part, job.file);
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
   Dresser(job, part).run();

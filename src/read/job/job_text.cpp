@@ -28,8 +28,18 @@ std::string feature_line(const Feature& feature) {
                      trimmed(feature.top_z, 3), trimmed(feature.floor_z, 3));
 }
 
-std::string part_section(const Part& part, const std::string& part_file) {
-  std::string out = "[part]\nfile = " + quoted(part_file) + "   # beside this job\n" +
+/// What was said of a solid; the rest stays as the file has it.
+std::string solid_lines(const SolidOptions& solid) {
+  std::string out;
+  if (!solid.up.empty()) out += "up = " + quoted(solid.up) + "\n";
+  if (solid.turn_deg != 0) out += "turn = " + trimmed(solid.turn_deg, 6) + "\n";
+  if (!solid.body.empty()) out += "body = " + quoted(solid.body) + "\n";
+  if (solid.breakthrough) out += "breakthrough = " + trimmed(*solid.breakthrough, 6) + "\n";
+  return out;
+}
+
+std::string part_section(const Part& part, const std::string& part_file, const SolidOptions& solid) {
+  std::string out = "[part]\nfile = " + quoted(part_file) + "   # beside this job\n" + solid_lines(solid) +
                     "# unit = \"mm\"              # of a drawing that names none: mm, cm, m, in, px\n"
                     "# depth = 5                # mm, of every feature, before what the drawing says\n"
                     "# top = 0                  # mm, z of the drawing's plane\n"
@@ -156,11 +166,11 @@ const char* const kRest = R"(
 
 }  // namespace
 
-std::string job_text(const Part& part, const std::string& part_file) {
+std::string job_text(const Part& part, const std::string& part_file, const SolidOptions& solid) {
   return "# A job for clearcut. Lengths in mm, feeds in mm/min, angles in degrees. Lines after # show what "
          "may be said,\n"
          "# with its default or an example.\n\n" +
-         part_section(part, part_file) + stock_section(part) + tool_sections(part) + kRest;
+         part_section(part, part_file, solid) + stock_section(part) + tool_sections(part) + kRest;
 }
 
 }  // namespace clearcut::read

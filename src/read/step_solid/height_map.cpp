@@ -1,24 +1,16 @@
-// The area that stands above z is the union of the faces that look up from above z. Faces of a solid that
-// can be milled from above do not overlap in plan view, so that the union's boundary is made of the faces'
-// own edges: those shared by two of them vanish in pairs. Where that does not give the faces' total area
-// (undercuts, edges shared in part) the faces are united by polyclipping.
+// Every face that looks up as an area in plan view.
 #include "read/step_solid/height_map.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "base/error.h"
-#include "geometry/boolean.h"
 #include "model/part.h"
 #include "read/repair/near_grid.h"
 #include "read/repair/repair.h"
+#include "read/step_solid/face_curves.h"
 
 namespace clearcut::read {
 namespace {
-
-/// mm. Ends of edges of different faces nearer than this are one point.
-constexpr double kSamePlace = 1e-4;
 
 /// One point for all that lie within kSamePlace of it.
 class Places {
@@ -38,71 +30,6 @@ class Places {
   NearGrid grid_{kSamePlace};
   std::vector<Vec2> points_;
 };
-
-struct ByPlace {
-  bool operator()(Vec2 a, Vec2 b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-};
-
-Vec2 middle_of(const Path& path) {
-  const Edge& edge = path[path.size() / 2];
-  return path.size() % 2 ? edge.at(0.5) : edge.from;
-}
-
-bool is_reverse(const Path& a, const Path& b) {
-  return a.front().from == b.back().to && a.back().to == b.front().from &&
-         distance(middle_of(a), middle_of(b)) < 10 * kSamePlace;
-}
-
-/// The curves without those that are there both ways.
-std::vector<Path> without_pairs(const std::vector<const Path*>& curves) {
-  std::map<Vec2, std::vector<std::size_t>, ByPlace> starting;
-  std::vector<bool> gone(curves.size(), false);
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    auto& candidates = starting[curves[i]->back().to];
-    const auto mate = std::find_if(candidates.begin(), candidates.end(), [&](std::size_t j) {
-      return !gone[j] && is_reverse(*curves[i], *curves[j]);
-    });
-    if (mate == candidates.end()) {
-      starting[curves[i]->front().from].push_back(i);
-    } else {
-      gone[i] = gone[*mate] = true;
-    }
-  }
-  std::vector<Path> left;
-  for (std::size_t i = 0; i < curves.size(); ++i)
-    if (!gone[i]) left.push_back(*curves[i]);
-  return left;
-}
-
-/// Joins curves end to start into closed ones as far as they go; the repair sees to the rest.
-std::vector<RawCurve> chained(const std::vector<Path>& curves, const std::string& source) {
-  std::map<Vec2, std::vector<std::size_t>, ByPlace> starting;
-  for (std::size_t i = curves.size(); i-- > 0;) starting[curves[i].front().from].push_back(i);
-  std::vector<bool> used(curves.size(), false);
-  std::vector<RawCurve> loops;
-  for (std::size_t first = 0; first < curves.size(); ++first) {
-    if (used[first]) continue;
-    RawCurve loop;
-    loop.source = source;
-    for (std::size_t at = first;;) {
-      used[at] = true;
-      loop.edges.insert(loop.edges.end(), curves[at].begin(), curves[at].end());
-      if (loop.edges.back().to == loop.edges.front().from) break;
-      auto& next = starting[loop.edges.back().to];
-      while (!next.empty() && used[next.back()]) next.pop_back();
-      if (next.empty()) break;
-      at = next.back();
-    }
-    loop.closed = loop.edges.back().to == loop.edges.front().from;
-    loops.push_back(std::move(loop));
-  }
-  return loops;
-}
-
-Loop box_loop(const Box& box) {
-  const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(corners);
-}
 
 /// Points beside the middles of a few edges, well inside.
 std::vector<Vec2> points_inside(const Regions& regions) {
@@ -159,7 +86,7 @@ Cell cell_of(const SolidFace& face, Places& places, const RepairOptions& how, Di
   } else {
     // A seam is there both ways.
     const std::vector<Path> all = snapped(face.outline, places);
-    cell.curves = without_pairs(pointers(all));
+    for (const std::size_t i : unpaired(pointers(all))) cell.curves.push_back(all[i]);
   }
   if (!cell.curves.empty()) cell.area = repair(chained(cell.curves, how.where), how, mends);
   cell.inside = points_inside(cell.area);
@@ -170,7 +97,7 @@ Cell cell_of(const SolidFace& face, Places& places, const RepairOptions& how, Di
 }  // namespace
 
 HeightMap::HeightMap(const SolidModel& solid, const std::string& file_name, const Tolerances& tol)
-    : tol_(tol), reach_(solid.plan.grown(kOpenReach)) {
+    : reach_(solid.plan.grown(kOpenReach)) {
   Places places;
   RepairOptions how;
   how.tol = tol;
@@ -180,53 +107,6 @@ HeightMap::HeightMap(const SolidModel& solid, const std::string& file_name, cons
     Cell cell = cell_of(face, places, how, mends_);
     if (!cell.area.empty()) cells_.push_back(std::move(cell));
   }
-}
-
-double HeightMap::standing_area(double z) const {
-  double sum = 0;
-  for (const Cell& cell : cells_)
-    if (cell.z > z + kSameHeight) sum += area(cell.area);
-  return sum;
-}
-
-Regions HeightMap::exact_free_at(double z) const {
-  std::vector<const Path*> curves;
-  for (const Cell& cell : cells_) {
-    if (cell.z <= z + kSameHeight) continue;
-    for (const Path& path : cell.curves) curves.push_back(&path);
-  }
-  std::vector<RawCurve> loops = chained(without_pairs(curves), "the solid");
-  loops.push_back({box_loop(reach_), true, "the surroundings"});
-  RepairOptions how;
-  how.tol = tol_;
-  how.where = "the solid at z " + std::to_string(z);
-  Diagnostics unused;
-  return repair(std::move(loops), how, unused);
-}
-
-Regions HeightMap::overlaid_free_at(double z) const {
-  std::vector<Loop> loops;
-  for (const Cell& cell : cells_) {
-    if (cell.z <= z + kSameHeight) continue;
-    for (const Region& region : cell.area) {
-      loops.push_back(region.outer());
-      loops.insert(loops.end(), region.islands().begin(), region.islands().end());
-    }
-  }
-  const Regions around{Region::from_valid_loops(box_loop(reach_), {})};
-  return loops.empty() ? around : subtract(around, resolve_nonzero(loops, tol_), tol_);
-}
-
-Regions HeightMap::free_at(double z) const {
-  const double whole = reach_.width() * reach_.height();
-  const double expected = whole - standing_area(z);
-  try {
-    Regions free = exact_free_at(z);
-    if (std::abs(area(free) - expected) < 1e-3 + 1e-9 * whole) return free;
-  } catch (const InputError&) {
-    // Its edges do not close by themselves: overlaid instead.
-  }
-  return overlaid_free_at(z);
 }
 
 }  // namespace clearcut::read

@@ -29,18 +29,12 @@ class HeightMap {
   HeightMap(const SolidModel& solid, const std::string& file_name, const Tolerances& tol);
 
   const std::vector<Cell>& cells() const { return cells_; }
-  /// Where a cutter may go down to z: everything out to kOpenReach around the plan except under what stands
-  /// higher.
-  Regions free_at(double z) const;
+  /// The plan out to kOpenReach around it.
+  const Box& reach() const { return reach_; }
   /// What was mended in faces' outlines.
   const Diagnostics& mends() const { return mends_; }
 
  private:
-  Regions exact_free_at(double z) const;
-  Regions overlaid_free_at(double z) const;
-  double standing_area(double z) const;
-
-  Tolerances tol_;
   Box reach_;
   std::vector<Cell> cells_;
   Diagnostics mends_;

@@ -54,10 +54,45 @@ void each_value(Face& face, Each each) {
   each(face.front);
 }
 
+void put(Writer& out, const std::string& text) {
+  out.put(text.size());
+  for (const char c : text) out.put(c);
+}
+
+void get(Reader& in, std::string& text) {
+  text.resize(in.count());
+  for (char& c : text) in.get(c);
+}
+
+void put(Writer& out, const SolidBody& body) {
+  put(out, body.name);
+  out.put(body.width);
+  out.put(body.depth);
+  out.put(body.height);
+}
+
+void get(Reader& in, SolidBody& body) {
+  get(in, body.name);
+  in.get(body.width);
+  in.get(body.depth);
+  in.get(body.height);
+}
+
+void put(Writer& out, const FlatSide& side) {
+  put(out, side.up);
+  out.put(side.area);
+  out.put(side.heights);
+}
+
+void get(Reader& in, FlatSide& side) {
+  get(in, side.up);
+  in.get(side.area);
+  in.get(side.heights);
+}
+
 void put(Writer& out, const SolidFace& face) {
   each_value(face, [&](const auto& value) { out.put(value); });
-  out.put(face.surface.size());
-  for (const char c : face.surface) out.put(c);
+  put(out, face.surface);
   out.put(face.outline.size());
   for (const Path& path : face.outline) {
     out.put(path.size());
@@ -67,13 +102,24 @@ void put(Writer& out, const SolidFace& face) {
 
 void get(Reader& in, SolidFace& face) {
   each_value(face, [&](auto& value) { in.get(value); });
-  face.surface.resize(in.count());
-  for (char& c : face.surface) in.get(c);
+  get(in, face.surface);
   face.outline.resize(in.count());
   for (Path& path : face.outline) {
     path.resize(in.count());
     for (Edge& edge : path) in.get(edge);
   }
+}
+
+template <typename Value>
+void put_all(Writer& out, const std::vector<Value>& values) {
+  out.put(values.size());
+  for (const Value& value : values) put(out, value);
+}
+
+template <typename Value>
+void get_all(Reader& in, std::vector<Value>& values) {
+  values.resize(in.count());
+  for (Value& value : values) get(in, value);
 }
 
 }  // namespace
@@ -83,9 +129,9 @@ std::string bytes_of(const SolidModel& solid) {
   out.put(solid.plan);
   out.put(solid.z_bottom);
   out.put(solid.z_top);
-  out.put(solid.bodies);
-  out.put(solid.faces.size());
-  for (const SolidFace& face : solid.faces) put(out, face);
+  put_all(out, solid.bodies);
+  put_all(out, solid.sides);
+  put_all(out, solid.faces);
   return std::move(out.bytes);
 }
 
@@ -95,9 +141,9 @@ SolidModel model_from_bytes(const std::string& bytes) {
   in.get(solid.plan);
   in.get(solid.z_bottom);
   in.get(solid.z_top);
-  in.get(solid.bodies);
-  solid.faces.resize(in.count());
-  for (SolidFace& face : solid.faces) get(in, face);
+  get_all(in, solid.bodies);
+  get_all(in, solid.sides);
+  get_all(in, solid.faces);
   return solid;
 }
 

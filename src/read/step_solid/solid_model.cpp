@@ -29,7 +29,7 @@ bool solids_can_be_read() {
   return !reader_of_solids().empty();
 }
 
-SolidModel load_solid(std::string_view text, const std::string& file_name) {
+SolidModel load_solid(std::string_view text, const std::string& file_name, const SolidChoice& choice) {
   const std::string reader = reader_of_solids();
   if (reader.empty())
     throw InputError(
@@ -38,7 +38,8 @@ SolidModel load_solid(std::string_view text, const std::string& file_name) {
         "and build again");
   // Names the line of a broken file, which the kernel does not.
   parse_part21(text, file_name);
-  const auto got = done_apart({reader, file_name}, text, kLongestRead);
+  const auto got = done_apart({reader, file_name, choice.up, std::to_string(choice.turn), choice.body}, text,
+                              kLongestRead);
   if (!got || got->empty())
     throw InputError(file_name, "Open CASCADE breaks down over this solid, or takes more than " +
                                     std::to_string(kLongestRead) + " s; export it again");

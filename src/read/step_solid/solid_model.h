@@ -38,12 +38,36 @@ struct SolidFace {
   std::optional<WallFront> front;
 };
 
+/// One solid of the file.
+struct SolidBody {
+  std::string name;   ///< the product's, or the body's own where a product has several; "" for none
+  double width = 0;   ///< mm along X, as the solid lies
+  double depth = 0;   ///< mm along Y
+  double height = 0;  ///< mm along Z
+};
+
+/// All flat faces that look one way.
+struct FlatSide {
+  std::string up;   ///< what ReadOptions::up must say for them to look up: "+X" or "face12"
+  double area = 0;  ///< mm2
+  int heights = 0;  ///< different heights along their direction
+};
+
 struct SolidModel {
   std::vector<SolidFace> faces;
   Box plan;
   double z_bottom = 0;
   double z_top = 0;
-  int bodies = 0;
+  /// In the order of the file. Where there are several and none is chosen, faces and box are left out.
+  std::vector<SolidBody> bodies;
+  std::vector<FlatSide> sides;  ///< largest first
+};
+
+/// Which solid of a file is wanted, and how it lies; see ReadOptions.
+struct SolidChoice {
+  std::string up;    ///< "+Z", ..., "face12"; "" as it lies
+  double turn = 0;   ///< degrees
+  std::string body;  ///< name, number from 1, or "all"; "" for the only one
 };
 
 /// Whether this build has the component that reads solids.
@@ -52,9 +76,9 @@ bool solids_can_be_read();
 /// Reads the solids of a STEP file (AP203, AP214, AP242), units turned to mm.
 ///
 /// Error   lines and circles are exact, other curves within kCurveTolerance of their lines and arcs.
-/// Throws  InputError, one line, where the file holds no solid, the kernel refuses it, or the component is
-///         absent.
+/// Throws  InputError, one line, where the file holds no solid, the kernel refuses it, the choice names no body or face,
+///         or the component is absent.
 /// Cost    that of the kernel: about 0.1 ms a face and more for free surfaces.
-SolidModel load_solid(std::string_view text, const std::string& file_name);
+SolidModel load_solid(std::string_view text, const std::string& file_name, const SolidChoice& choice);
 
 }  // namespace clearcut::read

@@ -11,17 +11,26 @@
 #include "geometry/boolean.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"
+#include "read/step_solid/face_curves.h"
+#include "read/step_solid/floor_sweep.h"
 #include "read/step_solid/height_map.h"
+#include "read/step_solid/lie.h"
 #include "read/step_solid/solid_model.h"
 #include "stock/stacking.h"
 
 namespace clearcut::read {
 namespace {
 
-/// Heights times edges, about a minute.
+/// Heights times edges.
 constexpr double kMostWork = 2e7;
 /// mm2. Smaller areas are rounding.
 constexpr double kSpeck = 0.01;
+/// mm. Longer or shorter solids are asked about.
+constexpr double kTooLong = 2000, kTooShort = 1;
+/// mm. By this much a solid may stick out of its stock.
+constexpr double kSlack = 1e-3;
+/// Length of a drill's point of 118 degrees over its diameter.
+constexpr double kDrillPoint = 0.3004;
 /// Faces named one by one before the rest is counted.
 constexpr int kMostNamed = 40;
 
@@ -39,20 +48,82 @@ std::string described(const SolidFace& face) {
          span(face.z_low, face.z_high) + ")";
 }
 
+/// The solid's box, or what a job states; the solid must lie in it.
+Stock stock_around(const SolidModel& solid, const std::optional<StockRequest>& request,
+                   const std::string& file_name) {
+  Stock stock{solid.plan, solid.z_bottom, solid.z_top};
+  if (!request) return stock;
+  stock.plan = solid.plan.grown(request->margin);
+  const auto set = [](const auto& range, double& low, double& high) {
+    if (range) low = (*range)[0], high = (*range)[1];
+  };
+  // What was written with fewer digits is the solid's own side.
+  const auto taken = [](double& side, double own) {
+    if (std::abs(side - own) < kSlack) side = own;
+  };
+  set(request->x, stock.plan.min.x, stock.plan.max.x);
+  set(request->y, stock.plan.min.y, stock.plan.max.y);
+  stock.z_bottom = request->z[0];
+  stock.z_top = request->z[1];
+  taken(stock.plan.min.x, solid.plan.min.x);
+  taken(stock.plan.min.y, solid.plan.min.y);
+  taken(stock.plan.max.x, solid.plan.max.x);
+  taken(stock.plan.max.y, solid.plan.max.y);
+  taken(stock.z_bottom, solid.z_bottom);
+  taken(stock.z_top, solid.z_top);
+  const Box room = stock.plan.grown(kSlack);
+  if (room.contains(solid.plan.min) && room.contains(solid.plan.max) &&
+      solid.z_bottom > stock.z_bottom - kSlack && solid.z_top < stock.z_top + kSlack)
+    return stock;
+  throw InputError(file_name, "the stock does not hold the solid, which takes x " +
+                                  span(solid.plan.min.x, solid.plan.max.x) + ", y " +
+                                  span(solid.plan.min.y, solid.plan.max.y) + ", z " +
+                                  span(solid.z_bottom, solid.z_top) + "; correct [stock]");
+}
+
+/// A question, for the file's unit may be wrong.
+void question_size(Part& part, const SolidModel& solid) {
+  const double size = std::max({solid.plan.width(), solid.plan.height(), solid.z_top - solid.z_bottom});
+  if (size > kTooLong || size < kTooShort)
+    part.diagnostics.warn(part.source_file, "the solid is " + trimmed(size, 3) +
+                                                " mm long: if that is not meant, export it in its true unit");
+}
+
+/// Whether an area has the whole of a box as a hole.
+bool goes_round(const Feature& feature, const Box& box) {
+  return std::any_of(feature.target.begin(), feature.target.end(), [&](const Region& region) {
+    return std::any_of(region.islands().begin(), region.islands().end(), [&](const Loop& island) {
+      const Box hole = clearcut::box(island);
+      return hole.width() > box.width() - kSlack && hole.height() > box.height() - kSlack;
+    });
+  });
+}
+
 /// One solid while its features are found.
 class Finder {
  public:
   Finder(const SolidModel& solid, const std::string& file_name, const ReadOptions& options)
-      : solid_(solid), file_name_(file_name), tol_(options.tol), map_(solid, file_name, options.tol) {}
+      : solid_(solid),
+        file_name_(file_name),
+        tol_(options.tol),
+        stock_(stock_around(solid, options.solid.stock, file_name)),
+        breakthrough_(options.solid.breakthrough.value_or(kBreakthrough)),
+        drills_(options.solid.drills),
+        map_(solid, file_name, options.tol) {}
 
-  Part part();
+  /// Whether there is anything to mill.
+  bool find();
+  Part part(bool stated_stock);
 
  private:
   std::vector<double> levels() const;
   void refuse_too_much(std::size_t levels) const;
-  void add_level(double z);
+  void report_stock(bool stated);
+  void report_through();
+  void add_level(double z, const Regions& free);
   std::vector<int> floors_in(const Region& region, double z) const;
   void add_area(const Region& target, const Region& allowed, bool open, double z);
+  double point_below(const Feature& hole) const;
   FeatureKind kind_of(const Region& target, bool open, bool through) const;
   void set_tops();
   void report_hidden_floors();
@@ -67,43 +138,79 @@ class Finder {
   const SolidModel& solid_;
   const std::string& file_name_;
   Tolerances tol_;
+  Stock stock_;
+  double breakthrough_;         ///< mm
+  std::vector<double> drills_;  ///< mm
   HeightMap map_;
   Part part_;
   std::vector<Feature> found_;
+  Diagnostics cones_;      ///< drills' points among them
   std::set<int> reached_;  ///< indices of cells
 };
 
-Part Finder::part() {
-  part_.name = std::filesystem::path(file_name_).stem().string();
-  part_.source_file = file_name_;
-  part_.stock = Stock{solid_.plan, solid_.z_bottom, solid_.z_top};
-  part_.diagnostics.append(map_.mends());
-  part_.diagnostics.note(
-      file_name_, "the solid's bounding box is taken as the stock: " + trimmed(solid_.plan.width(), 3) +
-                      " x " + trimmed(solid_.plan.height(), 3) + ", z " +
-                      span(solid_.z_bottom, solid_.z_top));
-  if (solid_.bodies > 1)
-    part_.diagnostics.warn(file_name_, std::to_string(solid_.bodies) + " solids are taken as one part");
+bool Finder::find() {
   const std::vector<double> heights = levels();
   refuse_too_much(heights.size());
-  for (const double z : heights) add_level(z);
+  FloorSweep sweep(map_, tol_);
+  for (const double z : heights) add_level(z, sweep.free_at(z));
+  return !found_.empty();
+}
+
+Part Finder::part(bool stated_stock) {
+  part_.name = std::filesystem::path(file_name_).stem().string();
+  part_.source_file = file_name_;
+  part_.stock = stock_;
+  part_.diagnostics.append(map_.mends());
+  report_stock(stated_stock);
+  question_size(part_, solid_);
+  if (solid_.bodies.size() > 1)
+    part_.diagnostics.warn(file_name_,
+                           std::to_string(solid_.bodies.size()) + " solids are taken as one part");
+  part_.diagnostics.append(cones_);
   add_features(part_, std::move(found_));
   report_hidden_floors();
   report_left_out();
   report_set_ups();
-  if (part_.features.empty())
-    throw InputError(file_name_,
-                     "no floor looks up (+Z) and nothing goes through; turn the solid so that the tool comes "
-                     "from +Z");
+  report_through();
   set_tops();
   return std::move(part_);
 }
 
-/// Heights of floors below the top, top down; last the solid's bottom, for what has no floor.
+void Finder::report_stock(bool stated) {
+  const std::string what = stated ? "the stock is " : "the solid's bounding box is taken as the stock: ";
+  part_.diagnostics.note(file_name_, what + trimmed(stock_.plan.width(), 3) + " x " +
+                                         trimmed(stock_.plan.height(), 3) + ", z " +
+                                         span(stock_.z_bottom, stock_.z_top));
+}
+
+/// What goes through, and what comes loose by it.
+void Finder::report_through() {
+  const auto& features = part_.features;
+  const auto count =
+      std::count_if(features.begin(), features.end(), [](const Feature& f) { return f.through; });
+  if (count == 0) return;
+  double lowest = solid_.z_bottom;
+  for (const Feature& feature : features)
+    if (feature.through) lowest = std::min(lowest, feature.floor_z);
+  const double plain = solid_.z_bottom - breakthrough_;
+  const std::string below = trimmed(breakthrough_, 3) + " mm below the solid (--breakthrough)" +
+                            (lowest < plain ? " and drills by their point more" : "") + ", down to z " +
+                            trimmed(std::min(lowest, plain), 3);
+  part_.diagnostics.warn(file_name_, std::to_string(count) + " cut(s) go through, " + below +
+                                         ": keep table, vice and clamps away from there");
+  const bool freed = std::any_of(features.begin(), features.end(), [&](const Feature& feature) {
+    return feature.kind == FeatureKind::kOutsideProfile && goes_round(feature, solid_.plan);
+  });
+  if (freed)
+    part_.diagnostics.warn(file_name_,
+                           "the outside is cut through all round: the part comes loose; hold it by itself");
+}
+
+/// Heights of floors below the stock's top, top down; last the solid's bottom, for what has no floor.
 std::vector<double> Finder::levels() const {
   std::vector<double> heights;
   for (const Cell& cell : map_.cells())
-    if (cell.floor && cell.z < solid_.z_top - kSameHeight) heights.push_back(cell.z);
+    if (cell.floor && cell.z < stock_.z_top - kSameHeight) heights.push_back(cell.z);
   heights.push_back(solid_.z_bottom);
   std::sort(heights.rbegin(), heights.rend());
   const auto same = [](double a, double b) { return std::abs(a - b) < kSameHeight; };
@@ -120,21 +227,16 @@ void Finder::refuse_too_much(std::size_t levels) const {
                                      std::to_string(edges) + " edges, too many to plan; simplify it");
 }
 
-void Finder::add_level(double z) {
-  const Region stock =
-      Region::from_valid_loops(loop_from_points(std::vector<Vec2>{solid_.plan.min,
-                                                                  {solid_.plan.max.x, solid_.plan.min.y},
-                                                                  solid_.plan.max,
-                                                                  {solid_.plan.min.x, solid_.plan.max.y}}),
-                               {});
+void Finder::add_level(double z, const Regions& free) {
+  const Region stock = Region::from_valid_loops(box_loop(stock_.plan), {});
   const Box inside = solid_.plan.grown(kOpenReach / 2);
-  for (const Region& free : map_.free_at(z)) {
-    const bool open = !inside.contains(free.box().min);
+  for (const Region& area : free) {
+    const bool open = !inside.contains(area.box().min);
     if (!open) {
-      add_area(free, free, false, z);
+      add_area(area, area, false, z);
       continue;
     }
-    for (const Region& target : intersect({free}, {stock}, tol_)) add_area(target, free, true, z);
+    for (const Region& target : intersect({area}, {stock}, tol_)) add_area(target, area, true, z);
   }
 }
 
@@ -149,10 +251,19 @@ std::vector<int> Finder::floors_in(const Region& region, double z) const {
   return floors;
 }
 
+/// mm. How far the point of the drill at hand that makes the hole stands before its full width; 0 without one.
+double Finder::point_below(const Feature& hole) const {
+  const auto drills = [&](double diameter) {
+    const double spare = hole.hole_diameter.value_or(0) - diameter;
+    return hole.hole_diameter && spare >= -tol_.fit && spare <= tol_.uncut;
+  };
+  return std::any_of(drills_.begin(), drills_.end(), drills) ? kDrillPoint * *hole.hole_diameter : 0;
+}
+
 FeatureKind Finder::kind_of(const Region& target, bool open, bool through) const {
   if (!open) return circle_diameter(target, tol_) ? FeatureKind::kRoundHole : FeatureKind::kClosedPocket;
   if (through) return FeatureKind::kOutsideProfile;
-  const double whole = solid_.plan.width() * solid_.plan.height();
+  const double whole = stock_.plan.width() * stock_.plan.height();
   return target.area() > whole - kSpeck ? FeatureKind::kPlanarFace : FeatureKind::kOpenPocket;
 }
 
@@ -166,10 +277,11 @@ void Finder::add_area(const Region& target, const Region& allowed, bool open, do
   feature.name = name_of(feature.kind);
   feature.target = {target};
   feature.allowed = {allowed};
-  feature.top_z = solid_.z_top;
+  feature.top_z = stock_.z_top;
   feature.floor_z = z;
   feature.through = through;
   if (feature.kind == FeatureKind::kRoundHole) feature.hole_diameter = circle_diameter(target, tol_);
+  if (through) feature.floor_z -= breakthrough_ + point_below(feature);
   for (const int index : floors) {
     reached_.insert(index);
     const Cell& cell = map_.cells()[static_cast<std::size_t>(index)];
@@ -188,8 +300,8 @@ void Finder::set_tops() {
 
 void Finder::report_cone(const Cell& cell) {
   const SolidFace& face = solid_.faces[static_cast<std::size_t>(cell.face)];
-  part_.diagnostics.skip(file_name_, described(face) + " is a drill's point: the hole is cut flat at z " +
-                                         trimmed(cell.z, 3) + ", where it begins");
+  cones_.skip(file_name_, described(face) + " is a drill's point: the hole is cut flat at z " +
+                              trimmed(cell.z, 3) + ", where it begins");
 }
 
 void Finder::report_hidden_floors() {
@@ -295,8 +407,20 @@ bool is_step_solid(std::string_view text) {
 }
 
 Part read_step_solid(std::string_view text, const std::string& file_name, const ReadOptions& options) {
-  const SolidModel solid = load_solid(text, file_name);
-  Part part = Finder(solid, file_name, options).part();
+  const SolidOptions& how = options.solid;
+  const SolidModel solid = load_solid(text, file_name, {how.up, how.turn_deg, how.body});
+  refuse_assembly(solid, file_name);
+  if (how.up.empty()) refuse_sheet_on_edge(solid, file_name);
+  Finder finder(solid, file_name, options);
+  if (!finder.find()) {
+    refuse_without_floor(solid, file_name, how.up, [&](const std::string& side) {
+      ReadOptions turned = options;
+      turned.solid.stock.reset();
+      const SolidModel other = load_solid(text, file_name, {side, how.turn_deg, how.body});
+      return Finder(other, file_name, turned).find();
+    });
+  }
+  Part part = finder.part(how.stock.has_value());
   if (options.unit || options.depth || options.top || !options.layers.empty()) {
     part.diagnostics.warn(file_name,
                           "unit, depth, top and layers given as options are for drawings; not used here");

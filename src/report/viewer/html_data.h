@@ -1,4 +1,4 @@
-// The job as the page's script reads it: compact JSON. The script's side is in html_script.cpp.
+// The job as the page's script reads it: compact JSON. The script's side is in viewer/moves.js.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// The parts of the page that are the same for every job.
+// The parts of the page that are the same for every job: the files of viewer/, embedded by the build
+// (cmake/ClearcutViewer.cmake).
 #pragma once
 
 namespace clearcut::report {

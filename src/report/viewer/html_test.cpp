@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <regex>
+#include <sstream>
 
+#include "base/file.h"
 #include "kinematics/kinematics.h"
 #include "report/sample_job.h"
 #include "report/viewer/html_data.h"
@@ -95,6 +97,20 @@ TEST(Html, IsOneWellFormedPageThatAsksForNothingElse) {
   for (const char* id :
        {"title", "verdict", "tiles", "stage", "play", "scrub", "speed", "features", "faults", "code"}) {
     EXPECT_EQ(document.select_nodes((std::string("//*[@id='") + id + "']").c_str()).size(), 1u) << id;
+  }
+}
+
+TEST(Html, HoldsTheViewersFilesAsTheyAre) {
+  const std::string text = page(), folder = CLEARCUT_SOURCE_DIR "/src/report/viewer/";
+  std::vector<std::string> names{"viewer.css", "body.html"};
+  std::istringstream scripts(read_file(folder + "scripts.txt"));
+  for (std::string name; std::getline(scripts, name);) names.push_back(name);
+  EXPECT_GT(names.size(), 5u);
+  std::size_t at = 0;
+  for (const std::string& name : names) {
+    const std::size_t found = text.find(read_file(folder + name), at);
+    ASSERT_NE(found, std::string::npos) << name;
+    at = found;
   }
 }
 

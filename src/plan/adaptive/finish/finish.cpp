@@ -27,7 +27,7 @@ constexpr double kPeelFilm = 2e-3;
 constexpr double kFilms = 0.4;
 /// mm. What ways to corners may graze: walls there are cut to within kWallFilm.
 constexpr double kCornerFree = 3e-3;
-/// mm. Rests thinner than this stay. More rests than so many are not cut one by one.
+/// mm. Rests thinner than this stay.
 constexpr double kRest = 0.0065;
 /// Tool radii between looks at the border of the target.
 constexpr double kBorderPitch = 0.02;
@@ -35,7 +35,6 @@ constexpr double kBorderPitch = 0.02;
 constexpr double kReach = 5e-4;
 /// mm. So far beyond its reach the cutter still touches the border of the target.
 constexpr double kTouched = 1e-6;
-constexpr int kMostRests = 60;
 /// Tool radii of a cut round a rest, at least.
 constexpr double kLeastRound = 0.3;
 /// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
@@ -44,6 +43,8 @@ constexpr double kMergeGap = 1.0;
 constexpr double kGates[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
 /// Tool radii between looks at a wall that is cut by bites.
 constexpr double kPeelPitch = 0.02;
+/// Tool radii from the end of a slot within which nothing is cut by bites.
+constexpr double kSlotMouth = 0.3;
 /// mm. Bites that take less of the wall are idle.
 constexpr double kLeastBite = 1e-3;
 /// Tool radii between places of a stretch from beside which bites are tried, and most of them.
@@ -58,21 +59,22 @@ constexpr double kBeyondEnd = 0.2;
 }  // namespace
 
 AdaptiveFinish::AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
-                               const Regions& target, double limit)
+                               const Regions& target, const std::vector<Path>& slots, double limit)
     : ground_(ground),
       path_(path),
       legal_(legal),
       target_(target),
+      slots_(slots),
       radius_(ground.tool_radius()),
       limit_(limit),
       cuts_(ground, path, {legal, kFinePitch * radius_, kWallFilm}, area, limit,
             {kMergeGap * radius_, kMarkPitch * radius_}) {}
 
-void AdaptiveFinish::run(bool open) {
+bool AdaptiveFinish::run(bool open, int most_rests) {
   follow_walls();
   cut_walls();
   if (open) cut_wall_ends();
-  cut_rests(open);
+  return cut_rests(open, most_rests);
 }
 
 /// Along the walls within the limit, round corners from one to the next; where they bear more, it is cut like any front.
@@ -233,7 +235,7 @@ bool AdaptiveFinish::peel(const WallStretch& stretch) {
   const bool began = left.has_value();
   bool idle = false;
   int bites = 0;
-  while (left && !idle && bites < kMostBites) {
+  while (left && !idle && bites < kMostBites && !is_slot_mouth(*left)) {
     const auto way = way_to_bite(*left);
     const Path bite = way ? peeler.bite(left->from, left->to) : Path{};
     if (bite.empty()) break;
@@ -245,6 +247,18 @@ bool AdaptiveFinish::peel(const WallStretch& stretch) {
   }
   if (bites > (idle ? 1 : 0) || !began) return began;
   return bite_from_aside(stretch);
+}
+
+/// Whether all of it lies where the area narrows to a slot, which is cut all round: bites would get nearer to it by less
+/// and less.
+bool AdaptiveFinish::is_slot_mouth(const WallStretch& stretch) const {
+  const auto is_near = [&](Vec2 end) {
+    const double reach = kSlotMouth * radius_;
+    return distance(cuts_.walls.point({stretch.wall, stretch.from}), end) < reach &&
+           distance(cuts_.walls.point({stretch.wall, stretch.to}), end) < reach;
+  };
+  return std::any_of(slots_.begin(), slots_.end(),
+                     [&](const Path& slot) { return is_near(slot.front().from) || is_near(slot.back().to); });
 }
 
 /// The same from beside any place of a stretch, the middle first.
@@ -311,20 +325,27 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
   path_.cut(stretch, {});
 }
 
-/// What still stands between the cuts: over each place that the check of the whole cover finds.
-void AdaptiveFinish::cut_rests(bool open) {
-  for (int left = kMostRests; left > 0;) {
-    const Cover cover(path_.moves(), radius_ + kRest, Cover::Looks::kAtRims);
-    auto holes = cover.holes([&](Vec2 p) { return is_reachable(p); });
-    if (open) add_holes_at_border(cover, holes);
+/// What still stands between the cuts: over each place that the check of the whole cover finds. False where as many as
+/// `most` were cut and some are left.
+bool AdaptiveFinish::cut_rests(bool open, int most) {
+  for (int left = most; left > 0;) {
+    const auto holes = rests(Cover(path_.moves(), radius_ + kRest, Cover::Looks::kAtRims), open);
     const int before = left;
     for (const Vec2 hole : holes) {
-      if (left <= 0 || ground_.is_removed(hole)) continue;
+      if (ground_.is_removed(hole)) continue;
+      if (left <= 0) return false;
       const Vec2 p = nearest_legal(hole);
       if (cut_rest(p) || enter_rest(p)) --left;
     }
-    if (left == before) return;
+    if (left == before) return true;
   }
+  return rests(Cover(path_.moves(), radius_ + kRest, Cover::Looks::kAtRims), open).empty();
+}
+
+std::vector<Vec2> AdaptiveFinish::rests(const Cover& cover, bool open) const {
+  auto holes = cover.holes([&](Vec2 p) { return is_reachable(p); });
+  if (open) add_holes_at_border(cover, holes);
+  return holes;
 }
 
 /// Holes that reach beyond the target may have no vertex inside it; they meet its border.

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# lint_viewer.sh: ESLint over the page's scripts and style (src/report/viewer), installed by npm into build/lint-viewer as
+# the lock file says. Fails on any finding.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source=src/report/viewer kit=build/lint-viewer
+command -v npm > /dev/null || { echo "lint-viewer needs npm (Debian package npm)" >&2; exit 2; }
+mkdir -p "$kit"
+if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit/node_modules/.package-lock.json" ]; then
+  cp "$source/package.json" "$source/package-lock.json" "$kit/"
+  (cd "$kit" && npm ci --no-audit --no-fund --loglevel=error)
+fi
+cp "$source/lint.mjs" "$kit/"
+node "$kit/lint.mjs" "$source"

@@ -1,0 +1,25 @@
+// Curves of faces in plan view: which bound an area, and in which order.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/region.h"
+#include "read/repair/repair.h"
+
+namespace clearcut::read {
+
+/// mm. Ends of edges of different faces nearer than this are one point.
+inline constexpr double kSamePlace = 1e-4;
+
+/// Indices, rising, of the curves that are not there the other way round as well. Ends that meet are equal. O(n log n)
+/// while few curves end in one point.
+std::vector<std::size_t> unpaired(const std::vector<const Path*>& curves);
+
+/// Joins curves end to start into closed ones as far as they go; the repair sees to the rest. O(n log n).
+std::vector<RawCurve> chained(const std::vector<Path>& curves, const std::string& source);
+
+/// A box as a counter-clockwise loop.
+Loop box_loop(const Box& box);
+
+}  // namespace clearcut::read

@@ -1,0 +1,50 @@
+// Where a cutter may go down to, from the highest level of a solid to the lowest.
+#pragma once
+
+#include <vector>
+
+#include "base/tolerances.h"
+#include "read/step_solid/height_map.h"
+
+namespace clearcut::read {
+
+/// What stands above a level stands above every lower one, so that each level adds its own faces to what is there.
+///
+/// While faces do not overlap in plan view their own edges make the boundary, exactly. From the first level where they
+/// do, what stands is kept as regions.
+///
+/// Cost    all levels together: O(e log^2 e) for the faces' e edges, each united with its neighbours once, and per level
+///         O(b log b) for the b edges of the boundary there. Memory O(e).
+class FloorSweep {
+ public:
+  FloorSweep(const HeightMap& map, const Tolerances& tol);
+
+  /// Where nothing stands higher than z, out to kOpenReach around the plan. From call to call z must not rise.
+  Regions free_at(double z);
+
+ private:
+  struct Curve {
+    std::size_t order = 0;  ///< among all curves of the file
+    const Path* path = nullptr;
+  };
+
+  std::vector<int> take_above(double z);
+  void add_curves(const std::vector<int>& cells);
+  double excess(const Regions& free) const;
+  Regions exact_free(double z) const;
+  Regions overlaid_free();
+
+  const HeightMap& map_;
+  Tolerances tol_;
+  std::vector<int> highest_first_;  ///< indices of cells
+  std::vector<std::size_t> first_curve_;
+  std::size_t taken_ = 0;
+  std::size_t united_ = 0;  ///< of those taken, how many stand in standing_
+  std::vector<Curve>
+      boundary_;             ///< of what stands: curves that are there one way only, in the order of the file
+  double sum_of_areas_ = 0;  ///< mm2
+  bool overlaps_ = false;
+  Regions standing_;
+};
+
+}  // namespace clearcut::read

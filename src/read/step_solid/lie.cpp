@@ -1,0 +1,114 @@
+#include "read/step_solid/lie.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+#include "base/format.h"
+
+namespace clearcut::read {
+namespace {
+
+/// Height and length over thickness from which a sheet on its edge is taken for a mistake.
+constexpr double kSheet = 5;
+/// Sides tried for a proposal: each costs the kernel's reading anew.
+constexpr int kMostTries = 3;
+/// Bodies named one by one before the rest is counted.
+constexpr std::size_t kMostBodies = 12;
+
+std::string size_text(double a, double b) {
+  return trimmed(a, 3) + " x " + trimmed(b, 3);
+}
+
+std::string name_and_size(const SolidBody& body) {
+  return (body.name.empty() ? std::string("without a name") : "'" + body.name + "'") + " (" +
+         trimmed(body.width, 1) + " x " + trimmed(body.depth, 1) + " x " + trimmed(body.height, 1) + ")";
+}
+
+/// "1 'PLATE' (180 x 150 x 20), 2, 5 'BOLT' (...)": bodies of one name and size together.
+std::string listed(const std::vector<SolidBody>& bodies) {
+  std::vector<std::pair<std::string, std::string>> groups;  // name and size, numbers
+  std::map<std::string, std::size_t> known;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const std::string text = name_and_size(bodies[i]);
+    const auto [at, fresh] = known.try_emplace(text, groups.size());
+    if (fresh) groups.emplace_back(text, "");
+    std::string& numbers = groups[at->second].second;
+    numbers += (numbers.empty() ? "" : ", ") + std::to_string(i + 1);
+  }
+  std::string out;
+  for (std::size_t i = 0; i < std::min(groups.size(), kMostBodies); ++i)
+    out += (i ? "; " : "") + groups[i].second + " " + groups[i].first;
+  if (groups.size() > kMostBodies)
+    out += "; and " + std::to_string(groups.size() - kMostBodies) + " more kinds";
+  return out;
+}
+
+std::string example_of(const std::vector<SolidBody>& bodies) {
+  return bodies.front().name.empty() ? "1" : "\"" + bodies.front().name + "\"";
+}
+
+/// Flat area that looks along one axis or the other way, and the better of both: more heights, then larger.
+struct FlatPair {
+  double area = 0;
+  const FlatSide* better = nullptr;
+};
+
+FlatPair flat_along(const SolidModel& solid, char axis) {
+  FlatPair pair;
+  for (const FlatSide& side : solid.sides) {
+    if (side.up.size() != 2 || side.up[1] != axis) continue;
+    pair.area = std::max(pair.area, side.area);
+    if (!pair.better || side.heights > pair.better->heights) pair.better = &side;
+  }
+  return pair;
+}
+
+}  // namespace
+
+void refuse_assembly(const SolidModel& solid, const std::string& file_name) {
+  if (!solid.faces.empty()) return;
+  throw InputError(file_name,
+                   "an assembly of " + std::to_string(solid.bodies.size()) +
+                       " bodies; choose the one to make by name or number, for example --body " +
+                       example_of(solid.bodies) +
+                       ", or take all as one part with --body all. Bodies: " + listed(solid.bodies));
+}
+
+void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name) {
+  // As the file has it: the turn about the vertical leaves heights alone.
+  const SolidBody& body = solid.bodies.front();
+  const double height = solid.z_top - solid.z_bottom;
+  const bool along_x = body.width < body.depth;
+  const double thickness = along_x ? body.width : body.depth, across = along_x ? body.depth : body.width;
+  if (solid.bodies.size() != 1 || height < kSheet * thickness || across < kSheet * thickness) return;
+  const FlatPair flat = flat_along(solid, along_x ? 'X' : 'Y');
+  if (!flat.better || flat.area < solid.sides.front().area) return;
+  throw InputError(
+      file_name, "a sheet of " + trimmed(thickness, 3) + " mm stands on its edge: as it lies it is milled " +
+                     trimmed(height, 3) + " mm deep out of " + size_text(body.width, body.depth) +
+                     " mm (--up +Z if that is meant); lying flat it is milled " + trimmed(thickness, 3) +
+                     " mm deep out of " + size_text(across, height) + " mm (--up " + flat.better->up + ")");
+}
+
+void refuse_without_floor(const SolidModel& solid, const std::string& file_name, const std::string& up,
+                          const std::function<bool(const std::string& side)>& offers) {
+  const std::string what = "no floor looks up and nothing goes through; ";
+  std::string tried;
+  int tries = 0;
+  for (const FlatSide& side : solid.sides) {
+    if (side.up == (up.empty() ? "+Z" : up)) continue;
+    if (++tries > kMostTries) break;
+    if (offers(side.up))
+      throw InputError(file_name, what + "the largest flat side that has some is " + side.up + " (" +
+                                      trimmed(side.area, 1) + " mm2 flat): turn the solid with --up " +
+                                      side.up);
+    tried += (tried.empty() ? "" : ", ") + side.up;
+  }
+  throw InputError(file_name, what + (tried.empty() ? "it has no other flat side to be milled from"
+                                                    : "nor from its largest flat sides (" + tried +
+                                                          "); name another with --up"));
+}
+
+}  // namespace clearcut::read
