@@ -16,9 +16,10 @@ class ProgressMeter {
   void begin(Stage stage, std::size_t most);
   /// One of them is done. Throws Cancelled.
   void add();
-  void check() const { throw_if_cancelled(options_.cancel); }
 
  private:
+  void tell() const;
+
   const resolve::PlanOptions& options_;
   std::mutex mutex_;
   Progress progress_;
