@@ -1,6 +1,7 @@
 # Run by `cmake --install`. Copies the headers below each of `roots`/clearcut and every header of ours that these include, on and
 # on, to `destination`/clearcut, with #include "x/y.h" as <clearcut/x/y.h>. `folders` is where such names are looked for.
 # Fails for a header that is not found, and for one of another package: users would need that package's headers, too.
+cmake_policy(VERSION 3.25)  # none is set in install scripts
 set(waiting "")
 foreach(root ${roots})
   file(GLOB_RECURSE found RELATIVE ${root} ${root}/clearcut/*.h)
