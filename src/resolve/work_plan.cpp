@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "geometry/boolean.h"
 #include "resolve/prepare.h"
 #include "stock/round_hole.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kWallStock = 0.3;   // mm, where nothing is said
 constexpr double kFloorStock = 0.2;  // mm
+constexpr const char* kForFinishing = "stock for the finishing steps on top";
 /// Of the cutter's radius.
 constexpr double kLead = 0.5;
 
@@ -66,8 +68,14 @@ Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptio
   const double depth = feature.top_z - feature.floor_z - operation.allowance_floor;
   // Leaning walls are cut by the edges of layers: one pass at their foot would leave them.
   const bool leans = feature.wall_slope.radians() != 0;
-  if (depth > 0 && !leans) operation.stepdown = depth / shop.finish_depths.value_or(1);
-  if (!operation.lead) operation.lead = kLead * tool_of(part, last).radius();
+  if (depth > 0 && !leans) {
+    operation.stepdown = depth / shop.finish_depths.value_or(1);
+    operation.sources.set("stepdown", {Origin::kDerived, "the depth over the depths of finishing"});
+  }
+  if (!operation.lead) {
+    operation.lead = kLead * tool_of(part, last).radius();
+    operation.sources.set("lead", {Origin::kDerived, "half the cutter's radius"});
+  }
   return step;
 }
 
@@ -75,7 +83,10 @@ Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptio
 Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop) {
   Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing);
   step.operation.rest = rest;
-  if (*shop.finish == "all") step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+  if (finish_of(shop) == Finish::kAll) {
+    step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+    step.operation.sources.set("allowance", {Origin::kDerived, kForFinishing});
+  }
   return step;
 }
 
@@ -93,8 +104,15 @@ void add_floor_steps(const Part& part, int feature, const ShopOptions& shop,
 }
 
 void leave_stock(Operation& operation, const ShopOptions& shop) {
-  if (*shop.finish != "floor") operation.allowance_side += shop.finish_stock.value_or(kWallStock);
-  if (*shop.finish != "walls") operation.allowance_floor += shop.finish_stock_floor.value_or(kFloorStock);
+  const Finish finish = finish_of(shop);
+  if (finish != Finish::kFloor) {
+    operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+    operation.sources.set("allowance", {Origin::kDerived, kForFinishing});
+  }
+  if (finish != Finish::kWalls) {
+    operation.allowance_floor += shop.finish_stock_floor.value_or(kFloorStock);
+    operation.sources.set("allowance-floor", {Origin::kDerived, kForFinishing});
+  }
 }
 
 Workingstep rest_step(const Workingstep& step, int mill, const Tool& tool) {
@@ -102,6 +120,7 @@ Workingstep rest_step(const Workingstep& step, int mill, const Tool& tool) {
   rest.name += "_rest_T" + std::to_string(tool.number);
   rest.operation.name = rest.name;
   rest.operation.tool = mill;
+  rest.operation.sources.set("tool", {Origin::kDerived, "a narrower cutter for what is left"});
   rest.operation.rest = true;
   return rest;
 }
@@ -122,6 +141,14 @@ std::optional<std::size_t> first_step_under(const Part& part, const Workingstep&
 }
 
 }  // namespace
+
+Finish finish_of(const ShopOptions& shop) {
+  if (!shop.finish) return Finish::kNone;
+  if (*shop.finish == "walls") return Finish::kWalls;
+  if (*shop.finish == "floor") return Finish::kFloor;
+  if (*shop.finish == "all") return Finish::kAll;
+  throw InputError("finish", "'" + *shop.finish + "' is unknown; use one of walls, floor, all");
+}
 
 void add_rest_steps(Part& part, const PlanOptions& options) {
   const bool everywhere = options.shop.rest.value_or(false);
@@ -156,12 +183,13 @@ void add_rest_steps(Part& part, const PlanOptions& options) {
 
 void add_finishing_steps(Part& part, const PlanOptions& options) {
   const ShopOptions& shop = options.shop;
+  const Finish finish = finish_of(shop);
   std::vector<Workingstep> floors, walls;
   for (const Workingstep& last : last_milling_steps(part)) {
     const auto hole = stock::round_hole_of(feature_of(part, last), options.tol);
     if (hole && stock::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
-    if (*shop.finish != "walls") add_floor_steps(part, last.feature, shop, floors);
-    if (*shop.finish != "floor") walls.push_back(wall_step(last, part, shop));
+    if (finish != Finish::kWalls) add_floor_steps(part, last.feature, shop, floors);
+    if (finish != Finish::kFloor) walls.push_back(wall_step(last, part, shop));
   }
   for (Workingstep& step : part.workplan) {
     const auto same = [&](const Workingstep& finish) { return finish.feature == step.feature; };

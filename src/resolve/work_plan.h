@@ -1,9 +1,13 @@
 // Adds the steps that options ask for to a workplan: smaller tools on what larger ones leave, finishing.
 #pragma once
 
+#include "model/resolved_plan.h"
 #include "resolve/plan_options.h"
 
 namespace clearcut::resolve {
+
+/// "walls", "floor", "all". Throws InputError for other names.
+Finish finish_of(const ShopOptions& shop);
 
 /// For milled features one step more for each smaller mill of the part, on what is left: for all where rest machining is
 /// asked for, else for those under which others lie, since what stands there would stand in their way. Such steps come
