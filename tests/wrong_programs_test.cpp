@@ -61,7 +61,7 @@ Verdict verdict_on(const read::DataValue& one, const fs::path& place) {
     return verdict;
   }
   const std::vector<std::string> accepted = texts_of(*one.find("accept"));
-  for (const toolpath::Condition& condition : result.conditions) {
+  for (const Condition& condition : result.conditions) {
     if (std::find(accepted.begin(), accepted.end(), condition.name) == accepted.end())
       verdict.reasons.insert(condition.name);
   }
@@ -100,7 +100,7 @@ TEST_P(WrongPrograms, GetTheVerdictTheyDeserve) {
 INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
                                            "blending", "small"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.
 TEST(WrongPrograms, CoverEveryDialect) {

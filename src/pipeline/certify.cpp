@@ -8,6 +8,7 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
+#include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "stock/round_hole.h"
 #include "verify/verify.h"

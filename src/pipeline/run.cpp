@@ -339,7 +339,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.part = plan.part;
   keep_stated_stepdowns(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
-  for (const toolpath::Condition& one : read.conditions) {
+  for (const Condition& one : read.conditions) {
     result.part.diagnostics.warn(program_name + ":" + std::to_string(one.line),
                                  "condition '" + one.name + "': " + one.text);
   }

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "model/contest.h"
+#include "model/control.h"
 #include "model/findings.h"
 #include "model/move.h"
 #include "model/resolved_plan.h"
 #include "read/gcode/dialect.h"
 #include "report/result.h"
 #include "resolve/plan_options.h"
-#include "toolpath/control.h"
 
 namespace clearcut::pipeline {
 
@@ -36,8 +36,8 @@ struct CheckResult {
   Toolpath toolpath;
   Findings findings;
   read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< as which the program was read
-  toolpath::ControlTable control;               ///< what the control held at each move of `toolpath`
-  std::vector<toolpath::Condition> conditions;  ///< what must hold at the machine for the findings to hold
+  ControlTable control;               ///< what the control held at each move of `toolpath`
+  std::vector<Condition> conditions;  ///< what must hold at the machine for the findings to hold
 };
 /// `dialect`: the control that will run it; absent: recognised.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,

@@ -25,7 +25,7 @@ MoveKind guessed_kind(const Move& move, bool rapid) {
 }  // namespace
 
 ToolpathBuilder::ToolpathBuilder(BuilderSetup setup, Diagnostics& diagnostics,
-                                 std::vector<toolpath::Condition>& conditions)
+                                 std::vector<Condition>& conditions)
     : setup_(std::move(setup)), diagnostics_(diagnostics), conditions_(conditions), highest_(setup_.home_z) {}
 
 void ToolpathBuilder::begin_section(std::string label, int workingstep) {
@@ -46,11 +46,10 @@ void ToolpathBuilder::change_tool(int number, bool by_hand, int line) {
   }
   new_section_ = new_section_ || section_cuts_ || other;
   drive.tool = number;
-  add_event(by_hand ? toolpath::ControlEventKind::kToolChangeByHand : toolpath::ControlEventKind::kToolChange,
-            line);
+  add_event(by_hand ? ControlEventKind::kToolChangeByHand : ControlEventKind::kToolChange, line);
 }
 
-void ToolpathBuilder::add_event(toolpath::ControlEventKind kind, int line, double seconds) {
+void ToolpathBuilder::add_event(ControlEventKind kind, int line, double seconds) {
   control_.events.push_back({kind, static_cast<std::size_t>(moves_), line, seconds, drive.tool});
 }
 
@@ -58,10 +57,10 @@ void ToolpathBuilder::set_spindle(int m, int line) {
   const bool turned = drive_turns_, clockwise = drive.clockwise;
   drive_turns_ = m != 5;
   if (m != 5) drive.clockwise = m == 3;
-  if (!turned && drive_turns_) add_event(toolpath::ControlEventKind::kSpindleStart, line);
+  if (!turned && drive_turns_) add_event(ControlEventKind::kSpindleStart, line);
   if (turned && drive_turns_ && clockwise != drive.clockwise)
-    add_event(toolpath::ControlEventKind::kSpindleStart, line);
-  if (turned && !drive_turns_) add_event(toolpath::ControlEventKind::kSpindleStop, line);
+    add_event(ControlEventKind::kSpindleStart, line);
+  if (turned && !drive_turns_) add_event(ControlEventKind::kSpindleStop, line);
 }
 
 void ToolpathBuilder::rapid(const Target& target, int line) {
@@ -175,11 +174,9 @@ void ToolpathBuilder::append(const Move& move) {
 }
 
 void ToolpathBuilder::keep_control(int line) {
-  const toolpath::SpindleState turning =
-      drive.clockwise ? toolpath::SpindleState::kClockwise : toolpath::SpindleState::kCounterClockwise;
-  const toolpath::ControlState state{drive.tool, drive_turns_ ? turning : toolpath::SpindleState::kOff,
-                                     speed,      drive.coolant,
-                                     length,     path_control};
+  const SpindleState turning = drive.clockwise ? SpindleState::kClockwise : SpindleState::kCounterClockwise;
+  const ControlState state{
+      drive.tool, drive_turns_ ? turning : SpindleState::kOff, speed, drive.coolant, length, path_control};
   auto& spans = control_.spans;
   if (spans.empty() || spans.back().state != state) {
     spans.push_back({static_cast<std::size_t>(moves_), line, state});
@@ -217,7 +214,7 @@ void ToolpathBuilder::check_size(int line) {
 
 void ToolpathBuilder::condition(const std::string& name, int line, const std::string& what) {
   const bool known = std::any_of(conditions_.begin(), conditions_.end(),
-                                 [&](const toolpath::Condition& one) { return one.name == name; });
+                                 [&](const Condition& one) { return one.name == name; });
   if (!known) conditions_.push_back({name, what, line});
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "model/control.h"
 #include "model/move.h"
-#include "toolpath/control.h"
 
 namespace clearcut::read::gcode {
 
@@ -37,18 +37,18 @@ struct BuilderSetup {
 /// begins at its own coordinates. What that leaves open is a condition.
 class ToolpathBuilder {
  public:
-  ToolpathBuilder(BuilderSetup setup, Diagnostics& diagnostics, std::vector<toolpath::Condition>& conditions);
+  ToolpathBuilder(BuilderSetup setup, Diagnostics& diagnostics, std::vector<Condition>& conditions);
 
   Drive drive;
   double speed = 0;  ///< S word, rpm, also while the spindle is off
-  toolpath::ToolLength length;
-  toolpath::PathControl path_control;
+  ToolLength length;
+  PathControl path_control;
 
   /// The next move begins a new section, named for the table of figures alone.
   void begin_section(std::string label, int workingstep);
   /// A tool is put in, by the changer or during a pause.
   void change_tool(int number, bool by_hand, int line);
-  void add_event(toolpath::ControlEventKind kind, int line, double seconds = 0);
+  void add_event(ControlEventKind kind, int line, double seconds = 0);
   /// The spindle turns (3, 4) or stops (5).
   void set_spindle(int m, int line);
 
@@ -70,7 +70,7 @@ class ToolpathBuilder {
   void place_at(std::size_t axis, double value) { at_[axis] = value; }
 
   Toolpath take() { return std::move(toolpath_); }
-  toolpath::ControlTable take_control() { return std::move(control_); }
+  ControlTable take_control() { return std::move(control_); }
   /// Adds `what` once, with the line where it was first seen.
   void note(int line, const std::string& what);
   void warn(int line, const std::string& what);
@@ -97,10 +97,10 @@ class ToolpathBuilder {
 
   BuilderSetup setup_;
   Diagnostics& diagnostics_;
-  std::vector<toolpath::Condition>& conditions_;
+  std::vector<Condition>& conditions_;
   std::set<std::string> said_;
   Toolpath toolpath_;
-  toolpath::ControlTable control_;
+  ControlTable control_;
   Target at_;
   std::vector<Unplaced> unplaced_;
   std::string away_;  ///< condition for going on from an unknown place of the machine

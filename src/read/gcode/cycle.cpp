@@ -38,7 +38,7 @@ void drill(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) 
   } else {
     builder.feed(place_along(hole, hole.bottom), feed, line);
   }
-  if (hole.dwell > 0) builder.add_event(toolpath::ControlEventKind::kDwell, line, hole.dwell);
+  if (hole.dwell > 0) builder.add_event(ControlEventKind::kDwell, line, hole.dwell);
   const bool feeds_out = hole.code == 740 || hole.code == 840 || hole.code == 890;
   if (feeds_out || hole.code == 850) {
     const bool all = feeds_out && hole.feeds_out_to_clear;

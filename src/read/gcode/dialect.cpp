@@ -25,8 +25,6 @@ std::optional<Dialect> dialect_named(std::string_view name) {
   return static_cast<Dialect>(found - kNames.begin());
 }
 
-namespace gcode {
-
 namespace {
 
 constexpr DialectRules mach_rules(Dialect dialect) {
@@ -113,5 +111,4 @@ bool knows_g(const DialectRules& rules, int code) {
   return true;
 }
 
-}  // namespace gcode
 }  // namespace clearcut::read::gcode

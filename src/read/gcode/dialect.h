@@ -13,8 +13,6 @@ enum class Dialect : unsigned char { kLinuxCnc, kGrbl, kFanuc, kHaas, kHeidenhai
 std::string_view name_of(Dialect dialect);
 std::optional<Dialect> dialect_named(std::string_view name);
 
-namespace gcode {
-
 /// What a word-address control does where others do otherwise.
 struct DialectRules {
   Dialect dialect = Dialect::kLinuxCnc;
@@ -45,5 +43,4 @@ std::vector<Dialect> word_address_dialects();
 /// Whether the control has the G word; codes in tenths. True for words that are nobody's business here.
 bool knows_g(const DialectRules& rules, int code);
 
-}  // namespace gcode
 }  // namespace clearcut::read::gcode

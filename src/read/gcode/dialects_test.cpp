@@ -4,7 +4,7 @@
 
 #include "read/gcode/told_program.h"
 
-namespace clearcut::testing {
+namespace clearcut::read::gcode {
 namespace {
 
 using ::testing::HasSubstr;
@@ -103,25 +103,25 @@ TEST(GcodeState, IsKeptForEachMove) {
       "G49\nX4\nM2",
       "t");
   ASSERT_EQ(program.toolpath.sections.size(), 2U);
-  const toolpath::ControlState& first = *program.control.at(1);
+  const ControlState& first = *program.control.at(1);
   EXPECT_EQ(first.tool, 3);
-  EXPECT_EQ(first.spindle, toolpath::SpindleState::kClockwise);
+  EXPECT_EQ(first.spindle, SpindleState::kClockwise);
   EXPECT_EQ(first.spindle_rpm, 5000);
-  EXPECT_EQ(first.length, (toolpath::ToolLength{toolpath::LengthKind::kNumbered, 3, 0}));
-  EXPECT_EQ(first.path, (toolpath::PathControl{toolpath::PathMode::kTolerance, 0.02, 0.01}));
-  const toolpath::ControlState& stopped = *program.control.at(2);
-  EXPECT_EQ(stopped.spindle, toolpath::SpindleState::kOff);
+  EXPECT_EQ(first.length, (ToolLength{LengthKind::kNumbered, 3, 0}));
+  EXPECT_EQ(first.path, (PathControl{PathMode::kTolerance, 0.02, 0.01}));
+  const ControlState& stopped = *program.control.at(2);
+  EXPECT_EQ(stopped.spindle, SpindleState::kOff);
   EXPECT_EQ(stopped.spindle_rpm, 5000);
-  EXPECT_EQ(program.control.at(3)->path.mode, toolpath::PathMode::kExactPath);
-  EXPECT_EQ(program.control.at(3)->length.kind, toolpath::LengthKind::kOff);
+  EXPECT_EQ(program.control.at(3)->path.mode, PathMode::kExactPath);
+  EXPECT_EQ(program.control.at(3)->length.kind, LengthKind::kOff);
   ASSERT_EQ(program.control.events.size(), 4U);
-  EXPECT_EQ(program.control.events[0].kind, toolpath::ControlEventKind::kToolChange);
+  EXPECT_EQ(program.control.events[0].kind, ControlEventKind::kToolChange);
   EXPECT_EQ(program.control.events[0].tool, 3);
-  EXPECT_EQ(program.control.events[1].kind, toolpath::ControlEventKind::kSpindleStart);
+  EXPECT_EQ(program.control.events[1].kind, ControlEventKind::kSpindleStart);
   EXPECT_EQ(program.control.events[2].seconds, 2);
-  EXPECT_EQ(program.control.events[3].kind, toolpath::ControlEventKind::kSpindleStop);
+  EXPECT_EQ(program.control.events[3].kind, ControlEventKind::kSpindleStop);
   EXPECT_EQ(program.control.events[3].before_move, 2U);
 }
 
 }  // namespace
-}  // namespace clearcut::testing
+}  // namespace clearcut::read::gcode

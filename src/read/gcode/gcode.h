@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "read/gcode/dialect.h"
-#include "toolpath/control.h"
 
 namespace clearcut::read::gcode {
 
@@ -35,11 +35,11 @@ struct ReadControllerOptions {
 
 struct Program {
   Toolpath toolpath;
-  toolpath::ControlTable
+  ControlTable
       control;  ///< tool length, spindle, path control at each move; dwells and tool changes between them
   Diagnostics
       diagnostics;  ///< words that were ignored or assumed without moving anything, each with its line
-  std::vector<toolpath::Condition>
+  std::vector<Condition>
       conditions;  ///< what must hold at the machine for `toolpath` to be what it does; one a name
   Dialect dialect = Dialect::kLinuxCnc;  ///< as which it was read
   bool dialect_stated = false;           ///< by the options; else recognised

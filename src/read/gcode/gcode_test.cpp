@@ -8,7 +8,7 @@
 
 #include "read/gcode/told_program.h"
 
-namespace clearcut::testing {
+namespace clearcut::read::gcode {
 namespace {
 
 using ::testing::HasSubstr;
@@ -347,4 +347,4 @@ TEST(Klartext, WhatItCannotReadItRefuses) {
 }
 
 }  // namespace
-}  // namespace clearcut::testing
+}  // namespace clearcut::read::gcode

@@ -29,7 +29,7 @@ Interpreter::Interpreter(ToolpathBuilder& builder, const DialectRules& rules,
       options_(options),
       frame_(options.places ? std::optional(options.places->origins) : std::nullopt) {
   modes_.return_to_level = !rules.returns_to_r;
-  if (!rules.path_words) modes_.path.mode = toolpath::PathMode::kExactPath;
+  if (!rules.path_words) modes_.path.mode = PathMode::kExactPath;
   builder_.path_control = modes_.path;
   if (!options.hand_tools.empty()) builder_.drive.tool = options.hand_tools.front();
   if (!options.places) return;
@@ -149,22 +149,22 @@ void Interpreter::set_other(int code, const Block& block) {
 }
 
 void Interpreter::set_path(int code, const Block& block) {
-  toolpath::PathControl path;
+  PathControl path;
   const bool fanuc_like = rules_.home_is_top;
   if (code == 610) {
-    path.mode = fanuc_like ? toolpath::PathMode::kExactStop : toolpath::PathMode::kExactPath;
+    path.mode = fanuc_like ? PathMode::kExactStop : PathMode::kExactPath;
   } else if (code == 611) {
-    path.mode = toolpath::PathMode::kExactStop;
+    path.mode = PathMode::kExactStop;
   } else if (code == 640) {
     const bool bounded = block.has('P') && rules_.dialect == Dialect::kLinuxCnc;
-    path.mode = bounded ? toolpath::PathMode::kTolerance : toolpath::PathMode::kContinuous;
+    path.mode = bounded ? PathMode::kTolerance : PathMode::kContinuous;
     if (bounded) path.tolerance_mm = mm(block.value('P'));
     if (bounded && block.has('Q')) path.merging_mm = mm(block.value('Q'));
   } else if (block.has('E')) {
-    path.mode = toolpath::PathMode::kTolerance;
+    path.mode = PathMode::kTolerance;
     path.tolerance_mm = mm(block.value('E'));
   } else {
-    path.mode = toolpath::PathMode::kSmoothness;
+    path.mode = PathMode::kSmoothness;
   }
   modes_.path = builder_.path_control = path;
 }
@@ -182,7 +182,7 @@ void Interpreter::save_or_restore(int m) {
   if (m == 710) saved_.reset();
   if (m != 720) return;
   if (!saved_) refuse("M72 brings back modes that no M70 has kept; correct it");
-  const toolpath::ToolLength length = modes_.length;
+  const ToolLength length = modes_.length;
   modes_ = *saved_;
   modes_.length = length;
   frame_.use_system(modes_.system);
@@ -222,7 +222,7 @@ void Interpreter::load_tool() {
 
 /// A pause is where tools are changed by hand.
 void Interpreter::pause() {
-  builder_.add_event(toolpath::ControlEventKind::kPause, line_);
+  builder_.add_event(ControlEventKind::kPause, line_);
   if (changer_) return;
   if (tool_said_) {
     if (next_tool_ != builder_.drive.tool) builder_.change_tool(next_tool_, true, line_);
@@ -273,7 +273,7 @@ void Interpreter::dwell(const Block& block) {
     seconds = block.value('S');
   }
   if (block.has_axis()) depends_on_dialect_ = true;
-  builder_.add_event(toolpath::ControlEventKind::kDwell, line_, seconds);
+  builder_.add_event(ControlEventKind::kDwell, line_, seconds);
 }
 
 }  // namespace clearcut::read::gcode

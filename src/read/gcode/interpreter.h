@@ -36,8 +36,8 @@ struct Modes {
   int spindle = 5;  ///< 3, 4 or 5 as in M3, M4, M5
   bool coolant = false;
   int system = 1;  ///< work offset in use: 1 is G54
-  toolpath::ToolLength length;
-  toolpath::PathControl path;
+  ToolLength length;
+  PathControl path;
 };
 
 class Interpreter {

@@ -71,33 +71,30 @@ void Interpreter::check_words_said(const Block& block) {
 
 void Interpreter::before_feed() {
   check_length();
-  const toolpath::PathMode mode = modes_.path.mode;
-  if (mode == toolpath::PathMode::kUnstated) {
+  const PathMode mode = modes_.path.mode;
+  if (mode == PathMode::kUnstated) {
     condition("blending",
               "neither G61 nor a path tolerance is stated; the control keeps to the path, whatever bound it "
               "was left "
               "with");
-  } else if (mode == toolpath::PathMode::kContinuous) {
+  } else if (mode == PathMode::kContinuous) {
     condition("blending",
               "G64 without P states no bound; the control rounds corners by nothing that matters");
-  } else if (mode == toolpath::PathMode::kSmoothness) {
+  } else if (mode == PathMode::kSmoothness) {
     condition("blending",
               "G187 without E takes the bound from a setting; the control rounds corners within it");
   }
 }
 
 void Interpreter::check_length() {
-  const toolpath::ToolLength& length = modes_.length;
+  const ToolLength& length = modes_.length;
   const int tool = builder_.drive.tool;
-  const bool numbered =
-      length.kind == toolpath::LengthKind::kNumbered || length.kind == toolpath::LengthKind::kOfTool;
+  const bool numbered = length.kind == LengthKind::kNumbered || length.kind == LengthKind::kOfTool;
   const std::string h = std::to_string(length.h);
-  if (numbered && length.h != tool && tool != 0 &&
-      !(length.kind == toolpath::LengthKind::kOfTool && length.h == 0)) {
+  if (numbered && length.h != tool && tool != 0 && !(length.kind == LengthKind::kOfTool && length.h == 0)) {
     condition("tool-length-h" + h, "length H" + h + " is that of tool T" + std::to_string(tool));
   }
-  const bool off =
-      length.kind == toolpath::LengthKind::kOff || length.kind == toolpath::LengthKind::kUnstated;
+  const bool off = length.kind == LengthKind::kOff || length.kind == LengthKind::kUnstated;
   if (off && length_used_) {
     condition("tool-length-off", "cuts without the tool's length (G49) after a length was in force");
   }

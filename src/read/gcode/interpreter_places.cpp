@@ -201,25 +201,24 @@ void Interpreter::use_system(int code, const Block& block) {
 }
 
 void Interpreter::set_length(int code, const Block& block) {
-  toolpath::ToolLength length;
+  ToolLength length;
   if (code == 490) {
-    length.kind = toolpath::LengthKind::kOff;
+    length.kind = LengthKind::kOff;
   } else if (code == 431) {
     for (const char letter : {'X', 'Y'}) {
       if (block.has(letter) && block.value(letter) != 0)
         refuse("G43.1 with X or Y is not read; post without it");
     }
-    length.kind = toolpath::LengthKind::kStatedHeight;
+    length.kind = LengthKind::kStatedHeight;
     length.stated_mm = block.has('Z') ? mm(block.value('Z')) : 0;
     condition("tool-length-g43.1",
               "the tool stood at its stated height when the work was touched off without G43.1");
   } else if (block.has('H')) {
-    length.kind = block.value('H') == 0 && rules_.dialect != Dialect::kLinuxCnc
-                      ? toolpath::LengthKind::kOff
-                      : toolpath::LengthKind::kNumbered;
+    length.kind = block.value('H') == 0 && rules_.dialect != Dialect::kLinuxCnc ? LengthKind::kOff
+                                                                                : LengthKind::kNumbered;
     length.h = static_cast<int>(block.value('H'));
   } else {
-    length.kind = toolpath::LengthKind::kOfTool;
+    length.kind = LengthKind::kOfTool;
     length.h = tool_said_ && changer_ ? builder_.drive.tool : next_tool_;
   }
   length_used_ = length_used_ || code == 430;

@@ -170,8 +170,8 @@ void Reader::tool_call(const std::vector<std::string>& words) {
 
 void Reader::set_length(double longer) {
   longer_ = longer;
-  builder_.length = {longer == 0 ? toolpath::LengthKind::kOfTool : toolpath::LengthKind::kStatedHeight,
-                     builder_.drive.tool, longer};
+  builder_.length = {longer == 0 ? LengthKind::kOfTool : LengthKind::kStatedHeight, builder_.drive.tool,
+                     longer};
   if (longer == 0) return;
   builder_.condition(
       "tool-length-dl", line_,
@@ -190,12 +190,12 @@ void Reader::cycle(const std::vector<std::string>& words) {
     const std::size_t digits =
         last.find_first_of("+-.0123456789", last.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ."));
     const double seconds = digits == std::string::npos ? 0 : number(last.substr(digits));
-    builder_.add_event(toolpath::ControlEventKind::kDwell, line_, seconds);
+    builder_.add_event(ControlEventKind::kDwell, line_, seconds);
   } else if (number_word == "32.0") {
     builder_.path_control = {};
   } else if (number_word == "32.1" && words.size() > 3 && words[3][0] == 'T') {
     const double tolerance = number(words[3].substr(1)) * unit_;
-    builder_.path_control = {toolpath::PathMode::kTolerance, tolerance, std::nullopt};
+    builder_.path_control = {PathMode::kTolerance, tolerance, std::nullopt};
   } else if (cycle == "247") {
     builder_.condition("datum-247", line_, "the datum that cycle 247 chooses lies where the work's zero is");
   }
@@ -210,7 +210,7 @@ void Reader::m_word(int m) {
   if (m == 13 || m == 14) spindle_ = m - 10;
   if (m == 8 || m == 13 || m == 14) builder_.drive.coolant = true;
   if (m == 9) builder_.drive.coolant = false;
-  if (m == 0 || m == 1) builder_.add_event(toolpath::ControlEventKind::kPause, line_);
+  if (m == 0 || m == 1) builder_.add_event(ControlEventKind::kPause, line_);
   if (m == 2 || m == 30) ended_ = true;
   if (m == 97 || m == 98 || m == 99)
     refuse("M" + std::to_string(m) + " is not read; post the program without it");
@@ -319,7 +319,7 @@ void Reader::machine_frame(const PathWords& words) {
 }
 
 void Reader::check_blending() {
-  if (builder_.path_control.mode != toolpath::PathMode::kUnstated) return;
+  if (builder_.path_control.mode != PathMode::kUnstated) return;
   builder_.condition(
       "blending", line_,
       "cycle 32 states no tolerance; the control keeps to the path, whatever bound it was set up with");

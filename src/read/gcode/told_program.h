@@ -7,7 +7,7 @@
 #include "base/format.h"
 #include "read/gcode/gcode.h"
 
-namespace clearcut::testing {
+namespace clearcut::read::gcode {
 
 inline std::string point(Vec2 p, double z) {
   return trimmed(p.x, 4) + " " + trimmed(p.y, 4) + " " + trimmed(z, 4);
@@ -67,7 +67,7 @@ inline Program read_as(Dialect dialect, const std::string& program) {
 /// "name@line" of each condition, in order.
 inline std::string names_of(const Program& program) {
   std::string text;
-  for (const toolpath::Condition& one : program.conditions) {
+  for (const Condition& one : program.conditions) {
     text += (text.empty() ? "" : " ") + one.name + "@" + std::to_string(one.line);
   }
   return text;
@@ -87,4 +87,4 @@ inline std::string moves_as(Dialect dialect, const std::string& program) {
   return text;
 }
 
-}  // namespace clearcut::testing
+}  // namespace clearcut::read::gcode

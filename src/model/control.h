@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace clearcut::toolpath {
+namespace clearcut::inline model {
 
 /// Something about the machine that the program does not say and that would move the cutter elsewhere.
 struct Condition {
@@ -95,4 +95,4 @@ struct ControlTable {
   const ControlState* at(std::size_t index) const;
 };
 
-}  // namespace clearcut::toolpath
+}  // namespace clearcut::inline model

@@ -1,9 +1,9 @@
-#include "toolpath/control.h"
+#include "model/control.h"
 
 #include <algorithm>
 #include <iterator>
 
-namespace clearcut::toolpath {
+namespace clearcut::inline model {
 
 const ControlState* ControlTable::at(std::size_t index) const {
   const auto after =
@@ -12,4 +12,4 @@ const ControlState* ControlTable::at(std::size_t index) const {
   return after == spans.begin() ? nullptr : &std::prev(after)->state;
 }
 
-}  // namespace clearcut::toolpath
+}  // namespace clearcut::inline model
