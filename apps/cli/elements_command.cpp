@@ -62,13 +62,14 @@ ElementJob job_of(const ElementsCommand& command) {
   return read::elements_of_options(command.elements, defaults);
 }
 
-report::CertificateInfo certificate_info(const ElementsCommand& command, const std::string& program) {
+report::CertificateInfo certificate_info(const ElementsCommand& command, const pipeline::PlanResult& plan) {
   report::CertificateInfo info;
   info.version = kVersion;
   info.seed = command.options.seed;
   info.input_hash = content_hash(input_text(command));
-  info.program_hash = content_hash(program);
+  info.program_hash = content_hash(plan.program);
   info.machine = command.options.machine.name;
+  info.values = plan.values;
   return info;
 }
 
@@ -78,7 +79,7 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
   std::vector<OutputFile> files{{command.output, plan.program}};
   if (!command.certificate.empty())
     files.push_back({command.certificate, report::certificate_json(plan.part, plan.findings,
-                                                                   certificate_info(command, plan.program))});
+                                                                   certificate_info(command, plan))});
   if (!command.svg.empty())
     files.push_back({command.svg, report::grid_picture(job, result.points, plan.toolpath)});
   if (!command.points.empty()) files.push_back({command.points, report::points_csv(job, result.points)});

@@ -23,7 +23,10 @@ class PlanArguments {
   void add_tool_options(CLI::App& command);
   void add_cutting_options(CLI::App& command);
 
-  Part read() const;
+  /// Before options(), which tell where the values of a job stand only then.
+  Part read();
+  /// The names of all options that were typed, for the origins of values.
+  void take_sources(const CLI::App& command);
   resolve::PlanOptions options() const;
   const std::string& input() const { return input_; }
   const read::SolidOptions& solid() const { return solid_; }
@@ -39,7 +42,11 @@ class PlanArguments {
   ShopOptions shop(const read::JobFile& job) const;
   std::optional<Toolpath> earlier(const read::JobFile& job, const Machine& machine) const;
 
+  void check_strategies(const read::JobFile& job) const;
+
   std::string input_;
+  Sources typed_;
+  StepSources step_sources_;
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;

@@ -7,13 +7,16 @@
 #include "commands.h"
 #include "output.h"
 #include "pipeline/run.h"
+#include "pipeline/strategies.h"
 #include "plan_arguments.h"
 #include "report/certificate.h"
 #include "report/contest_table.h"
 #include "report/picture/svg.h"
 #include "report/result.h"
 #include "report/table.h"
+#include "report/value_table.h"
 #include "report/viewer/html.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::cli {
 namespace {
@@ -26,6 +29,7 @@ struct PlanCommand {
   std::string html;
   std::string result;
   bool quiet = false;
+  bool explain = false;
 };
 
 report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
@@ -36,6 +40,7 @@ report::CertificateInfo certificate_info(const PlanCommand& command, const resol
   info.input_hash = content_hash(read_file(command.arguments.input()));
   info.program_hash = content_hash(result.program);
   info.contests = result.contests;
+  info.values = result.values;
   info.machine = options.machine.name;
   return info;
 }
@@ -75,16 +80,28 @@ void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
   take(command.result, job.output.result);
 }
 
+/// The values alone, without planning.
+int explain(const Part& part, const resolve::PlanOptions& options) {
+  const ResolvedPlan plan = resolve::resolve(part, options, pipeline::strategies_of(options));
+  print(plan.part.diagnostics, true);
+  print_line(report::plain(report::value_table(plan.part, plan.values)));
+  return kClean;
+}
+
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
-  if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
+  const Part part = command.arguments.read();
   const resolve::PlanOptions options = command.arguments.options();
-  const pipeline::PlanResult result = pipeline::plan_part(command.arguments.read(), options);
+  if (command.output.empty() && command.explain) return explain(part, options);
+  if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
+  const pipeline::PlanResult result = pipeline::plan_part(part, options);
   write_files(output_files(command, options, result));
+  if (command.explain) print_line(report::plain(report::value_table(result.part, result.values)));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
-      if (options.strategy == "auto") print_line(report::plain(report::contest_table(result.contests)));
+      if (options.strategy.value_or("auto") == "auto")
+        print_line(report::plain(report::contest_table(result.contests)));
       print_line(report::table(result.part, result.findings));
     }
   }
@@ -104,8 +121,12 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--svg", state->svg, "Picture to write");
   command->add_option("--report", state->html, "Animated report to write (HTML)");
   command->add_option("--result", state->result, "Segments to write: x y to x y per line");
+  command->add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
-  command->callback([state, &exit_code] { exit_code = run(*state); });
+  command->callback([state, command, &exit_code] {
+    state->arguments.take_sources(*command);
+    exit_code = run(*state);
+  });
 }
 
 }  // namespace clearcut::cli

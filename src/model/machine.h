@@ -6,7 +6,6 @@
 #include <string>
 
 #include "base/units.h"
-#include "model/origin.h"
 
 namespace clearcut::inline model {
 
@@ -20,7 +19,6 @@ struct Machine {
   std::optional<MmPerMin> max_feed;
   /// Travel limits in workpiece coordinates, mm: x, y, z as {min, max}; absent = unlimited.
   std::optional<std::array<std::array<double, 2>, 3>> travel;
-  Sources sources;  ///< of values that are not the defaults
 };
 
 /// mm, in workpiece coordinates; taken for the machine's own Z zero where its travel is not known.

@@ -19,8 +19,8 @@ ObjectiveKind kind_named(const std::string& name, const std::string& place) {
     if (name == name_of(kind)) return kind;
     names += std::string(name_of(kind)) + ", ";
   }
-  throw InputError(
-      place, "'" + name + "' is unknown; use one of " + names + "or weights such as 1:length,20:turns");
+  throw InputError(place,
+                   "'" + name + "' is unknown; use one of " + names + "or weights such as 1:length,20:turns");
 }
 
 double weight_of(const std::string& text, const std::string& place) {

@@ -22,6 +22,10 @@ const char* name_of(Origin origin) {
   return "derived";
 }
 
+std::string step_key(const Workingstep& step) {
+  return step.source + "/" + step.name;
+}
+
 const Source* Sources::find(const std::string& name) const {
   const auto found = all_.find(name);
   return found == all_.end() ? nullptr : &found->second;

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "model/part.h"
+
 namespace clearcut::inline model {
 
 enum class Origin {
@@ -36,5 +38,11 @@ class Sources {
  private:
   std::map<std::string, Source> all_;
 };
+
+/// The sources of the values of workingsteps, by step_key().
+using StepSources = std::map<std::string, Sources>;
+
+/// What tells workingsteps apart: where they were read and their names.
+std::string step_key(const Workingstep& step);
 
 }  // namespace clearcut::inline model

@@ -8,7 +8,6 @@
 #include "base/diagnostics.h"
 #include "base/tolerances.h"
 #include "geometry/region.h"
-#include "model/origin.h"
 #include "model/tool.h"
 
 namespace clearcut::inline model {
@@ -83,8 +82,6 @@ struct Operation {
   bool rest = false;                      ///< cut only what the earlier steps of the same feature leave
   std::optional<Radians> feed_direction;  ///< of parallel strokes against x
   std::string strategy_hint;              ///< strategy named by the file, "" if none
-  std::string stepover_hint;  ///< rule for the distance of passes named by a job, "" if none
-  Sources sources;            ///< of values that are not from where the operation was read
 };
 
 /// One step of the work: this feature by that operation.

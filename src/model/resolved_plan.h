@@ -65,13 +65,14 @@ struct ResolvedValue {
 };
 
 struct ResolvedPlan {
-  Part part;                        ///< with the steps that options add; its operations hold what `steps` hold
+  Part part;  ///< with the steps that options add; its operations hold what `steps` hold
   std::vector<ResolvedStep> steps;  ///< as many as part.workplan
   ContourOrder order = ContourOrder::kInsideOut;
   std::optional<Vec2> start;             ///< where cutting begins; absent: anywhere
   std::optional<double> engagement_deg;  ///< limit; absent: none
   Objective objective;
-  std::optional<double> search_s;  ///< longest search; absent: as long as is worth it, the same on any machine
+  std::optional<double>
+      search_s;  ///< longest search; absent: as long as is worth it, the same on any machine
   std::uint64_t seed = 1;
   int threads = 1;
   double lead_overlap = 0, overrun = 0, link_lift = 0;  ///< mm

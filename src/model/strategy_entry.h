@@ -42,7 +42,8 @@ struct StrategyEntry {
   AutoUse in_auto = AutoUse::kNever;
   bool limits_engagement = false;  ///< the only kind that is tried where a limit is asked for
   bool takes_stepover = true;      ///< false: in "auto" a stepover is not handed to it
-  bool tried_when_open = false;    ///< in "auto" where a feature has open sides and the first two are planned, too
+  bool tried_when_open =
+      false;  ///< in "auto" where a feature has open sides and the first two are planned, too
 
   /// mm, less than which it cannot travel; empty: the area over the cutter's diameter.
   std::function<double(const ClearedSize& size, double radius)> least_length;
@@ -51,8 +52,9 @@ struct StrategyEntry {
   /// Whether a workingstep is small enough to try it; empty: always.
   std::function<bool(const ClearedSize& size, double radius)> is_small_enough;
 
-  std::vector<std::string> rivals;     ///< names of strategies that are planned beside it, the fastest is kept
-  std::vector<std::string> fallbacks;  ///< stepovers, "" its own, tried in turn where no plan is certified clean
+  std::vector<std::string> rivals;  ///< names of strategies that are planned beside it, the fastest is kept
+  std::vector<std::string>
+      fallbacks;  ///< stepovers, "" its own, tried in turn where no plan is certified clean
 };
 
 /// The strategies there are, in the order of their listing.

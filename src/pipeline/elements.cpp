@@ -9,11 +9,11 @@
 #include "geometry/clearance.h"
 #include "order/solve.h"
 #include "pipeline/certify.h"
+#include "pipeline/strategies.h"
 #include "plan/common/layers.h"
 #include "plan/grid/check.h"
 #include "plan/grid/shape.h"
 #include "plan/grid/visit.h"
-#include "pipeline/strategies.h"
 #include "resolve/resolve.h"
 #include "stock/stacking.h"
 

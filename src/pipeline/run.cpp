@@ -47,7 +47,7 @@ class Sizes {
     }
     const bool pocket = plan::closed_all_round(layer);
     plan.size.reached_mm2 += pocket ? area(passes.legal) + kBeyondRim * layer.tool_radius * rim
-                               : reached_of_open(layer, passes.legal);
+                                    : reached_of_open(layer, passes.legal);
     plan.size.legal_rim_mm += rim;
     plan.size.edges = std::max(plan.size.edges, edge_count(passes.legal));
     plan.pocket = plan.pocket && pocket;
@@ -116,8 +116,7 @@ std::vector<ChoiceStep> choice_steps(const ResolvedPlan& plan, const StrategyTab
 }
 
 std::string does_not_fit(const Part& part, const Workingstep& step, const Tolerances& tol) {
-  if (stock::only_plunges(tool_of(part, step)) &&
-      !stock::round_hole_of(feature_of(part, step), tol)) {
+  if (stock::only_plunges(tool_of(part, step)) && !stock::round_hole_of(feature_of(part, step), tol)) {
     return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
                        tool_of(part, step).number, name_of(tool_of(part, step).kind),
                        trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
@@ -192,8 +191,8 @@ Toolpath toolpath_of(const Choice& choice, const ResolvedPlan& plan) {
   return toolpath;
 }
 
-void report_notes(const Choice& choice, const std::vector<StepWork>& works,
-                  const ResolvedPlan& plan, Part& part) {
+void report_notes(const Choice& choice, const std::vector<StepWork>& works, const ResolvedPlan& plan,
+                  Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (works[i].done_before) {
       part.diagnostics.note(feature_of(part, part.workplan[i]).name,
@@ -240,8 +239,8 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
     if (!choice.section(i).moves.empty()) continue;
-    const bool fits = tool_of(part, step).diameter <=
-                      resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
+    const bool fits =
+        tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;
     part.diagnostics.skip(feature_of(part, step).name, no_passes(i, choice, plan));
   }
@@ -257,9 +256,9 @@ bool retry_unclean(Choice& choice, PlanResult& result) {
     if (tool.corner_radius >= tool.radius()) continue;  // no passes leave a floor flat
     if (!choice.next(i)) continue;
     const Attempt& next = choice.attempt(i);
-    result.part.diagnostics.note(feature.name,
-                                 "was not certified clean at first and is planned again: " + next.strategy->name +
-                                     (next.stepover.is_given() ? ", stepover " + next.stepover.text : ""));
+    result.part.diagnostics.note(
+        feature.name, "was not certified clean at first and is planned again: " + next.strategy->name +
+                          (next.stepover.is_given() ? ", stepover " + next.stepover.text : ""));
     retried = true;
   }
   return retried;
@@ -335,7 +334,8 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   reading.safe_z = part.top_z();
   auto read = read::gcode::read_gcode(program, program_name, reading);
   CheckResult result;
-  const ResolvedPlan plan = resolve::resolve(part, numbered_by(read.toolpath, options), strategies_of(options));
+  const ResolvedPlan plan =
+      resolve::resolve(part, numbered_by(read.toolpath, options), strategies_of(options));
   result.part = plan.part;
   keep_stated_stepdowns(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);

@@ -24,8 +24,8 @@ double printing_reserve(const ResolvedPlan& plan) {
   PostOptions metric = plan.post, inch = plan.post;
   metric.inch = false;
   inch.inch = true;
-  return std::max({0.0, post::rounding_of(metric) - plan.tol.gouge / 2,
-                   post::rounding_of(inch) - plan.tol.gouge / 2});
+  return std::max(
+      {0.0, post::rounding_of(metric) - plan.tol.gouge / 2, post::rounding_of(inch) - plan.tol.gouge / 2});
 }
 
 /// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning

@@ -99,7 +99,7 @@ Attempts attempts_for(const ResolvedStep& step, const ResolvedPlan& plan, const 
   for (const StrategyEntry& entry : table.entries()) {
     if (entry.in_auto == AutoUse::kNever) continue;
     for (const std::string& stepover : entry.fallbacks)
-      attempts.fallbacks.push_back({&entry, stepover.empty() ? step.stepover : parse_stepover(stepover)});
+      attempts.fallbacks.push_back({&entry, stepover.empty() ? step.stepover : Stepover{stepover}});
   }
   return attempts;
 }

@@ -107,8 +107,8 @@ Regions swept(const Regions& allowed, double radius, double stock, double more, 
   return legal.empty() ? legal : dilate(legal, radius + more, tol);
 }
 
-Regions left_over(const Part& part, int workingstep, const Layer& layer, const std::optional<Toolpath>& earlier,
-                  const Tolerances& tol) {
+Regions left_over(const Part& part, int workingstep, const Layer& layer,
+                  const std::optional<Toolpath>& earlier, const Tolerances& tol) {
   const Workingstep& own = step_at(part, workingstep);
   Regions left = layer.target;
   const bool upright = feature_of(part, own).wall_slope.radians() == 0;

@@ -12,8 +12,8 @@ namespace clearcut::resolve {
 /// what is planned for it overlaps; slivers below half of tol.uncut are left out. Of what an earlier program has left, only what
 /// lies in reach of the step's cutter counts, farther than 0.007 mm from what is cut. With leaning walls, and where no earlier
 /// step reaches the layer: all of the target. The part is prepared.
-Regions left_over(const Part& part, int workingstep, const Layer& layer, const std::optional<Toolpath>& earlier,
-                  const Tolerances& tol);
+Regions left_over(const Part& part, int workingstep, const Layer& layer,
+                  const std::optional<Toolpath>& earlier, const Tolerances& tol);
 
 /// What a cutter of `radius` mm sweeps that keeps `stock` mm from the walls of `allowed`, and `more` mm round it (less than
 /// 0: inside it).

@@ -26,9 +26,8 @@ struct StepNcName {
 /// Strategies of ISO 14649-11. Strokes in one direction alone are not made: they are cut to and fro, and the reader says so.
 /// Ours end with a pass along the walls, as bidirectional_contour asks for.
 constexpr StepNcName kStepNcNames[] = {
-    {"contour_parallel", "contour"},       {"contour_spiral", "spiral"},
-    {"bidirectional", "zigzag"},           {"bidirectional_milling", "zigzag"},
-    {"unidirectional", "zigzag"},          {"unidirectional_milling", "zigzag"},
+    {"contour_parallel", "contour"},     {"contour_spiral", "spiral"}, {"bidirectional", "zigzag"},
+    {"bidirectional_milling", "zigzag"}, {"unidirectional", "zigzag"}, {"unidirectional_milling", "zigzag"},
     {"bidirectional_contour", "zigzag"},
 };
 
@@ -50,9 +49,8 @@ std::string strategy_of_stepnc(const std::string& name) {
 }
 
 EntryKind entry_named(const std::string& name, const std::string& place) {
-  return named(
-      std::array{EntryKind::kHelix, EntryKind::kRamp, EntryKind::kZigzagRamp, EntryKind::kPlunge}, name,
-      place);
+  return named(std::array{EntryKind::kHelix, EntryKind::kRamp, EntryKind::kZigzagRamp, EntryKind::kPlunge},
+               name, place);
 }
 
 const char* name_of(EntryKind entry) {

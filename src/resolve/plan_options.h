@@ -19,7 +19,7 @@
 namespace clearcut::resolve {
 
 struct PlanOptions {
-  std::vector<Tool> tools;              ///< replace the part's own; empty keeps those
+  std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
   /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
   std::optional<std::string> strategy;
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
@@ -47,8 +47,10 @@ struct PlanOptions {
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores
   Tolerances tol;
-  Sources sources;  ///< of values that are not given as options of their own names
-  const StrategyTable* strategies = nullptr;  ///< those there are, kept alive by the caller; null: the software's
+  Sources sources;           ///< of values that are not given as options of their own names
+  StepSources step_sources;  ///< of values in the part's operations that are not from where these were read
+  const StrategyTable* strategies =
+      nullptr;  ///< those there are, kept alive by the caller; null: the software's
 };
 
 /// Where a value that is set in the options comes from.

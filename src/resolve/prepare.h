@@ -14,8 +14,10 @@ constexpr double kDefaultCuttingSpeed = 100;
 ///   operation, else 1000 mm/min; plunge 30 % of it, ramp 50 % spindle    option, operation, else 100 m/min
 ///   at the circumference, rounded to 10 rpm direction  climb
 /// What was defaulted is noted in the diagnostics, once per value.
-/// Every value that does not come from where its operation was read has its source in operation.sources.
 Part prepare(Part part, const PlanOptions& options);
+
+/// The same; `sources` are afterwards those of every value that does not come from where its operation was read.
+Part prepare(Part part, const PlanOptions& options, StepSources& sources);
 
 /// The part with the options' tools, else its own, else one end mill of half the largest diameter that fits (noted):
 /// STEP-NC has no operation without a tool.

@@ -1,39 +1,19 @@
-// Collects what was decided, for people and certificates.
+// Writes down what was decided, with where it comes from, for people and certificates.
 #pragma once
-
-#include <string>
-#include <vector>
 
 #include "model/resolved_plan.h"
 #include "resolve/plan_options.h"
 
 namespace clearcut::resolve {
 
-/// The values of one workingstep, in the order in which they are added.
-class StepValues {
- public:
-  /// `read_from`: where the operation was read, for what its sources do not name.
-  StepValues(std::vector<ResolvedValue>& all, int step, const Sources& sources, Source read_from)
-      : all_(all), step_(step), sources_(sources), read_from_(std::move(read_from)) {}
+/// Where the operation of a step was read: what its own sources do not name is from there.
+Source read_source(const Part& part, const Workingstep& step);
 
-  /// A value that somebody stated or a default that is among the sources.
-  void stated(const char* name, std::string value, const char* unit);
-  /// One that stands at `otherwise` unless it was stated.
-  void stated_or(bool is_stated, const char* name, std::string value, const char* unit, Source otherwise);
-  void add(const char* name, std::string value, const char* unit, Source source);
+/// Appends the values of one step of `plan` to plan.values; `sources` are those that are not from where the operation was
+/// read.
+void list_step(ResolvedPlan& plan, int step, const Sources& sources, const PlanOptions& options);
 
- private:
-  std::vector<ResolvedValue>& all_;
-  int step_;
-  const Sources& sources_;
-  Source read_from_;
-};
-
-/// The values of one step. `operation` is as prepared.
-void list_step(std::vector<ResolvedValue>& all, const ResolvedPlan& plan, int step, const Source& strategy,
-               const Source& stepover);
-
-/// The values of the plan as a whole.
-void list_plan(std::vector<ResolvedValue>& all, const ResolvedPlan& plan, const PlanOptions& options);
+/// Appends the values of the plan as a whole.
+void list_plan(ResolvedPlan& plan, const PlanOptions& options);
 
 }  // namespace clearcut::resolve

@@ -34,7 +34,7 @@ constexpr ContourMethod kContourMethods[] = {
 
 Strategy make(const ContourMethod& method, const StrategyRequest& request) {
   ContourOptions options;
-  options.step = request.stepover.is_given() ? request.stepover.rule : parse_step_rule(method.stepover);
+  options.step = parse_step_rule(request.stepover.is_given() ? request.stepover.text : method.stepover);
   options.residuals = method.residuals;
   options.machine = request.plan.machine;
   options.feed = request.step.feed;

@@ -1,6 +1,10 @@
 #include "plan/contour/step_rule.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
+#include <optional>
 
 #include "base/error.h"
 #include "plan/contour/ring_band.h"
@@ -43,7 +47,58 @@ double published_step(const RingNode& ring, const std::vector<AxisPiece>& inside
   return to_centre > radius && to_centre <= step ? 1.5 * radius * share : step;
 }
 
+std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= 0 && value < 1e9))
+    return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void refuse(const std::string& text) {
+  throw InputError("stepover",
+                   "'" + text +
+                       "' is none; use a fraction of the diameter above 0 and at most 1, a length such as "
+                       "3.5mm, lom, rho, second, lom-corrected, rho-corrected, widest, or several with "
+                       "commas, one a contour");
+}
+
+std::optional<StepRule> named_rule(const std::string& text) {
+  if (text == "widest") return StepRule{};
+  if (text == "lom" || text == "kappa") return StepRule{Kind::kKappa, 0};
+  if (text == "lom-corrected" || text == "kappa-corrected") return StepRule{Kind::kKappaCorrected, 0};
+  const auto colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const auto kind = name == "rho"             ? std::optional(Kind::kRho)
+                    : name == "second"        ? std::optional(Kind::kSecondAngle)
+                    : name == "rho-corrected" ? std::optional(Kind::kRhoCorrected)
+                                              : std::nullopt;
+  if (!kind) return std::nullopt;
+  const auto w = colon == std::string::npos ? 1.0 : number_in(text.substr(colon + 1));
+  return w ? std::optional(StepRule{*kind, *w}) : std::nullopt;
+}
+
+StepRule single_rule(const std::string& text) {
+  if (const auto rule = named_rule(text)) return *rule;
+  const bool mm = text.ends_with("mm");
+  const auto value = number_in(mm ? text.substr(0, text.size() - 2) : text);
+  if (!value || *value <= 0 || (!mm && *value > 1)) refuse(text);
+  return {mm ? Kind::kMm : Kind::kFraction, *value};
+}
+
 }  // namespace
+
+StepRule parse_step_rule(const std::string& text) {
+  if (text.find(',') == std::string::npos) return single_rule(text);
+  StepRule rule;
+  rule.kind = Kind::kPerContour;
+  for (std::size_t from = 0; from <= text.size();) {
+    const auto comma = std::min(text.find(',', from), text.size());
+    rule.contours.push_back(single_rule(text.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return rule;
+}
 
 double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, const StepRule& rule,
                   double radius) {
