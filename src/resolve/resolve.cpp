@@ -45,6 +45,8 @@ const Source* find(const StepSources& sources, const Workingstep& step, const ch
 Sourced<const StrategyEntry*> strategy_of_part(const Workingstep& step, const StrategyTable& strategies,
                                                Diagnostics& diagnostics, const Source& read_from) {
   const std::string& hint = step.operation.strategy_hint;
+  if (hint == "auto") return {nullptr, read_from};
+  if (const StrategyEntry* entry = strategies.find(hint)) return {entry, read_from};
   if (const StrategyEntry* entry = strategies.find(strategy_of_stepnc(hint))) return {entry, read_from};
   diagnostics.warn(
       step.name.empty() ? step.source : step.name,
