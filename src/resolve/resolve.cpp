@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/format.h"
 #include "resolve/names.h"
 #include "resolve/prepare.h"
 #include "resolve/value_list.h"
@@ -70,8 +71,13 @@ Sourced<const StrategyEntry*> strategy_of(const Workingstep& step, const PlanOpt
   return strategy_of_part(step, strategies, diagnostics, read_from);
 }
 
-Sourced<Stepover> stepover_of(const PlanOptions& options) {
-  if (options.stepover) return {{*options.stepover}, source_of(options, "stepover")};
+/// Of the options, unless a rule of a job (`of_job`: where it stands) says something else of this operation.
+Sourced<Stepover> stepover_of(const Operation& operation, const PlanOptions& options, const Source* of_job) {
+  const Source asked = source_of(options, "stepover");
+  const bool is_typed = options.stepover && asked.origin == Origin::kUser;
+  const bool is_own = of_job && operation.stepover && (!options.stepover || of_job->text != asked.text);
+  if (is_own && !is_typed) return {{trimmed(*operation.stepover, 9)}, *of_job};
+  if (options.stepover) return {{*options.stepover}, asked};
   return {{}, {Origin::kDefault, "default: the strategy decides"}};
 }
 
@@ -153,11 +159,11 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
   ResolvedPlan plan = resolve_whole(options);
   StepSources sources;
   plan.part = prepare(part, options, sources);
-  const auto stepover = stepover_of(options);
   for (std::size_t i = 0; i < plan.part.workplan.size(); ++i) {
     const Workingstep& planned = plan.part.workplan[i];
     const auto strategy = strategy_of(planned, options, strategies, plan.part.diagnostics,
                                       find(sources, planned, "strategy"), read_source(plan.part, planned));
+    const auto stepover = stepover_of(planned.operation, options, find(sources, planned, "stepover"));
     Sources own = sources[step_key(planned)];
     own.set("strategy", strategy.source);
     own.set("stepover", stepover.source);

@@ -136,6 +136,24 @@ TEST(Resolve, RefusesAStrategyOfAJobThatIsNoneInOneLine) {
   }
 }
 
+TEST(Resolve, AStepoverOfOneOperationIsForThatOperation) {
+  Part part = pocket();
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[1].name = "OTHER";
+  part.workplan[1].operation.stepover = 0.25;
+  PlanOptions options;
+  options.stepover = "0.5";
+  options.sources.set("stepover", {Origin::kJobFile, "job.toml:3"});
+  options.step_sources[step_key(part.workplan[0])].set("stepover", {Origin::kJobFile, "job.toml:3"});
+  options.step_sources[step_key(part.workplan[1])].set("stepover", {Origin::kJobFile, "job.toml:9"});
+  ResolvedPlan plan = resolve(part, options, table());
+  EXPECT_EQ(plan.steps[0].stepover.text, "0.5");
+  EXPECT_EQ(plan.steps[1].stepover.text, "0.25");
+  options.sources.set("stepover", {Origin::kUser, "--stepover"});
+  plan = resolve(part, options, table());
+  EXPECT_EQ(plan.steps[1].stepover.text, "0.5");
+}
+
 TEST(Resolve, RefusesAnObjectiveThatIsNone) {
   PlanOptions options;
   options.objective = "beauty";
