@@ -185,7 +185,7 @@ std::optional<Toolpath> PlanArguments::earlier(const read::JobFile& job, const M
   return read::gcode::read_gcode(read_file(*file), *file, home_z(machine)).toolpath;
 }
 
-Part PlanArguments::read() {
+Part PlanArguments::read() const {
   read::ReadOptions options;
   options.unit = unit_;
   options.layers = layers_;

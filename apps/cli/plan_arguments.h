@@ -24,7 +24,7 @@ class PlanArguments {
   void add_cutting_options(CLI::App& command);
 
   /// Before options(), which tell where the values of a job stand only then.
-  Part read();
+  Part read() const;
   /// The names of all options that were typed, for the origins of values.
   void take_sources(const CLI::App& command);
   resolve::PlanOptions options() const;
@@ -46,7 +46,7 @@ class PlanArguments {
 
   std::string input_;
   Sources typed_;
-  StepSources step_sources_;
+  mutable StepSources step_sources_;  ///< of the part that was read
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;

@@ -20,8 +20,8 @@ struct CertificateInfo {
   std::string program_hash;       ///< of the bytes of the program that was judged
   std::string tool;               ///< tools as asked for, "" when they come with the part
   std::string machine;            ///< name of the machine whose limits and times were used
-  std::vector<ResolvedValue> values;  ///< of the plan; empty when a program of unknown origin was judged
   std::vector<Contest> contests;  ///< of the workingsteps; empty when a program of unknown origin was judged
+  std::vector<ResolvedValue> values = {};  ///< of the plan; empty when a program of unknown origin was judged
 };
 
 /// Shape   one JSON object: what it rests on, the figures of the whole, `features` (each with its figures and

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 const StrategyTable& table() {
   static const StrategyTable strategies = [] {
     std::vector<StrategyEntry> all;
-    for (const char* name : {"zigzag", "spiral", "contour"}) all.push_back({.name = name});
+    for (const char* name : {"zigzag", "spiral", "contour"}) all.emplace_back().name = name;
     return StrategyTable(std::move(all));
   }();
   return strategies;
@@ -30,7 +30,7 @@ Part pocket() {
   Part part;
   part.source_file = "/somewhere/bracket.p21";
   part.features = {feature};
-  part.tools = {Tool{.diameter = 8}};
+  part.tools.emplace_back().diameter = 8;
   Workingstep step;
   step.name = "STEP";
   step.operation.source = "#123";

@@ -197,7 +197,7 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
     if (finish != Finish::kFloor) walls.push_back(wall_step(last, part, shop, sources));
   }
   for (Workingstep& step : part.workplan) {
-    const auto same = [&](const Workingstep& finish) { return finish.feature == step.feature; };
+    const auto same = [&](const Workingstep& other) { return other.feature == step.feature; };
     const bool finished =
         std::any_of(floors.begin(), floors.end(), same) || std::any_of(walls.begin(), walls.end(), same);
     if (finished && !stock::only_plunges(tool_of(part, step)))
