@@ -1,22 +1,14 @@
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/plan.h>
+#include <clearcut/report.h>
+
 #include <filesystem>
 #include <memory>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "base/version.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/run.h"
-#include "pipeline/strategies.h"
 #include "plan_arguments.h"
-#include "report/certificate.h"
-#include "report/contest_table.h"
-#include "report/picture/svg.h"
-#include "report/result.h"
-#include "report/table.h"
-#include "report/value_table.h"
-#include "report/viewer/html.h"
-#include "resolve/resolve.h"
 
 namespace clearcut::cli {
 namespace {
@@ -32,35 +24,17 @@ struct PlanCommand {
   bool explain = false;
 };
 
-report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
-                                         const pipeline::PlanResult& result) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = options.seed;
-  info.input_hash = content_hash(read_file(command.arguments.input()));
-  info.program_hash = content_hash(result.program);
-  info.contests = result.contests;
-  info.values = result.values;
-  info.machine = options.machine.name;
-  return info;
-}
-
-std::vector<OutputFile> output_files(const PlanCommand& command, const resolve::PlanOptions& options,
-                                     const pipeline::PlanResult& result) {
+std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
+                                     const PlanResult& result) {
   std::vector<OutputFile> files{{command.output, result.program}};
   const auto add = [&](const std::string& path, auto&& content) {
     if (!path.empty()) files.push_back({path, content()});
   };
-  add(command.certificate, [&] {
-    return report::certificate_json(result.part, result.findings, certificate_info(command, options, result));
-  });
-  add(command.svg, [&] { return report::svg(result.part, result.toolpath, result.findings, {}); });
-  add(command.html, [&] {
-    return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
-  });
-  add(command.result, [&] {
-    return report::result_file(result.toolpath, {result.part.name, result.contours});
-  });
+  add(command.certificate,
+      [&] { return write_certificate(result, options, read_file(command.arguments.input())); });
+  add(command.svg, [&] { return write_picture(result); });
+  add(command.html, [&] { return write_page(result, options); });
+  add(command.result, [&] { return write_segments(result); });
   return files;
 }
 
@@ -69,7 +43,7 @@ std::string in_folder_of(const std::string& job_file, const std::string& name) {
 }
 
 /// Files that the command line leaves open are written where the job says.
-void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
+void take_outputs_from(const JobFile& job, PlanCommand& command) {
   const auto take = [&](std::string& path, const std::optional<std::string>& from_job) {
     if (path.empty() && from_job) path = in_folder_of(job.file, *from_job);
   };
@@ -81,28 +55,27 @@ void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
 }
 
 /// The values alone, without planning.
-int explain(const Part& part, const resolve::PlanOptions& options) {
-  const ResolvedPlan plan = resolve::resolve(part, options, pipeline::strategies_of(options));
+int explain(const Part& part, const PlanOptions& options) {
+  const ResolvedPlan plan = resolve_plan(part, options);
   print(plan.part.diagnostics, true);
-  print_line(report::plain(report::value_table(plan.part, plan.values)));
+  print_line(write_values(plan.part, plan.values));
   return kClean;
 }
 
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   const Part part = command.arguments.read();
-  const resolve::PlanOptions options = command.arguments.options();
+  const PlanOptions options = command.arguments.options();
   if (command.output.empty() && command.explain) return explain(part, options);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
-  const pipeline::PlanResult result = pipeline::plan_part(part, options);
-  write_files(output_files(command, options, result));
-  if (command.explain) print_line(report::plain(report::value_table(result.part, result.values)));
+  const PlanResult result = plan_part(part, options);
+  write_outputs(output_files(command, options, result));
+  if (command.explain) print_line(write_values(result.part, result.values));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
-      if (options.strategy.value_or("auto") == "auto")
-        print_line(report::plain(report::contest_table(result.contests)));
-      print_line(report::table(result.part, result.findings));
+      if (options.strategy.value_or("auto") == "auto") print_line(write_contest_table(result));
+      print_line(write_table(result));
     }
   }
   return result.findings.all.clean ? kClean : kFault;

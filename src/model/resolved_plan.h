@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -84,6 +85,7 @@ struct ResolvedPlan {
   Machine machine;
   PostOptions post;
   Tolerances tol;
+  std::stop_token cancel;             ///< asked to stop, the stages end with Cancelled
   std::vector<ResolvedValue> values;  ///< all of the above, in the order of the workplan, then of the whole
 };
 

@@ -137,6 +137,7 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   verify.machine = plan.machine;
   verify.engagement_limit_deg = plan.engagement_deg;
   verify.threads = plan.threads;
+  verify.cancel = plan.cancel;
   if (plan.earlier) verify.earlier = &*plan.earlier;
   verify.material = plan.material;
   return verify;

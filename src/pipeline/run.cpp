@@ -14,6 +14,7 @@
 #include "link/slot_feed.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
+#include "pipeline/progress_meter.h"
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
@@ -92,6 +93,7 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
     std::vector<LayerPasses> passes;
     Sizes sizes(job.tol);
     for (const auto& layer : work.layers) {
+      throw_if_cancelled(job.cancel);
       passes.push_back(layer.walls_only ? plan::plan_walls(layer.layer, job.tol) : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
@@ -300,6 +302,13 @@ std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
   return contours;
 }
 
+/// How many attempts the choice may plan before any fallback.
+std::size_t candidates_in(const std::vector<ChoiceStep>& steps) {
+  std::size_t count = 0;
+  for (const ChoiceStep& step : steps) count += step.attempts.contest.size();
+  return count;
+}
+
 }  // namespace
 
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
@@ -308,16 +317,23 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = plan.part;
   result.values = plan.values;
+  ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto planner = [&](int step, const Attempt& attempt) {
-    return fastest_plan(works[static_cast<std::size_t>(step)], attempt, plan, strategies);
+    StepPlan planned = fastest_plan(works[static_cast<std::size_t>(step)], attempt, plan, strategies);
+    meter.add();
+    return planned;
   };
-  Choice choice(choice_steps(plan, strategies), planner, plan.threads);
+  const auto steps = choice_steps(plan, strategies);
+  meter.begin(Stage::kPlanning, candidates_in(steps));
+  Choice choice(steps, planner, plan.threads);
   report_what_does_not_fit(result.part, choice, works, plan);
   Toolpath toolpath;
   do {
+    meter.begin(Stage::kCertifying, 1);
     toolpath = toolpath_of(choice, plan);
     certify(result, toolpath, plan);
+    meter.add();
   } while (retry_unclean(choice, result));
   sign(result, toolpath, plan);
   report_notes(choice, works, plan, result.part);

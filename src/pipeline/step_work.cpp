@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "pipeline/holes.h"
@@ -149,6 +150,7 @@ std::vector<StepWork> step_works(const ResolvedPlan& plan) {
   const Part& part = plan.part;
   std::vector<StepWork> works;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    throw_if_cancelled(plan.cancel);
     StepWork work;
     work.workingstep = static_cast<int>(i);
     work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), plan.tol);

@@ -1,9 +1,12 @@
 #include "pipeline/tour_solver.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <stop_token>
 
+#include "base/progress.h"
 #include "order/solve.h"
 #include "pipeline/engagement_model.h"
 
@@ -62,6 +65,7 @@ struct Search {
   int threads = 1;
   Machine machine;
   MmPerMin feed;
+  std::stop_token cancel;
 
   /// Share of the leading half circle; of the angle asked for, else half.
   double engagement_target() const { return engagement_deg ? *engagement_deg / 180 : 0.5; }
@@ -111,7 +115,7 @@ order::Problem grid_problem(const plan::tour::TourTask& task) {
 
 plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, MmPerMin feed, bool briefly) {
   const Search search{plan.objective, plan.engagement_deg, plan.search_s, plan.seed,
-                      plan.threads,   plan.machine,        feed};
+                      plan.threads,   plan.machine,        feed,          plan.cancel};
   return [search, briefly](const plan::tour::TourTask& task) {
     const auto objective = objective_of(
         search.objective, [&](ObjectiveKind kind) { return layer_objective(kind, task, search); });
@@ -121,7 +125,12 @@ plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, MmPerMin feed, bool
     solve.stop.effort = search.seconds.value_or(briefly ? kBriefEffort : kEffort);
     solve.stop.seconds = search.seconds.value_or(std::numeric_limits<double>::infinity());
     if (!search.seconds) solve.stop.rounds = kRounds;
-    return order::solve(grid_problem(task), *objective, solve).tour;
+    std::atomic<bool> stop = false;
+    const std::stop_callback on_cancel(search.cancel, [&stop] { stop = true; });
+    solve.stop.cancel = &stop;
+    auto tour = order::solve(grid_problem(task), *objective, solve).tour;
+    throw_if_cancelled(search.cancel);
+    return tour;
   };
 }
 

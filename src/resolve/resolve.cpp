@@ -150,6 +150,7 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
   plan.machine = options.machine;
   plan.post = options.post;
   plan.tol = options.tol;
+  plan.cancel = options.cancel;
   return plan;
 }
 

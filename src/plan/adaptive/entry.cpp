@@ -12,6 +12,7 @@ Strategy make(const StrategyRequest& request) {
   AdaptiveOptions options;
   if (request.plan.engagement_deg) options.engagement = Radians::of_degrees(*request.plan.engagement_deg);
   options.start = request.plan.start;
+  options.cancel = request.plan.cancel;
   options.widest_helix = request.step.helix_widest;
   return once_per_outline(
       [options, tol = request.plan.tol](const Layer& layer) { return plan_adaptive(layer, options, tol); });

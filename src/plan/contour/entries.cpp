@@ -42,6 +42,7 @@ Strategy make(const ContourMethod& method, const StrategyRequest& request) {
   options.wall_on_right = request.step.wall_on_right();
   options.outside_in = request.plan.order == ContourOrder::kOutsideIn;
   options.start = request.plan.start;
+  options.cancel = request.plan.cancel;
   return once_per_outline(
       [options, tol = request.plan.tol](const Layer& layer) { return plan_contour(layer, options, tol); });
 }
