@@ -24,6 +24,8 @@ class PlanArguments {
   void add_cutting_options(CLI::App& command);
 
   Part read() const;
+  /// Of a drawing, without asking for depth or roles.
+  Part read_overview(read::DrawingOverview& overview) const;
   resolve::PlanOptions options() const;
   const std::string& input() const { return input_; }
   const read::SolidOptions& solid() const { return solid_; }
@@ -31,6 +33,8 @@ class PlanArguments {
   std::optional<read::JobFile> job() const;
 
  private:
+  read::ReadOptions read_options() const;
+  void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
@@ -43,6 +47,11 @@ class PlanArguments {
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;
+  std::vector<std::string> operations_;
+  std::optional<double> scale_;
+  std::optional<double> join_gap_;
+  std::optional<std::string> open_curves_;
+  resolve::TabOptions tabs_;
   std::optional<double> top_;
   std::optional<double> depth_;
   read::SolidOptions solid_;

@@ -21,7 +21,7 @@ struct StepPlan {
   std::size_t edges = 0;    ///< of the largest layer's boundary
   bool pocket = true;       ///< closed all round
   bool rest = false;        ///< cleared by others around it
-  bool hole = false;        ///< a round hole: made without any strategy
+  bool hole = false;        ///< a round hole or a profile: made without any strategy
 };
 
 /// A workingstep with its tool and feed, as far as bounds need them.

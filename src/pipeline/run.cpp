@@ -20,6 +20,7 @@
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "plan/common/walls.h"
+#include "plan/profile/profile.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
 #include "stock/round_hole.h"
@@ -90,6 +91,7 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
   const auto& step = part.workplan[static_cast<std::size_t>(work.workingstep)];
   const auto strategy = strategy_for(attempt, step.operation, options);
   StepPlan plan;
+  const auto& feature = feature_of(part, step);
   if (work.hole) {
     plan.section = *work.hole;
     plan.hole = true;
@@ -97,13 +99,17 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
     std::vector<LayerPasses> passes;
     Sizes sizes(options.tol);
     for (const auto& layer : work.layers) {
-      passes.push_back(layer.walls_only ? plan::plan_walls(layer.layer, options.tol) : strategy(layer.layer));
+      passes.push_back(feature.profile
+                           ? plan::profile::plan_profile(layer.layer, *feature.profile, options.tol)
+                       : layer.walls_only ? plan::plan_walls(layer.layer, options.tol)
+                                          : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }
-    const EntryKind entry = default_entry(tool_of(part, step), attempt);
+    const EntryKind entry = feature.profile ? EntryKind::kRamp : default_entry(tool_of(part, step), attempt);
+    plan.hole = feature.profile.has_value();
     plan.section = link_step(passes, work.workingstep, entry, part, options);
   }
   plan.time_s = kinematics::kinematic_time(plan.section.moves, options.machine).seconds();

@@ -8,8 +8,11 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "read/common/outline_roles.h"
 #include "read/common/text.h"
 #include "read/repair/mends.h"
+#include "stock/kerf.h"
 #include "stock/stacking.h"
 
 namespace clearcut::read {
@@ -32,17 +35,24 @@ RepairOptions repair_options(const DrawnGroup& group, const ReadOptions& options
   RepairOptions out;
   out.tol = options.tol;
   out.where = group.where;
-  out.open_curves = options.open_curves;
+  out.open_curves = options.overview ? OpenCurves::kSkip : options.open_curves.value_or(OpenCurves::kRefuse);
+  out.may_be_empty = out.open_curves == OpenCurves::kSkip;
   out.find_arcs = options.find_arcs.value_or(true);
   return out;
 }
 
-Feature feature_of(const DrawnGroup& group, Region region, double depth, const ReadOptions& options) {
+/// What all features of a group have in common.
+Feature blank_feature(const DrawnGroup& group, double depth, const ReadOptions& options) {
   Feature feature;
-  feature.name = group.name == "0" ? "pocket" : group.name;
+  feature.name = group.name == "0" ? name_of(group.role) : group.name;
   feature.source = group.name;
   feature.top_z = options.top ? *options.top : group.top.value_or(0);
   feature.floor_z = feature.top_z - depth;
+  return feature;
+}
+
+Feature feature_of(const DrawnGroup& group, Region region, double depth, const ReadOptions& options) {
+  Feature feature = blank_feature(group, depth, options);
   if (group.role == LayerRole::kHole) {
     feature.hole_diameter = circle_diameter(region, options.tol);
     if (!feature.hole_diameter) {
@@ -65,6 +75,133 @@ Regions islands_of(std::vector<DrawnGroup>& groups, const ReadOptions& options, 
     islands = islands.empty() ? more : unite(islands, more, options.tol);
   }
   return islands;
+}
+
+/// mm. Until a cutter is chosen the kerf is taken to be this wide.
+constexpr double kSomeKerf = 0.1;
+
+/// A profile along one loop, or a line to engrave. Its areas are those of no cutter until one is chosen.
+Feature profile_of(const DrawnGroup& group, Path line, ProfileSide side, double depth,
+                   const ReadOptions& options) {
+  Feature feature = blank_feature(group, depth, options);
+  feature.kind = side == ProfileSide::kOutside  ? FeatureKind::kOutsideProfile
+                 : side == ProfileSide::kInside ? FeatureKind::kInsideProfile
+                                                : FeatureKind::kEngraving;
+  ProfileCut cut;
+  cut.side = side;
+  cut.closed = line.front().from == line.back().to;
+  if (side != ProfileSide::kOn && signed_area(line) < 0) line = reversed(line);
+  cut.line = std::move(line);
+  feature.target = stock::kerf_of(cut, kSomeKerf, options.tol);
+  feature.allowed = feature.target;
+  feature.through = side != ProfileSide::kOn;
+  if (feature.through) cut.beyond = options.solid.breakthrough.value_or(0);
+  feature.floor_z -= cut.beyond;
+  feature.profile = std::move(cut);
+  return feature;
+}
+
+/// Along outlines on one side, along those in them on the other.
+void add_profiles(const ShapedGroup& shaped, ProfileSide outer, double depth, const ReadOptions& options,
+                  std::vector<Feature>& out) {
+  const ProfileSide inner = outer == ProfileSide::kOutside ? ProfileSide::kInside : ProfileSide::kOutside;
+  for (const Region& region : shaped.regions) {
+    for (const Loop& island : region.islands())
+      out.push_back(profile_of(shaped.group, island, inner, depth, options));
+    out.push_back(profile_of(shaped.group, region.outer(), outer, depth, options));
+  }
+}
+
+/// Facing: the cutter may leave the area on all sides.
+Feature face_of(const DrawnGroup& group, const Region& region, double depth, const ReadOptions& options) {
+  Feature feature = blank_feature(group, depth, options);
+  feature.kind = FeatureKind::kPlanarFace;
+  feature.target = {Region::from_valid_loops(region.outer(), {})};
+  feature.allowed = dilate(feature.target, kOpenReach, options.tol);
+  return feature;
+}
+
+void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
+                        std::vector<Feature>& out) {
+  if (shaped.regions.empty() && shaped.lines.empty()) return;
+  const double depth = depth_of(shaped.group, options, diagnostics);
+  switch (shaped.group.role) {
+    case LayerRole::kProfile:
+      return add_profiles(shaped, ProfileSide::kOutside, depth, options, out);
+    case LayerRole::kInside:
+      return add_profiles(shaped, ProfileSide::kInside, depth, options, out);
+    case LayerRole::kEngrave:
+      for (const Region& region : shaped.regions) {
+        shaped.lines.push_back(region.outer());
+        for (const Loop& island : region.islands()) shaped.lines.push_back(island);
+      }
+      for (const Path& line : shaped.lines)
+        out.push_back(profile_of(shaped.group, line, ProfileSide::kOn, depth, options));
+      return;
+    case LayerRole::kFace:
+      for (const Region& region : shaped.regions)
+        out.push_back(face_of(shaped.group, region, depth, options));
+      return;
+    default:
+      for (Region& region : shaped.regions)
+        out.push_back(feature_of(shaped.group, std::move(region), depth, options));
+  }
+}
+
+/// Faces first, then pockets and holes, engraving, and what frees the part last: inner cut-outs before outer ones.
+int turn_of(const Feature& feature) {
+  if (feature.kind == FeatureKind::kPlanarFace) return 0;
+  if (!feature.profile) return 1;
+  return feature.profile->side == ProfileSide::kOn ? 2 : 3;
+}
+
+double area_within(const Feature& feature) {
+  return feature.profile && feature.profile->closed ? std::abs(signed_area(feature.profile->line)) : 0;
+}
+
+bool goes_before(const Feature& a, const Feature& b) {
+  if (turn_of(a) != turn_of(b)) return turn_of(a) < turn_of(b);
+  return turn_of(a) == 3 ? area_within(a) < area_within(b) : a.floor_z > b.floor_z;
+}
+
+/// The block that outlines of the role stock bound, down to their depth, else that of the deepest feature.
+void set_stock(Part& part, const std::vector<ShapedGroup>& groups, const std::vector<Feature>& features,
+               const ReadOptions& options) {
+  for (const ShapedGroup& shaped : groups) {
+    if (shaped.group.role != LayerRole::kStock || shaped.regions.empty()) continue;
+    Stock stock;
+    stock.plan = box(shaped.regions);
+    stock.z_top = options.top ? *options.top : shaped.group.top.value_or(0);
+    stock.z_bottom = features.front().floor_z;
+    for (const Feature& feature : features) stock.z_bottom = std::min(stock.z_bottom, feature.floor_z);
+    if (shaped.group.depth)
+      stock.z_bottom = stock.z_top - checked_depth(*shaped.group.depth, shaped.group.where);
+    part.stock = stock;
+  }
+}
+
+/// Areas of all groups but islands and what is ignored.
+std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const ReadOptions& options,
+                                       Diagnostics& diagnostics) {
+  std::vector<ShapedGroup> all;
+  for (DrawnGroup& group : groups) {
+    if (group.role == LayerRole::kIsland || group.role == LayerRole::kIgnore || group.curves.empty())
+      continue;
+    ShapedGroup shaped;
+    std::vector<RawCurve> curves = std::move(group.curves);
+    shaped.group = std::move(group);
+    if (shaped.group.role == LayerRole::kChamfer && !options.overview) {
+      throw InputError(shaped.group.where, "chamfers are not cut yet; leave the layer out with --op ignore:" +
+                                               printable(shaped.group.name));
+    }
+    if (shaped.group.role == LayerRole::kEngrave) {
+      shaped.lines = chained_lines(curves, options.tol.join_gap);
+    } else {
+      shaped.regions = repair(std::move(curves), repair_options(shaped.group, options), diagnostics);
+    }
+    all.push_back(std::move(shaped));
+  }
+  return all;
 }
 
 /// In the words of the reader; "" for none.
@@ -104,13 +241,39 @@ double checked_depth(double depth, const std::string& place) {
 }
 
 void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group) {
-  const auto rule = std::find_if(rules.begin(), rules.end(), [&](const LayerRule& candidate) {
-    return matches(candidate.pattern, name);
-  });
-  if (rule == rules.end()) return;
-  if (rule->role) group.role = *rule->role;
-  if (rule->depth) group.depth = rule->depth;
-  if (rule->top) group.top = rule->top;
+  bool role = false, depth = false, top = false;
+  for (const LayerRule& rule : rules) {
+    if (!matches(rule.pattern, name)) continue;
+    if (rule.role && !role) {
+      group.role = *rule.role;
+      group.says_role = role = true;
+    }
+    if (rule.depth && !depth) group.depth = rule.depth, depth = true;
+    if (rule.top && !top) group.top = rule.top, top = true;
+    if (!rule.asked) return;
+  }
+}
+
+void question_size(const std::vector<DrawnGroup>& groups, const std::string& file,
+                   const ReadOptions& options) {
+  constexpr double kLargest = 2000, kSmallest = 1;  // mm
+  if (!options.ask_if_unclear || options.unit || options.scale != 1) return;
+  Box all;
+  for (const DrawnGroup& group : groups) {
+    for (const RawCurve& curve : group.curves) all.add(box(curve.edges));
+  }
+  if (all.empty()) return;
+  const double size = std::max(all.width(), all.height());
+  if (!(size > kLargest || size < kSmallest)) return;
+  const std::string question =
+      "in the unit it names the drawing is " + trimmed(all.width(), 3) + " x " + trimmed(all.height(), 3) +
+      " mm, " + (size > kLargest ? "larger than 2 m" : "smaller than 1 mm") +
+      "; say which unit it is drawn in (--unit mm, --unit in), or --scale 1 if it is right";
+  if (options.overview) {
+    options.overview->question = question;
+  } else if (!options.scale_is_right) {
+    throw InputError(file, question);
+  }
 }
 
 void add_features(Part& part, std::vector<Feature> features) {
@@ -144,23 +307,28 @@ void report_left_out(Diagnostics& diagnostics, const std::string& file, const Le
 }
 
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options) {
+  std::vector<std::string> layers;
+  for (const DrawnGroup& group : groups) layers.push_back(group.name);
   const Regions islands = islands_of(groups, options, part.diagnostics);
+  std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
+  assign_outline_roles(shaped, layers, options, part.source_file);
+  if (options.overview) return;
   std::vector<Feature> features;
-  for (DrawnGroup& group : groups) {
-    if (group.role == LayerRole::kIsland || group.role == LayerRole::kIgnore || group.curves.empty())
-      continue;
-    const double depth = depth_of(group, options, part.diagnostics);
-    Regions regions = repair(std::move(group.curves), repair_options(group, options), part.diagnostics);
-    if (!islands.empty() && near_any(islands, regions)) regions = subtract(regions, islands, options.tol);
-    for (Region& region : regions) features.push_back(feature_of(group, std::move(region), depth, options));
+  for (ShapedGroup& one : shaped) {
+    if (one.group.role == LayerRole::kStock || one.group.role == LayerRole::kIgnore) continue;
+    if (!islands.empty() && near_any(islands, one.regions))
+      one.regions = subtract(one.regions, islands, options.tol);
+    add_group_features(one, options, part.diagnostics, features);
   }
   if (features.empty()) {
     throw InputError(part.source_file, "nothing to mill was found" + what_was_left_out(part.diagnostics) +
                                            "; draw the pockets as closed curves");
   }
-  std::stable_sort(features.begin(), features.end(),
-                   [](const Feature& a, const Feature& b) { return a.floor_z > b.floor_z; });
-  const bool several_floors = features.front().floor_z > features.back().floor_z;
+  std::stable_sort(features.begin(), features.end(), goes_before);
+  set_stock(part, shaped, features, options);
+  const bool several_floors = std::any_of(features.begin(), features.end(), [&](const Feature& feature) {
+    return feature.floor_z < features.front().floor_z;
+  });
   add_features(part, std::move(features));
   // A deep pocket within a shallow one begins on its floor.
   if (several_floors) stock::stack_tops(part, options.tol);
