@@ -1,7 +1,7 @@
 # The files of src/report/viewer become texts in the program: html_page.cpp in the build folder, written anew whenever one
 # of them changes. No Node is needed.
 set(viewer_folder ${PROJECT_SOURCE_DIR}/src/report/viewer)
-set(viewer_template ${PROJECT_SOURCE_DIR}/src/report/html_page.cpp.in)
+set(viewer_template ${PROJECT_SOURCE_DIR}/src/report/viewer/html_page.cpp.in)
 set(viewer_source ${PROJECT_BINARY_DIR}/generated/report/html_page.cpp)
 file(GLOB viewer_files CONFIGURE_DEPENDS ${viewer_folder}/*.js ${viewer_folder}/*.css ${viewer_folder}/*.html)
 add_custom_command(OUTPUT ${viewer_source}

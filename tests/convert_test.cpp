@@ -52,8 +52,8 @@ TEST(Convert, ADrawingAsStepNcHasTheSameProgram) {
     resolve::PlanOptions options;
     options.tools = {resolve::parse_tool(drawing.tool)};
     const std::string wanted = program_of(drawn, options);
-    const Part stepnc = read::read_part_text(
-        post::write_stepnc(resolve::with_tools(drawn, options)), "again.p21", {});
+    const Part stepnc =
+        read::read_part_text(post::write_stepnc(resolve::with_tools(drawn, options)), "again.p21", {});
     EXPECT_EQ(test_support::first_difference(program_of(stepnc, options), wanted), "") << drawing.file;
   }
 }

@@ -97,7 +97,7 @@ TEST(GcodeCorpus, OtherDialectsMeanWhatTheySay) {
       {"fanuc_tape.nc", 2, {3, 5}, 3 + 30 + kPi / 2 * 5 + 15 + 2 * 14, true},
       {"haas_probe_free.nc", 1, {1}, 25.4 * (1.125 + kPi + 0.5), true},
       {"grbl_router.nc", 2, {0, 2}, 6 + 50 + kPi / 2 * 10 + 50 + 7 + kPi * 20, true},
-      {"marlin.gcode", 1, {0}, 6 + 20 + kPi / 2 * 10, false},
+      {"marlin.gcode", 1, {0}, 6 + 20 + kPi / 2 * 10, true},
       {"mach.tap", 1, {1}, 25.4 * (0.3 + kPi / 2 + 0.5 + 1), true},
       {"vertical_lead.nc", 1, {4}, 1 + kPi / 2 + 19 + kPi / 2 * 5 + kPi / 2, true},
       {"klartext.h", 1, {3}, std::hypot(4 * kPi * 5, 4) + 2 * kPi * 5 + 10 + kPi / 2 * 10 + 10, true},

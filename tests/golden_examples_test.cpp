@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "pipeline/elements.h"
 #include "pipeline/run.h"
+#include "post/post.h"
 #include "read/elements/read_elements.h"
 #include "read/gcode/gcode.h"
 #include "read/job/job_file.h"

@@ -217,7 +217,8 @@ Part pocket_with_drilled_hole(double drill, double hole_depth) {
   Tool mill;
   mill.diameter = 6;
   mill.center_cutting = false;
-  part.tools = {test_support::plan_options_with({"drill:" + std::to_string(drill) + ":T2"}).tools.front(), mill};
+  part.tools = {test_support::plan_options_with({"drill:" + std::to_string(drill) + ":T2"}).tools.front(),
+                mill};
   part.workplan[0].operation.tool = 0;
   part.workplan[1].operation.tool = 1;
   part.workplan[1].operation.entry = EntryKind::kPlunge;

@@ -84,9 +84,9 @@ Part faced_block(const Tool& tool, double allowance) {
   face.name = "FACE";
   face.kind = FeatureKind::kPlanarFace;
   face.floor_z = -2;
-  face.target = {Region::from_valid_loops(read::box_loop(0, 0, 100, 80), {read::box_loop(40, 30, 65, 50)})};
-  face.allowed = {Region::from_valid_loops(read::box_loop(-kOpenReach, -kOpenReach, 1100, 1080),
-                                           {read::box_loop(40, 30, 65, 50)})};
+  face.target = {Region::from_valid_loops(box_loop(0, 0, 100, 80), {box_loop(40, 30, 65, 50)})};
+  face.allowed = {
+      Region::from_valid_loops(box_loop(-kOpenReach, -kOpenReach, 1100, 1080), {box_loop(40, 30, 65, 50)})};
   part.features = {face};
   Workingstep step;
   step.name = "face";

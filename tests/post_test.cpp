@@ -13,6 +13,7 @@
 #include "base/random.h"
 #include "read/gcode/gcode.h"
 #include "support/grbl.h"
+#include "support/programs.h"
 #include "support/rs274.h"
 
 namespace clearcut {
@@ -213,7 +214,7 @@ TEST_P(RoundTrip, RandomToolpathsComeBack) {
     const bool inch = seed % 2 == 0;
     const Toolpath toolpath = RandomPath(seed).toolpath(1 + static_cast<int>(seed % 7), 30);
     const std::string text = post::write_program(toolpath, Part{}, options_for(GetParam(), inch));
-    const read::gcode::Program program = read::gcode::read_gcode(text, "random");
+    const read::gcode::Program program = test_support::read_posted(text, GetParam(), toolpath);
     EXPECT_TRUE(program.ended);
     expect_joined(program.toolpath);
     const double rounding = post::rounding_of(options_for(GetParam(), inch));
@@ -411,7 +412,7 @@ TEST(Post, LinesOnlyWhenAskedFor) {
     options.arcs = false;
     options.tol.chord = 0.001;
     const read::gcode::Program program =
-        read::gcode::read_gcode(post::write_program(toolpath, Part{}, options), "lines");
+        test_support::read_posted(post::write_program(toolpath, Part{}, options), dialect, toolpath);
     for (const Section& section : program.toolpath.sections) {
       for (const Move& move : section.moves) EXPECT_FALSE(move.path.is_arc()) << dialect;
     }

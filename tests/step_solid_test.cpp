@@ -461,7 +461,7 @@ read::SolidModel stack_of_plates(int plates) {
   return solid;
 }
 
-TEST(read::FloorSweep, OverlaidFloorsWhoseEdgesAllButCoincideAreFast) {
+TEST(FloorSweep, OverlaidFloorsWhoseEdgesAllButCoincideAreFast) {
   const read::SolidModel solid = stack_of_plates(40);
   const read::HeightMap map(solid, "stack", {});
   read::FloorSweep sweep(map, {});

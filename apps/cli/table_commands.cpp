@@ -27,7 +27,7 @@ struct CompareCommand {
   std::string slower;
 };
 
-void print(const report::TextTable& table, bool as_markdown) {
+void print_table(const report::TextTable& table, bool as_markdown) {
   print_line(as_markdown ? report::markdown(table) : report::plain(table));
 }
 
@@ -47,7 +47,7 @@ void compare_at_random(const CompareCommand& command) {
       studies::study_methods(command.random, options.seed, options, [&](const studies::StudyCase& one) {
         if (one.faster && !command.slower.empty()) write_slower(one, command.slower);
       });
-  print(studies::study_table(study), command.as_markdown);
+  print_table(studies::study_table(study), command.as_markdown);
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     if (state->random > 0) return compare_at_random(*state);
     if (state->arguments.input().empty())
       throw InputError("compare", "give a part, or --random and how many");
-    print(pipeline::compare(state->arguments.read(), state->arguments.options()), state->as_markdown);
+    print_table(pipeline::compare(state->arguments.read(), state->arguments.options()), state->as_markdown);
   });
 }
 
@@ -93,8 +93,8 @@ void add_tools_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
   command->callback([state, &exit_code] {
-    print(pipeline::tool_table(state->arguments.read(), state->speeds, state->arguments.options()),
-          state->as_markdown);
+    print_table(pipeline::tool_table(state->arguments.read(), state->speeds, state->arguments.options()),
+                state->as_markdown);
     exit_code = kClean;
   });
 }

@@ -15,7 +15,7 @@ int main(int count, char** arguments) {
     std::cerr << "usage: clearcut-solids FILE_NAME UP TURN BODY < file\n";
     return 2;
   }
-  const clearcut::SolidChoice choice{arguments[2], std::strtod(arguments[3], nullptr), arguments[4]};
+  const clearcut::read::SolidChoice choice{arguments[2], std::strtod(arguments[3], nullptr), arguments[4]};
   // The kernel speaks on standard output.
   const int out = dup(STDOUT_FILENO);
   if (out < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return 1;

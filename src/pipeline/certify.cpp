@@ -8,6 +8,7 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
+#include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "stock/round_hole.h"
 #include "verify/verify.h"
@@ -152,15 +153,32 @@ verify::VerifyOptions verify_options(const resolve::PlanOptions& options) {
   return verify;
 }
 
+namespace {
+
+/// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
+/// words for them.
+Toolpath read_back(const std::string& program, const Toolpath& planned, const resolve::PlanOptions& options) {
+  read::gcode::ReadControllerOptions reading;
+  reading.dialect = read::gcode::dialect_named(options.post.dialect);
+  reading.home_z = home_z(options.machine);
+  for (const Section& section : planned.sections) {
+    const bool same = !reading.hand_tools.empty() && reading.hand_tools.back() == section.tool_number;
+    if (section.tool_number > 0 && !same) reading.hand_tools.push_back(section.tool_number);
+  }
+  return read::gcode::read_gcode(program, "program", reading).toolpath;
+}
+
+}  // namespace
+
 void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
   result.program = post_with(std::nullopt, planned, result.part, options);
-  result.toolpath = read::gcode::read_gcode(result.program, "program", home_z(options.machine)).toolpath;
+  result.toolpath = read_back(result.program, planned, options);
   result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
   result.program = post_with(result.findings.all, planned, result.part, options);
-  const auto again = read::gcode::read_gcode(result.program, "program", home_z(options.machine)).toolpath;
+  const auto again = read_back(result.program, planned, options);
   CLEARCUT_ASSERT(same_moves(again, result.toolpath));
 }
 

@@ -337,12 +337,23 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
 }
 
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options) {
-  auto read = read::gcode::read_gcode(program, program_name, home_z(options.machine));
+                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect) {
+  read::gcode::ReadControllerOptions reading;
+  reading.dialect = dialect;
+  reading.home_z = home_z(options.machine);
+  reading.safe_z = part.top_z();
+  auto read = read::gcode::read_gcode(program, program_name, reading);
   CheckResult result;
   result.part = resolve::prepare(part, numbered_by(read.toolpath, options));
   keep_stated_stepdowns(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
+  for (const Condition& one : read.conditions) {
+    result.part.diagnostics.warn(program_name + ":" + std::to_string(one.line),
+                                 "condition '" + one.name + "': " + one.text);
+  }
+  result.conditions = std::move(read.conditions);
+  result.control = std::move(read.control);
+  result.dialect = read.dialect;
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
   result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));

@@ -1,12 +1,15 @@
 // The one place that puts the stages in order: read -> plan -> order -> link -> post -> read back -> verify.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/contest.h"
+#include "model/control.h"
 #include "model/findings.h"
 #include "model/move.h"
+#include "read/gcode/dialect.h"
 #include "report/result.h"
 #include "resolve/plan_options.h"
 
@@ -30,8 +33,13 @@ struct CheckResult {
   Part part;
   Toolpath toolpath;
   Findings findings;
+  read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< as which the program was read
+  ControlTable control;               ///< what the control held at each move of `toolpath`
+  std::vector<Condition> conditions;  ///< what must hold at the machine for the findings to hold
 };
+/// `dialect`: the control that will run it; absent: recognised.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options);
+                          const resolve::PlanOptions& options,
+                          std::optional<read::gcode::Dialect> dialect = {});
 
 }  // namespace clearcut::pipeline

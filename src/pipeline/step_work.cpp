@@ -9,6 +9,7 @@
 #include "pipeline/holes.h"
 #include "pipeline/meeting_pockets.h"
 #include "plan/common/layers.h"
+#include "post/post.h"
 #include "resolve/left_over.h"
 #include "stock/round_hole.h"
 #include "stock/standing.h"

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "geometry/boolean.h"
+#include "stock/stacking.h"
 
 namespace clearcut::test_support {
 namespace {

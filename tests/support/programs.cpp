@@ -54,4 +54,15 @@ std::string first_difference(const std::string& a, const std::string& b) {
   }
 }
 
+read::gcode::Program read_posted(const std::string& text, const std::string& dialect,
+                                 const Toolpath& planned) {
+  read::gcode::ReadControllerOptions options;
+  options.dialect = read::gcode::dialect_named(dialect);
+  for (const Section& section : planned.sections) {
+    const bool same = !options.hand_tools.empty() && options.hand_tools.back() == section.tool_number;
+    if (!same) options.hand_tools.push_back(section.tool_number);
+  }
+  return read::gcode::read_gcode(text, "posted", options);
+}
+
 }  // namespace clearcut::test_support

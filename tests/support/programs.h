@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/move.h"
+#include "read/gcode/gcode.h"
 
 namespace clearcut::test_support {
 
@@ -16,5 +17,10 @@ double largest_distance(const std::vector<Move>& from, const std::vector<Move>& 
 
 /// Where two texts begin to differ, as "line N: 'a' instead of 'b'"; "" if nowhere.
 std::string first_difference(const std::string& a, const std::string& b);
+
+/// Reads a program back as the control it was posted for; the tools of `planned` are put in by hand where it has no words
+/// for them.
+read::gcode::Program read_posted(const std::string& text, const std::string& dialect,
+                                 const Toolpath& planned);
 
 }  // namespace clearcut::test_support

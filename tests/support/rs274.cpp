@@ -204,7 +204,9 @@ CanonProgram run_rs274(const std::string& program) {
                          "' && HOME=\"$PWD\" rs274 -g -t tool.tbl -v rs274.var in.ngc " +
                          "canon.txt >out.txt 2>err.txt </dev/null";
   const int status = std::system(go.c_str());
-  CanonProgram canon = CanonReader().read(read_file(folder.path("canon.txt")));
+  const std::string output = read_file(folder.path("canon.txt"));
+  CanonProgram canon = CanonReader().read(output);
+  canon.canon = output;
   canon.message = read_file(folder.path("err.txt"));
   canon.accepted = canon.accepted && status == 0;
   return canon;

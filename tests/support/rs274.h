@@ -22,6 +22,7 @@ struct CanonProgram {
   bool accepted = false;
   std::string message;  ///< its complaint
   std::vector<CanonMove> moves;
+  std::string canon;  ///< the output itself
 };
 
 bool has_rs274();

@@ -75,9 +75,8 @@ enum class Lifts {
 /// The passes of one connected legal area.
 class AdaptivePlanner {
  public:
-  AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                  const std::vector<Path>& slots, const Layer& layer, double limit,
-                  const AdaptiveOptions& options, Lifts lifts)
+  AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance, Slots& slots,
+                  const Layer& layer, double limit, const AdaptiveOptions& options, Lifts lifts)
       : legal_(legal),
         front_(front_area(legal, layer.tool_radius, limit)),
         radius_(layer.tool_radius),
@@ -263,8 +262,7 @@ class AdaptivePlanner {
 
 /// With few lifts, else with as many as it takes.
 std::vector<Pass> passes_of(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                            const std::vector<Path>& slots, const Layer& layer, double limit,
-                            const AdaptiveOptions& options) {
+                            Slots& slots, const Layer& layer, double limit, const AdaptiveOptions& options) {
   for (const Lifts lifts : {Lifts::kFew, Lifts::kAny}) {
     auto passes = AdaptivePlanner(legal, inner, clearance, slots, layer, limit, options, lifts).plan();
     if (passes) return std::move(*passes);
@@ -325,12 +323,12 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);
     const auto inner = inner_areas(legal, clearance, layer, limit);
-    const auto slots = clearance.fit_lines(first, layer.reserve);
+    Slots slots{clearance.fit_lines(first, layer.reserve)};
     for (std::size_t i = 0; i < legal.size(); ++i) {
       add_passes(result, passes_of(legal[i], inner[i], clearance, slots, layer, limit, options));
       result.legal.push_back(std::move(legal[i]));
     }
-    add_fit_lines(result, slots);
+    add_fit_lines(result, slots.lines);
   }
   return result;
 }

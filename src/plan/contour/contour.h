@@ -41,7 +41,7 @@ enum class ResidualRule {
   kOurs,   ///< the cheapest local pass along the medial axis, only where something is left
   kNone,   ///< not at all: the plain method, for comparison
   kLoops,  ///< a loop at every corner of every contour that leaves something (Zhao); ridges as ours
-  kPwid,   ///< the same with the kite of pair-wise interference detection (Park et al.); plan/contour/corner_loop.h
+  kPwid,  ///< the same with the kite of pair-wise interference detection (Park et al.); plan/contour/corner_loop.h
   kSingleLoops,  ///< the same with one tangent loop (Choy and Chan)
   kDoubleLoops,  ///< the same with two
   kBisectors,    ///< along the whole bisector of every such corner (Lin)

@@ -47,12 +47,13 @@ void Block::clear() {
   g.clear();
   m.clear();
   comments.clear();
-  present_ = 0;
+  present_ = whole_ = 0;
 }
 
-void Block::set(char letter, double value) {
+void Block::set(char letter, double value, bool has_point) {
   values_[static_cast<std::size_t>(letter - 'A')] = value;
   present_ |= 1U << (letter - 'A');
+  if (!has_point) whole_ |= 1U << (letter - 'A');
 }
 
 bool BlockReader::next(Block& block) {
@@ -106,7 +107,7 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
     throw InputError(place(block.line), "unexpected " + shown(c) + "; this is no G-code word");
   }
   const char letter = c == ':' ? 'O' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  ++at;
+  const std::size_t begin = ++at;
   const double number = parse_number(line, at, letter, block.line);
   if (letter == 'O' && at < line.size() && is_letter(line[at])) {
     throw InputError(place(block.line),
@@ -121,7 +122,7 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
     if (block.has(letter)) {
       throw InputError(place(block.line), std::string("two ") + letter + " words in one block; split it");
     }
-    block.set(letter, number);
+    block.set(letter, number, line.substr(begin, at - begin).find('.') != std::string_view::npos);
   }
 }
 

@@ -25,11 +25,14 @@ struct Block {
   bool has_words() const { return present_ != 0 || !g.empty() || !m.empty(); }
 
   void clear();
-  void set(char letter, double value);
+  void set(char letter, double value, bool has_point = true);
+  /// The number was written without a decimal point.
+  bool is_whole(char letter) const { return (whole_ >> (letter - 'A')) & 1U; }
 
  private:
   std::array<double, 26> values_{};
   std::uint32_t present_ = 0;
+  std::uint32_t whole_ = 0;
 };
 
 /// Cuts a text into blocks: white space, letter case, comments and checksums are dealt with here. Throws

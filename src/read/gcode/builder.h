@@ -1,13 +1,15 @@
 // Collects the machine's motion as a toolpath: joins moves, guesses their kind, cuts the program into
-// sections.
+// sections, and keeps what the control held meanwhile.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/diagnostics.h"
+#include "model/control.h"
 #include "model/move.h"
 
 namespace clearcut::read::gcode {
@@ -24,19 +26,31 @@ struct Drive {
   friend bool operator==(const Drive&, const Drive&) = default;
 };
 
+struct BuilderSetup {
+  std::string file_name;
+  double home_z =
+      0;  ///< mm, height of places above the work that the program does not state: the start, machine home
+  double safe_z = 0;  ///< mm, nothing stands above it
+};
+
 /// Where the program starts is unknown: a coordinate is known once it has been given, and the first move
-/// begins at its own coordinates.
+/// begins at its own coordinates. What that leaves open is a condition.
 class ToolpathBuilder {
  public:
-  /// home_z: mm, height of places above the work that the program does not state: the start, machine home.
-  ToolpathBuilder(std::string file_name, double home_z, Diagnostics& diagnostics);
+  ToolpathBuilder(BuilderSetup setup, Diagnostics& diagnostics, std::vector<Condition>& conditions);
 
   Drive drive;
+  double speed = 0;  ///< S word, rpm, also while the spindle is off
+  ToolLength length;
+  PathControl path_control;
 
-  /// An operation comment: the next move begins a new section.
+  /// The next move begins a new section, named for the table of figures alone.
   void begin_section(std::string label, int workingstep);
-  /// A tool change.
-  void begin_section();
+  /// A tool is put in, by the changer or during a pause.
+  void change_tool(int number, bool by_hand, int line);
+  void add_event(ControlEventKind kind, int line, double seconds = 0);
+  /// The spindle turns (3, 4) or stops (5).
+  void set_spindle(int m, int line);
 
   void rapid(const Target& target, int line);
   void feed(const Target& target, MmPerMin feed, int line);
@@ -44,35 +58,58 @@ class ToolpathBuilder {
   void arc(const Edge& path, double z_to, MmPerMin feed, int line);
   /// Straight up to where the machine's own zero is taken to be.
   void lift_home(int line);
+  bool at_home_height() const { return at_[2] && *at_[2] >= setup_.home_z; }
+  /// X or Y are at a place of the machine now that is not known here; `name` is the condition for going on from there.
+  void leave_plan(const std::string& name);
 
   const Target& position() const { return at_; }
-  /// Coordinate of `axis`, taken as 0 with a warning where the program has not said it.
+  double safe_z() const { return setup_.safe_z; }
+  double home_z() const { return setup_.home_z; }
+  /// Coordinate of `axis`, taken as 0 under a condition where the program has not said it.
   double known(std::size_t axis, int line);
   void place_at(std::size_t axis, double value) { at_[axis] = value; }
 
   Toolpath take() { return std::move(toolpath_); }
+  ControlTable take_control() { return std::move(control_); }
   /// Adds `what` once, with the line where it was first seen.
   void note(int line, const std::string& what);
   void warn(int line, const std::string& what);
-  std::string place(int line) const { return file_name_ + ":" + std::to_string(line); }
+  /// Adds a condition once by its name, with the line where it was first met.
+  void condition(const std::string& name, int line, const std::string& what);
+  std::string place(int line) const { return setup_.file_name + ":" + std::to_string(line); }
 
  private:
+  /// Vertical moves made before X and Y are known.
+  struct Unplaced {
+    double z_from = 0;
+    double z_to = 0;
+    int line = 0;
+  };
+
   void straight(const Target& target, bool rapid, MmPerMin feed, int line);
+  void check_return(const Target& target, bool rapid, int line);
+  void check_start(const Target& target, int line);
+  void place_first_rapids(Vec2 place);
   void append(const Move& move);
+  void keep_control(int line);
   Section& section_for(const Move& move);
   void check_size(int line);
 
-  std::string file_name_;
-  double home_z_;
+  BuilderSetup setup_;
   Diagnostics& diagnostics_;
+  std::vector<Condition>& conditions_;
   std::set<std::string> said_;
   Toolpath toolpath_;
+  ControlTable control_;
   Target at_;
+  std::vector<Unplaced> unplaced_;
+  std::string away_;  ///< condition for going on from an unknown place of the machine
   double highest_;
   std::string label_;
   int workingstep_ = -1;
   bool new_section_ = true;
   bool section_cuts_ = false;
+  bool drive_turns_ = false;
   long long moves_ = 0;
 };
 

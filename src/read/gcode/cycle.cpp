@@ -1,35 +1,29 @@
 #include "read/gcode/cycle.h"
 
-#include <algorithm>
-
 #include "base/error.h"
 
 namespace clearcut::read::gcode {
 
 namespace {
 
-constexpr double kPeckGap = 0.254;  // mm; how far above the last depth feeding begins again (LinuxCNC)
 constexpr double kMostPecks = 10000;
 
-Target height(double z) {
-  return {std::nullopt, std::nullopt, z};
+Target place_along(const Hole& hole, double value) {
+  Target target;
+  target[hole.across] = value;
+  return target;
 }
 
-void peck_down(ToolpathBuilder& builder, const DrillCycle& cycle, MmPerMin feed, int line) {
-  const double peck = cycle.peck.value_or(0);
-  if (!(peck > 0) || (*cycle.r - *cycle.z) / peck > kMostPecks) {
+void peck_down(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) {
+  if (!(hole.peck > 0) || (hole.r - hole.bottom) / hole.peck > kMostPecks) {
     throw InputError(builder.place(line), "peck drilling needs a Q word of a sensible size; correct it");
   }
-  for (double depth = *cycle.r - peck; depth > *cycle.z; depth -= peck) {
-    builder.feed(height(depth), feed, line);
-    if (cycle.code == 730) {
-      builder.rapid(height(depth + kPeckGap), line);
-    } else {
-      builder.rapid(height(*cycle.r), line);
-      builder.rapid(height(std::min(depth + kPeckGap, *cycle.r)), line);
-    }
+  for (double depth = hole.r - hole.peck; depth > hole.bottom; depth -= hole.peck) {
+    builder.feed(place_along(hole, depth), feed, line);
+    if (hole.code == 830) builder.rapid(place_along(hole, hole.r), line);
+    builder.rapid(place_along(hole, depth + hole.gap), line);
   }
-  builder.feed(height(*cycle.z), feed, line);
+  builder.feed(place_along(hole, hole.bottom), feed, line);
 }
 
 }  // namespace
@@ -38,22 +32,19 @@ bool is_drill_cycle(int code) {
   return code == 730 || code == 740 || (code >= 810 && code <= 860 && code % 10 == 0) || code == 890;
 }
 
-void drill(ToolpathBuilder& builder, const DrillCycle& cycle, double clear_z, MmPerMin feed, int line) {
-  if (!cycle.z || !cycle.r) {
-    throw InputError(builder.place(line), "drilling cycle without its Z or R word; give both");
-  }
-  if (*cycle.r < *cycle.z) {
-    throw InputError(builder.place(line), "drilling cycle whose R lies below its Z; correct it");
-  }
-  builder.rapid(height(*cycle.r), line);
-  if (cycle.code == 730 || cycle.code == 830) {
-    peck_down(builder, cycle, feed, line);
+void drill(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) {
+  if (hole.code == 730 || hole.code == 830) {
+    peck_down(builder, hole, feed, line);
   } else {
-    builder.feed(height(*cycle.z), feed, line);
+    builder.feed(place_along(hole, hole.bottom), feed, line);
   }
-  const bool feeds_out = cycle.code == 740 || cycle.code == 840 || cycle.code == 850 || cycle.code == 890;
-  if (feeds_out) builder.feed(height(*cycle.r), feed, line);
-  builder.rapid(height(clear_z), line);
+  if (hole.dwell > 0) builder.add_event(ControlEventKind::kDwell, line, hole.dwell);
+  const bool feeds_out = hole.code == 740 || hole.code == 840 || hole.code == 890;
+  if (feeds_out || hole.code == 850) {
+    const bool all = feeds_out && hole.feeds_out_to_clear;
+    builder.feed(place_along(hole, all ? hole.clear : hole.r), feed, line);
+  }
+  builder.rapid(place_along(hole, hole.clear), line);
 }
 
 }  // namespace clearcut::read::gcode

@@ -18,8 +18,8 @@ constexpr int kCenterWords[] = {901, 911};
 constexpr int kFeedModeWords[] = {930, 940, 950};
 constexpr int kUnitWords[] = {200, 210};
 constexpr int kReturnWords[] = {980, 990};
-constexpr int kOffsetWords[] = {540, 541, 550, 560, 570, 580, 590, 591, 592, 593};
-constexpr int kOnceWords[] = {100, 280, 300, 520, 920, 921, 922, 923};
+constexpr int kOffsetWords[] = {540, 541, 1540, 550, 560, 570, 580, 590, 591, 592, 593};
+constexpr int kOnceWords[] = {100, 280, 281, 300, 301, 520, 920, 921, 922, 923};
 constexpr int kCompensationWords[] = {410, 411, 420, 421};
 // Dwell, look-ahead, exact stop, polar and scaling and rotation off, lengths, machine frame (G53, see
 // go_home), path control, cycle end, rpm, smoothness.

@@ -1,14 +1,22 @@
 #include "read/gcode/gcode.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
 #include "read/gcode/interpreter.h"
 #include "read/gcode/klartext.h"
 #include "read/gcode/marker.h"
+#include "read/gcode/recognise.h"
 
 namespace clearcut::read::gcode {
 
 namespace {
 
 using read::gcode::Block;
+
+/// mm; readings that differ by less move the cutter alike.
+constexpr double kSamePlace = 1e-6;
 
 /// A tape's text lies between two '%'; a single one ends it.
 class TapeMarks {
@@ -25,30 +33,122 @@ class TapeMarks {
 };
 
 /// Returns whether an end was seen.
-bool read_words(std::string_view text, const std::string& file_name, read::gcode::ToolpathBuilder& builder) {
-  read::gcode::Interpreter interpreter(builder);
+bool read_words(std::string_view text, const std::string& file_name, read::gcode::Interpreter& interpreter,
+                read::gcode::ToolpathBuilder& builder) {
   read::gcode::BlockReader reader(text, file_name);
   TapeMarks marks;
   Block block;
   while (!interpreter.ended() && reader.next(block)) {
-    for (const std::string_view comment : block.comments) interpreter.comment(comment);
-    if (block.optional) builder.note(block.line, "blocks marked '/' are executed");
+    for (const std::string_view comment : block.comments) read::gcode::read_marker(comment, builder);
     if (marks.ends(block)) return true;
     if (block.has_words()) interpreter.execute(block);
   }
   return interpreter.ended();
 }
 
+struct Reading {
+  Program program;
+  bool depends_on_dialect = false;
+};
+
+Reading read_as(Dialect dialect, std::string_view text, const std::string& file_name,
+                const ReadControllerOptions& options) {
+  Reading reading;
+  Program& program = reading.program;
+  program.dialect = dialect;
+  program.dialect_stated = options.dialect.has_value();
+  read::gcode::ToolpathBuilder builder({file_name, options.home_z, options.safe_z}, program.diagnostics,
+                                       program.conditions);
+  if (dialect == Dialect::kHeidenhain) {
+    program.ended = read::gcode::read_klartext(text, builder);
+  } else {
+    read::gcode::Interpreter interpreter(builder, read::gcode::rules_of(dialect), options);
+    program.ended = read_words(text, file_name, interpreter, builder);
+    reading.depends_on_dialect = interpreter.depends_on_dialect();
+  }
+  program.ended = program.ended || dialect == Dialect::kMarlin;  // has no word for it
+  if (!program.ended) {
+    program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");
+  }
+  program.toolpath = builder.take();
+  program.control = builder.take_control();
+  return reading;
+}
+
+bool same(const Move& a, const Move& b) {
+  const auto near = [](Vec2 p, Vec2 q) { return distance(p, q) <= kSamePlace; };
+  return is_rapid(a.kind) == is_rapid(b.kind) && a.path.turn == b.path.turn &&
+         near(a.path.from, b.path.from) && near(a.path.to, b.path.to) &&
+         (!a.path.is_arc() || near(a.path.center, b.path.center)) &&
+         std::abs(a.z_from - b.z_from) <= kSamePlace && std::abs(a.z_to - b.z_to) <= kSamePlace;
+}
+
+std::vector<const Move*> moves_of(const Toolpath& toolpath) {
+  std::vector<const Move*> moves;
+  for (const Section& section : toolpath.sections) {
+    for (const Move& move : section.moves) moves.push_back(&move);
+  }
+  return moves;
+}
+
+/// Line of the first move that differs; nothing where all are alike.
+std::optional<int> first_difference(const Toolpath& a, const Toolpath& b) {
+  const auto first = moves_of(a), second = moves_of(b);
+  for (std::size_t k = 0; k < std::max(first.size(), second.size()); ++k) {
+    if (k >= first.size()) return second[k]->line;
+    if (k >= second.size() || !same(*first[k], *second[k])) return first[k]->line;
+  }
+  return std::nullopt;
+}
+
+/// Other controls whose words these could be, too: where one of them moves otherwise, somebody has to say which it is.
+void compare_dialects(Program& program, std::string_view text, const std::string& file_name,
+                      const ReadControllerOptions& options) {
+  for (const Dialect other : read::gcode::word_address_dialects()) {
+    if (other == program.dialect) continue;
+    try {
+      const Program read = read_as(other, text, file_name, options).program;
+      const auto line = first_difference(program.toolpath, read.toolpath);
+      if (!line) continue;
+      const std::string mine(name_of(program.dialect)), others(name_of(other));
+      program.conditions.push_back(
+          {"dialect", "the control is a " + mine + "; as a " + others + " it would move otherwise from here",
+           *line});
+      return;
+    } catch (const InputError&) {
+      continue;  // that control would not take it
+    }
+  }
+}
+
+Program read_unnamed(std::string_view text, const std::string& file_name,
+                     const ReadControllerOptions& options) {
+  const Dialect likely = read::gcode::recognised(text, file_name);
+  Reading reading = read_as(likely, text, file_name, options);
+  if (reading.depends_on_dialect) compare_dialects(reading.program, text, file_name, options);
+  return std::move(reading.program);
+}
+
 }  // namespace
 
+Program read_gcode(std::string_view text, const std::string& file_name,
+                   const ReadControllerOptions& options) {
+  const bool klartext = read::gcode::is_klartext(text);
+  if (options.dialect && klartext != (*options.dialect == Dialect::kHeidenhain)) {
+    throw InputError(file_name,
+                     klartext ? "the program is Klartext; name the dialect heidenhain"
+                              : "the program is no Klartext (BEGIN PGM is missing); name another dialect");
+  }
+  if (options.dialect || klartext) {
+    return read_as(options.dialect.value_or(Dialect::kHeidenhain), text, file_name, options).program;
+  }
+  return read_unnamed(text, file_name, options);
+}
+
 Program read_gcode(std::string_view text, const std::string& file_name, double home_z) {
-  Program program;
-  read::gcode::ToolpathBuilder builder(file_name, home_z, program.diagnostics);
-  program.ended = read::gcode::is_klartext(text) ? read::gcode::read_klartext(text, builder)
-                                                 : read_words(text, file_name, builder);
-  if (!program.ended) program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");
-  program.toolpath = builder.take();
-  return program;
+  ReadControllerOptions options;
+  options.home_z = home_z;
+  return read_gcode(text, file_name, options);
 }
 
 }  // namespace clearcut::read::gcode

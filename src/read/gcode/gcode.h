@@ -2,23 +2,54 @@
 // Klartext.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/diagnostics.h"
+#include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "read/gcode/dialect.h"
 
 namespace clearcut::read::gcode {
 
-struct Program {
-  Toolpath toolpath;
-  Diagnostics diagnostics;  ///< words that were ignored or assumed, each with its line
-  bool ended = false;       ///< an end word was seen
+/// Places of the machine in its own coordinates, mm: with them nothing about offsets and reference points is open.
+struct MachinePlaces {
+  std::array<double, 3> start{};                   ///< of the tool's tip when the program begins
+  std::array<std::array<double, 3>, 9> origins{};  ///< of G54, G55 ... G59.3; the work is at that of G54
+  std::array<double, 3> reference{};               ///< where G28 goes
+  std::array<double, 3> second_reference{};        ///< where G30 goes
 };
 
-/// home_z: mm, height of the places that a program names without stating them: where it starts, the machine's own zero.
-/// Throws InputError("file:line", ...) for text that no controller would take or that cannot be understood.
+struct ReadControllerOptions {
+  std::optional<Dialect> dialect;  ///< absent: recognised from the words used
+  double home_z = kUsualHomeZ;     ///< mm, height of places that a program names without stating them
+  double safe_z = 0;               ///< mm, nothing stands above it
+  std::optional<MachinePlaces> places;
+  /// Numbers of the tools that are put in by hand, at the start and at each pause, for programs without T words.
+  std::vector<int> hand_tools;
+};
+
+struct Program {
+  Toolpath toolpath;
+  ControlTable
+      control;  ///< tool length, spindle, path control at each move; dwells and tool changes between them
+  Diagnostics
+      diagnostics;  ///< words that were ignored or assumed without moving anything, each with its line
+  std::vector<Condition>
+      conditions;  ///< what must hold at the machine for `toolpath` to be what it does; one a name
+  Dialect dialect = Dialect::kLinuxCnc;  ///< as which it was read
+  bool dialect_stated = false;           ///< by the options; else recognised
+  bool ended = false;                    ///< an end word was seen; Marlin has none and ends with the text
+};
+
+/// Comments name sections for the table of figures and change nothing else. Where the dialect is not stated and the
+/// words mean different motion to two controllers that might be meant, that is the condition "dialect".
+/// Throws InputError("file:line", ...) for text that the controller would not take or that cannot be understood.
+Program read_gcode(std::string_view text, const std::string& file_name, const ReadControllerOptions& options);
 Program read_gcode(std::string_view text, const std::string& file_name, double home_z = kUsualHomeZ);
 
 }  // namespace clearcut::read::gcode

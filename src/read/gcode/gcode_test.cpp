@@ -6,62 +6,12 @@
 
 #include <cmath>
 
-#include "base/error.h"
-#include "base/format.h"
+#include "read/gcode/told_program.h"
 
 namespace clearcut::read::gcode {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string point(Vec2 p, double z) {
-  return trimmed(p.x, 4) + " " + trimmed(p.y, 4) + " " + trimmed(z, 4);
-}
-
-std::string told(const Move& move) {
-  std::string text = std::string(name_of(move.kind)) + " to " + point(move.path.to, move.z_to);
-  if (move.path.is_arc()) {
-    text += move.path.turn == Turn::kClockwise ? " cw about " : " ccw about ";
-    text += trimmed(move.path.center.x, 4) + " " + trimmed(move.path.center.y, 4);
-  }
-  return is_rapid(move.kind) ? text : text + " F" + trimmed(move.feed.mm_per_min(), 3);
-}
-
-/// All moves as text, one a line, after "from" the place where the first begins.
-std::string moves_of(const std::string& program) {
-  const Program read = read_gcode(program, "test.ngc");
-  std::string text;
-  for (const Section& section : read.toolpath.sections) {
-    for (const Move& move : section.moves) {
-      if (text.empty()) text = "from " + point(move.path.from, move.z_from);
-      text += "\n" + told(move);
-    }
-  }
-  return text;
-}
-
-/// The first line begins a program at 0 0 5 without making a move.
-std::string from_origin(const std::string& program) {
-  return moves_of("G90 G0 X0 Y0\nZ5\nF100\n" + program);
-}
-
-std::string message_of(const std::string& program) {
-  try {
-    read_gcode(program, "test.ngc");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-std::string noticed(const std::string& program) {
-  const Program read = read_gcode(program, "test.ngc");
-  std::string text;
-  for (const Diagnostic& item : read.diagnostics.items()) {
-    text += item.where + ": " + item.what + "\n";
-  }
-  return text;
-}
 
 constexpr const char* kStart = "from 0 0 100\nrapid to 0 0 5";
 
@@ -71,8 +21,26 @@ TEST(GcodeStart, FirstMoveBeginsAtItsOwnCoordinatesAndHigh) {
   EXPECT_EQ(moves_of("G0 X3 Y4 Z150\nG1 Z-1 F50\nM2"), "from 3 4 150\nplunge to 3 4 -1 F50");
 }
 
-TEST(GcodeStart, CuttingFromAnUnknownPlaceIsNoticed) {
-  EXPECT_THAT(noticed("G0 Z5\nG1 Z-1 F50\nX5\nM2"), HasSubstr("test.ngc:2: cuts or counts from a place"));
+TEST(GcodeStart, CuttingFromAnUnknownPlaceIsACondition) {
+  EXPECT_EQ(conditions("G21 G61 G0 Z5\nG1 Z-1 F50\nX5\nM2"), "start-position@2");
+  EXPECT_EQ(conditions("G21 G61 G91 G0 X5 Y5\nM2"), "start-position@1");
+  EXPECT_EQ(conditions("G21 G61 G0 Z5\nX1 Y1\nG1 Z-1 F50\nM2"), "");
+}
+
+TEST(GcodeStart, RapidsDownBeforeTheFirstPlaceAreKept) {
+  EXPECT_EQ(moves_of("G21 G0 Z-2\nX3 Y4\nG1 X5 F50\nM2"), "from 3 4 100\nrapid to 3 4 -2\ncut to 5 4 -2 F50");
+  EXPECT_EQ(conditions("G21 G61 G0 Z-2\nX3 Y4\nG1 X5 F50\nM2"), "start-position@2");
+}
+
+TEST(GcodeComments, ChangeNothing) {
+  const std::string plain = "G21 G61 T3 M6\nG0 X0 Y0 Z5\nG1 Z-1 F50\nX20\nM2\n";
+  const std::string told =
+      "G21 G61 T3 (TOOL CHANGE T1: ENDMILL) M6\n;TOOL CHANGE T2: X\nG0 X0 Y0 Z5\n(END OF PROGRAM)\n"
+      "(M2) (OPERATION 2: B)\nG1 Z-1 F50\n;END OF PROGRAM\nX20\nM2\n";
+  EXPECT_EQ(moves_of(told), moves_of(plain));
+  const Program program = read_gcode(told, "t");
+  for (const Section& section : program.toolpath.sections) EXPECT_EQ(section.tool_number, 3);
+  EXPECT_EQ(conditions(told), "");
 }
 
 TEST(GcodeLines, WordsAreModal) {
@@ -102,9 +70,16 @@ TEST(GcodeLines, AnyLineEndAndByteOrderMark) {
 }
 
 TEST(GcodeLines, InchAndIncremental) {
-  EXPECT_EQ(moves_of("G20 G90 G0 X1 Y0\nZ0.1\nG91 G1 X1 F10\nX-0.5 Y0.5\nG90 G21 X0 F100\nM2"),
+  EXPECT_EQ(moves_of("G20 G90 G0 X1 Y0\nZ0.1\nG91 G1 X1 F10\nX-0.5 Y0.5\nG90 G21\nX0 F100\nM2"),
             "from 25.4 0 100\nrapid to 25.4 0 2.54\ncut to 50.8 0 2.54 F254\ncut to 38.1 12.7 2.54 F254\n"
             "cut to 0 12.7 2.54 F100");
+}
+
+TEST(GcodeLines, LinuxCncReadsFeedsBeforeUnits) {
+  EXPECT_EQ(moves_as(Dialect::kLinuxCnc, "G21 G0 X0 Y0 Z0\nG20 G1 X1 F100\nM2"),
+            "\nrapid to 0 0 0\ncut to 25.4 0 0 F100");
+  EXPECT_EQ(moves_as(Dialect::kGrbl, "G21 G0 X0 Y0 Z0\nG20 G1 X1 F100\nM2"),
+            "\nrapid to 0 0 0\ncut to 25.4 0 0 F2540");
 }
 
 TEST(GcodeLines, FeedByTurnAndInverseTime) {
@@ -220,8 +195,7 @@ TEST(GcodeFrames, MachinePlacesAreHigh) {
   EXPECT_EQ(from_origin("G1 X1\nG28 Z-2"),
             std::string(kStart) + "\ncut to 1 0 5 F100\nrapid to 1 0 -2\nrapid to 1 0 100")
       << "an absolute intermediate point is gone through";
-  EXPECT_THAT(noticed("G0 X0 Y0 Z5\nG53 G0 Z0\nM2"),
-              HasSubstr("test.ngc:2: moves in the machine's own frame"));
+  EXPECT_EQ(conditions("G21 G0 X0 Y0 Z5\nG53 G0 Z0\nM2"), "g53@2");
 }
 
 TEST(GcodeFrames, OffsetsByG92AndG52) {
@@ -312,14 +286,6 @@ TEST(GcodeRefusals, RepeatsCannotFillTheMemory) {
   EXPECT_THAT(message_of(program), HasSubstr("expand to over a million moves"));
 }
 
-TEST(GcodeNotices, IgnoredWordsAreToldOnce) {
-  const std::string text = noticed("M55\nM55\nG64\nG0 X0\nM2");
-  EXPECT_EQ(
-      text,
-      "test.ngc:1: M55 is ignored\ntest.ngc:3: G64 without P lets some controls round corners by any amount; "
-      "the exact path is judged\n");
-}
-
 // ----------------------------------------------------------------------------------------------------
 // Klartext
 
@@ -357,6 +323,17 @@ TEST(Klartext, ToolsAndSpindle) {
   EXPECT_EQ(section.spindle_rpm, 4000);
   EXPECT_TRUE(section.coolant);
   EXPECT_TRUE(program.ended);
+}
+
+TEST(Klartext, LengthsAndDatumsAreConditions) {
+  const std::string program =
+      "BEGIN PGM A MM\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.01\nTOOL CALL 1 Z S100 DL-1.0\n"
+      "L X+0 Y+0 R0 FMAX\nL Z+5 R0 FMAX\nL Z-1 F9\nEND PGM A MM";
+  EXPECT_EQ(moves_of(program), "from 0 0 100\nrapid to 0 0 4\nplunge to 0 0 -2 F9");
+  EXPECT_EQ(conditions(program), "tool-length-dl@4");
+  EXPECT_EQ(conditions("BEGIN PGM A MM\nCYCL DEF 247 DATUM SETTING Q339=+2\nEND PGM A MM"), "datum-247@2");
+  EXPECT_EQ(conditions("BEGIN PGM A MM\nL Z+0 R0 FMAX M91\nEND PGM A MM"), "m91@2");
+  EXPECT_EQ(conditions(klartext("4 L X+1 F9 M107")), "m107@5 blending@5");
 }
 
 TEST(Klartext, WhatItCannotReadItRefuses) {

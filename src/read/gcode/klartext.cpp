@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/format.h"
 #include "read/gcode/arc.h"
 #include "read/gcode/lines.h"
 #include "read/gcode/marker.h"
@@ -76,6 +77,9 @@ class Reader {
   void cycle(const std::vector<std::string>& words);
   void m_word(int m);
   void set_drive();
+  void set_length(double longer);
+  void check_blending();
+  void machine_frame(const PathWords& words);
 
   void line(const PathWords& words, bool polar);
   void circle_center(const PathWords& words);
@@ -98,6 +102,7 @@ class Reader {
   double feed_ = 0;
   double speed_ = 0;
   int spindle_ = 5;
+  double longer_ = 0;  ///< DL, mm: every height is that much off
   std::optional<Vec2> pole_;
   bool ended_ = false;
 };
@@ -108,8 +113,7 @@ bool Reader::read(std::string_view text) {
   while (!ended_ && lines.next(line)) {
     line_ = lines.number();
     const Words words = words_of(line);
-    int tool = 0;
-    read_marker(words.comment, builder_, tool);
+    read_marker(words.comment, builder_);
     if (!words.words.empty()) block(words);
   }
   return ended_;
@@ -140,49 +144,86 @@ void Reader::block(const Words& found) {
   }
 }
 
-/// A number without a tool is a new speed; DL, DR and F are the control's business.
+/// A number without a tool is a new speed. DL: the tool is taken as that much longer than in the table.
 void Reader::tool_call(const std::vector<std::string>& words) {
+  double longer = 0;
+  bool changed = false;
   for (std::size_t k = 2; k < words.size(); ++k) {
     const std::string& word = words[k];
-    if (k == 2 && is_digit(word[0])) {
-      builder_.drive.tool = static_cast<int>(number(word));
-      builder_.begin_section();
-    } else if (word[0] == '"') {
-      builder_.drive.tool = 0;
-      builder_.begin_section();
-      builder_.warn(line_, "tools called by name have no number here");
+    if (k == 2 && (is_digit(word[0]) || word[0] == '"')) {
+      changed = true;
+      builder_.change_tool(is_digit(word[0]) ? static_cast<int>(number(word)) : 0, false, line_);
+      if (word[0] == '"') builder_.warn(line_, "tools called by name have no number here");
     } else if (word[0] == 'S') {
       speed_ = std::abs(number(word.substr(1)));
     } else if (word.rfind("DR", 0) == 0 && number(word.substr(2)) != 0) {
       refuse("TOOL CALL with a radius correction DR; post the path of the tool's centre");
+    } else if (word.rfind("DL", 0) == 0) {
+      longer = number(word.substr(2)) * unit_;
     } else if (word[0] == 'F') {
       feed_ = number(word.substr(1)) * (unit_ == 1 ? 1 : unit_ / 10);
     }
   }
+  if (changed || longer != 0) set_length(longer);
   set_drive();
 }
 
-/// Dwell, tolerance and the choice of a datum leave the path alone.
-void Reader::cycle(const std::vector<std::string>& words) {
-  const std::string cycle = words.size() > 2 ? words[2].substr(0, words[2].find('.')) : "";
-  if (words.size() > 2 && words[1] == "DEF" && (cycle == "9" || cycle == "32" || cycle == "247")) return;
-  refuse("cycle " + cycle.substr(0, 20) + " is not read; post its moves one by one");
+void Reader::set_length(double longer) {
+  longer_ = longer;
+  builder_.length = {longer == 0 ? LengthKind::kOfTool : LengthKind::kStatedHeight, builder_.drive.tool,
+                     longer};
+  if (longer == 0) return;
+  builder_.condition(
+      "tool-length-dl", line_,
+      "the tool is as long as its table says, so that DL" + trimmed(longer, 4) + " moves its tip by as much");
 }
 
+/// Dwell, tolerance and the choice of a datum; cycle 247 takes the work's zero from the preset table.
+void Reader::cycle(const std::vector<std::string>& words) {
+  const std::string number_word = words.size() > 2 ? words[2] : "";
+  const std::string cycle = number_word.substr(0, number_word.find('.'));
+  const std::string& last = words.back();
+  if (words.size() < 3 || words[1] != "DEF" || (cycle != "9" && cycle != "32" && cycle != "247")) {
+    refuse("cycle " + cycle.substr(0, 20) + " is not read; post its moves one by one");
+  }
+  if (number_word == "9.1") {
+    const std::size_t digits =
+        last.find_first_of("+-.0123456789", last.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ."));
+    const double seconds = digits == std::string::npos ? 0 : number(last.substr(digits));
+    builder_.add_event(ControlEventKind::kDwell, line_, seconds);
+  } else if (number_word == "32.0") {
+    builder_.path_control = {};
+  } else if (number_word == "32.1" && words.size() > 3 && words[3][0] == 'T') {
+    const double tolerance = number(words[3].substr(1)) * unit_;
+    builder_.path_control = {PathMode::kTolerance, tolerance, std::nullopt};
+  } else if (cycle == "247") {
+    builder_.condition("datum-247", line_, "the datum that cycle 247 chooses lies where the work's zero is");
+  }
+}
+
+/// Words that move nothing: stops, spindle, tool, coolant, and M89 (modal cycle call) is none of them.
 void Reader::m_word(int m) {
-  if (m == 3 || m == 4 || m == 5) spindle_ = m;
+  constexpr int kStill[] = {0, 1, 2, 3, 4, 5, 6, 8, 9, 13, 14, 30, 91, 92};
+  if (m == 3 || m == 4 || m == 13 || m == 14) builder_.set_spindle(m % 10, line_);
+  if (m == 5) builder_.set_spindle(5, line_);
+  if (m <= 5 && m >= 3) spindle_ = m;
   if (m == 13 || m == 14) spindle_ = m - 10;
   if (m == 8 || m == 13 || m == 14) builder_.drive.coolant = true;
   if (m == 9) builder_.drive.coolant = false;
+  if (m == 0 || m == 1) builder_.add_event(ControlEventKind::kPause, line_);
   if (m == 2 || m == 30) ended_ = true;
   if (m == 97 || m == 98 || m == 99)
     refuse("M" + std::to_string(m) + " is not read; post the program without it");
+  if (std::find(std::begin(kStill), std::end(kStill), m) == std::end(kStill)) {
+    builder_.condition("m" + std::to_string(m), line_,
+                       "M" + std::to_string(m) + " is unknown here and moves nothing");
+  }
   set_drive();
 }
 
 void Reader::set_drive() {
   builder_.drive.spindle_rpm = spindle_ == 5 ? 0 : speed_;
-  builder_.drive.clockwise = spindle_ != 4;
+  builder_.speed = speed_;
 }
 
 double Reader::number(std::string_view text) const {
@@ -223,7 +264,8 @@ void Reader::path_word(const std::string& word, PathWords& found) {
   } else if (word.rfind("PR", 0) == 0) {
     found.polar_radius = rest(2) * unit_;
   } else if (word[0] >= 'X' && word[0] <= 'Z') {
-    found.absolute[static_cast<std::size_t>(word[0] - 'X')] = rest(1) * unit_;
+    found.absolute[static_cast<std::size_t>(word[0] - 'X')] =
+        rest(1) * unit_ + (word[0] == 'Z' ? longer_ : 0);
   } else if (word.size() > 1 && word[0] == 'I' && word[1] >= 'X' && word[1] <= 'Z') {
     found.incremental[static_cast<std::size_t>(word[1] - 'X')] = rest(2) * unit_;
   } else if (word[0] == 'R') {
@@ -247,10 +289,9 @@ void Reader::path_block(const std::string& kind, const std::vector<std::string>&
   for (const int m : words.m) {
     if (m != 2 && m != 30) m_word(m);
   }
+  if (!words.rapid && !words.machine_frame && kind != "CC") check_blending();
   if (words.machine_frame) {
-    if (words.absolute[2]) builder_.lift_home(line_);
-    builder_.note(line_,
-                  "moves in the machine's own frame (M91, M92) are taken as straight up to Z 100 or higher");
+    machine_frame(words);
   } else if (kind == "L" || kind == "LP") {
     line(words, kind == "LP");
   } else if (kind == "CC") {
@@ -263,6 +304,25 @@ void Reader::path_block(const std::string& kind, const std::vector<std::string>&
     polar_circle(words);
   }
   ended_ = std::any_of(words.m.begin(), words.m.end(), [](int m) { return m == 2 || m == 30; });
+}
+
+/// M91 counts from the machine's own zero, M92 from a place of its builder: neither is known here.
+void Reader::machine_frame(const PathWords& words) {
+  const bool plan = words.absolute[0] || words.absolute[1];
+  builder_.condition(
+      "m91", line_,
+      "moves to a place of the machine (M91, M92) that the program does not state; taken as straight up "
+      "to Z " +
+          trimmed(builder_.home_z(), 3) + " mm");
+  if (words.absolute[2]) builder_.lift_home(line_);
+  if (plan) builder_.leave_plan("m91");
+}
+
+void Reader::check_blending() {
+  if (builder_.path_control.mode != PathMode::kUnstated) return;
+  builder_.condition(
+      "blending", line_,
+      "cycle 32 states no tolerance; the control keeps to the path, whatever bound it was set up with");
 }
 
 Vec2 Reader::here() {

@@ -24,16 +24,12 @@ bool read_count(std::string_view& text, int& count) {
 
 }  // namespace
 
-Marker read_marker(std::string_view comment, ToolpathBuilder& builder, int& tool) {
+void read_marker(std::string_view comment, ToolpathBuilder& builder) {
   comment = stripped(comment);
-  if (comment == "END OF PROGRAM") return Marker::kEnd;
-  if (skip(comment, "TOOL CHANGE T")) return read_count(comment, tool) ? Marker::kTool : Marker::kNone;
-  if (!skip(comment, "OPERATION")) return Marker::kNone;
+  if (!skip(comment, "OPERATION")) return;
   int counted = 0;
-  if (skip(comment, " ") && !read_count(comment, counted)) return Marker::kNone;
-  if (!skip(comment, ":")) return Marker::kNone;
-  builder.begin_section(std::string(stripped(comment)), counted - 1);
-  return Marker::kSection;
+  if (skip(comment, " ") && !read_count(comment, counted)) return;
+  if (skip(comment, ":")) builder.begin_section(std::string(stripped(comment)), counted - 1);
 }
 
 }  // namespace clearcut::read::gcode

@@ -7,10 +7,8 @@
 
 namespace clearcut::read::gcode {
 
-enum class Marker { kNone, kSection, kTool, kEnd };
-
-/// "OPERATION 3: POCKET1" and "OPERATION: POCKET1" begin a section of `builder`; "TOOL CHANGE T2: ..." sets
-/// `tool`, for controls without a T word; "END OF PROGRAM" ends one without an end word.
-Marker read_marker(std::string_view comment, ToolpathBuilder& builder, int& tool);
+/// "OPERATION 3: POCKET1" and "OPERATION: POCKET1" begin a section of `builder` and name it, for the table of figures.
+/// No comment says anything about motion, tools or the program's end.
+void read_marker(std::string_view comment, ToolpathBuilder& builder);
 
 }  // namespace clearcut::read::gcode

@@ -43,8 +43,10 @@ constexpr double kMergeGap = 1.0;
 constexpr double kGates[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
 /// Tool radii between looks at a wall that is cut by bites.
 constexpr double kPeelPitch = 0.02;
-/// Tool radii from the end of a slot within which nothing is cut by bites.
+/// Tool radii from the end of a slot within which nothing is cut by bites once a layer has had so many: each mouth would take
+/// about 150 of them.
 constexpr double kSlotMouth = 0.3;
+constexpr std::size_t kManyBites = 360;
 /// mm. Bites that take less of the wall are idle.
 constexpr double kLeastBite = 1e-3;
 /// Tool radii between places of a stretch from beside which bites are tried, and most of them.
@@ -59,7 +61,7 @@ constexpr double kBeyondEnd = 0.2;
 }  // namespace
 
 AdaptiveFinish::AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
-                               const Regions& target, const std::vector<Path>& slots, double limit)
+                               const Regions& target, Slots& slots, double limit)
     : ground_(ground),
       path_(path),
       legal_(legal),
@@ -235,12 +237,13 @@ bool AdaptiveFinish::peel(const WallStretch& stretch) {
   const bool began = left.has_value();
   bool idle = false;
   int bites = 0;
-  while (left && !idle && bites < kMostBites && !is_slot_mouth(*left)) {
+  while (left && !idle && bites < kMostBites && !(slots_.bites > kManyBites && is_slot_mouth(*left))) {
     const auto way = way_to_bite(*left);
     const Path bite = way ? peeler.bite(left->from, left->to) : Path{};
     if (bite.empty()) break;
     path_.cut(bite, *way);
     ++bites;
+    ++slots_.bites;
     const auto before = *left;
     left = bearing(before);
     if (left) idle = before.to - before.from - (left->to - left->from) < kLeastBite;
@@ -257,7 +260,7 @@ bool AdaptiveFinish::is_slot_mouth(const WallStretch& stretch) const {
     return distance(cuts_.walls.point({stretch.wall, stretch.from}), end) < reach &&
            distance(cuts_.walls.point({stretch.wall, stretch.to}), end) < reach;
   };
-  return std::any_of(slots_.begin(), slots_.end(),
+  return std::any_of(slots_.lines.begin(), slots_.lines.end(),
                      [&](const Path& slot) { return is_near(slot.front().from) || is_near(slot.back().to); });
 }
 

@@ -10,13 +10,18 @@
 
 namespace clearcut::plan::adaptive {
 
+/// Lines of a layer on which the cutter just fits, and how many bites were made in the layer so far.
+struct Slots {
+  std::vector<Path> lines;
+  std::size_t bites = 0;
+};
+
 /// The last stage of an adaptive pass: nothing that the cutter can reach stays.
 class AdaptiveFinish {
  public:
-  /// `legal`: where the centre may be; `area`: where cuts off the walls run, a little smaller; `slots`: lines on which the
-  /// cutter just fits. All is kept by reference.
+  /// `legal`: where the centre may be; `area`: where cuts off the walls run, a little smaller. All is kept by reference.
   AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
-                 const Regions& target, const std::vector<Path>& slots, double limit);
+                 const Regions& target, Slots& slots, double limit);
 
   /// Along the walls within the limit, corners, by bites what walls still bear, what the check of the whole cover finds.
   /// `open`: something beside the target is free. Up to `most_rests` rests are cut one by one; false where that was not
@@ -60,7 +65,7 @@ class AdaptiveFinish {
   ClearingPath& path_;
   const Region& legal_;
   const Regions& target_;
-  const std::vector<Path>& slots_;
+  Slots& slots_;
   double radius_;
   double limit_;
   WallCuts cuts_;

@@ -1,0 +1,114 @@
+#include "read/gcode/dialect.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+#include "read/gcode/g_words.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+constexpr std::array<std::string_view, 8> kNames{"linuxcnc",   "grbl",  "fanuc", "haas",
+                                                 "heidenhain", "mach3", "mach4", "marlin"};
+
+}  // namespace
+
+std::string_view name_of(Dialect dialect) {
+  return kNames[static_cast<std::size_t>(dialect)];
+}
+
+std::optional<Dialect> dialect_named(std::string_view name) {
+  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<Dialect>(found - kNames.begin());
+}
+
+namespace {
+
+constexpr DialectRules mach_rules(Dialect dialect) {
+  return {.dialect = dialect, .centers_set_up = true};
+}
+
+constexpr std::array kRules{
+    DialectRules{.dialect = Dialect::kLinuxCnc,
+                 .returns_to_r = true,
+                 .cycle_rises_over = true,
+                 .feeds_out_to_clear = true,
+                 .keeps_cycle_words = false,
+                 .resets_modes = true,
+                 .saves_modes = true},
+    DialectRules{.dialect = Dialect::kGrbl,
+                 .cycles = false,
+                 .changer = false,
+                 .path_words = false,
+                 .radius_beats_center = true,
+                 .resets_modes = true},
+    DialectRules{.dialect = Dialect::kFanuc,
+                 .radius_beats_center = true,
+                 .home_is_top = true,
+                 .points_matter = true,
+                 .dwell_by_x = true,
+                 .dwell_in_ms = true},
+    DialectRules{.dialect = Dialect::kHaas,
+                 .radius_beats_center = true,
+                 .home_is_top = true,
+                 .resets_modes = true,
+                 .points_matter = true,
+                 .dwell_in_ms = true},
+    mach_rules(Dialect::kMach3),
+    mach_rules(Dialect::kMach4),
+    DialectRules{.dialect = Dialect::kMarlin,
+                 .cycles = false,
+                 .tool_lengths = false,
+                 .changer = false,
+                 .path_words = false,
+                 .radius_beats_center = true,
+                 .always_mm = true,
+                 .dwell_in_ms = true,
+                 .dwell_by_s = true},
+};
+
+// Grbl 1.1: the only words of its groups.
+constexpr int kGrblWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281,
+                              300, 301, 382, 383, 384, 385, 400, 431, 490, 530, 540, 550, 560,
+                              570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940};
+
+bool among(const auto& list, int code) {
+  return std::find(std::begin(list), std::end(list), code) != std::end(list);
+}
+
+}  // namespace
+
+const DialectRules& rules_of(Dialect dialect) {
+  for (const DialectRules& rules : kRules) {
+    if (rules.dialect == dialect) return rules;
+  }
+  return kRules.front();
+}
+
+std::vector<Dialect> word_address_dialects() {
+  std::vector<Dialect> dialects;
+  for (const DialectRules& rules : kRules) dialects.push_back(rules.dialect);
+  return dialects;
+}
+
+bool knows_g(const DialectRules& rules, int code) {
+  const Dialect dialect = rules.dialect;
+  if (dialect == Dialect::kGrbl) return among(kGrblWords, code);
+  const bool fanuc_like = dialect == Dialect::kFanuc || dialect == Dialect::kHaas;
+  const bool mach = dialect == Dialect::kMach3 || dialect == Dialect::kMach4;
+  if (code == 730 || (code >= 740 && code <= 890 && code != 800)) return rules.cycles;
+  if (code == 430) return rules.tool_lengths;
+  if (code == 431) return dialect == Dialect::kLinuxCnc;
+  if (code == 1540 || code == 1870) return dialect == Dialect::kHaas;
+  if (code == 541) return fanuc_like;
+  if (code == 921 || code == 922 || code == 923) return dialect == Dialect::kLinuxCnc || mach || code == 921;
+  if (code == 611) return dialect == Dialect::kLinuxCnc || mach;
+  if (code == 281 || code == 301) return dialect == Dialect::kLinuxCnc;
+  if (code == 901) return dialect == Dialect::kLinuxCnc || mach;
+  return true;
+}
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,127 @@
+// What the machine must hold, what each control does with the same words, and what is kept beside the moves.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "read/gcode/told_program.h"
+
+namespace clearcut::read::gcode {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(GcodeConditions, UnknownWordsAreOnesByName) {
+  EXPECT_EQ(conditions("G21 M55\nM55\nG64\nG0 X0 Y0 Z1\nG1 X5 F9\nM2"), "m55@1 blending@5");
+}
+
+TEST(GcodeConditions, WhatTheMachineHoldsIsNamed) {
+  const std::string start = "G21 G61 G90 G0 X0 Y0 Z5\n";
+  EXPECT_EQ(conditions(start + "M2"), "");
+  EXPECT_EQ(conditions("G61 G90 G0 X0 Y0 Z5\nM2"), "units@1");
+  EXPECT_EQ(conditions(start + "G55 X1\nG56\nG54\nM2"), "g55@2 g56@3");
+  EXPECT_EQ(conditions(start + "G92 X5\nM2"), "g92@2");
+  EXPECT_EQ(conditions(start + "G52 X5\nG52 X0\nM2"), "g52@2");
+  EXPECT_EQ(conditions(start + "G10 L2 P1 X3\nM2"), "g10@2");
+  EXPECT_EQ(conditions(start + "/G0 X9\nM2"), "block-delete@2");
+  EXPECT_EQ(conditions(start + "G28\nM2"), "g28-home@2");
+  EXPECT_EQ(conditions(start + "G30 Z9\nM2"), "g30-home@2");
+  EXPECT_EQ(conditions(start + "G43.1 Z1\nG1 X5 F1\nM2"), "tool-length-g43.1@2");
+  EXPECT_EQ(conditions(start + "T1 M6\nG43 H5\nG1 X5 F1\nM2"), "tool-length-h5@4");
+  EXPECT_EQ(conditions(start + "T1 M6\nG43 H1\nG1 X5 F1\nG49\nX2\nM2"), "tool-length-off@6");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G54.1 P2\nM2"), "decimal-point@1 g54.1-p2@2");
+  EXPECT_EQ(conditions(start + "M99\n"), "m99@2");
+  EXPECT_THAT(message_of(start + "M99 P3\n"), HasSubstr("test.ngc:2: M99 P jumps"));
+}
+
+TEST(GcodeConditions, HomeIsNoneWhereItIsTheTopOfTheTravel) {
+  const std::string start = "G21 G61 G17 G90 G0 X0. Y0. Z5.\nG1 X5. F9.\n";
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG90\nM30"), "");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G53 G0 Z0.\nM30"), "");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G53 G0 Z-9.\nM30"), "g53@3");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 X0. Y0. Z0.\nM30"), "g28-home@3");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG28 X0. Y0.\nM30"), "");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG28 X0. Y0.\nG90 G0 Z1.\nM30"),
+            "g28-home@5");
+}
+
+TEST(GcodeDialects, MeanWhatTheirControlDoes) {
+  const std::string start = "G21 G61 G17 G90 G0 X0. Y0.\nZ5.\n";
+  EXPECT_EQ(moves_as(Dialect::kLinuxCnc, start + "F9 G81 X1. Z-1. R2.\nM2"),
+            "\nrapid to 0 0 5\nrapid to 1 0 5\nrapid to 1 0 2\nplunge to 1 0 -1 F9\nrapid to 1 0 2");
+  EXPECT_EQ(moves_as(Dialect::kFanuc, start + "F9. G81 X1. Z-1. R2.\nM30"),
+            "\nrapid to 0 0 5\nrapid to 1 0 5\nrapid to 1 0 2\nplunge to 1 0 -1 F9\nrapid to 1 0 5");
+  EXPECT_EQ(moves_as(Dialect::kLinuxCnc, start + "G1 F9 G4 P0.1 X4.\nM2"),
+            "\nrapid to 0 0 5\ncut to 4 0 5 F9");
+  EXPECT_EQ(moves_as(Dialect::kFanuc, start + "G1 F9. G4 X4.\nM30"), "\nrapid to 0 0 5");
+  EXPECT_EQ(moves_as(Dialect::kLinuxCnc, start + "G18 G99 F9 G81 X4. Y-3. R2. Z5.\nM2"),
+            "\nrapid to 0 0 5\nrapid to 0 2 5\nrapid to 4 2 5\ncut to 4 -3 5 F9\nrapid to 4 2 5");
+  EXPECT_EQ(moves_as(Dialect::kLinuxCnc, start + "G1 F9 G43.1 Z1.\nX4.\nZ5.\nM2"),
+            "\nrapid to 0 0 5\ncut to 4 0 5 F9\nretract to 4 0 6 F9");
+  EXPECT_EQ(moves_as(Dialect::kLinuxCnc, start + "M70\nG91 G20\nM72\nX4.\nM2"),
+            "\nrapid to 0 0 5\nrapid to 4 0 5");
+}
+
+TEST(GcodeDialects, WhereTwoWouldMoveDifferentlyItIsACondition) {
+  const std::string start = "G21 G61 G17 G90 G0 X0 Y0\nZ5\nF9\n";
+  EXPECT_EQ(conditions(start + "G81 X1 Z-1 R2\nM2"), "g99@4 dialect@4");
+  EXPECT_EQ(conditions(start + "G98 G81 X1 Z-1 R2\nM2"), "");
+  EXPECT_EQ(conditions(start + "G1 G4 P0.1 X3\nM2"), "dialect@4");
+  EXPECT_EQ(conditions(start + "G98 G89 X1 Z-1 R2 P1\nM2"), "dialect@4");
+}
+
+TEST(GcodeDialects, AreRecognised) {
+  const auto dialect = [](const std::string& text) {
+    return std::string(name_of(read_gcode(text, "t").dialect));
+  };
+  EXPECT_EQ(dialect("G0 X0\nM2"), "linuxcnc");
+  EXPECT_EQ(dialect("%\nO1234\nG0 X0.\nM30\n%"), "fanuc");
+  EXPECT_EQ(dialect("%\nO01234 (A)\nG0 X0.\nM30\n%"), "haas");
+  EXPECT_EQ(dialect("(A)\nG91.1 G0 X0\nM30"), "grbl");
+  EXPECT_EQ(dialect("; A\nG90\nG0 X0\n; end"), "marlin");
+  EXPECT_EQ(dialect("G64\nT1 M6\nG43 H1\nG0 X0\nM30"), "mach3");
+  EXPECT_EQ(dialect("BEGIN PGM A MM\nEND PGM A MM"), "heidenhain");
+}
+
+TEST(GcodeDialects, WordsOfOthersAreRefused) {
+  const auto refusal = [](Dialect dialect, const std::string& text) -> std::string {
+    try {
+      read_as(dialect, text);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(refusal(Dialect::kGrbl, "G81 X1 Z-1 R1"), HasSubstr("test.ngc:1: G81 is no word of grbl"));
+  EXPECT_THAT(refusal(Dialect::kMarlin, "G43 H1"), HasSubstr("G43 is no word of marlin"));
+  EXPECT_THAT(refusal(Dialect::kLinuxCnc, "G54.1 P2"), HasSubstr("G54.1 is no word of linuxcnc"));
+  EXPECT_THAT(refusal(Dialect::kHeidenhain, "G0 X1"), HasSubstr("no Klartext"));
+  EXPECT_THAT(refusal(Dialect::kGrbl, "BEGIN PGM A MM\n"), HasSubstr("heidenhain"));
+}
+
+TEST(GcodeState, IsKeptForEachMove) {
+  const Program program = read_gcode(
+      "G21 G90\nT3 M6\nG43 H3\nG64 P0.02 Q0.01\nM3 S5000\nG4 P2\nG0 X0 Y0 Z5\nG1 Z-1 F9\nM5\nX3\nG61 "
+      "G49\nX4\nM2",
+      "t");
+  ASSERT_EQ(program.toolpath.sections.size(), 2U);
+  const ControlState& first = *program.control.at(1);
+  EXPECT_EQ(first.tool, 3);
+  EXPECT_EQ(first.spindle, SpindleState::kClockwise);
+  EXPECT_EQ(first.spindle_rpm, 5000);
+  EXPECT_EQ(first.length, (ToolLength{LengthKind::kNumbered, 3, 0}));
+  EXPECT_EQ(first.path, (PathControl{PathMode::kTolerance, 0.02, 0.01}));
+  const ControlState& stopped = *program.control.at(2);
+  EXPECT_EQ(stopped.spindle, SpindleState::kOff);
+  EXPECT_EQ(stopped.spindle_rpm, 5000);
+  EXPECT_EQ(program.control.at(3)->path.mode, PathMode::kExactPath);
+  EXPECT_EQ(program.control.at(3)->length.kind, LengthKind::kOff);
+  ASSERT_EQ(program.control.events.size(), 4U);
+  EXPECT_EQ(program.control.events[0].kind, ControlEventKind::kToolChange);
+  EXPECT_EQ(program.control.events[0].tool, 3);
+  EXPECT_EQ(program.control.events[1].kind, ControlEventKind::kSpindleStart);
+  EXPECT_EQ(program.control.events[2].seconds, 2);
+  EXPECT_EQ(program.control.events[3].kind, ControlEventKind::kSpindleStop);
+  EXPECT_EQ(program.control.events[3].before_move, 2U);
+}
+
+}  // namespace
+}  // namespace clearcut::read::gcode

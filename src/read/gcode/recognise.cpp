@@ -1,0 +1,94 @@
+#include "read/gcode/recognise.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "read/gcode/block.h"
+#include "read/gcode/g_words.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+/// What a program uses, found in one pass.
+struct Traits {
+  bool percent = false;      ///< a '%' line
+  bool tape = false;         ///< and an O word after it
+  bool long_number = false;  ///< five digits in the O word
+  bool parentheses = false;
+  bool semicolons = false;
+  bool end = false;  ///< M2 or M30
+  bool last_m30 = false;
+  bool blend_bound = false;  ///< G64 P
+  bool blend_plain = false;  ///< G64
+  bool length_plain = false;
+  bool length_numbered = false;
+  bool dwell_x = false;
+  bool haas = false, fanuc = false, linuxcnc = false;
+  bool tool = false;
+  bool beyond_grbl = false;
+  bool arcs_stated = false;  ///< G91.1
+};
+
+void look(const Block& block, std::string_view line, Traits& traits) {
+  traits.percent = traits.percent || block.percent;
+  if (block.has('O') && traits.percent) {
+    traits.tape = true;
+    const auto first = line.find_first_of("oO:");
+    const auto last = line.find_first_not_of("0123456789", first + 1);
+    traits.long_number = std::min(last, line.size()) - first - 1 >= 5;
+  }
+  for (const std::string_view comment : block.comments) {
+    const bool semicolon = comment.data() > line.data() && comment.data()[-1] == ';';
+    (semicolon ? traits.semicolons : traits.parentheses) = true;
+  }
+  for (const int code : block.g) {
+    traits.blend_bound = traits.blend_bound || (code == 640 && block.has('P'));
+    traits.blend_plain = traits.blend_plain || (code == 640 && !block.has('P'));
+    traits.length_plain = traits.length_plain || (code == 430 && !block.has('H'));
+    traits.length_numbered = traits.length_numbered || (code == 430 && block.has('H'));
+    traits.dwell_x = traits.dwell_x || (code == 40 && block.has('X') && !block.has('P'));
+    traits.haas = traits.haas || code == 1870 || code == 1540;
+    traits.fanuc = traits.fanuc || code == 541 || code == 51;
+    traits.linuxcnc = traits.linuxcnc || code == 281 || code == 301 || code == 923;
+    traits.arcs_stated = traits.arcs_stated || code == 911;
+    const bool known = group_of(code) == Group::kUnknown || knows_g(rules_of(Dialect::kGrbl), code);
+    traits.beyond_grbl = traits.beyond_grbl || !known;
+  }
+  for (const int m : block.m) {
+    if (m == 20 || m == 300) {
+      traits.end = true;
+      traits.last_m30 = m == 300;
+    }
+    traits.linuxcnc = traits.linuxcnc || (m >= 700 && m <= 730);
+    traits.beyond_grbl = traits.beyond_grbl || m == 60;
+  }
+  traits.tool = traits.tool || block.has('T');
+}
+
+}  // namespace
+
+Dialect recognised(std::string_view text, const std::string& file_name) {
+  Traits traits;
+  Lines lines(text);
+  BlockReader reader(text, file_name);
+  std::string_view line;
+  Block block;
+  try {
+    while (!traits.end && lines.next(line) && reader.next(block)) look(block, line, traits);
+  } catch (const InputError&) {
+    // The reader itself says what is wrong, where it is not behind the end.
+  }
+  if (traits.haas) return Dialect::kHaas;
+  if (traits.tape && traits.long_number) return Dialect::kHaas;
+  if (traits.fanuc || traits.dwell_x || traits.tape) return Dialect::kFanuc;
+  if (traits.linuxcnc || traits.blend_bound || traits.length_plain) return Dialect::kLinuxCnc;
+  if (traits.blend_plain && traits.length_numbered) return Dialect::kMach3;
+  if (traits.semicolons && !traits.parentheses && !traits.end && !traits.tool && !traits.beyond_grbl) {
+    return Dialect::kMarlin;
+  }
+  const bool grbl = !traits.beyond_grbl && traits.last_m30 && traits.arcs_stated && !traits.blend_plain;
+  return grbl ? Dialect::kGrbl : Dialect::kLinuxCnc;
+}
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,489 @@
+#!/usr/bin/env python3
+"""Writes the programs of this folder and the cases.json of each class.
+
+Each case says what a real controller does with the program and which verdict that deserves. A program that is wrong has
+a right twin beside it. Run it again after a change: `python3 tests/wrong_programs/make.py`.
+"""
+import json
+import shutil
+from pathlib import Path
+
+HERE = Path(__file__).parent
+WORD = ["linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "marlin"]
+ALL = WORD + ["heidenhain"]
+CHANGER = ["linuxcnc", "fanuc", "haas", "mach3", "mach4"]
+ENDING = {"linuxcnc": ".ngc", "grbl": ".nc", "fanuc": ".nc", "haas": ".nc", "mach3": ".tap", "mach4": ".tap",
+          "marlin": ".gcode", "heidenhain": ".H"}
+TOOL = ["endmill:6:T1"]
+
+
+def square(x0, y0, x1, y1):
+    return [[x0, y0, 0], [x1, y0, 0], [x1, y1, 0], [x0, y1, 0]]
+
+
+PARTS = {
+    "pocket.json": {"name": "POCKET", "units": "mm", "outer": square(0, 0, 20, 20), "islands": [], "top": 0,
+                    "depth": 2},
+    "pair.json": {"units": "mm", "pockets": [
+        {"name": "A", "outer": square(0, 0, 20, 20), "islands": [], "top": 0, "depth": 2},
+        {"name": "B", "outer": square(30, 0, 50, 20), "islands": [], "top": 0, "depth": 2}]},
+}
+
+
+class Text:
+    """Blocks in the words of one controller."""
+
+    def __init__(self, dialect):
+        self.d = dialect
+
+    def n(self, value):
+        text = f"{value:.4f}".rstrip("0").rstrip(".")
+        text = "0" if text in ("-0", "") else text
+        if self.d == "heidenhain":
+            return text if text.startswith("-") else "+" + text
+        if self.d in ("fanuc", "haas") and "." not in text:
+            text += "."
+        return text
+
+    def comment(self, text):
+        return "; " + text if self.d in ("marlin", "heidenhain") else f"({text})"
+
+    def axes(self, to):
+        return " ".join(a.upper() + self.n(to[a]) for a in "xyz" if a in to)
+
+    def rapid(self, **to):
+        if self.d == "heidenhain":
+            return f"L {self.axes(to)} R0 FMAX"
+        return f"G0 {self.axes(to)}" + (" F3000" if self.d == "marlin" else "")
+
+    def feed(self, f=400, **to):
+        if self.d == "heidenhain":
+            return f"L {self.axes(to)} F{f}"
+        return f"G1 {self.axes(to)} F{self.n(f)}"
+
+    def dwell(self, seconds):
+        if self.d == "heidenhain":
+            return ["CYCL DEF 9.0 DWELL TIME", f"CYCL DEF 9.1 DWELL {seconds}"]
+        return ["G4 " + {"fanuc": f"X{seconds}.", "haas": f"P{seconds}.", "marlin": f"S{seconds}"}.get(
+            self.d, f"P{seconds}")]
+
+
+def rings(t, halves, cx=10, cy=10, z=-2):
+    """Square rings about a centre from the inside out, staying down."""
+    blocks = [t.rapid(z=1), t.feed(120, z=z)]
+    for h in halves:
+        for x, y in [(-h, -h), (h, -h), (h, h), (-h, h), (-h, -h)]:
+            blocks.append(t.feed(x=cx + x, y=cy + y))
+    return blocks
+
+
+class Program:
+    """A right program in named chunks, each a list of blocks; a case changes what it is about."""
+
+    def __init__(self, dialect):
+        self.t = t = Text(dialect)
+        d = self.d = dialect
+        klartext = d == "heidenhain"
+        self.head = [t.comment("POCKET")]
+        self.units = [] if klartext else ["G21"]
+        self.modes = {"grbl": ["G17 G40 G49 G54 G80 G90 G91.1 G94"], "marlin": ["G90"], "heidenhain": [],
+                      "fanuc": ["G17 G40 G49 G54 G80 G90 G94"], "haas": ["G17 G40 G49 G54 G80 G90 G94"]}.get(
+                          d, ["G17 G40 G49 G54 G80 G90 G91.1 G94"])
+        self.path = {"grbl": [], "marlin": [],
+                     "heidenhain": ["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T0.0005"]}.get(d, ["G61"])
+        self.home = {"fanuc": ["G91 G28 Z0.", "G90"], "haas": ["G53 G0 Z0."]}.get(d, [])
+        self.tool = {"grbl": ["T1"], "marlin": [], "heidenhain": ["TOOL CALL 1 Z S8000"]}.get(d, ["T1 M6"])
+        self.length = {"linuxcnc": ["G43"], "mach3": ["G43 H1"], "mach4": ["G43 H1"]}.get(d, [])
+        self.spindle = ["M3"] if klartext else ["M3 S8000"]
+        self.dwell = t.dwell(2)
+        self.approach = [t.rapid(x=10, y=10), t.rapid(z=5)]
+        if d in ("fanuc", "haas"):
+            self.approach = [t.rapid(x=10, y=10), "G43 H1 Z5."]
+        self.cut = rings(t, [1, 4, 7])
+        self.after = []
+        self.retract = [t.rapid(z=5)]
+        self.stop = ["M5"]
+        self.tail = {"linuxcnc": ["M2"], "marlin": [], "heidenhain": ["M30"]}.get(d, ["M30"])
+
+    def text(self):
+        blocks = (self.head + self.units + self.modes + self.path + self.home + self.tool + self.length + self.spindle +
+                  self.dwell + self.approach + self.cut + self.after + self.retract + self.stop + self.home + self.tail)
+        if self.d == "fanuc":
+            blocks = ["%", "O1234"] + blocks + ["%"]
+        if self.d == "haas":
+            blocks = ["%", "O01234"] + blocks + ["%"]
+        if self.d == "heidenhain":
+            blocks = ["BEGIN PGM POCKET MM"] + blocks + ["END PGM POCKET MM"]
+            blocks = [f"{i} {block}" for i, block in enumerate(blocks)]
+        return "\n".join(blocks) + "\n"
+
+
+class Class:
+    """One folder: programs and the list of what is to be said about them."""
+
+    def __init__(self, name):
+        self.folder = HERE / name
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir()
+        self.cases = []
+
+    def add(self, name, dialects, change, verdict, reason, does, part="pocket.json", tools=None, stated=True,
+            accepted=()):
+        for dialect in dialects:
+            program = Program(dialect)
+            change(program)
+            file = f"{name}-{dialect}{ENDING[dialect]}"
+            (self.folder / file).write_text(program.text())
+            case = {"file": file, "part": part, "tools": tools or TOOL, "dialect": dialect if stated else "",
+                    "does": does, "accept": [], "verdict": verdict, "reason": reason}
+            self.cases.append(case)
+            if verdict == "CONDITIONAL" and accepted:
+                self.cases.append({**case, "does": "the same, where that is so", "accept": list(accepted),
+                                   "verdict": "CLEAN", "reason": ""})
+
+    def right(self, name, dialects, change, does, **more):
+        self.add(name, dialects, change, "CLEAN", "", does, **more)
+
+    def done(self):
+        (self.folder / "cases.json").write_text(json.dumps(self.cases, indent=1) + "\n")
+        return len(self.cases)
+
+
+def nothing(_):
+    pass
+
+
+def motion():
+    c = Class("motion")
+    c.right("right", ALL, nothing, "clears the pocket")
+
+    def gouge(p):
+        p.after = [p.t.feed(x=17.05, y=3)]
+    c.add("wall", ALL, gouge, "FAULTY", "gouge", "cuts 0.05 mm into the wall")
+
+    def floor(p):
+        p.after = [p.t.feed(120, z=-2.02)]
+    c.add("floor", ALL, floor, "FAULTY", "gouge", "plunges 0.02 mm below the floor")
+
+    def ring(p):
+        p.cut = rings(p.t, [1, 7])
+    c.add("ring", ALL, ring, "FAULTY", "uncut", "leaves the material between two rings")
+
+    def rapid(p):
+        p.cut = [p.t.rapid(z=-1)] + p.cut[1:]
+    c.add("rapid", ALL, rapid, "FAULTY", "rapid-in-material", "goes down into the stock at the rapid")
+    return c.done()
+
+
+def comments():
+    c = Class("comments")
+
+    def end(p):
+        p.after = [p.t.comment("END OF PROGRAM"), p.t.feed(x=3, y=22)]
+    c.add("end", ALL, end, "FAULTY", "gouge", "goes on after the comment and cuts through the wall")
+
+    def right_end(p):
+        p.cut.insert(4, p.t.comment("END OF PROGRAM"))
+    c.right("right-end", ALL, right_end, "goes on after the comment and clears the pocket")
+
+    def tool(p):
+        p.head.append(p.t.comment("TOOL CHANGE T1: ENDMILL D6"))
+        p.tool = [block.replace("T1", "T2").replace("CALL 1", "CALL 2") for block in p.tool]
+        p.tool.append(p.t.comment("TOOL CHANGE T1: ENDMILL D6"))
+        p.length = [block.replace("H1", "H2") for block in p.length]
+        p.approach = [block.replace("H1", "H2") for block in p.approach]
+    two = ["endmill:6:T1", "endmill:10:T2"]
+    c.add("tool", CHANGER + ["grbl", "heidenhain"], tool, "FAULTY", "gouge", "cuts with T2, 10 mm wide", tools=two)
+
+    def label(p):
+        p.approach.append(p.t.comment("OPERATION 2: B"))
+    c.add("label", ALL, label, "FAULTY", "nothing-cut", "cuts A alone, whatever it is called", part="pair.json")
+
+    def both(p):
+        p.approach.append(p.t.comment("OPERATION 2: B"))
+        p.after = [p.t.rapid(z=5), p.t.comment("OPERATION 1: A"), p.t.rapid(x=40, y=10)] + rings(p.t, [1, 4, 7], 40)
+    c.right("right-label", ALL, both, "clears both pockets, called by each other's names", part="pair.json")
+    return c.done()
+
+
+def dialects():
+    c = Class("dialects")
+
+    def dwell(p):
+        p.after = ["G1", "G4 P0.1 X" + p.t.n(25)]
+    c.add("dwell-and-move", ["linuxcnc", "grbl", "mach3", "mach4"], dwell, "FAULTY", "gouge",
+          "waits, then goes on to X25 at the feed")
+
+    def dwell_x(p):
+        p.after = ["G4 X25."]
+    c.right("dwell-by-x", ["fanuc"], dwell_x, "waits 25 seconds")
+
+    def plane(p):
+        p.after = ["G18 G98 G81 X" + p.t.n(10) + " Y" + p.t.n(-2) + " R" + p.t.n(17) + " F" + p.t.n(100), "G80",
+                   "G17"]
+    c.add("drill-in-g18", CHANGER, plane, "FAULTY", "gouge", "drills along Y through the wall")
+
+    def holes(word):
+        def change(p):
+            n = p.t.n
+            p.after = [p.t.rapid(z=5), p.t.rapid(x=40, y=10)] + rings(p.t, [1, 4, 7], 40) + [p.t.rapid(z=5)]
+            p.after += [(word + "G81 X" + n(10) + " Y" + n(10) + " Z" + n(-2) + " R" + n(-1) + " F" + n(100)),
+                        "X" + n(40), "G80"]
+        return change
+    c.add("no-g98", ["linuxcnc"], holes(""), "FAULTY", "gouge",
+          "retracts to R, below the top, and goes over at the rapid", part="pair.json")
+    c.add("no-g98", ["fanuc", "haas", "mach3", "mach4"], holes(""), "CONDITIONAL", "g98",
+          "retracts as it was left, to R or above the work", part="pair.json", accepted=["g98"])
+    c.add("g99", CHANGER, holes("G99 "), "FAULTY", "gouge", "goes over at R, through the wall", part="pair.json")
+    c.right("right-g98", CHANGER, holes("G98 "), "goes over above the work", part="pair.json")
+    c.add("unnamed", ["linuxcnc"], holes(""), "FAULTY", "gouge", "retracts to R on one control", part="pair.json",
+          stated=False)
+
+    def longer(z):
+        def change(p):
+            p.length = ["G43.1 Z" + p.t.n(z)]
+        return change
+    c.add("length-too-short", ["linuxcnc"], longer(-0.5), "FAULTY", "gouge", "goes 0.5 mm deeper")
+    c.add("length-too-long", ["linuxcnc", "grbl"], longer(1), "FAULTY", "nothing-cut", "stays 1 mm higher")
+
+    def saved(good):
+        def change(p):
+            p.after = ["G91", "M70", "G90", "M72", "G1 X" + p.t.n(3 if good else 18) + " F400", "G90"]
+        return change
+    c.add("modes-restored", ["linuxcnc"], saved(False), "FAULTY", "gouge", "counts X18 from where it is")
+    c.right("right-modes-restored", ["linuxcnc"], saved(True), "counts X3 from where it is")
+
+    def delta(p):
+        p.tool = ["TOOL CALL 1 Z S8000 DL-1.0"]
+    c.add("delta-length", ["heidenhain"], delta, "FAULTY", "gouge", "takes the tool as 1 mm shorter: goes deeper")
+
+    def jump(p):
+        p.after = ["M99 P10"]
+    c.add("jump", ["fanuc", "haas"], jump, "REFUSED", "", "jumps to another block")
+
+    def inch(p):
+        p.units = ["G20"]
+    c.add("inch", [d for d in WORD], inch, "FAULTY", "gouge", "runs 25.4 times as far")
+
+    def absolute(p):
+        p.modes = p.modes + ["G90.1"]
+        p.after = [p.t.feed(x=10, y=10), "G3 X10 Y10 I10.5 J10 F100"]
+    c.right("right-absolute-centres", ["linuxcnc", "mach3", "mach4"], absolute, "a small circle inside the pocket")
+
+    def relative(p):
+        absolute(p)
+        p.modes = p.modes[:-1]
+    c.add("relative-centres", ["linuxcnc", "mach3", "mach4"], relative, "FAULTY", "gouge",
+          "a circle of 14.5 mm radius")
+    return c.done()
+
+
+def conditions():
+    c = Class("conditions")
+
+    def system(p):
+        p.modes = [block.replace("G54", "G55") for block in p.modes]
+        if p.d == "marlin":
+            p.modes.append("G55")
+    c.add("g55", WORD, system, "CONDITIONAL", "g55", "cuts where G55 lies", accepted=["g55"])
+
+    def extended(p):
+        p.modes.append("G54.1 P2" if p.d == "fanuc" else "G154 P2")
+    c.add("g54.1", ["fanuc"], extended, "CONDITIONAL", "g54.1-p2", "cuts where G54.1 P2 lies", accepted=["g54.1-p2"])
+    c.add("g154", ["haas"], extended, "CONDITIONAL", "g154-p2", "cuts where G154 P2 lies", accepted=["g154-p2"])
+
+    def datum(p):
+        p.head.append("CYCL DEF 247 DATUM SETTING Q339=+2")
+    c.add("datum", ["heidenhain"], datum, "CONDITIONAL", "datum-247", "cuts where preset 2 lies",
+          accepted=["datum-247"])
+
+    def g92(p):
+        p.approach.append("G92 X" + p.t.n(10) + " Y" + p.t.n(10))
+    c.add("g92", WORD, g92, "CONDITIONAL", "g92", "renames its place by the same numbers", accepted=["g92"])
+
+    def g92_wrong(p):
+        p.approach.append("G92 X" + p.t.n(9.9))
+    c.add("g92-shift", WORD, g92_wrong, "FAULTY", "gouge", "cuts everything 0.1 mm farther")
+
+    def g52(p):
+        p.approach.append("G52 X" + p.t.n(0.1))
+    c.add("g52-shift", CHANGER, g52, "FAULTY", "gouge", "cuts everything 0.1 mm farther")
+
+    def g10(p):
+        p.modes.append("G10 L2 P1 X" + p.t.n(0) + " Y" + p.t.n(0) + " Z" + p.t.n(0))
+    c.add("g10", CHANGER + ["grbl"], g10, "CONDITIONAL", "g10", "writes the offset that it then uses",
+          accepted=["g10"])
+
+    def g10_late(p):
+        p.cut.insert(6, "G10 L2 P1 X" + p.t.n(0.1))
+    c.add("g10-under-way", CHANGER + ["grbl"], g10_late, "FAULTY", "gouge", "moves its zero between two cuts")
+
+    def units(p):
+        p.units = []
+    c.add("units", ["linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4"], units, "CONDITIONAL", "units",
+          "runs in the units that were left", accepted=["units"])
+    c.right("right-units", ["marlin"], units, "runs in mm, as it begins")
+
+    def block_delete(p):
+        p.after = ["/" + p.t.feed(x=3, y=4)]
+    c.add("block-delete", WORD, block_delete, "CONDITIONAL", "block-delete", "runs or leaves out one block",
+          accepted=["block-delete"])
+
+    def first(p):
+        if p.d in ("fanuc", "haas"):
+            p.length = ["G43 H1"]
+        p.approach = [p.t.rapid(z=-2), p.t.rapid(x=10, y=10)]
+        p.cut = p.cut[1:]
+    c.add("first-rapid", ALL, first, "FAULTY", "rapid-in-material", "goes down first, then across at depth")
+
+    def unstated(p):
+        p.approach = [p.t.rapid(z=5)]
+        if p.d in ("fanuc", "haas"):
+            p.approach = ["G0 G43 H1 Z5."]
+        p.cut = [p.t.feed(z=4)] + [p.t.rapid(x=10, y=10)] + p.cut
+    c.add("start", ALL, unstated, "CONDITIONAL", "start-position", "feeds down where the machine happens to stand",
+          accepted=["start-position"])
+
+    def home(p):
+        p.after = ["G91 G28 X0. Y0. Z0." if p.d in ("fanuc", "haas") else "G28"]
+        p.retract = ["G90", p.t.rapid(x=10, y=10), p.t.rapid(z=5)]
+    c.add("home-at-depth", WORD, home, "CONDITIONAL", "g28-home", "drags through the work on its way home")
+
+    def park(p):
+        p.after = ["L X+0 Y+0 R0 FMAX M91"]
+        p.retract = [p.t.rapid(x=10, y=10), p.t.rapid(z=5)]
+    c.add("park-at-depth", ["heidenhain"], park, "CONDITIONAL", "m91", "drags through the work to the machine's zero")
+
+    def frame(p):
+        p.retract.append("G53 G0 X" + p.t.n(-100) + " Y" + p.t.n(-50))
+    c.add("g53", CHANGER + ["grbl"], frame, "CONDITIONAL", "g53", "parks at a place of the machine")
+
+    def unknown(p):
+        p.head.append("M207")
+    c.add("macro", CHANGER + ["heidenhain"], unknown, "CONDITIONAL", "m207", "does what the builder wrote",
+          accepted=["m207"])
+
+    def mode(p):
+        p.modes = [block.replace(" G90 ", " ") for block in p.modes]
+        p.home = [block for block in p.home if block != "G90" and "G91" not in block]
+    c.add("distance", ["fanuc", "mach3", "mach4"], mode, "CONDITIONAL", "g90",
+          "counts as the control was left", accepted=["g90"])
+    c.right("right-distance", ["linuxcnc", "grbl", "haas"], mode, "begins in G90")
+
+    def points(p):
+        p.after = ["G1 X3 Y4 F400."]
+    c.add("point", ["fanuc", "haas"], points, "CONDITIONAL", "decimal-point", "goes to X0.003 or X3",
+          accepted=["decimal-point"])
+    return c.done()
+
+
+def state():
+    c = Class("state")
+
+    def other(p):
+        p.length = ["G43 H5"] if p.length else []
+        p.approach = [block.replace("H1", "H5") for block in p.approach]
+    c.add("length-of-another", CHANGER, other, "FAULTY", "tool-length", "takes off the length of T5")
+
+    def none(p):
+        p.length = []
+        p.approach = [block.replace("G43 H1", "G0") for block in p.approach]
+    c.add("no-length", ["fanuc", "haas", "mach3", "mach4"], none, "FAULTY", "tool-length",
+          "goes down by the tool's length")
+
+    def off(p):
+        p.cut.insert(6, "G49")
+    c.add("length-off", CHANGER, off, "FAULTY", "tool-length", "goes down by the tool's length under way")
+
+    def still(p):
+        p.spindle = []
+    c.add("spindle-off", ALL, still, "FAULTY", "spindle-off", "pushes a standing cutter through the stock")
+
+    def stopped(p):
+        p.cut.insert(6, "M5")
+    c.add("spindle-stopped", ALL, stopped, "FAULTY", "spindle-off", "stops the spindle between two cuts")
+
+    def backwards(p):
+        p.spindle = [block.replace("M3", "M4") for block in p.spindle]
+    c.add("spindle-backwards", ALL, backwards, "FAULTY", "spindle-direction", "turns a right-hand cutter to the left")
+
+    def slow(p):
+        p.spindle = [block.replace(" S8000", "") for block in p.spindle]
+        p.tool = [block.replace(" S8000", "") for block in p.tool]
+    c.add("no-speed", ALL, slow, "FAULTY", "spindle-off", "starts the spindle without a speed")
+
+    def steep(p):
+        p.cut[1] = p.t.feed(120, x=10.0015, z=-2)
+    c.add("steep", ALL, steep, "FAULTY", "plunge-too-fast", "enters at 89.97 degrees with a cutter that may not plunge",
+          tools=["endmill:6:T1:noplunge"])
+
+    def ramp(p):
+        p.cut[1:2] = [p.t.feed(120, z=0)] + [p.t.feed(120, x=10 + (2 if k % 2 else 0), z=-0.1 * k) for k in
+                                             range(1, 21)]
+    c.right("right-ramp", ALL, ramp, "goes down at 3 degrees", tools=["endmill:6:T1:noplunge"])
+    return c.done()
+
+
+def blending():
+    c = Class("blending")
+
+    def unsaid(p):
+        p.path = []
+    c.add("unsaid", CHANGER + ["heidenhain"], unsaid, "CONDITIONAL", "blending", "rounds corners as it was left",
+          accepted=["blending"])
+    c.right("right-unsaid", ["grbl", "marlin"], unsaid, "keeps to the path always")
+
+    def plain(p):
+        p.path = ["G64"]
+    c.add("g64", CHANGER, plain, "CONDITIONAL", "blending", "rounds corners by any amount", accepted=["blending"])
+
+    def wide(p):
+        p.path = {"linuxcnc": ["G64 P0.5"], "haas": ["G187 P1 E0.5"],
+                  "heidenhain": ["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T0.5"]}[p.d]
+    c.add("wide", ["linuxcnc", "haas", "heidenhain"], wide, "FAULTY", "uncut", "rounds the corners by 0.5 mm")
+
+    def smooth(p):
+        p.path = ["G187 P1"]
+    c.add("smoothness", ["haas"], smooth, "CONDITIONAL", "blending", "rounds corners by a setting",
+          accepted=["blending"])
+
+    def late(p):
+        p.cut.insert(5, "G64")
+    c.add("g64-under-way", CHANGER, late, "CONDITIONAL", "blending", "rounds corners from here on",
+          accepted=["blending"])
+    return c.done()
+
+
+def small():
+    """What is too small for samples: posts under a rapid, ribs."""
+    c = Class("small")
+
+    def post(move):
+        def change(p):
+            t = p.t
+            p.cut = [t.rapid(x=13.2, y=10), t.rapid(z=1), t.feed(120, z=-2)]
+            for h in (3.2, 5, 7):
+                for x, y in [(h, -h), (-h, -h), (-h, h), (h, h), (h, -h), (h, 0)]:
+                    p.cut.append(t.feed(x=10 + x, y=10 + y))
+            p.cut += [t.feed(x=13.2, y=10), getattr(t, move)(x=6.8, y=10), t.feed(x=13.2, y=10)]
+        return change
+    c.add("post", ALL, post("rapid"), "FAULTY", "rapid-in-material", "runs a post of 0.4 mm down at the rapid")
+    c.right("right-post", ALL, post("feed"), "cuts the post at the feed")
+
+    def rib(p):
+        p.cut = rings(p.t, [0.9845]) + rings(p.t, [7])[1:]
+        p.cut = [block for block in p.cut]
+    c.add("rib", ALL, rib, "FAULTY", "uncut", "leaves a rib 0.0155 mm wide all around")
+    return c.done()
+
+
+def main():
+    (HERE / "parts").mkdir(exist_ok=True)
+    for name, part in PARTS.items():
+        (HERE / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
+    count = sum(make() for make in (motion, comments, dialects, conditions, state, blending, small))
+    print(count, "cases")
+
+
+if __name__ == "__main__":
+    main()
