@@ -14,6 +14,7 @@
 #include "link/slot_feed.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
+#include "pipeline/out_of_reach.h"
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
@@ -298,10 +299,19 @@ void number_sections(Toolpath& toolpath, const Part& part) {
 
 /// A program of another CAM is held to the stepdown that somebody stated, not to our default.
 void keep_stated_stepdowns(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
-  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+  for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
+    // Tabs put steps of their own in between, which are named after those above them.
+    const std::string& name = prepared.workplan[i].name;
+    const bool same = i < part.workplan.size() && part.workplan[i].name == name;
+    const auto stated =
+        same ? part.workplan.begin() + static_cast<std::ptrdiff_t>(i)
+             : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+                 return name == step.name || name == step.name + "_tabs";
+               });
+    if (stated == part.workplan.end()) continue;
     const bool mills = !stock::only_plunges(tool_of(prepared, prepared.workplan[i]));
     prepared.workplan[i].operation.stepdown =
-        options.stepdown && mills ? options.stepdown : part.workplan[i].operation.stepdown;
+        options.stepdown && mills ? options.stepdown : stated->operation.stepdown;
   }
 }
 
@@ -330,6 +340,9 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     certify(result, toolpath, options);
   } while (retry_unclean(choice, result));
   sign(result, toolpath, options);
+  result.conditions = out_of_reach(result.part, result.findings, options.tol);
+  for (const Condition& one : result.conditions)
+    result.part.diagnostics.warn(result.part.source_file, "condition '" + one.name + "': " + one.text);
   report_notes(choice, works, options, result.part);
   result.contours = contours_of(toolpath);
   result.contests = choice.contests();

@@ -21,6 +21,7 @@ struct PlanResult {
   Toolpath toolpath;    ///< read back from `program`
   Findings findings;    ///< of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
+  std::vector<Condition> conditions;            ///< what somebody has to accept: what no cutter reaches
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 

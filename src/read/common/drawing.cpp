@@ -12,6 +12,7 @@
 #include "read/common/outline_roles.h"
 #include "read/common/text.h"
 #include "read/repair/mends.h"
+#include "read/repair/nesting.h"
 #include "stock/kerf.h"
 #include "stock/stacking.h"
 
@@ -101,14 +102,71 @@ Feature profile_of(const DrawnGroup& group, Path line, ProfileSide side, double 
   return feature;
 }
 
-/// Along outlines on one side, along those in them on the other.
-void add_profiles(const ShapedGroup& shaped, ProfileSide outer, double depth, const ReadOptions& options,
-                  std::vector<Feature>& out) {
-  const ProfileSide inner = outer == ProfileSide::kOutside ? ProfileSide::kInside : ProfileSide::kOutside;
+/// Along the inside of outlines, along the outside of those in them.
+void add_inside_profiles(const ShapedGroup& shaped, double depth, const ReadOptions& options,
+                         std::vector<Feature>& out) {
   for (const Region& region : shaped.regions) {
     for (const Loop& island : region.islands())
-      out.push_back(profile_of(shaped.group, island, inner, depth, options));
-    out.push_back(profile_of(shaped.group, region.outer(), outer, depth, options));
+      out.push_back(profile_of(shaped.group, island, ProfileSide::kOutside, depth, options));
+    out.push_back(profile_of(shaped.group, region.outer(), ProfileSide::kInside, depth, options));
+  }
+}
+
+/// The outlines of all layers of profiles nest in each other: an edge of a part, a cut-out in it, a part in that.
+void add_profiles(const std::vector<ShapedGroup>& groups, const ReadOptions& options,
+                  Diagnostics& diagnostics, std::vector<Feature>& out) {
+  std::vector<Loop> loops;
+  std::vector<const DrawnGroup*> owners;
+  std::vector<double> depths;
+  for (const ShapedGroup& shaped : groups) {
+    if (shaped.group.role != LayerRole::kProfile || shaped.regions.empty()) continue;
+    const double depth = depth_of(shaped.group, options, diagnostics);
+    for (const Region& region : shaped.regions) {
+      loops.push_back(region.outer());
+      loops.insert(loops.end(), region.islands().begin(), region.islands().end());
+    }
+    owners.resize(loops.size(), &shaped.group);
+    depths.resize(loops.size(), depth);
+  }
+  const auto about = loops_about(loops);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const ProfileSide side = about[i].size() % 2 == 0 ? ProfileSide::kOutside : ProfileSide::kInside;
+    out.push_back(profile_of(*owners[i], loops[i], side, depths[i], options));
+  }
+}
+
+bool near_any(const Regions& regions, const Regions& others) {
+  const Box around = box(others);
+  return std::any_of(regions.begin(), regions.end(),
+                     [&](const Region& region) { return region.box().overlaps(around); });
+}
+
+/// mm2. Layers that share less do not overlap.
+constexpr double kShared = 0.01;
+
+bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const ReadOptions& options) {
+  const auto floor = [&](const DrawnGroup& group) {
+    const auto depth = options.depth ? options.depth : group.depth ? group.depth : options.depth_if_missing;
+    return (options.top ? *options.top : group.top.value_or(0)) - depth.value_or(0);
+  };
+  return a.role == LayerRole::kPocket && b.role == LayerRole::kPocket && floor(a) == floor(b);
+}
+
+/// What two layers of pockets of one floor both cover is milled once.
+void share_overlaps(std::vector<ShapedGroup>& groups, const ReadOptions& options, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      ShapedGroup &later = groups[i], &earlier = groups[j];
+      const bool meet = !later.regions.empty() && !earlier.regions.empty() &&
+                        are_pockets_of_one_floor(later.group, earlier.group, options) &&
+                        near_any(earlier.regions, later.regions);
+      if (!meet || area(intersect(earlier.regions, later.regions, options.tol)) < kShared) continue;
+      Regions rest = subtract(later.regions, earlier.regions, options.tol);
+      const bool holds_earlier = area(subtract(earlier.regions, later.regions, options.tol)) < kShared;
+      (holds_earlier ? earlier.regions : later.regions) = holds_earlier ? Regions{} : std::move(rest);
+      diagnostics.note(later.group.where, "overlaps layer " + printable(earlier.group.name) +
+                                              " of the same depth; what both cover is milled once");
+    }
   }
 }
 
@@ -126,10 +184,8 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
   if (shaped.regions.empty() && shaped.lines.empty()) return;
   const double depth = depth_of(shaped.group, options, diagnostics);
   switch (shaped.group.role) {
-    case LayerRole::kProfile:
-      return add_profiles(shaped, ProfileSide::kOutside, depth, options, out);
     case LayerRole::kInside:
-      return add_profiles(shaped, ProfileSide::kInside, depth, options, out);
+      return add_inside_profiles(shaped, depth, options, out);
     case LayerRole::kEngrave:
       for (const Region& region : shaped.regions) {
         shaped.lines.push_back(region.outer());
@@ -210,12 +266,6 @@ std::string what_was_left_out(const Diagnostics& diagnostics) {
   for (const Diagnostic& item : diagnostics.items())
     if (item.severity == Severity::kSkipped) all += (all.empty() ? "" : "; ") + item.what;
   return all.empty() ? "" : " (" + all + ")";
-}
-
-bool near_any(const Regions& regions, const Regions& others) {
-  const Box around = box(others);
-  return std::any_of(regions.begin(), regions.end(),
-                     [&](const Region& region) { return region.box().overlaps(around); });
 }
 
 }  // namespace
@@ -313,13 +363,16 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
   assign_outline_roles(shaped, layers, options, part.source_file);
   if (options.overview) return;
+  share_overlaps(shaped, options, part.diagnostics);
   std::vector<Feature> features;
   for (ShapedGroup& one : shaped) {
-    if (one.group.role == LayerRole::kStock || one.group.role == LayerRole::kIgnore) continue;
+    const LayerRole role = one.group.role;
+    if (role == LayerRole::kStock || role == LayerRole::kIgnore || role == LayerRole::kProfile) continue;
     if (!islands.empty() && near_any(islands, one.regions))
       one.regions = subtract(one.regions, islands, options.tol);
     add_group_features(one, options, part.diagnostics, features);
   }
+  add_profiles(shaped, options, part.diagnostics, features);
   if (features.empty()) {
     throw InputError(part.source_file, "nothing to mill was found" + what_was_left_out(part.diagnostics) +
                                            "; draw the pockets as closed curves");

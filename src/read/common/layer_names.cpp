@@ -50,7 +50,10 @@ std::optional<LayerRole> role_of_word(std::string_view word) {
   if (word == "ISLAND" || word == "ISLANDS" || word == "BOSS" || word == "BOSSES") return LayerRole::kIsland;
   if (word == "HOLE" || word == "HOLES" || word == "DRILL") return LayerRole::kHole;
   if (word == "POCKET" || word == "POCKETS") return LayerRole::kPocket;
-  if (word == "PROFILE" || word == "CUTOUT" || word == "OUTSIDE") return LayerRole::kProfile;
+  for (const std::string_view profile :
+       {"PROFILE", "PROFILES", "CUTOUT", "CUTOUTS", "OUTSIDE", "PERIMETER"}) {
+    if (word == profile) return LayerRole::kProfile;
+  }
   if (word == "INSIDE") return LayerRole::kInside;
   if (word == "ENGRAVE") return LayerRole::kEngrave;
   if (word == "CHAMFER") return LayerRole::kChamfer;

@@ -190,7 +190,9 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
     one.role = name_of(group.role);
     // By itself every other outline in another of its layer is an island.
     const auto in_own = std::count_if(outline.about.begin(), outline.about.end(), [&](int j) {
-      return outlines[static_cast<std::size_t>(j)].group == outline.group;
+      const Outline& around = outlines[static_cast<std::size_t>(j)];
+      return around.group == outline.group ||
+             (group.role == LayerRole::kProfile && groups[around.group].group.role == LayerRole::kProfile);
     });
     if (group.role == LayerRole::kPocket && in_own % 2 == 1) one.role = "island";
     if (group.role == LayerRole::kProfile && in_own % 2 == 1) one.role = "inside";
