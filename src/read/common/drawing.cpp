@@ -145,11 +145,9 @@ bool near_any(const Regions& regions, const Regions& others) {
 constexpr double kShared = 0.01;
 
 bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const ReadOptions& options) {
-  const auto floor = [&](const DrawnGroup& group) {
-    const auto depth = options.depth ? options.depth : group.depth ? group.depth : options.depth_if_missing;
-    return (options.top ? *options.top : group.top.value_or(0)) - depth.value_or(0);
-  };
-  return a.role == LayerRole::kPocket && b.role == LayerRole::kPocket && floor(a) == floor(b);
+  const auto depth = [&](const DrawnGroup& group) { return options.depth ? options.depth : group.depth; };
+  const bool same_top = options.top || a.top.value_or(0) == b.top.value_or(0);
+  return a.role == LayerRole::kPocket && b.role == LayerRole::kPocket && same_top && depth(a) == depth(b);
 }
 
 /// What two layers of pockets of one floor both cover is milled once.
