@@ -15,6 +15,8 @@ namespace {
 
 /// mm2. What a mill may leave in corners before a smaller one is taken.
 constexpr double kCorners = 1;
+/// mm2. What a boolean leaves of areas that only touch.
+constexpr double kSpeck = 0.01;
 /// Of the cutter's radius: width of the band beside the outline in which leads and ramps may run.
 constexpr double kBand = 3;
 /// mm. How far the cutter's rim may stray from an engraved line's.
@@ -79,12 +81,8 @@ void shape(Feature& feature, const Part& part, double radius, const Tolerances& 
   const Regions solid = solid_around(part, cut, kBand * radius, tol);
   feature.target = stock::kerf_of(cut, 2 * radius, tol);
   feature.allowed = stock::kerf_of(cut, kBand * radius, tol);
-  // Its own outline alone: exact as it is.
-  const bool alone = std::count_if(part.features.begin(), part.features.end(), [&](const Feature& other) {
-                       return other.profile && other.profile->side != ProfileSide::kOn &&
-                              box(other.profile->line).overlaps(box(cut.line).grown(kBand * radius));
-                     }) <= 1;
-  if (alone || solid.empty()) return;
+  // Without others in the way it stays exact as it is.
+  if (solid.empty() || area(intersect(feature.allowed, solid, tol)) < kSpeck) return;
   feature.target = subtract(feature.target, solid, tol);
   feature.allowed = subtract(feature.allowed, solid, tol);
 }
