@@ -1,13 +1,13 @@
+#include <clearcut/plan.h>
+#include <clearcut/text.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <memory>
 
-#include "base/format.h"
 #include "commands.h"
 #include "output.h"
 #include "plan_arguments.h"
-#include "resolve/prepare.h"
 
 namespace clearcut::cli {
 namespace {
@@ -35,7 +35,7 @@ void print_feature(const Feature& feature, const Tolerances& tol) {
   print_line(fmt::format("    z {} to {}, {}, area {} mm2", trimmed(feature.top_z, 3),
                          trimmed(feature.floor_z, 3), extent(box(feature.target)),
                          trimmed(area(feature.target), 2)));
-  const double fits = resolve::largest_fitting_diameter(feature, tol);
+  const double fits = largest_fitting_diameter(feature, tol);
   print_line(fmt::format("    {}, largest cutter {}", shape(feature),
                          fits > kOpenReach ? "any (open)" : trimmed(fits, 3) + " mm"));
 }
@@ -56,13 +56,13 @@ void print_part(const Part& part) {
   }
 }
 
-std::string size_of(const read::OutlineSummary& one) {
+std::string size_of(const OutlineSummary& one) {
   if (one.diameter) return "circle of " + trimmed(*one.diameter, 3);
   return trimmed(one.box.width(), 3) + " x " + trimmed(one.box.height(), 3);
 }
 
 /// One line an outline, as many as a person reads; the rest is counted.
-void print_overview(const std::string& file, const read::DrawingOverview& overview) {
+void print_overview(const std::string& file, const DrawingOverview& overview) {
   constexpr std::size_t kMost = 200;
   Box all;
   for (const auto& one : overview.outlines) all.add(one.box);
@@ -82,7 +82,7 @@ void print_overview(const std::string& file, const read::DrawingOverview& overvi
   if (!overview.question.empty()) print_line("to be said: " + overview.question);
 }
 
-bool has_depths(const read::DrawingOverview& overview) {
+bool has_depths(const DrawingOverview& overview) {
   return std::all_of(overview.outlines.begin(), overview.outlines.end(),
                      [](const auto& one) { return one.depth.has_value(); });
 }
@@ -96,7 +96,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
   state->add_part_options(*command, "INPUT");
   command->callback([state, &exit_code] {
     exit_code = kClean;
-    read::DrawingOverview overview;
+    DrawingOverview overview;
     Part part = state->read_overview(overview);
     const bool drawing = part.features.empty();
     print(part.diagnostics, true);

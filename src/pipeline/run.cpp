@@ -15,6 +15,7 @@
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
 #include "pipeline/out_of_reach.h"
+#include "pipeline/progress_meter.h"
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
@@ -100,6 +101,7 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
     std::vector<LayerPasses> passes;
     Sizes sizes(options.tol);
     for (const auto& layer : work.layers) {
+      throw_if_cancelled(options.cancel);
       passes.push_back(feature.profile
                            ? plan::profile::plan_profile(layer.layer, *feature.profile, options.tol)
                        : layer.walls_only ? plan::plan_walls(layer.layer, options.tol)
@@ -328,16 +330,23 @@ std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = resolve::prepare(part, options);
+  ProgressMeter meter(options);
   const auto works = step_works(result.part, options);
   const auto planner = [&](int step, const Attempt& attempt) {
-    return fastest_plan(works[static_cast<std::size_t>(step)], result.part, attempt, options);
+    StepPlan plan = fastest_plan(works[static_cast<std::size_t>(step)], result.part, attempt, options);
+    meter.add();
+    return plan;
   };
-  Choice choice(choice_steps(result.part), attempts_for(options), planner, options);
+  const Attempts attempts = attempts_for(options);
+  meter.begin(Stage::kPlanning, works.size() * attempts.contest.size());
+  Choice choice(choice_steps(result.part), attempts, planner, options);
   report_what_does_not_fit(result.part, choice, works, options);
   Toolpath toolpath;
   do {
+    meter.begin(Stage::kCertifying, 1);
     toolpath = toolpath_of(choice, result.part, options);
     certify(result, toolpath, options);
+    meter.add();
   } while (retry_unclean(choice, result));
   sign(result, toolpath, options);
   result.conditions = out_of_reach(result.part, result.findings, options.tol);

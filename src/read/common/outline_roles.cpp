@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "read/common/text.h"
+#include "read/read_part.h"
 #include "read/repair/nesting.h"
 
 namespace clearcut::read {

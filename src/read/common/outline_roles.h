@@ -17,9 +17,6 @@ struct ShapedGroup {
 
 /// "pocket", "profile", ...: as in `--op`.
 const char* name_of(LayerRole role);
-/// The role of "pocket", "PROFILE_D6", ..., with its depth if it has one. Throws InputError at `place` for other words.
-LayerRule rule_named(const std::string& kind, const std::string& place);
-
 /// Gives outlines that options name ("outer", "2,5") a group of their own, fills in options.overview, and asks what the
 /// outermost outline is where that is unclear and options.ask_if_unclear. Throws InputError for options that match nothing.
 /// Cost O(n log n) for n outlines.
