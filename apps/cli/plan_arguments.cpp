@@ -27,6 +27,20 @@ Vec2 point_of(const std::string& text, const char* option) {
   return point;
 }
 
+/// "profile:outer", "drill_d6:HOLES", "inside:2,5".
+LayerRule operation_rule(const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos || colon + 1 == text.size()) {
+    throw InputError("--op",
+                     "'" + text +
+                         "' names no outlines; write KIND:LAYER, KIND:outer or KIND:NUMBER, for example "
+                         "profile:outer");
+  }
+  LayerRule rule = rule_named(text.substr(0, colon), "--op");
+  rule.pattern = text.substr(colon + 1);
+  return rule;
+}
+
 }  // namespace
 
 void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
@@ -40,6 +54,7 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   command.add_option("--layer", layers_, "Layer of a drawing to read (repeatable; default all)");
   command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm");
   command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm");
+  add_drawing_options(command);
   command.add_option(
       "--up", solid_.up,
       "Side of a solid that looks up: +Z, -Z, +X, -X, +Y, -Y, or face12 for a flat face of `info`");
@@ -48,8 +63,29 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   command.add_option("--body", solid_.body, "Body of an assembly to make: its name or number, or all");
   command
       .add_option("--breakthrough", solid_.breakthrough,
-                  "How far through cuts of a solid go below it, mm (default 0.5)")
+                  "How far through cuts go below the material, mm (default 0.5; profiles of drawings 0)")
       ->check(CLI::NonNegativeNumber);
+}
+
+void PlanArguments::add_drawing_options(CLI::App& command) {
+  command.add_option(
+      "--op", operations_,
+      "KIND:SELECTION, what outlines of a drawing are for: pocket, profile, inside, drill, engrave, "
+      "face, island or ignore, with a depth as in profile_d6; the selection is a layer, a colour, outer "
+      "or numbers of `info` (repeatable)");
+  command.add_option("--tabs", tabs_.count, "Tabs that hold what a profile cuts free, of each profile")
+      ->check(CLI::Range(0, 100));
+  command.add_option("--tab-width", tabs_.width, "Of tabs along the outline, mm (default 4)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--tab-height", tabs_.height,
+                  "Of tabs over the underside of the material, mm (default 2, at most half the depth)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--scale", scale_, "Factor for a drawing's size")->check(CLI::PositiveNumber);
+  command.add_option("--join-gap", join_gap_, "Gaps in outlines that are closed, mm (default 0.01)")
+      ->check(CLI::Range(1e-6, 10.0));
+  command.add_option("--open-curves", open_curves_, "Open lines of a drawing: refuse (default) or skip")
+      ->check(CLI::IsMember({"refuse", "skip"}));
 }
 
 void PlanArguments::add_tool_list_options(CLI::App& command) {
@@ -182,8 +218,16 @@ std::optional<Toolpath> PlanArguments::earlier(const JobFile& job, const Machine
   return read_program(read_file(*file), *file, home_z(machine)).toolpath;
 }
 
-Part PlanArguments::read() const {
+ReadOptions PlanArguments::read_options() const {
   ReadOptions options;
+  options.ask_if_unclear = true;
+  for (const auto& text : operations_) options.layer_rules.push_back(operation_rule(text));
+  if (scale_) options.scale = *scale_;
+  options.scale_is_right = scale_.has_value();
+  if (join_gap_) options.join_gap = join_gap_;
+  if (open_curves_) {
+    options.open_curves = *open_curves_ == "skip" ? OpenCurves::kSkip : OpenCurves::kRefuse;
+  }
   options.unit = unit_;
   options.layers = layers_;
   options.top = top_;
@@ -191,8 +235,19 @@ Part PlanArguments::read() const {
   options.solid = solid_;
   for (const Tool& tool : tools())
     if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
+  return options;
+}
+
+Part PlanArguments::read_overview(DrawingOverview& overview) const {
+  ReadOptions options = read_options();
+  options.overview = &overview;
+  return read_part(input_, options);
+}
+
+Part PlanArguments::read() const {
   const auto from_job = job();
-  Part part = from_job ? part_of_job(*from_job, options, step_sources_) : read_part(input_, options);
+  Part part =
+      from_job ? part_of_job(*from_job, read_options(), step_sources_) : read_part(input_, read_options());
   if (clearance_z_) part.clearance_z = clearance_z_;
   return part;
 }
@@ -261,6 +316,7 @@ PlanOptions PlanArguments::options() const {
   options.lead = lead_;
   if (lead_angle_) options.lead_angle = Radians::of_degrees(*lead_angle_);
   options.scallop = scallop_;
+  options.tabs = tabs_;
   options.shop = shop(given);
   options.earlier = earlier(given, options.machine);
   for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));

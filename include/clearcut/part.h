@@ -16,12 +16,15 @@
 namespace clearcut {
 
 // Parts: STEP-NC, STEP solids, DXF, SVG, outlines, jobs.
+using read::DrawingOverview;
 using read::LayerRole;
 using read::LayerRule;
 using read::OpenCurves;
+using read::OutlineSummary;
 using read::read_part;
 using read::read_part_text;
 using read::ReadOptions;
+using read::rule_named;
 using read::SolidOptions;
 
 // Jobs: a part with its stock, tools, machine and wishes.

@@ -20,6 +20,13 @@
 
 namespace clearcut::resolve {
 
+/// Bridges that hold what profiles cut free.
+struct TabOptions {
+  int count = 0;                 ///< of every profile; 0: none
+  double width = 4;              ///< mm, along the outline
+  std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
+};
+
 struct PlanOptions {
   std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
   /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
@@ -36,6 +43,7 @@ struct PlanOptions {
   std::optional<Radians> lead_angle;  ///< straight leads, at this angle to the pass; absent: arcs
   std::optional<double> scallop;      ///< mm; greatest step between layers on leaning walls
   ShopOptions shop;
+  TabOptions tabs;
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
   std::optional<CutDirection> direction;

@@ -162,6 +162,7 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
   const auto mills = mills_of(part.tools);
   if (mills.size() < 2) return;
   for (const Workingstep& step : last_milling_steps(part)) {
+    if (feature_of(part, step).profile) continue;  // a kerf is as wide as its cutter
     const auto under = first_step_under(part, step, options.tol);
     if (!everywhere && (!under || feature_of(part, step).wall_slope.radians() != 0)) continue;
     const double fits = largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;

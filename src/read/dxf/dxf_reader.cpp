@@ -154,6 +154,7 @@ class Collector {
     group.where = document_.file + ": layer " + printable(layer);
     const LayerMeaning meaning = meaning_of_layer(layer);
     group.role = meaning.role;
+    group.says_role = meaning.says_role;
     if (meaning.depth) group.depth = *meaning.depth * unit_;
     if (meaning.top) group.top = *meaning.top * unit_;
     apply_rules(options_.layer_rules, layer, group);
@@ -237,11 +238,12 @@ Part read_dxf(std::string_view text, const std::string& file_name, const ReadOpt
   part.name = std::filesystem::path(file_name).stem().string();
   part.source_file = file_name;
   const double stated = stated_unit(document, options);
-  Collector collector(document, options, stated > 0 ? stated : 1, part.diagnostics);
+  Collector collector(document, options, (stated > 0 ? stated : 1) * options.scale, part.diagnostics);
   collector.collect();
   std::vector<DrawnGroup> groups = collector.take();
   if (!(stated > 0)) warn_of_assumed_unit(file_name, groups, part.diagnostics);
   collector.report();
+  question_size(groups, file_name, options);
   add_drawn_features(part, std::move(groups), options);
   return part;
 }

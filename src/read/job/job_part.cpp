@@ -25,6 +25,13 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (over.depth_if_missing) options.depth_if_missing = over.depth_if_missing;
   if (over.top) options.top = over.top;
   if (!over.layers.empty()) options.layers = over.layers;
+  options.layer_rules.insert(options.layer_rules.begin(), over.layer_rules.begin(), over.layer_rules.end());
+  if (over.open_curves) options.open_curves = over.open_curves;
+  if (over.join_gap) options.join_gap = over.join_gap;
+  options.ask_if_unclear = over.ask_if_unclear;
+  options.overview = over.overview;
+  if (over.scale_is_right) options.scale = over.scale;
+  options.scale_is_right = options.scale_is_right || over.scale_is_right;
   if (over.find_arcs) options.find_arcs = over.find_arcs;
   if (!over.solid.up.empty()) options.solid.up = over.solid.up;
   if (over.solid.turn_deg != 0) options.solid.turn_deg = over.solid.turn_deg;
@@ -311,6 +318,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
     if (tool.tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.tool.diameter);
   const std::string text = read_file(job.part_file.string(), kLargestFile);
   Part part = read_part_text(text, job.part_file.string(), options);
+  if (options.overview && part.features.empty()) return part;
   if (job.stock && !is_step_solid(text)) part.stock = stock_of(*job.stock, part, job.file);
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
