@@ -28,6 +28,13 @@ void print(const Diagnostics& diagnostics, bool verbose) {
   }
 }
 
+void print_warnings(const Diagnostics& diagnostics) {
+  for (const auto& item : diagnostics.items()) {
+    if (item.severity == Severity::kWarning)
+      std::fprintf(stderr, "%s: %s: %s\n", word_for(item.severity), item.where.c_str(), item.what.c_str());
+  }
+}
+
 void print_line(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);

@@ -32,6 +32,8 @@ class PlanArguments {
 
  private:
   std::vector<Tool> tools() const;
+  read::ToolLibrary library() const;
+  std::vector<resolve::ToolCutting> tool_cutting(const std::optional<read::JobFile>& job) const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
   PostOptions post(const read::JobOutput& job) const;

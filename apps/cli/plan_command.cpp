@@ -1,13 +1,20 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/file_guard.h"
+#include "base/format.h"
 #include "base/version.h"
 #include "commands.h"
+#include "model/not_machined.h"
 #include "output.h"
 #include "pipeline/run.h"
 #include "plan_arguments.h"
+#include "progress.h"
 #include "report/certificate.h"
 #include "report/contest_table.h"
 #include "report/picture/svg.h"
@@ -27,6 +34,8 @@ struct PlanCommand {
   std::string result;
   bool quiet = false;
 };
+
+const std::string kCancel = "Ctrl-C stops; nothing is written before the end.";
 
 report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
                                          const pipeline::PlanResult& result) {
@@ -75,15 +84,60 @@ void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
   take(command.result, job.output.result);
 }
 
+std::vector<std::string> output_names(const PlanCommand& command) {
+  std::vector<std::string> names;
+  for (const auto* name :
+       {&command.output, &command.certificate, &command.svg, &command.html, &command.result}) {
+    if (!name->empty()) names.push_back(*name);
+  }
+  return names;
+}
+
+/// m of path above which planning may be felt.
+constexpr double kLongPath = 100;
+
+/// How much there is to cut, where that is much.
+std::string hint_of(const Part& part, const resolve::PlanOptions& options) {
+  const auto& tools = options.tools.empty() ? part.tools : options.tools;
+  if (tools.empty()) return kCancel;
+  double widest = 0, path = 0;
+  for (const Tool& tool : tools) widest = std::max(widest, tool.diameter);
+  const double down = options.stepdown.value_or(widest / 2);
+  for (const Feature& feature : part.features)
+    path += area(feature.target) * (feature.top_z - feature.floor_z) / (down * widest / 2) / 1000;
+  if (path < kLongPath) return kCancel;
+  return fmt::format(
+      "about {:.0f} m of path with a cutter of {} mm; a wider cutter or a larger --stepdown makes "
+      "it less. {}",
+      path, trimmed(widest, 4), kCancel);
+}
+
+/// Plans while a line says how far it is; warnings of reading do not vanish behind an error.
+pipeline::PlanResult planned(const PlanCommand& command, const Part& part,
+                             const resolve::PlanOptions& options) {
+  try {
+    std::optional<ProgressLine> line;
+    if (!command.quiet) line.emplace(hint_of(part, options));
+    return pipeline::plan_part(part, options);
+  } catch (const InputError&) {
+    print_warnings(part.diagnostics);
+    throw;
+  }
+}
+
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
   const resolve::PlanOptions options = command.arguments.options();
-  const pipeline::PlanResult result = pipeline::plan_part(command.arguments.read(), options);
+  const Part part = command.arguments.read();
+  check_outputs(output_names(command));
+  const pipeline::PlanResult result = planned(command, part, options);
   write_files(output_files(command, options, result));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
+      for (const auto& name : names_not_machined(result.part.diagnostics))
+        print_line("NOT MACHINED: " + name);
       if (options.strategy == "auto") print_line(report::plain(report::contest_table(result.contests)));
       print_line(report::table(result.part, result.findings));
     }

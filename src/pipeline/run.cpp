@@ -7,11 +7,13 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "base/progress.h"
 #include "base/work_budget.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
 #include "link/slot_feed.h"
+#include "model/not_machined.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
 #include "pipeline/section_order.h"
@@ -22,6 +24,7 @@
 #include "plan/common/walls.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
+#include "resolve/refusals.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::pipeline {
@@ -97,6 +100,8 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
     std::vector<LayerPasses> passes;
     Sizes sizes(options.tol);
     for (const auto& layer : work.layers) {
+      report_progress(feature_of(part, step).name + " by " + attempt.strategy,
+                      static_cast<double>(passes.size()) / static_cast<double>(work.layers.size()));
       passes.push_back(layer.walls_only ? plan::plan_walls(layer.layer, options.tol) : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
@@ -312,6 +317,7 @@ std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = resolve::prepare(part, options);
+  resolve::refuse_what_cannot_be(result.part, options);
   const auto works = step_works(result.part, options);
   const auto planner = [&](int step, const Attempt& attempt) {
     return fastest_plan(works[static_cast<std::size_t>(step)], result.part, attempt, options);
@@ -321,6 +327,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   Toolpath toolpath;
   do {
     toolpath = toolpath_of(choice, result.part, options);
+    report_progress("certifying the program", 0);
     certify(result, toolpath, options);
   } while (retry_unclean(choice, result));
   sign(result, toolpath, options);
@@ -351,6 +358,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
   result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));
+  add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }
 

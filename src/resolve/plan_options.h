@@ -16,8 +16,18 @@
 
 namespace clearcut::resolve {
 
+/// How one tool is driven, as its library or job says. What is absent is left to the operation.
+struct ToolCutting {
+  bool stated = false;  ///< anything at all
+  CuttingData cutting;
+  std::optional<double> stepdown;  ///< mm
+  std::optional<double> stepover;  ///< fraction of the diameter
+};
+
 struct PlanOptions {
-  std::vector<Tool> tools;              ///< replace the part's own; empty keeps those
+  std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
+  /// Of `tools`, else of the part's own, in their order; those beyond its end state nothing.
+  std::vector<ToolCutting> tool_cutting;
   std::string strategy = "auto";        ///< a name of strategy_names()
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
   std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found

@@ -11,6 +11,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/left_over.h"
+#include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
 #include "stock/at_depth.h"
 #include "stock/round_hole.h"
@@ -94,6 +95,7 @@ void choose_tools(Part& part, const PlanOptions& options) {
     const auto used = used_before(part.tools, options);
     for (auto& step : part.workplan) {
       step.operation.tool = tool_for(feature_of(part, step), part.tools, used, options.tol);
+      take_tool_cutting(step.operation, options);
     }
   }
   if (part.tools.empty()) {

@@ -4,6 +4,7 @@
 
 #include "geometry/boolean.h"
 #include "resolve/prepare.h"
+#include "resolve/tool_cutting.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::resolve {
@@ -97,11 +98,12 @@ void leave_stock(Operation& operation, const ShopOptions& shop) {
   if (*shop.finish != "walls") operation.allowance_floor += shop.finish_stock_floor.value_or(kFloorStock);
 }
 
-Workingstep rest_step(const Workingstep& step, int mill, const Tool& tool) {
+Workingstep rest_step(const Workingstep& step, int mill, const Part& part, const PlanOptions& options) {
+  const Tool& tool = part.tools[static_cast<std::size_t>(mill)];
   Workingstep rest = step;
+  change_tool(rest.operation, mill, part, options);
   rest.name += "_rest_T" + std::to_string(tool.number);
   rest.operation.name = rest.name;
-  rest.operation.tool = mill;
   rest.operation.rest = true;
   return rest;
 }
@@ -137,9 +139,9 @@ void add_rest_steps(Part& part, const PlanOptions& options) {
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
       if (tool.diameter > fits || !is_preceded_by_wider(part, step, tool)) continue;
       if (under) {
-        before[*under].push_back(rest_step(step, mills[i], tool));
+        before[*under].push_back(rest_step(step, mills[i], part, options));
       } else {
-        at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], tool));
+        at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], part, options));
       }
     }
   }

@@ -97,6 +97,9 @@ JobFile read_job(const std::filesystem::path& file);
 /// read_part and read_tool_library, and when a tool number or a feature name matches nothing.
 Part part_of_job(const JobFile& job, const ReadOptions& over);
 
+/// The job's own tools, then those of its library that it uses: the tools of its part, in their order.
+std::vector<LibraryTool> tools_of_job(const JobFile& job);
+
 /// A commented job for `part`, read from `part_file`: valid as it stands, with every key and its default. `solid`: how the
 /// part was read.
 std::string job_text(const Part& part, const std::string& part_file, const SolidOptions& solid = {});
