@@ -10,17 +10,17 @@
 namespace clearcut::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using ProgressClock = std::chrono::steady_clock;
 constexpr double kQuiet = 1;  // s before anything is said on a terminal
 constexpr double kQuietElsewhere = 3;
 constexpr double kLineEvery = 5;     // s between lines where no terminal shows them
 constexpr double kRenewEvery = 0.2;  // s between renewals on a terminal
 constexpr double kSettled = 0.02;    // share done from which the time left is worth saying
 
-const Clock::time_point kStart = Clock::now();
+const ProgressClock::time_point kStart = ProgressClock::now();
 
 double now_s() {
-  return std::chrono::duration<double>(Clock::now() - kStart).count();
+  return std::chrono::duration<double>(ProgressClock::now() - kStart).count();
 }
 
 std::string left(double share, double spent_s) {

@@ -147,6 +147,9 @@ void check(const PlanOptions& options) {
           "must be above 0 mm/min");
   require(!options.cutting.slot_feed || options.cutting.slot_feed->mm_per_min() > 0, "--slot-feed",
           "must be above 0 mm/min");
+  require(
+      !options.post.inch || options.post.decimals.value_or(4) >= 4, "--decimals",
+      "three decimals of an inch are steps of 0.025 mm, coarser than what is certified; use --decimals 4");
   check(options.shop, "--");
   require(absent_or_positive(options.time_s), "--time", "must be above 0 s");
   require(options.threads >= 0 && options.threads <= 1024, "--threads",
