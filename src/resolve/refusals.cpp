@@ -39,6 +39,18 @@ void refuse_below_stock(const Part& part, const Feature& feature) {
                   trimmed(feature.floor_z, 3), trimmed(below, 3), trimmed(part.stock->z_bottom, 3)));
 }
 
+void refuse_beside_stock(const Part& part, const Feature& feature) {
+  if (!part.stock || feature.target.empty() || part.stock->plan.overlaps(box(feature.target))) return;
+  const Box& stock = part.stock->plan;
+  const Box own = box(feature.target);
+  throw InputError(feature.name,
+                   fmt::format("it lies beside the material: x {} to {}, y {} to {}, where the material "
+                               "is x {} to {}, y {} to {}; correct its place or the stock",
+                               trimmed(own.min.x, 3), trimmed(own.max.x, 3), trimmed(own.min.y, 3),
+                               trimmed(own.max.y, 3), trimmed(stock.min.x, 3), trimmed(stock.max.x, 3),
+                               trimmed(stock.min.y, 3), trimmed(stock.max.y, 3)));
+}
+
 void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
@@ -94,6 +106,7 @@ void refuse_places_outside(const Part& part, const PlanOptions& options) {
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   refuse_low_rapids(part);
   for (const Workingstep& step : part.workplan) {
+    refuse_beside_stock(part, feature_of(part, step));
     refuse_below_stock(part, feature_of(part, step));
     refuse_beyond_flutes(part, step);
   }
