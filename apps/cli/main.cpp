@@ -1,11 +1,12 @@
 // clearcut: the command. Parses, calls the pipeline, prints.
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/version.h>
+
 #include <cstdio>
 #include <exception>
 #include <string>
 
-#include "base/error.h"
-#include "base/file_guard.h"
-#include "base/version.h"
 #include "commands.h"
 #include "suggest.h"
 

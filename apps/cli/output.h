@@ -1,9 +1,11 @@
 // What the commands print and write.
 #pragma once
 
-#include <string>
+#include <clearcut/error.h>
+#include <clearcut/file.h>
 
-#include "base/diagnostics.h"
+#include <string>
+#include <vector>
 
 namespace clearcut::cli {
 
@@ -12,5 +14,8 @@ void print(const Diagnostics& diagnostics, bool verbose);
 /// The same of warnings alone: beside an error that ends the command.
 void print_warnings(const Diagnostics& diagnostics);
 void print_line(const std::string& text);
+
+/// All of the files or (InputError) none; those named "-" go to standard output, last.
+void write_outputs(const std::vector<OutputFile>& files);
 
 }  // namespace clearcut::cli

@@ -1,15 +1,15 @@
 #include "plan_arguments.h"
 
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
+#include <clearcut/verify.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "quantities.h"
-#include "read/gcode/gcode.h"
-#include "read/job/machine_file.h"
-#include "read/tools/tool_library.h"
 
 namespace clearcut::cli {
 namespace {
@@ -146,7 +146,7 @@ void PlanArguments::add_post_options(CLI::App& command) {
       ->check(CLI::NonNegativeNumber);
 }
 
-PostOptions PlanArguments::post(const read::JobOutput& job) const {
+PostOptions PlanArguments::post(const JobOutput& job) const {
   PostOptions post;
   post.dialect = post_.value_or(job.post.value_or("linuxcnc"));
   post.inch = inch_ || job.inch.value_or(false);
@@ -207,7 +207,7 @@ void PlanArguments::add_shop_options(CLI::App& command) {
       ->transform(as_length());
 }
 
-ShopOptions PlanArguments::shop(const read::JobFile& job) const {
+ShopOptions PlanArguments::shop(const JobFile& job) const {
   ShopOptions own = shop_;
   own.lead_feed = feed_of(lead_feed_);
   own.link_feed = feed_of(link_feed_);
@@ -215,16 +215,16 @@ ShopOptions PlanArguments::shop(const read::JobFile& job) const {
   return own.or_else(job.shop);
 }
 
-std::optional<Toolpath> PlanArguments::earlier(const read::JobFile& job, const Machine& machine) const {
+std::optional<Toolpath> PlanArguments::earlier(const JobFile& job, const Machine& machine) const {
   const std::optional<std::string> file = after_      ? after_
                                           : job.after ? std::optional(job.after->string())
                                                       : std::nullopt;
   if (!file) return std::nullopt;
-  return read::gcode::read_gcode(read_file(*file), *file, home_z(machine)).toolpath;
+  return read_program(read_file(*file), *file, home_z(machine)).toolpath;
 }
 
 Part PlanArguments::read() const {
-  read::ReadOptions options;
+  ReadOptions options;
   options.unit = unit_;
   options.layers = layers_;
   options.top = top_;
@@ -232,15 +232,15 @@ Part PlanArguments::read() const {
   options.solid = solid_;
   for (const Tool& tool : tools())
     if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
-  Part part = read::read_part(input_, options);
+  Part part = read_part(input_, options);
   if (clearance_z_) part.clearance_z = clearance_z_;
   part.diagnostics.append(library().diagnostics);
   return part;
 }
 
-std::optional<read::JobFile> PlanArguments::job() const {
+std::optional<JobFile> PlanArguments::job() const {
   if (std::filesystem::path(input_).extension() != ".toml") return std::nullopt;
-  return read::read_job(input_);
+  return read_job(input_);
 }
 
 std::vector<Tool> PlanArguments::tools() const {
@@ -248,31 +248,29 @@ std::vector<Tool> PlanArguments::tools() const {
   if (tool_library_) {
     for (const auto& entry : library().tools) tools.push_back(entry.tool);
   }
-  for (const auto& text : tools_) tools.push_back(resolve::parse_tool(text));
+  for (const auto& text : tools_) tools.push_back(parse_tool(text));
   return tools;
 }
 
-read::ToolLibrary PlanArguments::library() const {
-  return tool_library_ ? read::read_tool_library(*tool_library_, {}) : read::ToolLibrary{};
+ToolLibrary PlanArguments::library() const {
+  return tool_library_ ? read_tool_library(*tool_library_, {}) : ToolLibrary{};
 }
 
 /// Of the tools given, or of those of the job.
-std::vector<resolve::ToolCutting> PlanArguments::tool_cutting(const std::optional<read::JobFile>& job) const {
-  std::vector<resolve::ToolCutting> out;
+std::vector<ToolCutting> PlanArguments::tool_cutting(const std::optional<JobFile>& job) const {
+  std::vector<ToolCutting> out;
   const bool own = tool_library_ || !tools_.empty();
-  const auto entries = own   ? library().tools
-                       : job ? read::tools_of_job(*job)
-                             : std::vector<read::LibraryTool>{};
+  const auto entries = own ? library().tools : job ? tools_of_job(*job) : std::vector<LibraryTool>{};
   for (const auto& entry : entries) {
-    const auto* preset = read::preset_of(entry, job && !own ? job->preset : "");
-    out.push_back(preset ? resolve::ToolCutting{true, preset->cutting, preset->stepdown, preset->stepover}
-                         : resolve::ToolCutting{});
+    const auto* preset = preset_of(entry, job && !own ? job->preset : "");
+    out.push_back(preset ? ToolCutting{true, preset->cutting, preset->stepdown, preset->stepover}
+                         : ToolCutting{});
   }
   return out;
 }
 
-Machine PlanArguments::machine(const std::optional<read::JobFile>& job) const {
-  Machine machine = machine_file_ ? read::read_machine(*machine_file_) : job ? job->machine : Machine{};
+Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
+  Machine machine = machine_file_ ? read_machine(*machine_file_) : job ? job->machine : Machine{};
   if (acceleration_) machine.acceleration = *acceleration_;
   if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
   if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
@@ -280,10 +278,10 @@ Machine PlanArguments::machine(const std::optional<read::JobFile>& job) const {
 }
 
 /// The command line goes before the job, the job before the defaults.
-resolve::PlanOptions PlanArguments::options() const {
+PlanOptions PlanArguments::options() const {
   const auto from_job = job();
-  const read::JobFile given = from_job.value_or(read::JobFile{});
-  resolve::PlanOptions options;
+  const JobFile given = from_job.value_or(JobFile{});
+  PlanOptions options;
   options.tools = tools();
   options.tool_cutting = tool_cutting(from_job);
   options.machine = machine(from_job);
@@ -301,7 +299,7 @@ resolve::PlanOptions PlanArguments::options() const {
   options.scallop = scallop_;
   options.shop = shop(given);
   options.earlier = earlier(given, options.machine);
-  for (const auto& text : predrilled_) options.predrilled.push_back(resolve::parse_predrilled(text));
+  for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
   options.direction = named(kDirections, direction_, "--direction");
   options.outside_in = named(kOrders, order_, "--order").value_or(false);
   if (start_) options.start = point_of(*start_, "--start");
@@ -315,7 +313,7 @@ resolve::PlanOptions PlanArguments::options() const {
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));
   options.threads = threads_;
-  resolve::check(options);
+  check_options(options);
   return options;
 }
 

@@ -1,26 +1,18 @@
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/plan.h>
+#include <clearcut/report.h>
+#include <clearcut/text.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "base/file_guard.h"
-#include "base/format.h"
-#include "base/version.h"
 #include "commands.h"
-#include "model/not_machined.h"
 #include "output.h"
-#include "pipeline/run.h"
 #include "plan_arguments.h"
 #include "progress.h"
-#include "report/certificate.h"
-#include "report/contest_table.h"
-#include "report/picture/svg.h"
-#include "report/result.h"
-#include "report/table.h"
-#include "report/viewer/html.h"
 
 namespace clearcut::cli {
 namespace {
@@ -37,34 +29,17 @@ struct PlanCommand {
 
 const std::string kCancel = "Ctrl-C stops; nothing is written before the end.";
 
-report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
-                                         const pipeline::PlanResult& result) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = options.seed;
-  info.input_hash = content_hash(read_file(command.arguments.input()));
-  info.program_hash = content_hash(result.program);
-  info.contests = result.contests;
-  info.machine = options.machine.name;
-  return info;
-}
-
-std::vector<OutputFile> output_files(const PlanCommand& command, const resolve::PlanOptions& options,
-                                     const pipeline::PlanResult& result) {
+std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
+                                     const PlanResult& result) {
   std::vector<OutputFile> files{{command.output, result.program}};
   const auto add = [&](const std::string& path, auto&& content) {
     if (!path.empty()) files.push_back({path, content()});
   };
-  add(command.certificate, [&] {
-    return report::certificate_json(result.part, result.findings, certificate_info(command, options, result));
-  });
-  add(command.svg, [&] { return report::svg(result.part, result.toolpath, result.findings, {}); });
-  add(command.html, [&] {
-    return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
-  });
-  add(command.result, [&] {
-    return report::result_file(result.toolpath, {result.part.name, result.contours});
-  });
+  add(command.certificate,
+      [&] { return write_certificate(result, options, read_file(command.arguments.input())); });
+  add(command.svg, [&] { return write_picture(result); });
+  add(command.html, [&] { return write_page(result, options); });
+  add(command.result, [&] { return write_segments(result); });
   return files;
 }
 
@@ -73,7 +48,7 @@ std::string in_folder_of(const std::string& job_file, const std::string& name) {
 }
 
 /// Files that the command line leaves open are written where the job says.
-void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
+void take_outputs_from(const JobFile& job, PlanCommand& command) {
   const auto take = [&](std::string& path, const std::optional<std::string>& from_job) {
     if (path.empty() && from_job) path = in_folder_of(job.file, *from_job);
   };
@@ -97,7 +72,7 @@ std::vector<std::string> output_names(const PlanCommand& command) {
 constexpr double kLongPath = 100;
 
 /// How much there is to cut, where that is much.
-std::string hint_of(const Part& part, const resolve::PlanOptions& options) {
+std::string hint_of(const Part& part, const PlanOptions& options) {
   const auto& tools = options.tools.empty() ? part.tools : options.tools;
   if (tools.empty()) return kCancel;
   double widest = 0, path = 0;
@@ -107,18 +82,20 @@ std::string hint_of(const Part& part, const resolve::PlanOptions& options) {
     path += area(feature.target) * (feature.top_z - feature.floor_z) / (down * widest / 2) / 1000;
   if (path < kLongPath) return kCancel;
   return fmt::format(
-      "about {:.0f} m of path with a cutter of {} mm; a wider cutter or a larger --stepdown makes "
-      "it less. {}",
+      "about {:.0f} m of path with a cutter of {} mm; a wider cutter or a larger --stepdown makes it less. "
+      "{}",
       path, trimmed(widest, 4), kCancel);
 }
 
 /// Plans while a line says how far it is; warnings of reading do not vanish behind an error.
-pipeline::PlanResult planned(const PlanCommand& command, const Part& part,
-                             const resolve::PlanOptions& options) {
+PlanResult planned(const PlanCommand& command, const Part& part, PlanOptions options) {
   try {
     std::optional<ProgressLine> line;
-    if (!command.quiet) line.emplace(hint_of(part, options));
-    return pipeline::plan_part(part, options);
+    if (!command.quiet) {
+      line.emplace(hint_of(part, options));
+      options.progress = line->callback();
+    }
+    return plan_part(part, options);
   } catch (const InputError&) {
     print_warnings(part.diagnostics);
     throw;
@@ -128,18 +105,18 @@ pipeline::PlanResult planned(const PlanCommand& command, const Part& part,
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
-  const resolve::PlanOptions options = command.arguments.options();
+  const PlanOptions options = command.arguments.options();
   const Part part = command.arguments.read();
   check_outputs(output_names(command));
-  const pipeline::PlanResult result = planned(command, part, options);
-  write_files(output_files(command, options, result));
+  const PlanResult result = planned(command, part, options);
+  write_outputs(output_files(command, options, result));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
       for (const auto& name : names_not_machined(result.part.diagnostics))
         print_line("NOT MACHINED: " + name);
-      if (options.strategy == "auto") print_line(report::plain(report::contest_table(result.contests)));
-      print_line(report::table(result.part, result.findings));
+      if (options.strategy == "auto") print_line(write_contest_table(result));
+      print_line(write_table(result));
     }
   }
   return result.findings.all.clean ? kClean : kFault;

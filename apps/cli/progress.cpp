@@ -15,17 +15,20 @@ constexpr double kQuiet = 1;  // s before anything is said on a terminal
 constexpr double kQuietElsewhere = 3;
 constexpr double kLineEvery = 5;     // s between lines where no terminal shows them
 constexpr double kRenewEvery = 0.2;  // s between renewals on a terminal
-constexpr double kSettled = 0.02;    // share done from which the time left is worth saying
-
 const ProgressClock::time_point kStart = ProgressClock::now();
 
 double now_s() {
   return std::chrono::duration<double>(ProgressClock::now() - kStart).count();
 }
 
-std::string left(double share, double spent_s) {
-  if (share < kSettled) return "";
-  return fmt::format(", about {:.0f} s left of it", spent_s * (1 - share) / share);
+std::string described(const Progress& at, double spent_s) {
+  if (at.stage == Stage::kCertifying) return "certifying the program";
+  std::string text = fmt::format("planning: {} of at most {} candidates", at.done, at.most);
+  if (at.done > 0 && at.most > at.done) {
+    const double share = static_cast<double>(at.done) / static_cast<double>(at.most);
+    text += fmt::format(", at most {:.0f} s left", spent_s * (1 - share) / share);
+  }
+  return text;
 }
 
 }  // namespace
@@ -34,7 +37,6 @@ ProgressLine::ProgressLine(std::string hint)
     : hint_(std::move(hint)),
       terminal_(::isatty(STDERR_FILENO) != 0),
       began_s_(now_s()),
-      listener_([this](const std::string& what, double share) { hear(what, share); }),
       watcher_([this] { watch(); }) {}
 
 ProgressLine::~ProgressLine() {
@@ -47,11 +49,14 @@ ProgressLine::~ProgressLine() {
   if (shown_ && terminal_) std::fputs("\r\x1b[K", stderr);
 }
 
-void ProgressLine::hear(const std::string& what, double share) {
+ProgressCallback ProgressLine::callback() {
+  return [this](const Progress& at) { hear(at); };
+}
+
+void ProgressLine::hear(const Progress& at) {
   const std::lock_guard lock(mutex_);
-  if (what != what_) began_s_ = now_s();
-  what_ = what;
-  share_ = share;
+  if (!at_ || at.stage != at_->stage) began_s_ = now_s();
+  at_ = at;
 }
 
 void ProgressLine::watch() {
@@ -67,8 +72,8 @@ void ProgressLine::watch() {
 void ProgressLine::show(double elapsed_s) {
   if (!shown_ && !hint_.empty()) std::fprintf(stderr, "%s\n", hint_.c_str());
   shown_ = true;
-  const std::string line = fmt::format("{}: {:.0f} % after {:.0f} s{}", what_.empty() ? "preparing" : what_,
-                                       100 * share_, elapsed_s, left(share_, now_s() - began_s_));
+  const std::string line =
+      fmt::format("{} ({:.0f} s)", at_ ? described(*at_, now_s() - began_s_) : "preparing", elapsed_s);
   std::fprintf(stderr, terminal_ ? "\r\x1b[K%s" : "%s\n", line.c_str());
   std::fflush(stderr);
 }

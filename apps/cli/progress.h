@@ -1,12 +1,13 @@
 // A line on standard error about work that takes more than a second.
 #pragma once
 
+#include <clearcut/error.h>
+
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
-
-#include "base/progress.h"
 
 namespace clearcut::cli {
 
@@ -18,11 +19,13 @@ class ProgressLine {
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
+  /// For the options of a plan; not to be called after this object's end.
+  ProgressCallback callback();
 
  private:
   void watch();
   void show(double elapsed_s);
-  void hear(const std::string& what, double share);
+  void hear(const Progress& at);
 
   std::string hint_;
   bool terminal_;
@@ -30,10 +33,8 @@ class ProgressLine {
   std::condition_variable stop_;
   bool stopped_ = false;
   bool shown_ = false;
-  std::string what_;
-  double share_ = 0;
-  double began_s_ = 0;  ///< when this work began, since the line was made
-  ProgressListener listener_;
+  std::optional<Progress> at_;
+  double began_s_;  ///< when this stage began
   std::thread watcher_;
 };
 

@@ -1,9 +1,8 @@
 #include "quantities.h"
 
-#include <optional>
+#include <clearcut/text.h>
 
-#include "base/format.h"
-#include "base/quantity.h"
+#include <optional>
 
 namespace clearcut::cli {
 namespace {

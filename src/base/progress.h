@@ -1,21 +1,38 @@
-// How far long work has come: said by whoever works, heard by at most one listener of the process.
+// Work that takes long: how far it has come, and how its caller ends it early.
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <string>
+#include <stdexcept>
+#include <stop_token>
 
 namespace clearcut::inline base {
 
-/// While it lives, report_progress goes to `hear`, from any thread, one call at a time.
-class ProgressListener {
- public:
-  explicit ProgressListener(std::function<void(const std::string&, double)> hear);
-  ~ProgressListener();
-  ProgressListener(const ProgressListener&) = delete;
-  ProgressListener& operator=(const ProgressListener&) = delete;
+/// What a plan is busy with.
+enum class Stage {
+  kPlanning,   ///< candidates: one strategy on one workingstep each
+  kCertifying  ///< judging the program that was written; planning may follow where it is not clean
 };
 
-/// What is being done, and which share of it (0 to 1) is done. Costs nothing to speak of where nobody listens.
-void report_progress(const std::string& what, double share);
+/// How far a plan has come.
+struct Progress {
+  Stage stage = Stage::kPlanning;
+  std::size_t done = 0;  ///< of the stage
+  std::size_t most = 0;  ///< as many as `done` can become; candidates that cannot win are left out
+};
+
+/// Called by the threads that plan, by one at a time. It should return quickly; what it throws ends the plan.
+using ProgressCallback = std::function<void(const Progress&)>;
+
+/// Thrown out of work whose stop_token was asked to stop. Nothing was written and nothing is left behind.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+/// Throws Cancelled when somebody asked to stop. Cost one atomic read.
+inline void throw_if_cancelled(const std::stop_token& cancel) {
+  if (cancel.stop_requested()) throw Cancelled();
+}
 
 }  // namespace clearcut::inline base
