@@ -38,6 +38,8 @@ class PlanArguments {
   ReadOptions read_options() const;
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
+  ToolLibrary library() const;
+  std::vector<ToolCutting> tool_cutting(const std::optional<JobFile>& job) const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
   PostOptions post(const JobOutput& job) const;

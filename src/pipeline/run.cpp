@@ -7,11 +7,13 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "base/progress.h"
 #include "base/work_budget.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
 #include "link/slot_feed.h"
+#include "model/not_machined.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
 #include "pipeline/out_of_reach.h"
@@ -25,6 +27,7 @@
 #include "plan/profile/profile.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
+#include "resolve/refusals.h"
 #include "resolve/resolve.h"
 #include "stock/round_hole.h"
 
@@ -333,6 +336,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = plan.part;
   result.values = plan.values;
+  resolve::refuse_what_cannot_be(result.part, options);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto planner = [&](int step, const Attempt& attempt) {
@@ -384,6 +388,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
   result.findings = verify::verify_program(result.part, result.toolpath, verify_options(plan));
+  add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "geometry/clearance.h"
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
+#include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
 #include "stock/at_depth.h"
 #include "stock/round_hole.h"
@@ -97,6 +98,7 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
     for (auto& step : part.workplan) {
       step.operation.tool = tool_for(feature_of(part, step), part.tools, used, options.tol);
       sources[step_key(step)].set("tool", source_of(options, "tool"));
+      take_tool_cutting(step.operation, options);
     }
   }
   if (part.tools.empty()) {
