@@ -12,27 +12,6 @@
 namespace clearcut::cli {
 namespace {
 
-const std::map<std::string, EntryKind> kEntries{{"helix", EntryKind::kHelix},
-                                                {"ramp", EntryKind::kRamp},
-                                                {"zigzag", EntryKind::kZigzagRamp},
-                                                {"plunge", EntryKind::kPlunge}};
-const std::map<std::string, CutDirection> kDirections{{"climb", CutDirection::kClimb},
-                                                      {"conventional", CutDirection::kConventional}};
-
-/// Whether outside-in.
-const std::map<std::string, bool> kOrders{{"inside-out", false}, {"outside-in", true}};
-
-template <class Value>
-std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
-                           const char* option) {
-  if (!name) return std::nullopt;
-  const auto found = names.find(*name);
-  if (found != names.end()) return found->second;
-  std::string known;
-  for (const auto& [text, value] : names) known += (known.empty() ? "" : ", ") + text;
-  throw InputError(option, "'" + *name + "' is unknown; use one of " + known);
-}
-
 std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
   if (!mm_per_min) return std::nullopt;
   return MmPerMin::of(*mm_per_min);
@@ -266,7 +245,9 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
 }
 
 Part PlanArguments::read() const {
-  Part part = read_part(input_, read_options());
+  const ReadOptions options = read_options();
+  const auto from_job = job();
+  Part part = from_job ? part_of_job(*from_job, options, step_sources_) : read_part(input_, options);
   if (clearance_z_) part.clearance_z = clearance_z_;
   return part;
 }
@@ -293,6 +274,24 @@ Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
   return machine;
 }
 
+void PlanArguments::take_sources(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string name = option->get_lnames().front();
+    typed_.set(name.starts_with("no-") ? name.substr(3) : name, {Origin::kUser, "--" + name});
+  }
+}
+
+/// Also those that a later rule or the command line puts aside: a name that is unknown is never meant.
+void PlanArguments::check_strategies(const JobFile& job) const {
+  const auto check = [](const CutSettings& settings) {
+    const Source* source = settings.sources.find("strategy");
+    if (settings.strategy && source) strategy_named(*settings.strategy, built_in_strategies(), source->text);
+  };
+  check(job.plan);
+  for (const OperationRule& rule : job.operations) check(rule.settings);
+}
+
 /// The command line goes before the job, the job before the defaults.
 PlanOptions PlanArguments::options() const {
   const auto from_job = job();
@@ -300,14 +299,19 @@ PlanOptions PlanArguments::options() const {
   PlanOptions options;
   options.tools = tools();
   options.machine = machine(from_job);
-  options.strategy = strategy_.value_or(given.plan.strategy.value_or("auto"));
+  check_strategies(given);
+  options.sources = given.sources;
+  if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
+  options.step_sources = step_sources_;
+  options.sources.merge(typed_);
+  options.strategy = strategy_;
   options.stepover = stepover_ ? stepover_ : given.plan.stepover;
   options.angle_deg = angle_;
   options.stepdown = stepdown_;
   options.allowance = allowance_;
   options.allowance_floor = allowance_floor_;
   options.engagement_deg = engagement_ ? engagement_ : given.engagement_deg;
-  options.entry = named(kEntries, entry_, "--entry");
+  if (entry_) options.entry = entry_named(*entry_, "--entry");
   if (entry_angle_) options.entry_angle = Radians::of_degrees(*entry_angle_);
   options.lead = lead_;
   if (lead_angle_) options.lead_angle = Radians::of_degrees(*lead_angle_);
@@ -316,8 +320,8 @@ PlanOptions PlanArguments::options() const {
   options.shop = shop(given);
   options.earlier = earlier(given, options.machine);
   for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
-  options.direction = named(kDirections, direction_, "--direction");
-  options.outside_in = named(kOrders, order_, "--order").value_or(false);
+  if (direction_) options.direction = direction_named(*direction_, "--direction");
+  options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
   if (start_) options.start = point_of(*start_, "--start");
   options.cutting.feed = feed_of(feed_);
   options.cutting.plunge_feed = feed_of(plunge_feed_);

@@ -22,9 +22,12 @@ class PlanArguments {
   void add_tool_options(CLI::App& command);
   void add_cutting_options(CLI::App& command);
 
+  /// Before options(), which tell where the values of a job stand only then.
   Part read() const;
   /// Of a drawing, without asking for depth or roles.
   Part read_overview(DrawingOverview& overview) const;
+  /// The names of all options that were typed, for the origins of values.
+  void take_sources(const CLI::App& command);
   PlanOptions options() const;
   const std::string& input() const { return input_; }
   const SolidOptions& solid() const { return solid_; }
@@ -42,7 +45,11 @@ class PlanArguments {
   ShopOptions shop(const JobFile& job) const;
   std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
 
+  void check_strategies(const JobFile& job) const;
+
   std::string input_;
+  Sources typed_;
+  mutable StepSources step_sources_;  ///< of the part that was read
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;

@@ -21,6 +21,7 @@ struct PlanCommand {
   std::string html;
   std::string result;
   bool quiet = false;
+  bool explain = false;
 };
 
 std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
@@ -53,16 +54,27 @@ void take_outputs_from(const JobFile& job, PlanCommand& command) {
   take(command.result, job.output.result);
 }
 
+/// The values alone, without planning.
+int explain(const Part& part, const PlanOptions& options) {
+  const ResolvedPlan plan = resolve_plan(part, options);
+  print(plan.part.diagnostics, true);
+  print_line(write_values(plan.part, plan.values));
+  return kClean;
+}
+
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
-  if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
+  const Part part = command.arguments.read();
   const PlanOptions options = command.arguments.options();
-  const PlanResult result = plan_part(command.arguments.read(), options);
+  if (command.output.empty() && command.explain) return explain(part, options);
+  if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
+  const PlanResult result = plan_part(part, options);
   write_outputs(output_files(command, options, result));
+  if (command.explain) print_line(write_values(result.part, result.values));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
-      if (options.strategy == "auto") print_line(write_contest_table(result));
+      if (options.strategy.value_or("auto") == "auto") print_line(write_contest_table(result));
       print_line(write_table(result));
     }
   }
@@ -82,8 +94,12 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--svg", state->svg, "Picture to write");
   command->add_option("--report", state->html, "Animated report to write (HTML)");
   command->add_option("--result", state->result, "Segments to write: x y to x y per line");
+  command->add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
-  command->callback([state, &exit_code] { exit_code = run(*state); });
+  command->callback([state, command, &exit_code] {
+    state->arguments.take_sources(*command);
+    exit_code = run(*state);
+  });
 }
 
 }  // namespace clearcut::cli

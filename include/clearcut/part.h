@@ -28,15 +28,18 @@ using read::rule_named;
 using read::SolidOptions;
 
 // Jobs: a part with its stock, tools, machine and wishes.
+using read::CutSettings;
 using read::job_text;
 using read::JobFile;
 using read::JobOutput;
+using read::OperationRule;
 using read::part_of_job;
 using read::read_job;
 using read::read_job_text;
 
 // Tools and machines.
 using read::LibraryTool;
+using read::machine_sources;
 using read::read_machine;
 using read::read_machine_text;
 using read::read_tool_library;

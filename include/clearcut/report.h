@@ -14,5 +14,6 @@ using pipeline::write_page;
 using pipeline::write_picture;
 using pipeline::write_segments;
 using pipeline::write_table;
+using pipeline::write_values;
 
 }  // namespace clearcut

@@ -9,6 +9,7 @@
 #include "model/control.h"
 #include "model/findings.h"
 #include "model/move.h"
+#include "model/resolved_plan.h"
 #include "read/gcode/dialect.h"
 #include "report/result.h"
 #include "resolve/plan_options.h"
@@ -22,6 +23,7 @@ struct PlanResult {
   Findings findings;    ///< of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
   std::vector<Condition> conditions;            ///< what somebody has to accept: what no cutter reaches
+  std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 
