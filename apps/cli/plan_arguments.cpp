@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "quantities.h"
+
 namespace clearcut::cli {
 namespace {
 
@@ -52,8 +54,9 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   }
   command.add_option("--unit", unit_, "Unit of a drawing that names none: mm, cm, m, inch, px");
   command.add_option("--layer", layers_, "Layer of a drawing to read (repeatable; default all)");
-  command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm");
-  command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm");
+  command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm")
+      ->transform(as_length());
+  command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm")->transform(as_length());
   add_drawing_options(command);
   command.add_option(
       "--up", solid_.up,
@@ -101,10 +104,11 @@ void PlanArguments::add_tool_options(CLI::App& command) {
   command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2");
   command.add_option("--junction-deviation", junction_deviation_, "Junction deviation of the machine, mm");
-  command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min");
-  command.add_option("--stepdown", stepdown_, "Depth of one layer, mm");
-  command.add_option("--allowance", allowance_, "Stock to leave on walls, mm");
-  command.add_option("--allowance-floor", allowance_floor_, "Stock to leave on floors, mm");
+  command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min")->transform(as_feed());
+  command.add_option("--stepdown", stepdown_, "Depth of one layer, mm")->transform(as_length());
+  command.add_option("--allowance", allowance_, "Stock to leave on walls, mm")->transform(as_length());
+  command.add_option("--allowance-floor", allowance_floor_, "Stock to leave on floors, mm")
+      ->transform(as_length());
   command.add_option("--engagement", engagement_, "Largest engagement angle of the cutter, degrees");
   command.add_option(
       "--material", shop_.material,
@@ -118,9 +122,11 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
       "--strategy", strategy_,
       "auto, contour, zigzag, spiral, adaptive, tour, or a published method: lom, rho, second, "
       "lom-corrected, rho-corrected, fixed, loops, pwid, single, double, bisectors");
-  command.add_option("--stepover", stepover_,
-                     "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "
-                     "commas, one a contour");
+  command
+      .add_option("--stepover", stepover_,
+                  "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "
+                  "commas, one a contour")
+      ->transform(as_stepover());
   command.add_option("--angle", angle_,
                      "Direction of zigzag lines against x, degrees (default: the fastest)");
   command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge");
@@ -129,11 +135,11 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   command.add_option("--order", order_, "Contours inside-out (default) or outside-in");
   command.add_option("--start", start_,
                      "Where the cutting of contours begins, or adaptive clearing goes down: X,Y");
-  command.add_option("--feed", feed_, "Cutting feed, mm/min");
-  command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min");
+  command.add_option("--feed", feed_, "Cutting feed, mm/min")->transform(as_feed());
+  command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min")->transform(as_feed());
   command.add_option("--spindle", spindle_, "Spindle speed, rpm");
   add_post_options(command);
-  command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm");
+  command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm")->transform(as_length());
   command.add_option(
       "--objective", objective_,
       "Of the strategy tour: length, turns, angle, engagement, time, or weights 1:length,20:turns");
@@ -172,34 +178,48 @@ PostOptions PlanArguments::post(const JobOutput& job) const {
 void PlanArguments::add_shop_options(CLI::App& command) {
   command.add_option("--entry-angle", entry_angle_,
                      "Steepest way down of a helix or ramp, degrees (default 3)");
-  command.add_option("--helix-diameter", shop_.helix_widest, "Widest helix of the cutter's centre, mm");
-  command.add_option("--helix-min", shop_.helix_narrowest, "Narrowest helix, mm; below it: ramp");
+  command.add_option("--helix-diameter", shop_.helix_widest, "Widest helix of the cutter's centre, mm")
+      ->transform(as_length());
+  command.add_option("--helix-min", shop_.helix_narrowest, "Narrowest helix, mm; below it: ramp")
+      ->transform(as_length());
   command.add_option("--predrilled", predrilled_, "X,Y:DIAMETER of a hole to enter by (repeatable)");
-  command.add_option("--lead", lead_,
-                     "Radius of the arcs into and out of passes along walls, mm (default: none)");
+  command
+      .add_option("--lead", lead_,
+                  "Radius of the arcs into and out of passes along walls, mm (default: none)")
+      ->transform(as_length());
   command.add_option("--lead-angle", lead_angle_,
                      "Lines of that length at this angle to the pass instead of arcs, degrees");
-  command.add_option("--lead-overlap", shop_.lead_overlap,
-                     "How far passes along walls run on over their start, mm (default 0)");
-  command.add_option("--overrun", shop_.overrun,
-                     "How far beyond the edge of the material open sides are cut, mm (default 0)");
-  command.add_option("--lead-feed", lead_feed_, "Feed on leads, mm/min");
-  command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min");
-  command.add_option("--link-lift", shop_.link_lift, "Lift between passes at depth, mm");
-  command.add_option("--ramp-feed", ramp_feed_, "Feed on ramps and helices, mm/min");
-  command.add_option("--slot-feed", slot_feed_, "Feed where the cutter is in the material all round, mm/min");
+  command
+      .add_option("--lead-overlap", shop_.lead_overlap,
+                  "How far passes along walls run on over their start, mm (default 0)")
+      ->transform(as_length());
+  command
+      .add_option("--overrun", shop_.overrun,
+                  "How far beyond the edge of the material open sides are cut, mm (default 0)")
+      ->transform(as_length());
+  command.add_option("--lead-feed", lead_feed_, "Feed on leads, mm/min")->transform(as_feed());
+  command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min")->transform(as_feed());
+  command.add_option("--link-lift", shop_.link_lift, "Lift between passes at depth, mm")
+      ->transform(as_length());
+  command.add_option("--ramp-feed", ramp_feed_, "Feed on ramps and helices, mm/min")->transform(as_feed());
+  command.add_option("--slot-feed", slot_feed_, "Feed where the cutter is in the material all round, mm/min")
+      ->transform(as_feed());
   command.add_option("--slot-angle", shop_.slot_angle_deg,
                      "Engagement above which the slot feed rules, degrees (default 150)");
   command.add_flag("--rest", rest_, "Use all mills given, larger first, each on what is left");
   command.add_option("--after", after_, "Program that has run before: cut only what it left");
   command.add_option("--finish", shop_.finish, "Finishing after everything else: walls, floor or all");
-  command.add_option("--finish-stock", shop_.finish_stock,
-                     "Stock left on walls for finishing, mm (default 0.3)");
-  command.add_option("--finish-stock-floor", shop_.finish_stock_floor,
-                     "Stock left on floors for finishing, mm (default 0.2)");
+  command
+      .add_option("--finish-stock", shop_.finish_stock, "Stock left on walls for finishing, mm (default 0.3)")
+      ->transform(as_length());
+  command
+      .add_option("--finish-stock-floor", shop_.finish_stock_floor,
+                  "Stock left on floors for finishing, mm (default 0.2)")
+      ->transform(as_length());
   command.add_option("--finish-depths", shop_.finish_depths,
                      "In how many depths walls are finished (default 1)");
-  command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm");
+  command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm")
+      ->transform(as_length());
 }
 
 ShopOptions PlanArguments::shop(const JobFile& job) const {
@@ -245,10 +265,11 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
 }
 
 Part PlanArguments::read() const {
-  const ReadOptions options = read_options();
   const auto from_job = job();
-  Part part = from_job ? part_of_job(*from_job, options, step_sources_) : read_part(input_, options);
+  Part part =
+      from_job ? part_of_job(*from_job, read_options(), step_sources_) : read_part(input_, read_options());
   if (clearance_z_) part.clearance_z = clearance_z_;
+  part.diagnostics.append(library().diagnostics);
   return part;
 }
 
@@ -260,10 +281,27 @@ std::optional<JobFile> PlanArguments::job() const {
 std::vector<Tool> PlanArguments::tools() const {
   std::vector<Tool> tools;
   if (tool_library_) {
-    for (const auto& entry : read_tool_library(*tool_library_, {}).tools) tools.push_back(entry.tool);
+    for (const auto& entry : library().tools) tools.push_back(entry.tool);
   }
   for (const auto& text : tools_) tools.push_back(parse_tool(text));
   return tools;
+}
+
+ToolLibrary PlanArguments::library() const {
+  return tool_library_ ? read_tool_library(*tool_library_, {}) : ToolLibrary{};
+}
+
+/// Of the tools given, or of those of the job.
+std::vector<ToolCutting> PlanArguments::tool_cutting(const std::optional<JobFile>& job) const {
+  std::vector<ToolCutting> out;
+  const bool own = tool_library_ || !tools_.empty();
+  const auto entries = own ? library().tools : job ? tools_of_job(*job) : std::vector<LibraryTool>{};
+  for (const auto& entry : entries) {
+    const auto* preset = preset_of(entry, job && !own ? job->preset : "");
+    out.push_back(preset ? ToolCutting{true, preset->cutting, preset->stepdown, preset->stepover}
+                         : ToolCutting{});
+  }
+  return out;
 }
 
 Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
@@ -298,6 +336,7 @@ PlanOptions PlanArguments::options() const {
   const JobFile given = from_job.value_or(JobFile{});
   PlanOptions options;
   options.tools = tools();
+  options.tool_cutting = tool_cutting(from_job);
   options.machine = machine(from_job);
   check_strategies(given);
   options.sources = given.sources;

@@ -24,10 +24,10 @@ class PlanArguments {
 
   /// Before options(), which tell where the values of a job stand only then.
   Part read() const;
-  /// Of a drawing, without asking for depth or roles.
-  Part read_overview(DrawingOverview& overview) const;
   /// The names of all options that were typed, for the origins of values.
   void take_sources(const CLI::App& command);
+  /// Of a drawing, without asking for depth or roles.
+  Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
   const std::string& input() const { return input_; }
   const SolidOptions& solid() const { return solid_; }
@@ -38,6 +38,8 @@ class PlanArguments {
   ReadOptions read_options() const;
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
+  ToolLibrary library() const;
+  std::vector<ToolCutting> tool_cutting(const std::optional<JobFile>& job) const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
   PostOptions post(const JobOutput& job) const;

@@ -36,10 +36,13 @@ using read::OperationRule;
 using read::part_of_job;
 using read::read_job;
 using read::read_job_text;
+using read::tools_of_job;
 
 // Tools and machines.
+using read::CuttingPreset;
 using read::LibraryTool;
 using read::machine_sources;
+using read::preset_of;
 using read::read_machine;
 using read::read_machine_text;
 using read::read_tool_library;

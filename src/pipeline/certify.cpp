@@ -8,6 +8,7 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
+#include "model/not_machined.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "stock/round_hole.h"
@@ -42,6 +43,7 @@ std::vector<std::string> header(const Part& part, const std::optional<Figures>& 
   }
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
   for (auto& line : verdict_lines(all)) lines.push_back(std::move(line));
+  for (const auto& name : names_not_machined(part.diagnostics)) lines.push_back("NOT MACHINED: " + name);
   return lines;
 }
 
@@ -164,6 +166,7 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   result.program = post_with(std::nullopt, planned, result.part, plan);
   result.toolpath = read_back(result.program, planned, plan);
   result.findings = verify::verify_program(result.part, result.toolpath, verify_options(plan));
+  add_not_machined(result.part.diagnostics, result.findings);
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {

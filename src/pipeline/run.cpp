@@ -7,11 +7,13 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "base/progress.h"
 #include "base/work_budget.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
 #include "link/slot_feed.h"
+#include "model/not_machined.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
 #include "pipeline/out_of_reach.h"
@@ -25,6 +27,7 @@
 #include "plan/profile/profile.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
+#include "resolve/refusals.h"
 #include "resolve/resolve.h"
 #include "stock/round_hole.h"
 
@@ -88,8 +91,7 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
   const WorkBudget budget(most_work(step));
   const auto strategy = strategy_for(attempt, step, job);
   StepPlan plan;
-  const Feature& feature =
-      feature_of(job.part, job.part.workplan[static_cast<std::size_t>(work.workingstep)]);
+  const auto& feature = feature_of(job.part, job.part.workplan[static_cast<std::size_t>(work.workingstep)]);
   if (work.hole) {
     plan.section = *work.hole;
     plan.hole = true;
@@ -106,8 +108,9 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }
+    const EntryKind entry =
+        !feature.profile && attempt.strategy->limits_engagement ? step.entry_at_limit : step.entry;
     plan.hole = feature.profile.has_value();
-    const EntryKind entry = attempt.strategy->limits_engagement ? step.entry_at_limit : step.entry;
     plan.section = link_step(passes, work.workingstep, entry, job);
   }
   plan.time_s = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
@@ -333,6 +336,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = plan.part;
   result.values = plan.values;
+  resolve::refuse_what_cannot_be(result.part, options);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto planner = [&](int step, const Attempt& attempt) {
@@ -384,6 +388,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
   result.findings = verify::verify_program(result.part, result.toolpath, verify_options(plan));
+  add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }
 

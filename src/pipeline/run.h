@@ -22,8 +22,8 @@ struct PlanResult {
   Toolpath toolpath;    ///< read back from `program`
   Findings findings;    ///< of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
-  std::vector<Condition> conditions;            ///< what somebody has to accept: what no cutter reaches
   std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
+  std::vector<Condition> conditions;            ///< what somebody has to accept: what no cutter reaches
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 

@@ -27,8 +27,18 @@ struct TabOptions {
   std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
 };
 
+/// How one tool is driven, as its library or job says. What is absent is left to the operation.
+struct ToolCutting {
+  bool stated = false;  ///< anything at all
+  CuttingData cutting;
+  std::optional<double> stepdown;  ///< mm
+  std::optional<double> stepover;  ///< fraction of the diameter
+};
+
 struct PlanOptions {
   std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
+  /// Of `tools`, else of the part's own, in their order; those beyond its end state nothing.
+  std::vector<ToolCutting> tool_cutting;
   /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
   std::optional<std::string> strategy;
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"

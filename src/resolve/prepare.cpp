@@ -12,6 +12,7 @@
 #include "geometry/clearance.h"
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
+#include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
 #include "stock/at_depth.h"
 #include "stock/round_hole.h"
@@ -97,6 +98,7 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
     for (auto& step : part.workplan) {
       step.operation.tool = tool_for(feature_of(part, step), part.tools, used, options.tol);
       sources[step_key(step)].set("tool", source_of(options, "tool"));
+      take_tool_cutting(step.operation, options);
     }
   }
   if (part.tools.empty()) {
@@ -243,15 +245,6 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
   return defaults.defaulted();
 }
 
-/// The layers below tabs' tops follow those above them in the workplan, and their values come from the same places.
-void know_tab_steps(const Part& part, StepSources& sources) {
-  for (std::size_t i = 1; i < part.workplan.size(); ++i) {
-    const auto& profile = feature_of(part, part.workplan[i]).profile;
-    if (profile && !profile->tabs.empty())
-      sources[step_key(part.workplan[i])] = sources[step_key(part.workplan[i - 1])];
-  }
-}
-
 }  // namespace
 
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
@@ -297,8 +290,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
-  shape_profiles(part, options);
-  know_tab_steps(part, sources);
+  shape_profiles(part, options, sources);
   if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options, sources);
   if (finish_of(options.shop) != Finish::kNone) add_finishing_steps(part, options, sources);
   std::vector<std::string> noted;

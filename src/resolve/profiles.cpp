@@ -264,7 +264,7 @@ int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const To
   return mills.back();
 }
 
-void shape_profiles(Part& part, const PlanOptions& options) {
+void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
   std::vector<Workingstep> workplan;
   for (const Workingstep& step : part.workplan) {
     workplan.push_back(step);
@@ -282,6 +282,7 @@ void shape_profiles(Part& part, const PlanOptions& options) {
     lower.operation.name = below->name;
     lower.feature = static_cast<int>(part.features.size());
     part.features.push_back(*std::move(below));
+    sources[step_key(lower)] = sources[step_key(step)];
     workplan.push_back(std::move(lower));
   }
   part.workplan = std::move(workplan);

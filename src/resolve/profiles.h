@@ -12,6 +12,6 @@ int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const To
 /// Sets target (the kerf) and allowed (a band wide enough for leads) of every profile of the workplan for its cutter; other
 /// parts on the same drawing stay out of both. Where tabs are asked for, the layers below their tops become a feature of
 /// its own, "..._tabs", cut after those above. Throws InputError where no place is left for a tab of an outer profile.
-void shape_profiles(Part& part, const PlanOptions& options);
+void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources);
 
 }  // namespace clearcut::resolve

@@ -59,10 +59,21 @@ Stock stock_of(const JobStock& stock, const Part& part, const std::string& file)
   return out;
 }
 
+/// Two tools of one number: which of them a program means is nothing to guess.
+void refuse_one_number_twice(const std::vector<LibraryTool>& tools, const std::string& file) {
+  std::set<int> taken;
+  for (const LibraryTool& tool : tools) {
+    if (tool.tool.number <= 0 || taken.insert(tool.tool.number).second) continue;
+    throw InputError(file, "two tools are numbered T" + std::to_string(tool.tool.number) +
+                               "; give each a number of its own (of a library choose with use = [...])");
+  }
+}
+
 /// The job's own tools, then those of its library that it uses.
 ToolLibrary tools_of(const JobFile& job) {
   ToolLibrary all;
   all.tools = job.tools;
+  refuse_one_number_twice(all.tools, job.file);
   if (job.tool_library) {
     ToolLibrary library = read_tool_library(*job.tool_library, job.tool_options);
     all.diagnostics.append(library.diagnostics);
@@ -80,15 +91,9 @@ ToolLibrary tools_of(const JobFile& job) {
       if (wanted) all.tools.push_back(std::move(tool));
     }
   }
+  if (job.tool_library) refuse_one_number_twice(all.tools, job.file);
   settle(all, job.file);
   return all;
-}
-
-const CuttingPreset* preset_of(const LibraryTool& tool, const std::string& name) {
-  for (const CuttingPreset& preset : tool.presets) {
-    if (name.empty() || matches(name, preset.name)) return &preset;
-  }
-  return nullptr;
 }
 
 template <typename Value>
@@ -301,6 +306,10 @@ class Dresser {
 };
 
 }  // namespace
+
+std::vector<LibraryTool> tools_of_job(const JobFile& job) {
+  return tools_of(job).tools;
+}
 
 Part part_of_job(const JobFile& job, const ReadOptions& over) {
   StepSources sources;

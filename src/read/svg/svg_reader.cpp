@@ -68,6 +68,17 @@ class SvgCollector {
 
   std::vector<DrawnGroup> take_groups() { return std::move(groups_); }
 
+  /// Throws where no layer that was asked for has shapes.
+  void refuse_unknown_layers() const {
+    const bool found = std::any_of(groups_.begin(), groups_.end(),
+                                   [](const DrawnGroup& group) { return !group.curves.empty(); });
+    if (options_.layers.empty() || found || not_chosen_.empty()) return;
+    std::string names;
+    for (const auto& [name, count] : not_chosen_) names += (names.empty() ? "" : ", ") + printable(name);
+    throw InputError(file_, "no layer is called '" + printable(options_.layers.front()) +
+                                "'; the drawing has the layers " + names);
+  }
+
   void report() const {
     if (!physical_) warn_of_pixels();
     if (!sheet_understood_) {
@@ -356,6 +367,7 @@ Part read_svg(std::string_view text, const std::string& file_name, const ReadOpt
   part.source_file = file_name;
   SvgCollector collector(text, file_name, options, part.diagnostics);
   collector.collect(root);
+  collector.refuse_unknown_layers();
   collector.report();
   std::vector<DrawnGroup> groups = collector.take_groups();
   question_size(groups, file_name, options);
