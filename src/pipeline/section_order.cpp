@@ -41,6 +41,8 @@ std::vector<Indices> predecessors(const std::vector<Section>& sections, const Pa
   std::vector<Indices> before(sections.size());
   // What may come free is cut last, inner cut-outs before outer ones as the workplan has them.
   const auto frees = [&](std::size_t i) {
+    const int index = part.workplan[static_cast<std::size_t>(sections[i].workingstep)].feature;
+    if (index >= static_cast<int>(part.features.size())) return false;
     const auto& profile =
         feature_of(part, part.workplan[static_cast<std::size_t>(sections[i].workingstep)]).profile;
     return profile && profile->side != ProfileSide::kOn;

@@ -15,9 +15,16 @@ namespace {
 
 /// mm2. What a mill may leave in corners before a smaller one is taken.
 constexpr double kCorners = 1;
+/// mm. The same for cutters of any size.
+constexpr double kSpare = 0.01;
+/// mm. Stock on walls for finishing where nobody says how much.
+constexpr double kFinishStock = 0.3;
 /// mm2. What a boolean leaves of areas that only touch.
 constexpr double kSpeck = 0.01;
-/// Of the cutter's radius: width of the band beside the outline in which leads and ramps may run.
+/// Of the cutter's radius: how far the far side of the kerf may be cut beyond it. More would let ramps and rapids leave the
+/// contour for what stands beside it.
+constexpr double kBeyondKerf = 0.02;
+/// Of the cutter's radius: how far around a profile others are looked for.
 constexpr double kBand = 3;
 /// mm. How far the cutter's rim may stray from an engraved line's.
 constexpr double kBesideLine = 0.005;
@@ -71,7 +78,7 @@ Regions solid_around(const Part& part, const ProfileCut& cut, double reach, cons
   return solid;
 }
 
-void shape(Feature& feature, const Part& part, double radius, const Tolerances& tol) {
+void shape(Feature& feature, const Part& part, double radius, double stock, const Tolerances& tol) {
   const ProfileCut& cut = *feature.profile;
   if (cut.side == ProfileSide::kOn) {
     feature.target = stock::kerf_of(cut, 2 * radius, tol);
@@ -80,7 +87,7 @@ void shape(Feature& feature, const Part& part, double radius, const Tolerances& 
   }
   const Regions solid = solid_around(part, cut, kBand * radius, tol);
   feature.target = stock::kerf_of(cut, 2 * radius, tol);
-  feature.allowed = stock::kerf_of(cut, kBand * radius, tol);
+  feature.allowed = stock::kerf_of(cut, (2 + kBeyondKerf) * radius + kSpare + 2 * stock, tol);
   // Without others in the way it stays exact as it is.
   if (solid.empty() || area(intersect(feature.allowed, solid, tol)) < kSpeck) return;
   feature.target = subtract(feature.target, solid, tol);
@@ -264,7 +271,9 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
     if (!feature.profile) continue;
     const double radius = tool_of(part, step).radius();
-    shape(feature, part, radius, options.tol);
+    // What is left for finishing counts on both sides of the kerf.
+    const double finish = options.shop.finish ? options.shop.finish_stock.value_or(kFinishStock) : 0;
+    shape(feature, part, radius, step.operation.allowance_side + finish, options.tol);
     const bool held = options.tabs.count > 0 && feature.profile->side != ProfileSide::kOn;
     auto below = held ? split_at_tabs(feature, radius, part, options) : std::nullopt;
     if (!below) continue;
