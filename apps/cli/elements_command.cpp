@@ -104,7 +104,7 @@ int run(const ElementsCommand& command) {
       print_line(report::table(result.plan.part, result.plan.findings));
     }
   }
-  return result.plan.findings.all.clean ? kClean : kFault;
+  return exit_code_of(result.plan.findings);
 }
 
 /// Elements are numbered in the order they were typed, whatever their kinds.

@@ -85,6 +85,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
 void PlanArguments::add_tool_options(CLI::App& command) {
   add_tool_list_options(command);
   command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid");
+  command.add_option("--accept", accept_,
+                     "Condition that holds at the machine, by its name (repeatable): g55, blending, ...");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2");
   command.add_option("--junction-deviation", junction_deviation_, "Junction deviation of the machine, mm");
   command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min");
@@ -247,6 +249,7 @@ resolve::PlanOptions PlanArguments::options() const {
   resolve::PlanOptions options;
   options.tools = tools();
   options.machine = machine(from_job);
+  options.accept = accept_;
   options.strategy = strategy_.value_or(given.plan.strategy.value_or("auto"));
   options.stepover = stepover_ ? stepover_ : given.plan.stepover;
   options.angle_deg = angle_;

@@ -48,6 +48,7 @@ class PlanArguments {
   read::SolidOptions solid_;
   std::optional<std::string> tool_library_;
   std::optional<std::string> machine_file_;
+  std::vector<std::string> accept_;
   std::optional<std::string> strategy_;
   std::optional<std::string> stepover_;
   std::optional<double> angle_;

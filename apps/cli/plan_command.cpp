@@ -88,7 +88,7 @@ int run(PlanCommand command) {
       print_line(report::table(result.part, result.findings));
     }
   }
-  return result.findings.all.clean ? kClean : kFault;
+  return exit_code_of(result.findings);
 }
 
 }  // namespace

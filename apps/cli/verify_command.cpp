@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/version.h"
 #include "commands.h"
@@ -18,6 +19,7 @@ struct VerifyCommand {
   std::string program;
   std::string json;
   std::string svg;
+  std::optional<std::string> dialect;
   bool quiet = false;
 };
 
@@ -32,11 +34,28 @@ report::CertificateInfo certificate_info(const VerifyCommand& command, const res
   return info;
 }
 
+std::optional<read::gcode::Dialect> dialect_of(const VerifyCommand& command) {
+  if (!command.dialect) return std::nullopt;
+  const auto dialect = read::gcode::dialect_named(*command.dialect);
+  if (!dialect)
+    throw InputError("--dialect",
+                     "'" + *command.dialect +
+                         "' is unknown; use one of linuxcnc, grbl, fanuc, haas, heidenhain, mach3, "
+                         "mach4, marlin");
+  return dialect;
+}
+
+/// As which control the program was read, where nobody has said.
+std::string dialect_line(const VerifyCommand& command, const pipeline::CheckResult& result) {
+  if (command.dialect) return "";
+  return "read as a program for " + std::string(name_of(result.dialect)) + " (--dialect names another)\n";
+}
+
 int run(const VerifyCommand& command) {
   const resolve::PlanOptions options = command.arguments.options();
   const std::string program = read_file(command.program);
-  const pipeline::CheckResult result =
-      pipeline::check_program(command.arguments.read(), program, command.program, options);
+  const pipeline::CheckResult result = pipeline::check_program(command.arguments.read(), program,
+                                                               command.program, options, dialect_of(command));
   std::vector<OutputFile> files;
   if (!command.json.empty()) {
     files.push_back({command.json, report::certificate_json(result.part, result.findings,
@@ -45,11 +64,11 @@ int run(const VerifyCommand& command) {
   if (!command.svg.empty())
     files.push_back({command.svg, report::svg(result.part, result.toolpath, result.findings, {})});
   write_files(files);
-  if (!command.quiet) {
-    print(result.part.diagnostics, true);
-    if (command.json != "-") print_line(report::table(result.part, result.findings));
-  }
-  return result.findings.all.clean ? kClean : kFault;
+  if (!command.quiet) print(result.part.diagnostics, true);
+  if (command.json != "-")
+    print_line(command.quiet ? verdict_and_reasons(result.findings)
+                             : dialect_line(command, result) + report::table(result.part, result.findings));
+  return exit_code_of(result.findings);
 }
 
 }  // namespace
@@ -61,8 +80,11 @@ void add_verify_command(CLI::App& app, int& exit_code) {
   state->arguments.add_part_options(*command, "--part");
   state->arguments.add_tool_options(*command);
   command->add_option("--json", state->json, "Certificate to write (- for standard output)");
+  command->add_option("--dialect", state->dialect,
+                      "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
+                      "(default: recognised)");
   command->add_option("--svg", state->svg, "Picture to write");
-  command->add_flag("--quiet", state->quiet, "Print nothing but errors");
+  command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   command->callback([state, &exit_code] { exit_code = run(*state); });
 }
 

@@ -4,17 +4,22 @@
 
 #include <algorithm>
 
+#include "base/digest.h"
 #include "base/error.h"
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
+#include "report/motion_text.h"
 #include "stock/round_hole.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
 namespace {
+
+/// Hexadecimal digits of a hash in a header.
+constexpr std::size_t kHashShown = 16;
 
 std::string stock_line(const Part& part) {
   if (!part.stock) return "STOCK: NOT GIVEN";
@@ -24,24 +29,39 @@ std::string stock_line(const Part& part) {
                      trimmed(stock.z_bottom, 3), trimmed(stock.z_top, 3));
 }
 
-/// The certificate in short lines, always as many: the numbered places of the findings must stay true.
-std::vector<std::string> verdict_lines(const std::optional<Figures>& all) {
-  if (!all) return {"CERTIFICATE: PENDING", "-", "-", "-", "-"};
-  return {fmt::format("CERTIFICATE: {}", all->clean ? "CLEAN" : "FAULTS FOUND"),
-          fmt::format("LEFT UNCUT: BELOW {:.4f} MM", all->uncut_thickness_mm),
-          fmt::format("GOUGE: {:.4f} MM", all->gouge_mm),
-          fmt::format("RAPIDS IN MATERIAL: {}", all->rapid_in_material),
-          fmt::format("TIME: {:.1f} S", all->time_s)};
+constexpr std::size_t kConditionsShown = 3;
+
+/// "NONE", or the first few by name.
+std::string condition_line(const Findings& findings) {
+  std::string text = "CONDITIONS:";
+  const auto& all = findings.conditions;
+  for (std::size_t i = 0; i < std::min(all.size(), kConditionsShown); ++i)
+    text += (i > 0 ? ", " : " ") + all[i].name + (all[i].met_by.empty() ? "" : " (" + all[i].met_by + ")");
+  if (all.size() > kConditionsShown) text += fmt::format(" AND {} MORE", all.size() - kConditionsShown);
+  return all.empty() ? text + " NONE" : text;
 }
 
-std::vector<std::string> header(const Part& part, const std::optional<Figures>& all) {
+/// The certificate in short lines, always as many: the numbered places of the findings must stay true.
+std::vector<std::string> verdict_lines(const Findings* findings, const std::string& motion_hash) {
+  if (findings == nullptr) return {"CERTIFICATE: PENDING", "-", "-", "-", "-", "-", "-"};
+  const Figures& all = findings->all;
+  return {fmt::format("CERTIFICATE: {}", name_of(verdict_of(*findings))),
+          condition_line(*findings),
+          fmt::format("LEFT UNCUT: BELOW {:.4f} MM", all.uncut_thickness_mm),
+          fmt::format("GOUGE: {:.4f} MM", all.gouge_mm),
+          fmt::format("RAPIDS IN MATERIAL: {}", all.rapid_in_material),
+          fmt::format("TIME: {:.1f} S", all.time_s),
+          fmt::format("MOTION SHA-256: {}", motion_hash.substr(0, kHashShown))};
+}
+
+std::vector<std::string> header(const Part& part, const Findings* findings, const std::string& motion_hash) {
   std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part)};
   for (const auto& tool : part.tools) {
     lines.push_back(
         fmt::format("TOOL T{}: {} {} MM", tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
   }
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
-  for (auto& line : verdict_lines(all)) lines.push_back(std::move(line));
+  for (auto& line : verdict_lines(findings, motion_hash)) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -58,10 +78,21 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
                     });
 }
 
-std::string post_with(const std::optional<Figures>& verdict, const Toolpath& toolpath, const Part& part,
-                      const resolve::PlanOptions& options) {
-  PostOptions post_options = options.post;
-  post_options.header = header(part, verdict);
+/// What the machine needs, where nobody has asked for something else.
+PostOptions post_options_of(const resolve::PlanOptions& options) {
+  PostOptions post = options.post;
+  if (!post.spindle_wait && options.machine.spindle_wait_s > 0)
+    post.spindle_wait = Seconds::of(options.machine.spindle_wait_s);
+  const auto& accepted = options.accept;
+  post.continuous = std::find(accepted.begin(), accepted.end(), "blending") != accepted.end();
+  return post;
+}
+
+/// Findings and the motion's hash come into the header of a program that has been judged.
+std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
+                      const Part& part, const resolve::PlanOptions& options) {
+  PostOptions post_options = post_options_of(options);
+  post_options.header = header(part, findings, motion_hash);
   if (post_options.program_name.empty()) post_options.program_name = part.name;
   return post::write_program(toolpath, part, post_options);
 }
@@ -157,7 +188,8 @@ namespace {
 
 /// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
 /// words for them.
-Toolpath read_back(const std::string& program, const Toolpath& planned, const resolve::PlanOptions& options) {
+read::gcode::Program read_back(const std::string& program, const Toolpath& planned,
+                               const resolve::PlanOptions& options) {
   read::gcode::ReadControllerOptions reading;
   reading.dialect = read::gcode::dialect_named(options.post.dialect);
   reading.home_z = home_z(options.machine);
@@ -165,21 +197,45 @@ Toolpath read_back(const std::string& program, const Toolpath& planned, const re
     const bool same = !reading.hand_tools.empty() && reading.hand_tools.back() == section.tool_number;
     if (section.tool_number > 0 && !same) reading.hand_tools.push_back(section.tool_number);
   }
-  return read::gcode::read_gcode(program, "program", reading).toolpath;
+  return read::gcode::read_gcode(program, "program", reading);
+}
+
+/// Whether the control has lengths for its tools, and cuts at wrong heights without.
+bool has_tool_lengths(read::gcode::Dialect dialect) {
+  using read::gcode::Dialect;
+  return dialect == Dialect::kFanuc || dialect == Dialect::kHaas || dialect == Dialect::kMach3 ||
+         dialect == Dialect::kMach4;
 }
 
 }  // namespace
 
+Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
+               const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
+               const resolve::PlanOptions& options) {
+  verify::VerifyOptions verify = verify_options(options);
+  verify.control = &control;
+  verify.needs_tool_length = has_tool_lengths(dialect) && options.post.length_offset;
+  Findings findings = verify::verify_program(part, toolpath, verify);
+  findings.conditions = conditions;
+  accept_conditions(findings, options.accept);
+  return findings;
+}
+
 void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
-  result.program = post_with(std::nullopt, planned, result.part, options);
-  result.toolpath = read_back(result.program, planned, options);
-  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));
+  result.program = post_with(nullptr, "", planned, result.part, options);
+  read::gcode::Program read = read_back(result.program, planned, options);
+  result.toolpath = std::move(read.toolpath);
+  result.control = std::move(read.control);
+  result.findings =
+      judge(result.part, result.toolpath, result.control, read.conditions, read.dialect, options);
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
-  result.program = post_with(result.findings.all, planned, result.part, options);
+  const std::string hash = sha256_hex(report::motion_text(result.program));
+  result.program = post_with(&result.findings, hash, planned, result.part, options);
   const auto again = read_back(result.program, planned, options);
-  CLEARCUT_ASSERT(same_moves(again, result.toolpath));
+  CLEARCUT_ASSERT(same_moves(again.toolpath, result.toolpath));
+  CLEARCUT_ASSERT(sha256_hex(report::motion_text(result.program)) == hash);
 }
 
 }  // namespace clearcut::pipeline

@@ -6,6 +6,7 @@
 #include "link/link.h"
 #include "model/pass.h"
 #include "pipeline/run.h"
+#include "read/gcode/dialect.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
@@ -27,6 +28,12 @@ Section link_step(const std::vector<LayerPasses>& passes, int workingstep, Entry
                   const resolve::PlanOptions& options);
 
 verify::VerifyOptions verify_options(const resolve::PlanOptions& options);
+
+/// Judges what a control reads: its moves, what it holds meanwhile, and the conditions of both. Marks the conditions that
+/// the machine file or options.accept answer.
+Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
+               const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
+               const resolve::PlanOptions& options);
 
 /// Posts `planned` for result.part, reads it back, and judges what was read.
 void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options);

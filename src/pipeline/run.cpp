@@ -290,12 +290,15 @@ void number_sections(Toolpath& toolpath, const Part& part) {
   }
 }
 
-/// A program of another CAM is held to the stepdown that somebody stated, not to our default.
-void keep_stated_stepdowns(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
+/// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
+void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const bool mills = !stock::only_plunges(tool_of(prepared, prepared.workplan[i]));
     prepared.workplan[i].operation.stepdown =
         options.stepdown && mills ? options.stepdown : part.workplan[i].operation.stepdown;
+    const auto& stated = part.workplan[i].operation.cutting.plunge_feed;
+    prepared.workplan[i].operation.cutting.plunge_feed =
+        options.cutting.plunge_feed ? options.cutting.plunge_feed : stated;
   }
 }
 
@@ -336,21 +339,19 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   reading.dialect = dialect;
   reading.home_z = home_z(options.machine);
   reading.safe_z = part.top_z();
+  reading.places = options.machine.places;
   auto read = read::gcode::read_gcode(program, program_name, reading);
   CheckResult result;
   result.part = resolve::prepare(part, numbered_by(read.toolpath, options));
-  keep_stated_stepdowns(result.part, part, options);
+  keep_stated_limits(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
-  for (const Condition& one : read.conditions) {
-    result.part.diagnostics.warn(program_name + ":" + std::to_string(one.line),
-                                 "condition '" + one.name + "': " + one.text);
-  }
-  result.conditions = std::move(read.conditions);
   result.control = std::move(read.control);
   result.dialect = read.dialect;
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
-  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));
+  result.findings =
+      judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, options);
+  result.conditions = result.findings.conditions;
   return result;
 }
 

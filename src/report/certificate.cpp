@@ -92,9 +92,11 @@ void add_figures(Json& json, const Figures& f) {
   json["turn_angle_deg"] = number(f.turn_angle_deg);
   json["retracts"] = f.retracts;
   json["time_s"] = number(f.time_s);
+  json["waits_s"] = number(f.waits_s);
   json["time_naive_s"] = number(f.time_naive_s);
   json["uncut_mm2"] = number(f.uncut_mm2);
   json["uncut_thickness_mm"] = number(f.uncut_thickness_mm);
+  json["path_tolerance_mm"] = number(f.path_tolerance_mm);
   json["uncut_at"] = place(f.uncut_at);
   json["gouge_mm"] = number(f.gouge_mm);
   json["gouge_at"] = place(f.gouge_at);
@@ -164,6 +166,15 @@ Json fault(const Fault& findings) {
   return json;
 }
 
+Json condition(const Condition& one) {
+  Json json;
+  json["name"] = one.name;
+  json["text"] = one.text;
+  json["line"] = one.line;
+  json["met_by"] = one.met_by;
+  return json;
+}
+
 }  // namespace
 
 std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info) {
@@ -176,12 +187,16 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   json["source_file"] = part.source_file;
   json["tool"] = info.tool;
   json["machine"] = info.machine;
+  json["verdict"] = name_of(verdict_of(findings));
   add_figures(json, findings.all);
+  json["clean"] = all_finite(findings.all) && verdict_of(findings) == Verdict::kClean;
   json["features"] = Json::array();
   for (const FeatureFindings& one : findings.features)
     json["features"].push_back(feature(one, info.contests));
   json["faults"] = Json::array();
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
+  json["conditions"] = Json::array();
+  for (const Condition& one : findings.conditions) json["conditions"].push_back(condition(one));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

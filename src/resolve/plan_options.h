@@ -40,7 +40,8 @@ struct PlanOptions {
   Machine machine;
   PostOptions post;
   std::string objective = "time";
-  std::optional<double> time_s;  ///< longest search
+  std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
+  std::optional<double> time_s;     ///< longest search
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores
   Tolerances tol;
