@@ -17,7 +17,17 @@ if(CLEARCUT_SANITIZE)
   target_link_options(clearcut_options INTERFACE -fsanitize=${CLEARCUT_SANITIZE})
 endif()
 
+# The standard headers that nearly every source includes and fmt, parsed once: about 0.5 s less for each source in a build
+# from nothing. Off by default, so that a source that forgets an include does not compile where the work is done, and
+# clang-tidy is given no header of g++'s.
+option(CLEARCUT_PRECOMPILED_HEADERS "Parse common headers once" OFF)
+
 find_program(CLEARCUT_CCACHE ccache)
 if(CLEARCUT_CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CLEARCUT_CCACHE})
+  if(CLEARCUT_PRECOMPILED_HEADERS)
+    # What the cache needs to know a precompiled header again (ccache's manual, "Precompiled headers").
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CLEARCUT_CCACHE})
+    target_compile_options(clearcut_options INTERFACE -fpch-preprocess)
+  endif()
 endif()

@@ -27,14 +27,14 @@ INSTANTIATE_TEST_SUITE_P(All, LatticeParts, testing::Values("contour", "zigzag",
                          [](const auto& strategy) { return strategy.param; });
 
 TEST_P(LatticeParts, WithCorridorsAsWideAsTheCutterAreCleared) {
-  for (int seed = 1; seed <= test_support::random_count(40); ++seed) {
+  for (int seed = 1; seed <= test_support::random_count(15); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     EXPECT_EQ(fault_of(test_support::exact_fit_pocket(random, kDiameter), GetParam()), "") << "seed " << seed;
   }
 }
 
 TEST_P(LatticeParts, AsBlocksWithNarrowArmsAreCleared) {
-  for (int seed = 1; seed <= test_support::random_count(40); ++seed) {
+  for (int seed = 1; seed <= test_support::random_count(15); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     EXPECT_EQ(fault_of(test_support::block_with_arms(random, kDiameter), GetParam()), "") << "seed " << seed;
   }

@@ -242,7 +242,8 @@ class Writer {
     std::string words = fmt::format("G{}", code);
     if (chance(0.5)) words = (chance(0.5) ? "G98 " : "G99 ") + words;
     words += place(axes) + word("XYZ"[axes[2]], bottom) + word('R', r);
-    if (code == 73 || code == 83) words += word('Q', positive(0.5, 4));
+    // Never a whole number of pecks: rounding would decide about one more, of no depth.
+    if (code == 73 || code == 83) words += word('Q', positive(0.5, 4) + 0.00037);
     const bool dwells = code == 82 || code == 89 || code == 86 || code == 84;
     if (dwells) words += " P0.1";
     if (chance(0.2)) words += fmt::format(" L{}", 1 + any(3));

@@ -13,7 +13,7 @@ WORD = ["linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "marlin"]
 ALL = WORD + ["heidenhain"]
 CHANGER = ["linuxcnc", "fanuc", "haas", "mach3", "mach4"]
 ENDING = {"linuxcnc": ".ngc", "grbl": ".nc", "fanuc": ".nc", "haas": ".nc", "mach3": ".tap", "mach4": ".tap",
-          "marlin": ".gcode", "heidenhain": ".h"}
+          "marlin": ".gcode", "heidenhain": ".H"}
 TOOL = ["endmill:6:T1"]
 
 

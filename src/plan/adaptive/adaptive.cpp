@@ -76,8 +76,7 @@ enum class Lifts {
 class AdaptivePlanner {
  public:
   AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                  const std::vector<Path>& slots, const Layer& layer, double limit,
-                  const AdaptiveOptions& options, Lifts lifts)
+                  const Layer& layer, double limit, const AdaptiveOptions& options, Lifts lifts)
       : legal_(legal),
         front_(front_area(legal, layer.tool_radius, limit)),
         radius_(layer.tool_radius),
@@ -89,7 +88,7 @@ class AdaptivePlanner {
         finder_(front_, clearance, ground_, layer, limit, options.start),
         clearing_(ground_, path_, {front_, legal, kMarkPitch * radius_, film_between_cuts(radius_, limit)},
                   inner.clearing, limit, {kAir * radius_, 0}),
-        finish_(ground_, path_, legal, inner.finishing, layer.target, slots, limit),
+        finish_(ground_, path_, legal, inner.finishing, layer.target, limit),
         open_(layer.stock && has_open_side(layer)),
         lifts_(lifts) {
     leave_corners();
@@ -263,10 +262,9 @@ class AdaptivePlanner {
 
 /// With few lifts, else with as many as it takes.
 std::vector<Pass> passes_of(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                            const std::vector<Path>& slots, const Layer& layer, double limit,
-                            const AdaptiveOptions& options) {
+                            const Layer& layer, double limit, const AdaptiveOptions& options) {
   for (const Lifts lifts : {Lifts::kFew, Lifts::kAny}) {
-    auto passes = AdaptivePlanner(legal, inner, clearance, slots, layer, limit, options, lifts).plan();
+    auto passes = AdaptivePlanner(legal, inner, clearance, layer, limit, options, lifts).plan();
     if (passes) return std::move(*passes);
   }
   return {};
@@ -325,12 +323,11 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);
     const auto inner = inner_areas(legal, clearance, layer, limit);
-    const auto slots = clearance.fit_lines(first, layer.reserve);
     for (std::size_t i = 0; i < legal.size(); ++i) {
-      add_passes(result, passes_of(legal[i], inner[i], clearance, slots, layer, limit, options));
+      add_passes(result, passes_of(legal[i], inner[i], clearance, layer, limit, options));
       result.legal.push_back(std::move(legal[i]));
     }
-    add_fit_lines(result, slots);
+    add_fit_lines(result, clearance.fit_lines(first, layer.reserve));
   }
   return result;
 }

@@ -20,6 +20,7 @@
 #include "geometry/boolean.h"
 #include "geometry/route/legal_area.h"
 #include "plan/common/clearing_area.h"
+#include "plan/common/cover.h"
 #include "plan/contour/passes.h"
 #include "plan/contour/search.h"
 #include "plan/contour/step_rule.h"
@@ -36,6 +37,10 @@ constexpr double kBareOverlap = 0.004;
 constexpr double kBareMargin = 0.002;
 /// mm. An edge of the target whose middle lies farther than this from every wall is open.
 constexpr double kOpenDistance = 1e-3;
+
+/// mm. Less than this of a face's border may stay; in tool radii, between looks at it.
+constexpr double kArmFilm = 0.005;
+constexpr double kBorderPitch = 0.1;
 
 bool on_wall(Vec2 p, const Regions& allowed) {
   return std::any_of(allowed.begin(), allowed.end(),
@@ -54,23 +59,15 @@ bool has_open_side(const Loop& loop, const Regions& allowed) {
 /// thin rests along walls need at least 2.
 constexpr double kReachBesideWalls = 2.05;
 
-/// mm. What stays of a face farther than this from the sweep of its rings belongs to an arm that is too narrow for them.
-constexpr double kArmFilm = 0.005;
-
-/// Whether the first ring comes near enough to all of a face where rings may use `reach` mm of the air: no ring runs in
-/// arms narrower than twice what it stays inside their edges.
-bool reaches_all(const Region& face, double reach, double radius, const Tolerances& tol) {
-  Regions swept;
-  for (const auto& domain : dilate({face}, reach, tol)) {
-    const auto rings = dilate(inset(domain, radius, tol), radius + kArmFilm, tol);
-    swept.insert(swept.end(), rings.begin(), rings.end());
-  }
-  return subtract({face}, swept, tol).empty();
-}
+/// Where the first ring of a face runs.
+enum class FaceRing {
+  kInside,  ///< inside the edge, just near enough to it to clear the sharpest corner
+  kOnEdge   ///< so that arms too narrow for a ring inside are cleared, too
+};
 
 /// How far beyond the target's open sides rings may use the air, mm (see docs/contour.md, "Open sides"). What stands beside
 /// walls may be thinner than the round of the cutter's corners.
-double reach_beyond(const Region& target, const Layer& layer, const Tolerances& tol) {
+double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring) {
   const Regions& allowed = layer.allowed;
   const double radius = layer.tool_radius;
   const auto islands_clear = [&](const Loop& island) {
@@ -82,14 +79,12 @@ double reach_beyond(const Region& target, const Layer& layer, const Tolerances& 
   const bool face = !has_wall(target.outer(), allowed) &&
                     std::all_of(target.islands().begin(), target.islands().end(), islands_clear);
   if (!face) return kReachBesideWalls * radius + layer.rounded;
-  // The first ring runs inside the edge, just near enough to it to clear the sharpest corner.
-  const double inside = radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
-  // Else on the edge.
-  return reaches_all(target, inside, radius, tol) ? inside : radius;
+  if (face_ring == FaceRing::kOnEdge) return radius;
+  return radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
 }
 
 /// Where rings are planned: `allowed`, less what lies far beyond the target's open sides.
-Regions working_domain(const Layer& layer, const Tolerances& tol) {
+Regions working_domain(const Layer& layer, FaceRing face_ring, const Tolerances& tol) {
   if (closed_all_round(layer)) return layer.allowed;
   Regions closed, open;
   double beyond = 0;
@@ -99,7 +94,7 @@ Regions working_domain(const Layer& layer, const Tolerances& tol) {
                                    [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
     (opens ? open : closed).push_back(target);
     // Stock is left on walls; the air needs none.
-    const double reach = reach_beyond(target, layer, tol) + layer.wall_stock;
+    const double reach = reach_beyond(target, layer, face_ring) + layer.wall_stock;
     if (opens) beyond = std::max(beyond, reach);
   }
   if (!open.empty()) {
@@ -118,9 +113,9 @@ Regions legal_centers(const Layer& layer, const Tolerances& tol) {
   return legal;
 }
 
-std::vector<Domain> domains_of(const Layer& layer, const Tolerances& tol) {
+std::vector<Domain> domains_of(const Layer& layer, FaceRing face_ring, const Tolerances& tol) {
   std::vector<Domain> domains;
-  for (const auto& region : working_domain(layer, tol)) domains.emplace_back(region, tol);
+  for (const auto& region : working_domain(layer, face_ring, tol)) domains.emplace_back(region, tol);
   return domains;
 }
 
@@ -161,7 +156,28 @@ void begin_at(Vec2 start, LayerPasses& layer) {
 }
 
 /// Rings, and the ways they are pulled into, inside-out.
-LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, const Tolerances& tol);
+LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, FaceRing face_ring,
+                            const Tolerances& tol);
+
+/// Whether the passes leave some of the border of a target with open sides that they could clear.
+bool leaves_border(const Layer& layer, const LayerPasses& planned) {
+  std::vector<Edge> edges;
+  for (const auto& pass : planned.passes) edges.insert(edges.end(), pass.path.begin(), pass.path.end());
+  const Cover cover(edges, layer.tool_radius + kArmFilm);
+  const LegalArea legal(planned.legal);
+  const auto is_left = [&](Vec2 p) {
+    return !cover.holds(p) && (legal.contains(p) || legal.is_near_boundary(p, layer.tool_radius - kArmFilm));
+  };
+  for (const auto& region : layer.target) {
+    for (const Edge& edge : region.edges()) {
+      const int looks = 1 + static_cast<int>(edge.length() / (kBorderPitch * layer.tool_radius));
+      for (int i = 0; i < looks; ++i) {
+        if (is_left(edge.at((i + 0.5) / looks))) return true;
+      }
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -169,7 +185,10 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
   ContourOptions inside_out = options;
   // Ways are run backwards in the end, so their rings are planned the other way round.
   if (options.outside_in) inside_out.wall_on_right = !options.wall_on_right;
-  LayerPasses result = plan_inside_out(layer, inside_out, tol);
+  LayerPasses result = plan_inside_out(layer, inside_out, FaceRing::kInside, tol);
+  const bool clears = options.residuals == ResidualRule::kOurs && !closed_all_round(layer);
+  if (clears && leaves_border(layer, result))
+    result = plan_inside_out(layer, inside_out, FaceRing::kOnEdge, tol);
   result.outside_in = options.outside_in;
   result.start = options.start;
   if (options.outside_in) turn_ways_round(result);
@@ -179,14 +198,15 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
 
 namespace {
 
-LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
+LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, FaceRing face_ring,
+                            const Tolerances& tol) {
   CLEARCUT_ASSERT(layer.tool_radius > 0);
   LayerPasses result;
   result.z_top = layer.z_top;
   result.z = layer.z;
   result.target = layer.target;
   result.strategy = "contour";
-  const auto domains = domains_of(layer, tol);
+  const auto domains = domains_of(layer, face_ring, tol);
   RingJob job;
   job.radius = layer.tool_radius;
   job.first_level = layer.tool_radius + layer.wall_stock;

@@ -182,7 +182,7 @@ void Reader::set_length(double longer) {
 void Reader::cycle(const std::vector<std::string>& words) {
   const std::string number_word = words.size() > 2 ? words[2] : "";
   const std::string cycle = number_word.substr(0, number_word.find('.'));
-  const std::string last = words.back();
+  const std::string& last = words.back();
   if (words.size() < 3 || words[1] != "DEF" || (cycle != "9" && cycle != "32" && cycle != "247")) {
     refuse("cycle " + cycle.substr(0, 20) + " is not read; post its moves one by one");
   }
