@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/version.h"
+#include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
 #include "pipeline/elements.h"
@@ -43,15 +43,6 @@ struct ElementsCommand {
   resolve::PlanOptions options;
 };
 
-/// What decides the job, whether it comes from a file or was typed.
-std::string input_text(const ElementsCommand& command) {
-  if (!command.input.empty()) return read_file(command.input);
-  std::string text;
-  for (const auto& element : command.elements) text += "--" + element.kind + " " + element.text + "\n";
-  for (const auto& tool : command.tools) text += "--tool " + tool + "\n";
-  return text;
-}
-
 ElementJob job_of(const ElementsCommand& command) {
   if (!command.input.empty() && !command.elements.empty())
     throw InputError("elements", "takes a job file or elements as options, not both");
@@ -63,12 +54,11 @@ ElementJob job_of(const ElementsCommand& command) {
 }
 
 report::CertificateInfo certificate_info(const ElementsCommand& command, const std::string& program) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = command.options.seed;
-  info.input_hash = content_hash(input_text(command));
-  info.program_hash = content_hash(program);
-  info.machine = command.options.machine.name;
+  std::vector<CertificateFileName> files;
+  if (!command.input.empty()) files.push_back({"job", command.input});
+  report::CertificateInfo info = certificate_basis("elements", files, command.options);
+  info.program_name = command.output;
+  info.program = program;
   return info;
 }
 

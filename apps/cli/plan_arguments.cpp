@@ -234,6 +234,19 @@ std::vector<Tool> PlanArguments::tools() const {
   return tools;
 }
 
+std::vector<CertificateFileName> PlanArguments::input_files() const {
+  std::vector<CertificateFileName> files;
+  const auto job = this->job();
+  files.push_back({job ? "job" : "part", input_});
+  if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
+  if (tool_library_) files.push_back({"tools", *tool_library_});
+  if (job && !tool_library_ && job->tool_library) files.push_back({"tools", job->tool_library->string()});
+  if (machine_file_) files.push_back({"machine", *machine_file_});
+  if (after_) files.push_back({"earlier program", *after_});
+  if (job && !after_ && job->after) files.push_back({"earlier program", job->after->string()});
+  return files;
+}
+
 Machine PlanArguments::machine(const std::optional<read::JobFile>& job) const {
   Machine machine = machine_file_ ? read::read_machine(*machine_file_) : job ? job->machine : Machine{};
   if (acceleration_) machine.acceleration = *acceleration_;

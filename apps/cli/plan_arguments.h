@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "certificate_info.h"
 #include "read/job/job_file.h"
 #include "read/read_part.h"
 #include "resolve/plan_options.h"
@@ -26,6 +27,8 @@ class PlanArguments {
   Part read() const;
   resolve::PlanOptions options() const;
   const std::string& input() const { return input_; }
+  /// Every file that the options rest on, by its role, those that a job names included.
+  std::vector<CertificateFileName> input_files() const;
   const read::SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
   std::optional<read::JobFile> job() const;

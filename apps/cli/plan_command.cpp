@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/version.h"
+#include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
 #include "pipeline/run.h"
@@ -30,13 +30,10 @@ struct PlanCommand {
 
 report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
                                          const pipeline::PlanResult& result) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = options.seed;
-  info.input_hash = content_hash(read_file(command.arguments.input()));
-  info.program_hash = content_hash(result.program);
+  report::CertificateInfo info = certificate_basis("plan", command.arguments.input_files(), options);
+  info.program_name = command.output;
+  info.program = result.program;
   info.contests = result.contests;
-  info.machine = options.machine.name;
   return info;
 }
 
@@ -91,21 +88,38 @@ int run(PlanCommand command) {
   return exit_code_of(result.findings);
 }
 
+std::shared_ptr<PlanCommand> declare(CLI::App& command) {
+  auto state = std::make_shared<PlanCommand>();
+  state->arguments.add_part_options(command, "INPUT");
+  state->arguments.add_tool_options(command);
+  state->arguments.add_cutting_options(command);
+  command.add_option("-o,--output", state->output, "Program to write (- for standard output)");
+  command.add_option("--certificate", state->certificate, "Certificate to write (JSON)");
+  command.add_option("--svg", state->svg, "Picture to write");
+  command.add_option("--report", state->html, "Animated report to write (HTML)");
+  command.add_option("--result", state->result, "Segments to write: x y to x y per line");
+  command.add_flag("--quiet", state->quiet, "Print nothing but errors");
+  return state;
+}
+
 }  // namespace
 
 void add_plan_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("plan", "Plan a part, write its program and certify it");
-  auto state = std::make_shared<PlanCommand>();
-  state->arguments.add_part_options(*command, "INPUT");
-  state->arguments.add_tool_options(*command);
-  state->arguments.add_cutting_options(*command);
-  command->add_option("-o,--output", state->output, "Program to write (- for standard output)");
-  command->add_option("--certificate", state->certificate, "Certificate to write (JSON)");
-  command->add_option("--svg", state->svg, "Picture to write");
-  command->add_option("--report", state->html, "Animated report to write (HTML)");
-  command->add_option("--result", state->result, "Segments to write: x y to x y per line");
-  command->add_flag("--quiet", state->quiet, "Print nothing but errors");
+  auto state = declare(*command);
   command->callback([state, &exit_code] { exit_code = run(*state); });
+}
+
+std::string plan_certificate(const std::vector<std::string>& arguments) {
+  CLI::App app;
+  const auto state = declare(app);
+  app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  PlanCommand command = *state;
+  if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
+  remember_arguments(arguments);
+  const resolve::PlanOptions options = command.arguments.options();
+  const pipeline::PlanResult result = pipeline::plan_part(command.arguments.read(), options);
+  return report::certificate_json(result.part, result.findings, certificate_info(command, options, result));
 }
 
 }  // namespace clearcut::cli

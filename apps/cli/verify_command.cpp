@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/version.h"
+#include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
 #include "pipeline/run.h"
@@ -23,17 +23,6 @@ struct VerifyCommand {
   bool quiet = false;
 };
 
-report::CertificateInfo certificate_info(const VerifyCommand& command, const resolve::PlanOptions& options,
-                                         const std::string& program) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = options.seed;
-  info.input_hash = content_hash(read_file(command.arguments.input()));
-  info.program_hash = content_hash(program);
-  info.machine = options.machine.name;
-  return info;
-}
-
 std::optional<read::gcode::Dialect> dialect_of(const VerifyCommand& command) {
   if (!command.dialect) return std::nullopt;
   const auto dialect = read::gcode::dialect_named(*command.dialect);
@@ -51,16 +40,32 @@ std::string dialect_line(const VerifyCommand& command, const pipeline::CheckResu
   return "read as a program for " + std::string(name_of(result.dialect)) + " (--dialect names another)\n";
 }
 
-int run(const VerifyCommand& command) {
+struct Judged {
+  std::string program;
+  pipeline::CheckResult result;
+  std::string certificate;
+};
+
+Judged judged(const VerifyCommand& command) {
   const resolve::PlanOptions options = command.arguments.options();
-  const std::string program = read_file(command.program);
-  const pipeline::CheckResult result = pipeline::check_program(command.arguments.read(), program,
-                                                               command.program, options, dialect_of(command));
+  Judged out;
+  out.program = read_file(command.program);
+  out.result = pipeline::check_program(command.arguments.read(), out.program, command.program, options,
+                                       dialect_of(command));
+  report::CertificateInfo info = certificate_basis("verify", command.arguments.input_files(), options);
+  info.program_name = command.program;
+  info.program = out.program;
+  info.dialect = name_of(out.result.dialect);
+  info.dialect_stated = command.dialect.has_value();
+  out.certificate = report::certificate_json(out.result.part, out.result.findings, info);
+  return out;
+}
+
+int run(const VerifyCommand& command) {
+  const Judged found = judged(command);
+  const pipeline::CheckResult& result = found.result;
   std::vector<OutputFile> files;
-  if (!command.json.empty()) {
-    files.push_back({command.json, report::certificate_json(result.part, result.findings,
-                                                            certificate_info(command, options, program))});
-  }
+  if (!command.json.empty()) files.push_back({command.json, found.certificate});
   if (!command.svg.empty())
     files.push_back({command.svg, report::svg(result.part, result.toolpath, result.findings, {})});
   write_files(files);
@@ -71,21 +76,34 @@ int run(const VerifyCommand& command) {
   return exit_code_of(result.findings);
 }
 
+std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
+  auto state = std::make_shared<VerifyCommand>();
+  command.add_option("PROGRAM", state->program, "Program of any CAM: G-code or Klartext")->required();
+  state->arguments.add_part_options(command, "--part");
+  state->arguments.add_tool_options(command);
+  command.add_option("--dialect", state->dialect,
+                     "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
+                     "(default: recognised)");
+  command.add_option("--json", state->json, "Certificate to write (- for standard output)");
+  command.add_option("--svg", state->svg, "Picture to write");
+  command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+  return state;
+}
+
 }  // namespace
 
 void add_verify_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("verify", "Judge any program against a part");
-  auto state = std::make_shared<VerifyCommand>();
-  command->add_option("PROGRAM", state->program, "Program of any CAM: G-code or Klartext")->required();
-  state->arguments.add_part_options(*command, "--part");
-  state->arguments.add_tool_options(*command);
-  command->add_option("--json", state->json, "Certificate to write (- for standard output)");
-  command->add_option("--dialect", state->dialect,
-                      "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
-                      "(default: recognised)");
-  command->add_option("--svg", state->svg, "Picture to write");
-  command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+  auto state = declare(*command);
   command->callback([state, &exit_code] { exit_code = run(*state); });
+}
+
+std::string verify_certificate(const std::vector<std::string>& arguments) {
+  CLI::App app;
+  const auto state = declare(app);
+  app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  remember_arguments(arguments);
+  return judged(*state).certificate;
 }
 
 }  // namespace clearcut::cli

@@ -30,6 +30,8 @@ std::string stock_line(const Part& part) {
 }
 
 constexpr std::size_t kConditionsShown = 3;
+/// Characters; every control takes a comment as long in one line.
+constexpr std::size_t kConditionLine = 60;
 
 /// "NONE", or the first few by name.
 std::string condition_line(const Findings& findings) {
@@ -38,7 +40,7 @@ std::string condition_line(const Findings& findings) {
   for (std::size_t i = 0; i < std::min(all.size(), kConditionsShown); ++i)
     text += (i > 0 ? ", " : " ") + all[i].name + (all[i].met_by.empty() ? "" : " (" + all[i].met_by + ")");
   if (all.size() > kConditionsShown) text += fmt::format(" AND {} MORE", all.size() - kConditionsShown);
-  return all.empty() ? text + " NONE" : text;
+  return all.empty() ? text + " NONE" : text.substr(0, kConditionLine);
 }
 
 /// The certificate in short lines, always as many: the numbered places of the findings must stay true.
@@ -207,6 +209,20 @@ bool has_tool_lengths(read::gcode::Dialect dialect) {
          dialect == Dialect::kMach4;
 }
 
+/// How far the control may leave the path before anything found here is no longer so; or the machine file says it.
+void name_blending_bound(Findings& findings, const resolve::PlanOptions& options) {
+  for (Condition& one : findings.conditions) {
+    if (one.name != "blending") continue;
+    if (options.machine.path_tolerance) {
+      one.met_by = "machine file";
+      continue;
+    }
+    const double bound = std::min(options.tol.uncut - findings.all.uncut_thickness_mm,
+                                  options.tol.gouge - findings.all.gouge_mm);
+    one.text += fmt::format("; what is found here holds up to {} mm", trimmed(std::max(bound, 0.0), 4));
+  }
+}
+
 }  // namespace
 
 Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
@@ -217,6 +233,7 @@ Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& c
   verify.needs_tool_length = has_tool_lengths(dialect) && options.post.length_offset;
   Findings findings = verify::verify_program(part, toolpath, verify);
   findings.conditions = conditions;
+  name_blending_bound(findings, options);
   accept_conditions(findings, options.accept);
   return findings;
 }

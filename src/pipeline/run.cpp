@@ -253,11 +253,24 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
   }
 }
 
+/// Whether another strategy may do without a fault of that kind.
+bool depends_on_strategy(FaultKind kind) {
+  return kind != FaultKind::kBeyondFlutes && kind != FaultKind::kBeyondStock &&
+         kind != FaultKind::kToolLength && kind != FaultKind::kSpindleOff &&
+         kind != FaultKind::kSpindleDirection && kind != FaultKind::kSpindleSpeed &&
+         kind != FaultKind::kOutsideTravel && kind != FaultKind::kWrongTool;
+}
+
 /// Takes the next best plan of every workingstep that was not certified clean. False when there was nothing to do.
 bool retry_unclean(Choice& choice, PlanResult& result) {
   bool retried = false;
   for (const auto& feature : result.findings.features) {
     if (feature.figures.clean || feature.workingstep < 0) continue;
+    const auto& faults = result.findings.faults;
+    if (std::none_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+          return fault.feature == feature.name && depends_on_strategy(fault.kind);
+        }))
+      continue;
     const auto i = static_cast<std::size_t>(feature.workingstep);
     const Tool& tool = tool_of(result.part, result.part.workplan[i]);
     if (tool.corner_radius >= tool.radius()) continue;  // no passes leave a floor flat

@@ -4,18 +4,18 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/digest.h"
+#include "report/certificate_question.h"
+#include "report/motion_text.h"
+
 namespace clearcut::report {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rounded to 1e-6, so that the same figure has the same text whatever order it was summed in.
 Json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  const double scaled = value * 1e6;
-  if (std::abs(scaled) > 1e15) return value;
-  return std::round(scaled) / 1e6 + 0.0;
+  return certificate_number(value);
 }
 
 Json place(const std::optional<Place>& at) {
@@ -175,18 +175,37 @@ Json condition(const Condition& one) {
   return json;
 }
 
+Json file(const CertificateFile& one) {
+  Json json;
+  json["role"] = one.role;
+  json["name"] = one.name;
+  json["sha256"] = one.sha256;
+  return json;
+}
+
+Json program(const CertificateInfo& info) {
+  Json json;
+  json["name"] = info.program_name;
+  json["sha256"] = sha256_hex(info.program);
+  json["motion_sha256"] = sha256_hex(motion_text(info.program));
+  json["dialect"] = info.dialect;
+  json["dialect_stated"] = info.dialect_stated;
+  return json;
+}
+
 }  // namespace
 
 std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info) {
   Json json;
+  json["schema"] = "clearcut-certificate-2";
   json["version"] = info.version;
   json["seed"] = info.seed;
-  json["input_hash"] = info.input_hash;
-  json["program_hash"] = info.program_hash;
   json["part"] = part.name;
   json["source_file"] = part.source_file;
-  json["tool"] = info.tool;
-  json["machine"] = info.machine;
+  json["inputs"] = Json::array();
+  for (const CertificateFile& one : info.inputs) json["inputs"].push_back(file(one));
+  json["program"] = program(info);
+  json["question"] = certificate_question(part, findings, info);
   json["verdict"] = name_of(verdict_of(findings));
   add_figures(json, findings.all);
   json["clean"] = all_finite(findings.all) && verdict_of(findings) == Verdict::kClean;
@@ -197,6 +216,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
   json["conditions"] = Json::array();
   for (const Condition& one : findings.conditions) json["conditions"].push_back(condition(one));
+  json["seal"] = seal_of(json);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -211,7 +211,7 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
     const Place place{left.worst.value_or(middle), worst.z, 0};
     faults.push_back({FaultKind::kUncut, feature.name, place, left.thickness_mm,
                       feature.name + ": " + trimmed(left.uncut_mm2, 4) +
-                          " mm2 within reach is left uncut, up to " + mm(left.thickness_mm) + " thick," +
+                          " mm2 within reach is left uncut, up to " + mm(left.thickness_mm) + " wide," +
                           at(place) + "."});
   }
   return faults;
