@@ -1,8 +1,7 @@
 #include "certificate_info.h"
 
-#include "base/digest.h"
-#include "base/file.h"
-#include "base/version.h"
+#include <clearcut/certificate.h>
+#include <clearcut/file.h>
 
 namespace clearcut::cli {
 namespace {
@@ -18,26 +17,15 @@ void remember_arguments(std::vector<std::string> arguments) {
   arguments_kept() = std::move(arguments);
 }
 
-const std::vector<std::string>& typed_arguments() {
-  return arguments_kept();
-}
-
-report::CertificateInfo certificate_basis(const std::string& command,
-                                          const std::vector<CertificateFileName>& files,
-                                          const resolve::PlanOptions& options) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = options.seed;
-  info.command = command;
-  info.arguments = typed_arguments();
+CertificateBasis certificate_basis(const std::string& command, const std::vector<CertificateFileName>& files,
+                                   const std::string& program_name) {
+  CertificateBasis basis;
+  basis.command = command;
+  basis.arguments = arguments_kept();
   for (const CertificateFileName& one : files)
-    info.inputs.push_back({one.role, one.path, sha256_hex(read_file(one.path))});
-  info.dialect = options.post.dialect;
-  info.machine = options.machine;
-  info.tolerances = options.tol;
-  info.engagement_limit_deg = options.engagement_deg;
-  info.material = options.shop.material;
-  return info;
+    basis.inputs.push_back({one.role, one.path, sha256_hex(read_file(one.path))});
+  basis.program_name = program_name;
+  return basis;
 }
 
 }  // namespace clearcut::cli

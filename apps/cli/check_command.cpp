@@ -1,17 +1,16 @@
 // clearcut check: whether a certificate, the program and the part are what they were.
+#include <clearcut/certificate.h>
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/digest.h"
-#include "base/error.h"
-#include "base/file.h"
 #include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
-#include "report/certificate_question.h"
-#include "report/certificate_schema.h"
 
 namespace clearcut::cli {
 namespace {
@@ -101,16 +100,15 @@ void check_again(const Json& certificate, const CheckCommand& command, std::vect
     json->at("program").erase("name");
     for (Json& input : json->at("inputs")) input.erase("name");
   }
-  for (const std::string& one : report::differences(before, now)) faults.push_back("again " + one);
+  for (const std::string& one : differences(before, now)) faults.push_back("again " + one);
 }
 
 int run(const CheckCommand& command) {
   const Json certificate = certificate_of(command.certificate);
-  std::vector<std::string> faults =
-      report::schema_faults(certificate, Json::parse(report::certificate_schema()));
+  std::vector<std::string> faults = schema_faults(certificate, Json::parse(certificate_schema()));
   for (std::string& fault : faults) fault = "schema " + fault;
   if (faults.empty()) {
-    if (certificate.at("seal").get<std::string>() != report::seal_of(certificate))
+    if (certificate.at("seal").get<std::string>() != seal_of(certificate))
       faults.push_back("the certificate was altered after it was written" +
                        std::string(command.again ? "" : "; --again says where"));
     check_inputs(certificate, command, faults);

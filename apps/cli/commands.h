@@ -1,9 +1,9 @@
 // The subcommands. Each adds itself to the application; when it is chosen its callback sets `exit_code`.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <clearcut/verify.h>
 
-#include "model/findings.h"
+#include <CLI/CLI.hpp>
 
 namespace clearcut::cli {
 

@@ -1,38 +1,16 @@
 #include "plan_arguments.h"
 
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
+#include <clearcut/verify.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "read/gcode/gcode.h"
-#include "read/job/machine_file.h"
-#include "read/tools/tool_library.h"
-
 namespace clearcut::cli {
 namespace {
-
-const std::map<std::string, EntryKind> kEntries{{"helix", EntryKind::kHelix},
-                                                {"ramp", EntryKind::kRamp},
-                                                {"zigzag", EntryKind::kZigzagRamp},
-                                                {"plunge", EntryKind::kPlunge}};
-const std::map<std::string, CutDirection> kDirections{{"climb", CutDirection::kClimb},
-                                                      {"conventional", CutDirection::kConventional}};
-
-/// Whether outside-in.
-const std::map<std::string, bool> kOrders{{"inside-out", false}, {"outside-in", true}};
-
-template <class Value>
-std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
-                           const char* option) {
-  if (!name) return std::nullopt;
-  const auto found = names.find(*name);
-  if (found != names.end()) return found->second;
-  std::string known;
-  for (const auto& [text, value] : names) known += (known.empty() ? "" : ", ") + text;
-  throw InputError(option, "'" + *name + "' is unknown; use one of " + known);
-}
 
 std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
   if (!mm_per_min) return std::nullopt;
@@ -143,7 +121,7 @@ void PlanArguments::add_post_options(CLI::App& command) {
       ->check(CLI::NonNegativeNumber);
 }
 
-PostOptions PlanArguments::post(const read::JobOutput& job) const {
+PostOptions PlanArguments::post(const JobOutput& job) const {
   PostOptions post;
   post.dialect = post_.value_or(job.post.value_or("linuxcnc"));
   post.inch = inch_ || job.inch.value_or(false);
@@ -190,7 +168,7 @@ void PlanArguments::add_shop_options(CLI::App& command) {
   command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm");
 }
 
-ShopOptions PlanArguments::shop(const read::JobFile& job) const {
+ShopOptions PlanArguments::shop(const JobFile& job) const {
   ShopOptions own = shop_;
   own.lead_feed = feed_of(lead_feed_);
   own.link_feed = feed_of(link_feed_);
@@ -198,16 +176,16 @@ ShopOptions PlanArguments::shop(const read::JobFile& job) const {
   return own.or_else(job.shop);
 }
 
-std::optional<Toolpath> PlanArguments::earlier(const read::JobFile& job, const Machine& machine) const {
+std::optional<Toolpath> PlanArguments::earlier(const JobFile& job, const Machine& machine) const {
   const std::optional<std::string> file = after_      ? after_
                                           : job.after ? std::optional(job.after->string())
                                                       : std::nullopt;
   if (!file) return std::nullopt;
-  return read::gcode::read_gcode(read_file(*file), *file, home_z(machine)).toolpath;
+  return read_program(read_file(*file), *file, home_z(machine)).toolpath;
 }
 
 Part PlanArguments::read() const {
-  read::ReadOptions options;
+  ReadOptions options;
   options.unit = unit_;
   options.layers = layers_;
   options.top = top_;
@@ -215,22 +193,23 @@ Part PlanArguments::read() const {
   options.solid = solid_;
   for (const Tool& tool : tools())
     if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
-  Part part = read::read_part(input_, options);
+  const auto from_job = job();
+  Part part = from_job ? part_of_job(*from_job, options, step_sources_) : read_part(input_, options);
   if (clearance_z_) part.clearance_z = clearance_z_;
   return part;
 }
 
-std::optional<read::JobFile> PlanArguments::job() const {
+std::optional<JobFile> PlanArguments::job() const {
   if (std::filesystem::path(input_).extension() != ".toml") return std::nullopt;
-  return read::read_job(input_);
+  return read_job(input_);
 }
 
 std::vector<Tool> PlanArguments::tools() const {
   std::vector<Tool> tools;
   if (tool_library_) {
-    for (const auto& entry : read::read_tool_library(*tool_library_, {}).tools) tools.push_back(entry.tool);
+    for (const auto& entry : read_tool_library(*tool_library_, {}).tools) tools.push_back(entry.tool);
   }
-  for (const auto& text : tools_) tools.push_back(resolve::parse_tool(text));
+  for (const auto& text : tools_) tools.push_back(parse_tool(text));
   return tools;
 }
 
@@ -247,39 +226,62 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
   return files;
 }
 
-Machine PlanArguments::machine(const std::optional<read::JobFile>& job) const {
-  Machine machine = machine_file_ ? read::read_machine(*machine_file_) : job ? job->machine : Machine{};
+Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
+  Machine machine = machine_file_ ? read_machine(*machine_file_) : job ? job->machine : Machine{};
   if (acceleration_) machine.acceleration = *acceleration_;
   if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
   if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
   return machine;
 }
 
+void PlanArguments::take_sources(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string name = option->get_lnames().front();
+    typed_.set(name.starts_with("no-") ? name.substr(3) : name, {Origin::kUser, "--" + name});
+  }
+}
+
+/// Also those that a later rule or the command line puts aside: a name that is unknown is never meant.
+void PlanArguments::check_strategies(const JobFile& job) const {
+  const auto check = [](const CutSettings& settings) {
+    const Source* source = settings.sources.find("strategy");
+    if (settings.strategy && source) strategy_named(*settings.strategy, built_in_strategies(), source->text);
+  };
+  check(job.plan);
+  for (const OperationRule& rule : job.operations) check(rule.settings);
+}
+
 /// The command line goes before the job, the job before the defaults.
-resolve::PlanOptions PlanArguments::options() const {
+PlanOptions PlanArguments::options() const {
   const auto from_job = job();
-  const read::JobFile given = from_job.value_or(read::JobFile{});
-  resolve::PlanOptions options;
+  const JobFile given = from_job.value_or(JobFile{});
+  PlanOptions options;
   options.tools = tools();
   options.machine = machine(from_job);
   options.accept = accept_;
-  options.strategy = strategy_.value_or(given.plan.strategy.value_or("auto"));
+  check_strategies(given);
+  options.sources = given.sources;
+  if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
+  options.step_sources = step_sources_;
+  options.sources.merge(typed_);
+  options.strategy = strategy_;
   options.stepover = stepover_ ? stepover_ : given.plan.stepover;
   options.angle_deg = angle_;
   options.stepdown = stepdown_;
   options.allowance = allowance_;
   options.allowance_floor = allowance_floor_;
   options.engagement_deg = engagement_ ? engagement_ : given.engagement_deg;
-  options.entry = named(kEntries, entry_, "--entry");
+  if (entry_) options.entry = entry_named(*entry_, "--entry");
   if (entry_angle_) options.entry_angle = Radians::of_degrees(*entry_angle_);
   options.lead = lead_;
   if (lead_angle_) options.lead_angle = Radians::of_degrees(*lead_angle_);
   options.scallop = scallop_;
   options.shop = shop(given);
   options.earlier = earlier(given, options.machine);
-  for (const auto& text : predrilled_) options.predrilled.push_back(resolve::parse_predrilled(text));
-  options.direction = named(kDirections, direction_, "--direction");
-  options.outside_in = named(kOrders, order_, "--order").value_or(false);
+  for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
+  if (direction_) options.direction = direction_named(*direction_, "--direction");
+  options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
   if (start_) options.start = point_of(*start_, "--start");
   options.cutting.feed = feed_of(feed_);
   options.cutting.plunge_feed = feed_of(plunge_feed_);
@@ -291,7 +293,7 @@ resolve::PlanOptions PlanArguments::options() const {
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));
   options.threads = threads_;
-  resolve::check(options);
+  check_options(options);
   return options;
 }
 

@@ -1,6 +1,9 @@
 // The options that plan, compare and verify share, as the user types them.
 #pragma once
 
+#include <clearcut/part.h>
+#include <clearcut/plan.h>
+
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
@@ -9,10 +12,6 @@
 #include <vector>
 
 #include "certificate_info.h"
-#include "read/job/job_file.h"
-#include "read/read_part.h"
-#include "resolve/plan_options.h"
-
 namespace clearcut::cli {
 
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
@@ -24,31 +23,38 @@ class PlanArguments {
   void add_tool_options(CLI::App& command);
   void add_cutting_options(CLI::App& command);
 
+  /// Before options(), which tell where the values of a job stand only then.
   Part read() const;
-  resolve::PlanOptions options() const;
+  /// The names of all options that were typed, for the origins of values.
+  void take_sources(const CLI::App& command);
+  PlanOptions options() const;
   const std::string& input() const { return input_; }
   /// Every file that the options rest on, by its role, those that a job names included.
   std::vector<CertificateFileName> input_files() const;
-  const read::SolidOptions& solid() const { return solid_; }
+  const SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
-  std::optional<read::JobFile> job() const;
+  std::optional<JobFile> job() const;
 
  private:
   std::vector<Tool> tools() const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
-  PostOptions post(const read::JobOutput& job) const;
-  Machine machine(const std::optional<read::JobFile>& job) const;
-  ShopOptions shop(const read::JobFile& job) const;
-  std::optional<Toolpath> earlier(const read::JobFile& job, const Machine& machine) const;
+  PostOptions post(const JobOutput& job) const;
+  Machine machine(const std::optional<JobFile>& job) const;
+  ShopOptions shop(const JobFile& job) const;
+  std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
+
+  void check_strategies(const JobFile& job) const;
 
   std::string input_;
+  Sources typed_;
+  mutable StepSources step_sources_;  ///< of the part that was read
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;
   std::optional<double> top_;
   std::optional<double> depth_;
-  read::SolidOptions solid_;
+  SolidOptions solid_;
   std::optional<std::string> tool_library_;
   std::optional<std::string> machine_file_;
   std::vector<std::string> accept_;

@@ -1,19 +1,15 @@
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/plan.h>
+#include <clearcut/report.h>
+
 #include <filesystem>
 #include <memory>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/run.h"
 #include "plan_arguments.h"
-#include "report/certificate.h"
-#include "report/contest_table.h"
-#include "report/picture/svg.h"
-#include "report/result.h"
-#include "report/table.h"
-#include "report/viewer/html.h"
 
 namespace clearcut::cli {
 namespace {
@@ -26,33 +22,23 @@ struct PlanCommand {
   std::string html;
   std::string result;
   bool quiet = false;
+  bool explain = false;
 };
 
-report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
-                                         const pipeline::PlanResult& result) {
-  report::CertificateInfo info = certificate_basis("plan", command.arguments.input_files(), options);
-  info.program_name = command.output;
-  info.program = result.program;
-  info.contests = result.contests;
-  return info;
+CertificateBasis basis_of(const PlanCommand& command) {
+  return certificate_basis("plan", command.arguments.input_files(), command.output);
 }
 
-std::vector<OutputFile> output_files(const PlanCommand& command, const resolve::PlanOptions& options,
-                                     const pipeline::PlanResult& result) {
+std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
+                                     const PlanResult& result) {
   std::vector<OutputFile> files{{command.output, result.program}};
   const auto add = [&](const std::string& path, auto&& content) {
     if (!path.empty()) files.push_back({path, content()});
   };
-  add(command.certificate, [&] {
-    return report::certificate_json(result.part, result.findings, certificate_info(command, options, result));
-  });
-  add(command.svg, [&] { return report::svg(result.part, result.toolpath, result.findings, {}); });
-  add(command.html, [&] {
-    return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
-  });
-  add(command.result, [&] {
-    return report::result_file(result.toolpath, {result.part.name, result.contours});
-  });
+  add(command.certificate, [&] { return write_certificate(result, options, basis_of(command)); });
+  add(command.svg, [&] { return write_picture(result); });
+  add(command.html, [&] { return write_page(result, options); });
+  add(command.result, [&] { return write_segments(result); });
   return files;
 }
 
@@ -61,7 +47,7 @@ std::string in_folder_of(const std::string& job_file, const std::string& name) {
 }
 
 /// Files that the command line leaves open are written where the job says.
-void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
+void take_outputs_from(const JobFile& job, PlanCommand& command) {
   const auto take = [&](std::string& path, const std::optional<std::string>& from_job) {
     if (path.empty() && from_job) path = in_folder_of(job.file, *from_job);
   };
@@ -72,17 +58,28 @@ void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
   take(command.result, job.output.result);
 }
 
+/// The values alone, without planning.
+int explain(const Part& part, const PlanOptions& options) {
+  const ResolvedPlan plan = resolve_plan(part, options);
+  print(plan.part.diagnostics, true);
+  print_line(write_values(plan.part, plan.values));
+  return kClean;
+}
+
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
+  const Part part = command.arguments.read();
+  const PlanOptions options = command.arguments.options();
+  if (command.output.empty() && command.explain) return explain(part, options);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
-  const resolve::PlanOptions options = command.arguments.options();
-  const pipeline::PlanResult result = pipeline::plan_part(command.arguments.read(), options);
-  write_files(output_files(command, options, result));
+  const PlanResult result = plan_part(part, options);
+  write_outputs(output_files(command, options, result));
+  if (command.explain) print_line(write_values(result.part, result.values));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
-      if (options.strategy == "auto") print_line(report::plain(report::contest_table(result.contests)));
-      print_line(report::table(result.part, result.findings));
+      if (options.strategy.value_or("auto") == "auto") print_line(write_contest_table(result));
+      print_line(write_table(result));
     }
   }
   return exit_code_of(result.findings);
@@ -98,6 +95,7 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
   command.add_option("--svg", state->svg, "Picture to write");
   command.add_option("--report", state->html, "Animated report to write (HTML)");
   command.add_option("--result", state->result, "Segments to write: x y to x y per line");
+  command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
   command.add_flag("--quiet", state->quiet, "Print nothing but errors");
   return state;
 }
@@ -107,19 +105,23 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
 void add_plan_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("plan", "Plan a part, write its program and certify it");
   auto state = declare(*command);
-  command->callback([state, &exit_code] { exit_code = run(*state); });
+  command->callback([state, command, &exit_code] {
+    state->arguments.take_sources(*command);
+    exit_code = run(*state);
+  });
 }
 
 std::string plan_certificate(const std::vector<std::string>& arguments) {
   CLI::App app;
   const auto state = declare(app);
   app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  state->arguments.take_sources(app);
   PlanCommand command = *state;
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   remember_arguments(arguments);
-  const resolve::PlanOptions options = command.arguments.options();
-  const pipeline::PlanResult result = pipeline::plan_part(command.arguments.read(), options);
-  return report::certificate_json(result.part, result.findings, certificate_info(command, options, result));
+  const Part part = command.arguments.read();
+  const PlanOptions options = command.arguments.options();
+  return write_certificate(plan_part(part, options), options, basis_of(command));
 }
 
 }  // namespace clearcut::cli

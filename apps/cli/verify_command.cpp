@@ -1,15 +1,13 @@
+#include <clearcut/file.h>
+#include <clearcut/report.h>
+#include <clearcut/verify.h>
+
 #include <memory>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/run.h"
 #include "plan_arguments.h"
-#include "report/certificate.h"
-#include "report/picture/svg.h"
-#include "report/table.h"
 
 namespace clearcut::cli {
 namespace {
@@ -35,44 +33,40 @@ std::optional<read::gcode::Dialect> dialect_of(const VerifyCommand& command) {
 }
 
 /// As which control the program was read, where nobody has said.
-std::string dialect_line(const VerifyCommand& command, const pipeline::CheckResult& result) {
+std::string dialect_line(const VerifyCommand& command, const CheckResult& result) {
   if (command.dialect) return "";
   return "read as a program for " + std::string(name_of(result.dialect)) + " (--dialect names another)\n";
 }
 
 struct Judged {
   std::string program;
-  pipeline::CheckResult result;
+  CheckResult result;
   std::string certificate;
 };
 
 Judged judged(const VerifyCommand& command) {
-  const resolve::PlanOptions options = command.arguments.options();
+  const PlanOptions options = command.arguments.options();
   Judged out;
   out.program = read_file(command.program);
-  out.result = pipeline::check_program(command.arguments.read(), out.program, command.program, options,
-                                       dialect_of(command));
-  report::CertificateInfo info = certificate_basis("verify", command.arguments.input_files(), options);
-  info.program_name = command.program;
-  info.program = out.program;
-  info.dialect = name_of(out.result.dialect);
-  info.dialect_stated = command.dialect.has_value();
-  out.certificate = report::certificate_json(out.result.part, out.result.findings, info);
+  out.result =
+      check_program(command.arguments.read(), out.program, command.program, options, dialect_of(command));
+  CertificateBasis basis = certificate_basis("verify", command.arguments.input_files(), command.program);
+  basis.dialect_stated = command.dialect.has_value();
+  out.certificate = write_certificate(out.result, options, basis, out.program);
   return out;
 }
 
 int run(const VerifyCommand& command) {
   const Judged found = judged(command);
-  const pipeline::CheckResult& result = found.result;
+  const CheckResult& result = found.result;
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, found.certificate});
-  if (!command.svg.empty())
-    files.push_back({command.svg, report::svg(result.part, result.toolpath, result.findings, {})});
-  write_files(files);
+  if (!command.svg.empty()) files.push_back({command.svg, write_picture(result)});
+  write_outputs(files);
   if (!command.quiet) print(result.part.diagnostics, true);
   if (command.json != "-")
     print_line(command.quiet ? verdict_and_reasons(result.findings)
-                             : dialect_line(command, result) + report::table(result.part, result.findings));
+                             : dialect_line(command, result) + write_table(result));
   return exit_code_of(result.findings);
 }
 

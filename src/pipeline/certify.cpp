@@ -81,74 +81,63 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
 }
 
 /// What the machine needs, where nobody has asked for something else.
-PostOptions post_options_of(const resolve::PlanOptions& options) {
-  PostOptions post = options.post;
-  if (!post.spindle_wait && options.machine.spindle_wait_s > 0)
-    post.spindle_wait = Seconds::of(options.machine.spindle_wait_s);
-  const auto& accepted = options.accept;
+PostOptions post_options_of(const ResolvedPlan& plan) {
+  PostOptions post = plan.post;
+  if (!post.spindle_wait && plan.machine.spindle_wait_s > 0)
+    post.spindle_wait = Seconds::of(plan.machine.spindle_wait_s);
+  const auto& accepted = plan.accept;
   post.continuous = std::find(accepted.begin(), accepted.end(), "blending") != accepted.end();
   return post;
 }
 
 /// Findings and the motion's hash come into the header of a program that has been judged.
 std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
-                      const Part& part, const resolve::PlanOptions& options) {
-  PostOptions post_options = post_options_of(options);
+                      const Part& part, const ResolvedPlan& plan) {
+  PostOptions post_options = post_options_of(plan);
   post_options.header = header(part, findings, motion_hash);
   if (post_options.program_name.empty()) post_options.program_name = part.name;
   return post::write_program(toolpath, part, post_options);
 }
 
-/// mm over all that stands, where nothing is said.
-constexpr double kCrossing = 2;
-/// mm. The least of what is said, likewise.
-constexpr double kLeastCrossing = 1;
-
 }  // namespace
 
-double crossing_z(const Part& part, const Operation& operation) {
-  const double top = part.top_z();
-  const double asked = operation.retract_z.value_or(top + kCrossing);
-  return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
-}
-
-link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry,
-                               const resolve::PlanOptions& options) {
-  const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  const auto& operation = step.operation;
+link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry) {
+  const ResolvedStep& step = plan.steps.at(static_cast<std::size_t>(workingstep));
+  const Tool& tool = tool_of(plan.part, plan.part.workplan.at(static_cast<std::size_t>(workingstep)));
   link::LinkOptions link;
-  link.tool_radius = tool_of(part, step).radius();
-  link.safe_z = part.safe_z();
-  link.cross_z = crossing_z(part, operation);
-  link.direction = *operation.direction;
-  link.spindle_clockwise = operation.cutting.spindle_clockwise;
-  link.feed = *operation.cutting.feed;
-  link.plunge_feed = *operation.cutting.plunge_feed;
-  link.ramp_feed = *operation.cutting.ramp_feed;
-  link.entry = operation.entry.value_or(entry);
-  if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
-  link.may_plunge = tool_of(part, step).center_cutting;
-  link.helix_widest = options.shop.widest_helix(operation.entry_size);
-  link.zigzag_length = operation.entry_size.value_or(0);
-  link.helix_narrowest = options.shop.helix_narrowest;
-  link.lead = {operation.lead.value_or(0), operation.lead_angle, options.shop.lead_overlap.value_or(0)};
-  link.lead_feed = options.shop.lead_feed;
-  link.link_feed = options.shop.link_feed;
-  link.link_lift = options.shop.link_lift.value_or(0);
-  link.predrilled = stock::holes_before(part, workingstep, options.tol);
-  if (part.stock) link.stock = part.stock->plan;
-  link.machine = options.machine;
+  link.tool_radius = tool.radius();
+  link.safe_z = plan.part.safe_z();
+  link.cross_z = step.cross_z;
+  link.direction = step.direction;
+  link.spindle_clockwise = step.spindle_clockwise;
+  link.feed = step.feed;
+  link.plunge_feed = step.plunge_feed;
+  link.ramp_feed = step.ramp_feed;
+  link.entry = entry;
+  link.entry_angle = step.entry_angle;
+  link.may_plunge = tool.center_cutting;
+  link.helix_widest = step.helix_widest;
+  link.helix_narrowest = step.helix_narrowest;
+  link.zigzag_length = step.zigzag_length;
+  link.lead = {step.lead, step.lead_angle, plan.lead_overlap};
+  link.lead_feed = step.lead_feed;
+  link.link_feed = plan.link_feed;
+  link.link_lift = plan.link_lift;
+  link.predrilled = stock::holes_before(plan.part, workingstep, plan.tol);
+  if (plan.part.stock) link.stock = plan.part.stock->plan;
+  link.machine = plan.machine;
   return link;
 }
 
-void describe(Section& section, int workingstep, const Part& part) {
-  const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  section.label = feature_of(part, step).name;
+void describe(Section& section, int workingstep, const ResolvedPlan& plan) {
+  const auto index = static_cast<std::size_t>(workingstep);
+  const ResolvedStep& step = plan.steps.at(index);
+  section.label = feature_of(plan.part, plan.part.workplan.at(index)).name;
   section.workingstep = workingstep;
-  section.tool_number = tool_of(part, step).number;
-  section.spindle_rpm = *step.operation.cutting.spindle_rpm;
-  section.spindle_clockwise = step.operation.cutting.spindle_clockwise;
-  section.coolant = step.operation.cutting.coolant;
+  section.tool_number = tool_of(plan.part, plan.part.workplan.at(index)).number;
+  section.spindle_rpm = step.spindle_rpm;
+  section.spindle_clockwise = step.spindle_clockwise;
+  section.coolant = step.coolant;
 }
 
 /// Distances of the contours from the walls, ascending; of contour-parallel passes only.
@@ -167,22 +156,23 @@ std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
   return levels;
 }
 
-Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
-                  const resolve::PlanOptions& options) {
-  Section section = link::link_layers(passes, link_options(part, workingstep, entry, options), options.tol);
-  describe(section, workingstep, part);
+Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
+                  const ResolvedPlan& plan) {
+  Section section = link::link_layers(passes, link_options(plan, workingstep, entry), plan.tol);
+  describe(section, workingstep, plan);
   section.contours = contour_levels(passes);
   return section;
 }
 
-verify::VerifyOptions verify_options(const resolve::PlanOptions& options) {
+verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   verify::VerifyOptions verify;
-  verify.tol = options.tol;
-  verify.machine = options.machine;
-  verify.engagement_limit_deg = options.engagement_deg;
-  verify.threads = resolve::thread_count(options);
-  if (options.earlier) verify.earlier = &*options.earlier;
-  if (options.shop.material) verify.material = work_material_named(*options.shop.material);
+  verify.tol = plan.tol;
+  verify.machine = plan.machine;
+  verify.engagement_limit_deg = plan.engagement_deg;
+  verify.threads = plan.threads;
+  verify.cancel = plan.cancel;
+  if (plan.earlier) verify.earlier = &*plan.earlier;
+  verify.material = plan.material;
   return verify;
 }
 
@@ -191,10 +181,10 @@ namespace {
 /// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
 /// words for them.
 read::gcode::Program read_back(const std::string& program, const Toolpath& planned,
-                               const resolve::PlanOptions& options) {
+                               const ResolvedPlan& plan) {
   read::gcode::ReadControllerOptions reading;
-  reading.dialect = read::gcode::dialect_named(options.post.dialect);
-  reading.home_z = home_z(options.machine);
+  reading.dialect = read::gcode::dialect_named(plan.post.dialect);
+  reading.home_z = home_z(plan.machine);
   for (const Section& section : planned.sections) {
     const bool same = !reading.hand_tools.empty() && reading.hand_tools.back() == section.tool_number;
     if (section.tool_number > 0 && !same) reading.hand_tools.push_back(section.tool_number);
@@ -210,15 +200,15 @@ bool has_tool_lengths(read::gcode::Dialect dialect) {
 }
 
 /// How far the control may leave the path before anything found here is no longer so; or the machine file says it.
-void name_blending_bound(Findings& findings, const resolve::PlanOptions& options) {
+void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
   for (Condition& one : findings.conditions) {
     if (one.name != "blending") continue;
-    if (options.machine.path_tolerance) {
+    if (plan.machine.path_tolerance) {
       one.met_by = "machine file";
       continue;
     }
-    const double bound = std::min(options.tol.uncut - findings.all.uncut_thickness_mm,
-                                  options.tol.gouge - findings.all.gouge_mm);
+    const double bound =
+        std::min(plan.tol.uncut - findings.all.uncut_thickness_mm, plan.tol.gouge - findings.all.gouge_mm);
     one.text += fmt::format("; what is found here holds up to {} mm", trimmed(std::max(bound, 0.0), 4));
   }
 }
@@ -227,30 +217,30 @@ void name_blending_bound(Findings& findings, const resolve::PlanOptions& options
 
 Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
-               const resolve::PlanOptions& options) {
-  verify::VerifyOptions verify = verify_options(options);
+               const ResolvedPlan& plan) {
+  verify::VerifyOptions verify = verify_options(plan);
   verify.control = &control;
-  verify.needs_tool_length = has_tool_lengths(dialect) && options.post.length_offset;
+  verify.accepted = plan.accept;
+  verify.needs_tool_length = has_tool_lengths(dialect) && plan.post.length_offset;
   Findings findings = verify::verify_program(part, toolpath, verify);
   findings.conditions = conditions;
-  name_blending_bound(findings, options);
-  accept_conditions(findings, options.accept);
+  name_blending_bound(findings, plan);
+  accept_conditions(findings, plan.accept);
   return findings;
 }
 
-void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
-  result.program = post_with(nullptr, "", planned, result.part, options);
-  read::gcode::Program read = read_back(result.program, planned, options);
+void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
+  result.program = post_with(nullptr, "", planned, result.part, plan);
+  read::gcode::Program read = read_back(result.program, planned, plan);
   result.toolpath = std::move(read.toolpath);
   result.control = std::move(read.control);
-  result.findings =
-      judge(result.part, result.toolpath, result.control, read.conditions, read.dialect, options);
+  result.findings = judge(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
 }
 
-void sign(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
+void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
   const std::string hash = sha256_hex(report::motion_text(result.program));
-  result.program = post_with(&result.findings, hash, planned, result.part, options);
-  const auto again = read_back(result.program, planned, options);
+  result.program = post_with(&result.findings, hash, planned, result.part, plan);
+  const auto again = read_back(result.program, planned, plan);
   CLEARCUT_ASSERT(same_moves(again.toolpath, result.toolpath));
   CLEARCUT_ASSERT(sha256_hex(report::motion_text(result.program)) == hash);
 }

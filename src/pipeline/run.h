@@ -9,6 +9,7 @@
 #include "model/control.h"
 #include "model/findings.h"
 #include "model/move.h"
+#include "model/resolved_plan.h"
 #include "read/gcode/dialect.h"
 #include "report/result.h"
 #include "resolve/plan_options.h"
@@ -22,11 +23,13 @@ struct PlanResult {
   Findings findings;     ///< of `toolpath`, with the conditions under which the control moves so
   ControlTable control;  ///< what the control holds at each move of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
+  std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 
 /// Plans, posts and certifies a part.
-/// Throws InputError where the options cannot be met or nothing at all can be cut.
+/// Safe to call from several threads at once, each with options of its own. Throws InputError where the options cannot
+/// be met or nothing at all can be cut, Cancelled when options.cancel asks to stop.
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options);
 
 /// Judges any program text against a part. `tools` replace the part's, as in PlanOptions.

@@ -11,6 +11,7 @@
 #include "model/findings.h"
 #include "model/machine.h"
 #include "model/part.h"
+#include "model/resolved_plan.h"
 
 namespace clearcut::report {
 
@@ -37,10 +38,11 @@ struct CertificateInfo {
   std::optional<double> engagement_limit_deg;
   std::optional<std::string> material;
   std::vector<Contest> contests;  ///< of the workingsteps; empty when a program of unknown origin was judged
+  std::vector<ResolvedValue> values = {};  ///< of the plan; empty when a program of unknown origin was judged
 };
 
 /// Shape   one JSON object: what it rests on, the figures of the whole, `features` (each with its figures and
-///         `layers`), `faults`; keys always in the same order, two blanks of indentation, a line break at the
+///         `layers`), `faults`, `values` of a plan; keys always in the same order, two blanks of indentation, a line break at the
 ///         end.
 /// Units   in the names of the fields; numbers rounded to 1e-6. A figure that is not finite is null, and then
 ///         `clean` is false.

@@ -133,6 +133,11 @@ void check(const PlanOptions& options) {
           "must lie between 1 and 1024; 0: all cores");
 }
 
+Source source_of(const PlanOptions& options, const std::string& name) {
+  const Source* source = options.sources.find(name);
+  return source ? *source : Source{Origin::kUser, "--" + name};
+}
+
 int thread_count(const PlanOptions& options) {
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   return options.threads == 0 ? cores : std::min(options.threads, cores);

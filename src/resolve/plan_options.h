@@ -1,24 +1,29 @@
 // What a user may ask of a plan. Absent values are taken from the part's operations, else from the documented
-// defaults of prepare().
+// defaults of resolve().
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/tolerances.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "model/origin.h"
 #include "model/part.h"
 #include "model/post_options.h"
 #include "model/shop_options.h"
+#include "model/strategy_entry.h"
 
 namespace clearcut::resolve {
 
 struct PlanOptions {
-  std::vector<Tool> tools;              ///< replace the part's own; empty keeps those
-  std::string strategy = "auto";        ///< a name of strategy_names()
+  std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
+  /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
+  std::optional<std::string> strategy;
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
   std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found
   std::optional<double> stepdown;       ///< mm
@@ -43,9 +48,18 @@ struct PlanOptions {
   std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
   std::optional<double> time_s;     ///< longest search
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;            ///< 0: all cores
+  std::stop_token cancel;     ///< asked to stop, the plan ends with Cancelled within a second
+  ProgressCallback progress;  ///< told after each candidate; may be empty
   Tolerances tol;
+  Sources sources;           ///< of values that are not given as options of their own names
+  StepSources step_sources;  ///< of values in the part's operations that are not from where these were read
+  const StrategyTable* strategies =
+      nullptr;  ///< those there are, kept alive by the caller; null: the software's
 };
+
+/// Where a value that is set in the options comes from.
+Source source_of(const PlanOptions& options, const std::string& name);
 
 /// How many threads the options stand for: at least one, and no more than cores.
 int thread_count(const PlanOptions& options);

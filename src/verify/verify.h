@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct VerifyOptions {
   bool needs_tool_length = false;     ///< the control cuts at wrong heights without the tool's length (G43)
   std::vector<std::string> accepted;  ///< conditions that somebody says hold: no faults for what they answer
   std::optional<WorkMaterial> material;  ///< of the work; forces and wear are computed where it is known
+  std::stop_token cancel;                ///< looked at between moves and layers
 };
 
 /// Judges `toolpath` (normally read back from program text) against `part`, whoever wrote it.
@@ -37,7 +39,7 @@ struct VerifyOptions {
 /// Shape   figures of all, of each workingstep and of each of its layers; faults, worst first. all.clean when
 ///         there is no fault. Labels and workingsteps of sections group the figures and nothing else.
 /// Error   gouges exact for lines and arcs; what is left by proven upper bounds; see docs/verification.md.
-/// Throws  nothing for a valid part; the result does not depend on options.threads.
+/// Throws  Cancelled when options.cancel asks to stop; nothing else for a valid part; the result does not depend on options.threads.
 /// Cost    O((moves + outline + cells) log n) for gouges and coverage, O(feed length / step) for the load.
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/adaptive/clearing_outline.h"
@@ -90,7 +91,8 @@ class AdaptivePlanner {
                   inner.clearing, limit, {kAir * radius_, 0}),
         finish_(ground_, path_, legal, inner.finishing, layer.target, limit),
         open_(layer.stock && has_open_side(layer)),
-        lifts_(lifts) {
+        lifts_(lifts),
+        cancel_(options.cancel) {
     leave_corners();
     for (const PredrilledHole& hole : layer.holes) ground_.remove_disc(hole.center, hole.diameter / 2);
   }
@@ -226,6 +228,7 @@ class AdaptivePlanner {
   void cut_fronts(const Wanted& wanted) {
     std::vector<WallPlace> unreached;
     for (bool cut_since = false;;) {
+      throw_if_cancelled(cancel_);
       auto starts = clearing_.walls.starts();
       std::erase_if(starts, [&](const WallPlace& start) {
         return !wanted(clearing_.walls.point(start)) ||
@@ -258,6 +261,7 @@ class AdaptivePlanner {
   AdaptiveFinish finish_;
   bool open_;  ///< something beside the target is free
   Lifts lifts_;
+  std::stop_token cancel_;
 };
 
 /// With few lifts, else with as many as it takes.

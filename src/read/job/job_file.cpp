@@ -234,6 +234,24 @@ void read_machine_section(DataSection section, JobFile& job) {
   job.machine = machine_of_section(section, base);
 }
 
+/// Notes where the keys of the job stand; the file's sections have been read.
+void note_sources(const DataValue& root, JobFile& job) {
+  const auto of = [&](const char* table) {
+    const DataValue* found = root.find(table);
+    return found ? key_sources(*found, job.file, Origin::kJobFile) : Sources{};
+  };
+  const DataValue* machine = root.find("machine");
+  const DataValue* machine_file = machine ? machine->find("file") : nullptr;
+  if (machine_file) job.sources.merge(machine_sources(beside(job.file, machine_file->text)));
+  if (machine) job.sources.merge(machine_sources_of(*machine, job.file, Origin::kJobFile));
+  job.plan.sources = of("plan");
+  job.sources.merge(job.plan.sources);
+  job.sources.merge(of("output"));
+  const DataValue* operations = root.find("operation");
+  for (std::size_t i = 0; operations && i < operations->items.size() && i < job.operations.size(); ++i)
+    job.operations[i].settings.sources = key_sources(operations->items[i], job.file, Origin::kJobFile);
+}
+
 }  // namespace
 
 JobFile read_job_text(std::string_view text, const std::string& file_name) {
@@ -257,6 +275,7 @@ JobFile read_job_text(std::string_view text, const std::string& file_name) {
     job.operations.push_back(operation_rule(std::move(one)));
   if (const auto output = section.section("output")) job.output = output_of(*output);
   section.refuse_unknown();
+  note_sources(root, job);
   return job;
 }
 

@@ -89,8 +89,19 @@ void set_if(std::optional<Value>& target, const std::optional<Value>& value) {
   if (value) target = value;
 }
 
-void apply_preset(const CuttingPreset& preset, Operation& operation) {
+/// `source`: where the preset stands.
+void apply_preset(const CuttingPreset& preset, const Source& source, Operation& operation, Sources& sources) {
   CuttingData& cutting = operation.cutting;
+  const auto note = [&](const char* name, bool is_stated) {
+    if (is_stated) sources.set(name, source);
+  };
+  note("feed", preset.cutting.feed.has_value());
+  note("plunge-feed", preset.cutting.plunge_feed.has_value());
+  note("ramp-feed", preset.cutting.ramp_feed.has_value());
+  note("slot-feed", preset.cutting.slot_feed.has_value());
+  note("spindle", preset.cutting.spindle_rpm.has_value());
+  note("stepdown", preset.stepdown.has_value());
+  note("coolant", preset.cutting.coolant);
   set_if(cutting.feed, preset.cutting.feed);
   set_if(cutting.plunge_feed, preset.cutting.plunge_feed);
   set_if(cutting.ramp_feed, preset.cutting.ramp_feed);
@@ -141,7 +152,7 @@ void apply_settings(const CutSettings& settings, const Part& part, const std::st
 }
 
 /// Settings and where they stand.
-struct Source {
+struct SettingsSource {
   const CutSettings* settings;
   std::string place;
 };
@@ -149,7 +160,7 @@ struct Source {
 /// A workingstep and what shall be applied to it, in order.
 struct Planned {
   Workingstep step;
-  std::vector<Source> sources;
+  std::vector<SettingsSource> sources;
 };
 
 bool is_finishing(const CutSettings& settings) {
@@ -157,10 +168,16 @@ bool is_finishing(const CutSettings& settings) {
          settings.kind == OperationKind::kSideFinishing;
 }
 
+void leave_nothing(Operation& operation, const std::string& place, Sources& sources) {
+  operation.allowance_side = operation.allowance_floor = 0;
+  for (const char* name : {"allowance", "allowance-floor"})
+    sources.set(name, {Origin::kDerived, place + " finishes"});
+}
+
 /// Applies tools, plan and operation rules to a part.
 class Dresser {
  public:
-  Dresser(const JobFile& job, Part& part) : job_(job), part_(part) {}
+  Dresser(const JobFile& job, Part& part, StepSources& sources) : job_(job), part_(part), sources_(sources) {}
 
   void run() {
     set_tools();
@@ -187,6 +204,14 @@ class Dresser {
       const auto old = static_cast<std::size_t>(step.operation.tool);
       step.operation.tool = old < before.size() ? index_of(before[old].number).value_or(0) : 0;
     }
+  }
+
+  Source preset_source(int number) const {
+    const std::string tool = " T" + std::to_string(number);
+    const bool own = std::any_of(job_.tools.begin(), job_.tools.end(),
+                                 [&](const LibraryTool& one) { return one.tool.number == number; });
+    if (own || !job_.tool_library) return {Origin::kJobFile, job_.file + tool};
+    return {Origin::kToolLibrary, job_.tool_library->string() + tool};
   }
 
   std::optional<int> index_of(int number) const {
@@ -234,9 +259,10 @@ class Dresser {
   }
 
   /// The tool first, then its preset, then the settings from the most general on.
-  Workingstep dressed(Planned planned) const {
+  Workingstep dressed(Planned planned) {
+    Sources& sources = sources_[step_key(planned.step)];
     Operation& operation = planned.step.operation;
-    for (const Source& source : planned.sources) {
+    for (const SettingsSource& source : planned.sources) {
       if (source.settings->kind) operation.kind = *source.settings->kind;
       if (!source.settings->tool) continue;
       const auto index = index_of(*source.settings->tool);
@@ -248,18 +274,21 @@ class Dresser {
     }
     if (!part_.tools.empty()) {
       const auto preset = presets_.find(part_.tools[static_cast<std::size_t>(operation.tool)].number);
-      if (preset != presets_.end()) apply_preset(preset->second, operation);
+      if (preset != presets_.end())
+        apply_preset(preset->second, preset_source(preset->first), operation, sources);
     }
-    for (const Source& source : planned.sources) {
+    for (const SettingsSource& source : planned.sources) {
       // What roughing leaves on the walls is not left by finishing, unless its own rule says so.
-      if (is_finishing(*source.settings)) operation.allowance_side = operation.allowance_floor = 0;
+      if (is_finishing(*source.settings)) leave_nothing(operation, source.place, sources);
       apply_settings(*source.settings, part_, source.place, operation);
+      sources.merge(source.settings->sources);
     }
     return std::move(planned.step);
   }
 
   const JobFile& job_;
   Part& part_;
+  StepSources& sources_;
   std::vector<Planned> steps_;
   std::map<int, CuttingPreset> presets_;
 };
@@ -267,6 +296,11 @@ class Dresser {
 }  // namespace
 
 Part part_of_job(const JobFile& job, const ReadOptions& over) {
+  StepSources sources;
+  return part_of_job(job, over, sources);
+}
+
+Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources) {
   if (capitals(job.part_file.extension().string()) == ".TOML") {
     throw InputError(job.file, "the part of a job cannot be a job; name the drawing or program");
   }
@@ -280,7 +314,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over) {
   if (job.stock && !is_step_solid(text)) part.stock = stock_of(*job.stock, part, job.file);
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
-  Dresser(job, part).run();
+  Dresser(job, part, sources).run();
   return part;
 }
 

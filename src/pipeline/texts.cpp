@@ -1,0 +1,101 @@
+#include "pipeline/texts.h"
+
+#include "base/digest.h"
+#include "base/version.h"
+#include "report/certificate.h"
+#include "report/contest_table.h"
+#include "report/picture/svg.h"
+#include "report/result.h"
+#include "report/table.h"
+#include "report/value_table.h"
+#include "report/viewer/html.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis) {
+  report::CertificateInfo info;
+  info.version = kVersion;
+  info.seed = options.seed;
+  info.command = basis.command;
+  info.arguments = basis.arguments;
+  info.inputs = basis.inputs;
+  info.program_name = basis.program_name;
+  info.dialect = options.post.dialect;
+  info.machine = options.machine;
+  info.tolerances = options.tol;
+  info.engagement_limit_deg = options.engagement_deg;
+  info.material = options.shop.material;
+  return info;
+}
+
+CertificateBasis basis_of_input(const Part& part, const std::string& command, const std::string& input) {
+  CertificateBasis basis;
+  basis.command = command;
+  basis.inputs.push_back({"part", part.source_file, sha256_hex(input)});
+  return basis;
+}
+
+}  // namespace
+
+std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+                              const CertificateBasis& basis) {
+  report::CertificateInfo info = certificate_info(options, basis);
+  info.program = result.program;
+  info.contests = result.contests;
+  info.values = result.values;
+  return report::certificate_json(result.part, result.findings, info);
+}
+
+std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+                              const CertificateBasis& basis, const std::string& program) {
+  report::CertificateInfo info = certificate_info(options, basis);
+  info.program = program;
+  info.dialect = name_of(result.dialect);
+  info.dialect_stated = basis.dialect_stated;
+  return report::certificate_json(result.part, result.findings, info);
+}
+
+std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+                              const std::string& input) {
+  return write_certificate(result, options, basis_of_input(result.part, "plan", input));
+}
+
+std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+                              const std::string& input, const std::string& program) {
+  return write_certificate(result, options, basis_of_input(result.part, "verify", input), program);
+}
+
+std::string write_values(const Part& part, const std::vector<ResolvedValue>& values) {
+  return report::plain(report::value_table(part, values));
+}
+
+std::string write_table(const PlanResult& result) {
+  return report::table(result.part, result.findings);
+}
+
+std::string write_table(const CheckResult& result) {
+  return report::table(result.part, result.findings);
+}
+
+std::string write_contest_table(const PlanResult& result) {
+  return report::plain(report::contest_table(result.contests));
+}
+
+std::string write_picture(const PlanResult& result) {
+  return report::svg(result.part, result.toolpath, result.findings, {});
+}
+
+std::string write_picture(const CheckResult& result) {
+  return report::svg(result.part, result.toolpath, result.findings, {});
+}
+
+std::string write_page(const PlanResult& result, const resolve::PlanOptions& options) {
+  return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
+}
+
+std::string write_segments(const PlanResult& result) {
+  return report::result_file(result.toolpath, {result.part.name, result.contours});
+}
+
+}  // namespace clearcut::pipeline
