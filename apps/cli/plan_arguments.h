@@ -27,6 +27,8 @@ class PlanArguments {
   Part read() const;
   /// The names of all options that were typed, for the origins of values.
   void take_sources(const CLI::App& command);
+  /// Of a drawing, without asking for depth or roles.
+  Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
   const std::string& input() const { return input_; }
   /// Every file that the options rest on, by its role, those that a job names included.
@@ -36,7 +38,11 @@ class PlanArguments {
   std::optional<JobFile> job() const;
 
  private:
+  ReadOptions read_options() const;
+  void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
+  ToolLibrary library() const;
+  std::vector<ToolCutting> tool_cutting(const std::optional<JobFile>& job) const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
   PostOptions post(const JobOutput& job) const;
@@ -52,6 +58,11 @@ class PlanArguments {
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;
+  std::vector<std::string> operations_;
+  std::optional<double> scale_;
+  std::optional<double> join_gap_;
+  std::optional<std::string> open_curves_;
+  TabOptions tabs_;
   std::optional<double> top_;
   std::optional<double> depth_;
   SolidOptions solid_;

@@ -26,6 +26,8 @@ using pipeline::PlanResult;
 using resolve::parse_predrilled;
 using resolve::parse_tool;
 using resolve::PlanOptions;
+using resolve::TabOptions;
+using resolve::ToolCutting;
 
 // Names as options and files say them; unknown ones are an InputError that lists those there are.
 using resolve::direction_named;

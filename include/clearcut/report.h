@@ -4,6 +4,7 @@
 #include "clearcut/plan.h"
 #include "clearcut/text.h"
 #include "clearcut/verify.h"
+#include "model/not_machined.h"
 #include "pipeline/texts.h"
 
 namespace clearcut {

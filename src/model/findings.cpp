@@ -38,6 +38,10 @@ const char* name_of(FaultKind kind) {
       return "beyond stock";
     case FaultKind::kOverEngagement:
       return "over engagement";
+    case FaultKind::kMissingTab:
+      return "missing tab";
+    case FaultKind::kTabHeight:
+      return "tab height";
   }
   return "unknown";
 }

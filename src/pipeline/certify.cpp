@@ -9,6 +9,7 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
+#include "model/not_machined.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "report/motion_text.h"
@@ -64,6 +65,7 @@ std::vector<std::string> header(const Part& part, const Findings* findings, cons
   }
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
   for (auto& line : verdict_lines(findings, motion_hash)) lines.push_back(std::move(line));
+  for (const auto& name : names_not_machined(part.diagnostics)) lines.push_back("NOT MACHINED: " + name);
   return lines;
 }
 
@@ -235,6 +237,7 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   result.toolpath = std::move(read.toolpath);
   result.control = std::move(read.control);
   result.findings = judge(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
+  add_not_machined(result.part.diagnostics, result.findings);
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {

@@ -18,7 +18,7 @@ struct StepPlan {
   ClearedSize size;    ///< what bounds other strategies
   bool pocket = true;  ///< closed all round
   bool rest = false;   ///< cleared by others around it
-  bool hole = false;   ///< a round hole: made without any strategy
+  bool hole = false;   ///< a round hole or a profile: made without any strategy
 };
 
 /// A workingstep with what is tried for it, its tool and feed as far as bounds need them.

@@ -7,13 +7,16 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "base/progress.h"
 #include "base/work_budget.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
 #include "link/slot_feed.h"
+#include "model/not_machined.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
+#include "pipeline/out_of_reach.h"
 #include "pipeline/progress_meter.h"
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
@@ -21,8 +24,10 @@
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "plan/common/walls.h"
+#include "plan/profile/profile.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
+#include "resolve/refusals.h"
 #include "resolve/resolve.h"
 #include "stock/round_hole.h"
 
@@ -86,6 +91,7 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
   const WorkBudget budget(most_work(step));
   const auto strategy = strategy_for(attempt, step, job);
   StepPlan plan;
+  const auto& feature = feature_of(job.part, job.part.workplan[static_cast<std::size_t>(work.workingstep)]);
   if (work.hole) {
     plan.section = *work.hole;
     plan.hole = true;
@@ -94,13 +100,17 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
     Sizes sizes(job.tol);
     for (const auto& layer : work.layers) {
       throw_if_cancelled(job.cancel);
-      passes.push_back(layer.walls_only ? plan::plan_walls(layer.layer, job.tol) : strategy(layer.layer));
+      passes.push_back(feature.profile ? plan::profile::plan_profile(layer.layer, *feature.profile, job.tol)
+                       : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
+                                          : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }
-    const EntryKind entry = attempt.strategy->limits_engagement ? step.entry_at_limit : step.entry;
+    const EntryKind entry =
+        !feature.profile && attempt.strategy->limits_engagement ? step.entry_at_limit : step.entry;
+    plan.hole = feature.profile.has_value();
     plan.section = link_step(passes, work.workingstep, entry, job);
   }
   plan.time_s = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
@@ -300,13 +310,22 @@ void number_sections(Toolpath& toolpath, const Part& part) {
 
 /// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
 void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
-  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+  for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
+    // Tabs put steps of their own in between, which are named after those above them.
+    const std::string& name = prepared.workplan[i].name;
+    const bool same = i < part.workplan.size() && part.workplan[i].name == name;
+    const auto stated =
+        same ? part.workplan.begin() + static_cast<std::ptrdiff_t>(i)
+             : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+                 return name == step.name || name == step.name + "_tabs";
+               });
+    if (stated == part.workplan.end()) continue;
     const bool mills = !stock::only_plunges(tool_of(prepared, prepared.workplan[i]));
     prepared.workplan[i].operation.stepdown =
-        options.stepdown && mills ? options.stepdown : part.workplan[i].operation.stepdown;
-    const auto& stated = part.workplan[i].operation.cutting.plunge_feed;
+        options.stepdown && mills ? options.stepdown : stated->operation.stepdown;
+    const auto& plunge = options.cutting.plunge_feed;
     prepared.workplan[i].operation.cutting.plunge_feed =
-        options.cutting.plunge_feed ? options.cutting.plunge_feed : stated;
+        plunge ? plunge : stated->operation.cutting.plunge_feed;
   }
 }
 
@@ -333,6 +352,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = plan.part;
   result.values = plan.values;
+  resolve::refuse_what_cannot_be(result.part, options);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto planner = [&](int step, const Attempt& attempt) {
@@ -352,6 +372,9 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     meter.add();
   } while (retry_unclean(choice, result));
   sign(result, toolpath, plan);
+  result.conditions = out_of_reach(result.part, result.findings, plan.tol);
+  for (const Condition& one : result.conditions)
+    result.part.diagnostics.warn(result.part.source_file, "condition '" + one.name + "': " + one.text);
   report_notes(choice, works, plan, result.part);
   result.contours = contours_of(toolpath);
   result.contests = choice.contests();
@@ -379,6 +402,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.findings =
       judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan);
   result.conditions = result.findings.conditions;
+  add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }
 

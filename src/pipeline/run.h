@@ -24,6 +24,7 @@ struct PlanResult {
   ControlTable control;  ///< what the control holds at each move of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
   std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
+  std::vector<Condition> conditions;            ///< what somebody has to accept: what no cutter reaches
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 

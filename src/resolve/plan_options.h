@@ -20,8 +20,25 @@
 
 namespace clearcut::resolve {
 
+/// Bridges that hold what profiles cut free.
+struct TabOptions {
+  int count = 0;                 ///< of every profile; 0: none
+  double width = 4;              ///< mm, along the outline
+  std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
+};
+
+/// How one tool is driven, as its library or job says. What is absent is left to the operation.
+struct ToolCutting {
+  bool stated = false;  ///< anything at all
+  CuttingData cutting;
+  std::optional<double> stepdown;  ///< mm
+  std::optional<double> stepover;  ///< fraction of the diameter
+};
+
 struct PlanOptions {
   std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
+  /// Of `tools`, else of the part's own, in their order; those beyond its end state nothing.
+  std::vector<ToolCutting> tool_cutting;
   /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
   std::optional<std::string> strategy;
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
@@ -36,6 +53,7 @@ struct PlanOptions {
   std::optional<Radians> lead_angle;  ///< straight leads, at this angle to the pass; absent: arcs
   std::optional<double> scallop;      ///< mm; greatest step between layers on leaning walls
   ShopOptions shop;
+  TabOptions tabs;
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
   std::optional<CutDirection> direction;

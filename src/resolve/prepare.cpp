@@ -11,6 +11,8 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/left_over.h"
+#include "resolve/profiles.h"
+#include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
 #include "stock/at_depth.h"
 #include "stock/round_hole.h"
@@ -67,6 +69,7 @@ std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions&
 int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& used,
              const Tolerances& tol) {
   if (tools.size() == 1) return 0;
+  if (feature.profile) return profile_tool(*feature.profile, tools, tol);
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
   const auto hole = stock::round_hole_of(feature, tol);
   int best = 0;
@@ -95,6 +98,7 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
     for (auto& step : part.workplan) {
       step.operation.tool = tool_for(feature_of(part, step), part.tools, used, options.tol);
       sources[step_key(step)].set("tool", source_of(options, "tool"));
+      take_tool_cutting(step.operation, options);
     }
   }
   if (part.tools.empty()) {
@@ -244,6 +248,8 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
 }  // namespace
 
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
+  if (feature.profile && feature.profile->side != ProfileSide::kInside) return 2 * kOpenReach;
+  if (feature.profile) return 2 * Clearance(Region::from_valid_loops(feature.profile->line, {}), tol).max();
   const double deep = feature.top_z - feature.floor_z;
   const bool leans = feature.wall_slope.radians() != 0 && deep > 0;
   const Regions allowed =
@@ -284,6 +290,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
+  shape_profiles(part, options, sources);
   if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options, sources);
   if (finish_of(options.shop) != Finish::kNone) add_finishing_steps(part, options, sources);
   std::vector<std::string> noted;

@@ -92,11 +92,16 @@ void resolve_feeds(ResolvedStep& step, const CuttingData& cutting, const ShopOpt
   step.coolant = cutting.coolant;
 }
 
-/// Where nobody says how to go down: straight, or along a helix for cutters that cannot plunge and under limited
-/// engagement.
-void resolve_entry(ResolvedStep& step, const Operation& operation, const Tool& tool,
+/// Where nobody says how to go down: profiles along themselves, others straight, or along a helix for cutters that cannot plunge
+/// and under limited engagement.
+EntryKind usual_entry(const Feature& feature, const Tool& tool) {
+  if (feature.profile) return EntryKind::kRamp;
+  return tool.center_cutting ? EntryKind::kPlunge : EntryKind::kHelix;
+}
+
+void resolve_entry(ResolvedStep& step, const Operation& operation, const Feature& feature, const Tool& tool,
                    const ShopOptions& shop) {
-  step.entry = operation.entry.value_or(tool.center_cutting ? EntryKind::kPlunge : EntryKind::kHelix);
+  step.entry = operation.entry.value_or(usual_entry(feature, tool));
   step.entry_at_limit = operation.entry.value_or(EntryKind::kHelix);
   step.entry_angle = operation.entry_angle.value_or(Radians::of_degrees(kEntryAngle));
   step.is_plunge_asked = operation.entry == EntryKind::kPlunge;
@@ -109,7 +114,7 @@ ResolvedStep resolve_step(const Part& part, const Workingstep& planned, const Pl
   const Operation& operation = planned.operation;
   ResolvedStep step;
   resolve_feeds(step, operation.cutting, options.shop);
-  resolve_entry(step, operation, tool_of(part, planned), options.shop);
+  resolve_entry(step, operation, feature_of(part, planned), tool_of(part, planned), options.shop);
   step.direction = operation.direction.value();
   step.stepdown = operation.stepdown.value();
   step.allowance_side = operation.allowance_side;

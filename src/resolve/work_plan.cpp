@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "geometry/boolean.h"
 #include "resolve/prepare.h"
+#include "resolve/tool_cutting.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::resolve {
@@ -119,11 +120,13 @@ void leave_stock(Operation& operation, const ShopOptions& shop, Sources& sources
   }
 }
 
-Workingstep rest_step(const Workingstep& step, int mill, const Tool& tool, StepSources& sources) {
+Workingstep rest_step(const Workingstep& step, int mill, const Part& part, const PlanOptions& options,
+                      StepSources& sources) {
+  const Tool& tool = part.tools[static_cast<std::size_t>(mill)];
   Workingstep rest = step;
+  change_tool(rest.operation, mill, part, options);
   rest.name += "_rest_T" + std::to_string(tool.number);
   rest.operation.name = rest.name;
-  rest.operation.tool = mill;
   sources[step_key(rest)] = sources[step_key(step)];
   sources[step_key(rest)].set("tool", {Origin::kDerived, "a narrower cutter for what is left"});
   rest.operation.rest = true;
@@ -162,6 +165,7 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
   const auto mills = mills_of(part.tools);
   if (mills.size() < 2) return;
   for (const Workingstep& step : last_milling_steps(part)) {
+    if (feature_of(part, step).profile) continue;  // a kerf is as wide as its cutter
     const auto under = first_step_under(part, step, options.tol);
     if (!everywhere && (!under || feature_of(part, step).wall_slope.radians() != 0)) continue;
     const double fits = largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
@@ -169,9 +173,9 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
       if (tool.diameter > fits || !is_preceded_by_wider(part, step, tool)) continue;
       if (under) {
-        before[*under].push_back(rest_step(step, mills[i], tool, sources));
+        before[*under].push_back(rest_step(step, mills[i], part, options, sources));
       } else {
-        at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], tool, sources));
+        at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], part, options, sources));
       }
     }
   }

@@ -103,6 +103,7 @@ void read_part_section(DataSection section, JobFile& job) {
   read.layers = section.texts("layers");
   read.find_arcs = section.flag("find_arcs");
   if (const auto gap = section.not_negative("join_gap")) read.tol.join_gap = *gap;
+  if (const auto scale = section.positive("scale")) read.scale = *scale, read.scale_is_right = true;
   if (read.tol.join_gap > 10 || read.tol.join_gap < 1e-6)
     section.fail_at("join_gap", "must lie between 1e-6 and 10 mm");
   const auto open = section.choice("open_curves", {"refuse", "skip"});
@@ -116,7 +117,8 @@ LayerRule layer_rule(DataSection section) {
   const auto name = section.text("name");
   if (!name) section.fail("name is missing; add name = \"POCKET*\"");
   rule.pattern = *name;
-  const auto role = section.choice("role", {"pocket", "island", "hole", "ignore"});
+  const auto role = section.choice("role", {"pocket", "island", "hole", "ignore", "profile", "inside",
+                                            "engrave", "chamfer", "face", "stock"});
   if (role) rule.role = static_cast<LayerRole>(*role);
   rule.depth = section.positive("depth");
   rule.top = coordinate(section, "top");

@@ -102,6 +102,8 @@ Part part_of_job(const JobFile& job, const ReadOptions& over);
 
 /// The same; `sources` are afterwards those of every value that the job or its tool library states.
 Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources);
+/// The job's own tools, then those of its library that it uses: the tools of its part, in their order.
+std::vector<LibraryTool> tools_of_job(const JobFile& job);
 
 /// A commented job for `part`, read from `part_file`: valid as it stands, with every key and its default. `solid`: how the
 /// part was read.

@@ -25,6 +25,13 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (over.depth_if_missing) options.depth_if_missing = over.depth_if_missing;
   if (over.top) options.top = over.top;
   if (!over.layers.empty()) options.layers = over.layers;
+  options.layer_rules.insert(options.layer_rules.begin(), over.layer_rules.begin(), over.layer_rules.end());
+  if (over.open_curves) options.open_curves = over.open_curves;
+  if (over.join_gap) options.join_gap = over.join_gap;
+  options.ask_if_unclear = over.ask_if_unclear;
+  options.overview = over.overview;
+  if (over.scale_is_right) options.scale = over.scale;
+  options.scale_is_right = options.scale_is_right || over.scale_is_right;
   if (over.find_arcs) options.find_arcs = over.find_arcs;
   if (!over.solid.up.empty()) options.solid.up = over.solid.up;
   if (over.solid.turn_deg != 0) options.solid.turn_deg = over.solid.turn_deg;
@@ -52,10 +59,21 @@ Stock stock_of(const JobStock& stock, const Part& part, const std::string& file)
   return out;
 }
 
+/// Two tools of one number: which of them a program means is nothing to guess.
+void refuse_one_number_twice(const std::vector<LibraryTool>& tools, const std::string& file) {
+  std::set<int> taken;
+  for (const LibraryTool& tool : tools) {
+    if (tool.tool.number <= 0 || taken.insert(tool.tool.number).second) continue;
+    throw InputError(file, "two tools are numbered T" + std::to_string(tool.tool.number) +
+                               "; give each a number of its own (of a library choose with use = [...])");
+  }
+}
+
 /// The job's own tools, then those of its library that it uses.
 ToolLibrary tools_of(const JobFile& job) {
   ToolLibrary all;
   all.tools = job.tools;
+  refuse_one_number_twice(all.tools, job.file);
   if (job.tool_library) {
     ToolLibrary library = read_tool_library(*job.tool_library, job.tool_options);
     all.diagnostics.append(library.diagnostics);
@@ -73,15 +91,9 @@ ToolLibrary tools_of(const JobFile& job) {
       if (wanted) all.tools.push_back(std::move(tool));
     }
   }
+  if (job.tool_library) refuse_one_number_twice(all.tools, job.file);
   settle(all, job.file);
   return all;
-}
-
-const CuttingPreset* preset_of(const LibraryTool& tool, const std::string& name) {
-  for (const CuttingPreset& preset : tool.presets) {
-    if (name.empty() || matches(name, preset.name)) return &preset;
-  }
-  return nullptr;
 }
 
 template <typename Value>
@@ -295,6 +307,10 @@ class Dresser {
 
 }  // namespace
 
+std::vector<LibraryTool> tools_of_job(const JobFile& job) {
+  return tools_of(job).tools;
+}
+
 Part part_of_job(const JobFile& job, const ReadOptions& over) {
   StepSources sources;
   return part_of_job(job, over, sources);
@@ -311,6 +327,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
     if (tool.tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.tool.diameter);
   const std::string text = read_file(job.part_file.string(), kLargestFile);
   Part part = read_part_text(text, job.part_file.string(), options);
+  if (options.overview && part.features.empty()) return part;
   if (job.stock && !is_step_solid(text)) part.stock = stock_of(*job.stock, part, job.file);
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
