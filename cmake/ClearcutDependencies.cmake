@@ -9,6 +9,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(TBB REQUIRED)
 pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
 find_package(pugixml REQUIRED)
+find_package(OpenSSL 3.0 REQUIRED COMPONENTS Crypto)
 # Optional: without it STEP solids are refused with a message that names the package.
 option(CLEARCUT_STEP_SOLIDS "Read STEP solids, where Open CASCADE is found" ON)
 if(CLEARCUT_STEP_SOLIDS)
@@ -26,7 +27,7 @@ if(CLEARCUT_TESTS)
 endif()
 
 function(clearcut_link_packages)
-  foreach(pair "base|fmt::fmt" "base|TBB::tbb" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "plan|TBB::tbb" "order|TBB::tbb"
+  foreach(pair "base|fmt::fmt" "base|TBB::tbb" "base|OpenSSL::Crypto" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "plan|TBB::tbb" "order|TBB::tbb"
                "read|nlohmann_json::nlohmann_json" "read|pugixml::pugixml" "read|PkgConfig::tomlplusplus"
                "report|nlohmann_json::nlohmann_json" "pipeline|TBB::tbb" "pipeline|nlohmann_json::nlohmann_json")
     string(REPLACE "|" ";" pair "${pair}")

@@ -33,7 +33,7 @@ TEST(CertificateFields, AreAllThereInAllAndPerFeatureAndLayer) {
   options.shop.material = "aluminium";
   const auto result = plan_example(options);
   const auto json = nlohmann::json::parse(report::certificate_json(result.part, result.findings, {}));
-  for (const char* key : {"version", "seed", "input_hash", "features", "faults"})
+  for (const char* key : {"version", "seed", "inputs", "features", "faults"})
     EXPECT_TRUE(json.contains(key)) << key;
   expect_figures(json, "all");
   EXPECT_GT(json.at("load").at("max_force_n").get<double>(), 0);

@@ -63,7 +63,7 @@ TEST(Page, PlaysInABrowser) {
 
   const std::string at_line = document_in_browser(page, "#line=17");
   EXPECT_THAT(at_line, HasSubstr(">sample &lt;part&gt; &amp; \"name\"</h1>"));
-  EXPECT_THAT(at_line, HasSubstr("not clean: 1 fault"));
+  EXPECT_THAT(at_line, HasSubstr("faulty: 1 fault"));
   EXPECT_THAT(at_line, HasSubstr("2001 mm</b>feed"));
   EXPECT_THAT(at_line, HasSubstr(">POCKET1</td>"));
   EXPECT_THAT(at_line, HasSubstr(">T1 end mill 10 mm</td>"));

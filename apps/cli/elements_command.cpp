@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
 
@@ -39,15 +40,6 @@ struct ElementsCommand {
   PlanOptions options;
 };
 
-/// What decides the job, whether it comes from a file or was typed.
-std::string input_text(const ElementsCommand& command) {
-  if (!command.input.empty()) return read_file(command.input);
-  std::string text;
-  for (const auto& element : command.elements) text += "--" + element.kind + " " + element.text + "\n";
-  for (const auto& tool : command.tools) text += "--tool " + tool + "\n";
-  return text;
-}
-
 ElementJob job_of(const ElementsCommand& command) {
   if (!command.input.empty() && !command.elements.empty())
     throw InputError("elements", "takes a job file or elements as options, not both");
@@ -58,12 +50,18 @@ ElementJob job_of(const ElementsCommand& command) {
   return elements_of_options(command.elements, defaults);
 }
 
+CertificateBasis basis_of(const ElementsCommand& command) {
+  std::vector<CertificateFileName> files;
+  if (!command.input.empty()) files.push_back({"job", command.input});
+  return certificate_basis("elements", files, command.output);
+}
+
 std::vector<OutputFile> output_files(const ElementsCommand& command, const ElementJob& job,
                                      const ElementsResult& result) {
   const auto& plan = result.plan;
   std::vector<OutputFile> files{{command.output, plan.program}};
   if (!command.certificate.empty())
-    files.push_back({command.certificate, write_certificate(plan, command.options, input_text(command))});
+    files.push_back({command.certificate, write_certificate(plan, command.options, basis_of(command))});
   if (!command.svg.empty()) files.push_back({command.svg, grid_picture(job, result.points, plan.toolpath)});
   if (!command.points.empty()) files.push_back({command.points, points_csv(job, result.points)});
   return files;
@@ -88,7 +86,7 @@ int run(const ElementsCommand& command) {
       print_line(write_table(result.plan));
     }
   }
-  return result.plan.findings.all.clean ? kClean : kFault;
+  return exit_code_of(result.plan.findings);
 }
 
 /// Elements are numbered in the order they were typed, whatever their kinds.

@@ -7,6 +7,7 @@
 #include <exception>
 #include <string>
 
+#include "certificate_info.h"
 #include "commands.h"
 #include "suggest.h"
 
@@ -24,11 +25,13 @@ void complain(std::string message) {
 
 int parse_and_run(int argc, char** argv) {
   int exit_code = kClean;
+  if (argc > 2) remember_arguments({argv + 2, argv + argc});
   CLI::App app("Plans 2.5-D pocket-milling toolpaths and proves them.", "clearcut");
   app.set_version_flag("--version", std::string("clearcut ") + clearcut::kVersion);
   app.require_subcommand(1);
   add_plan_command(app, exit_code);
   add_verify_command(app, exit_code);
+  add_check_command(app, exit_code);
   add_info_command(app, exit_code);
   add_elements_command(app, exit_code);
   add_compare_command(app, exit_code);

@@ -102,6 +102,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
 void PlanArguments::add_tool_options(CLI::App& command) {
   add_tool_list_options(command);
   command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid");
+  command.add_option("--accept", accept_,
+                     "Condition that holds at the machine, by its name (repeatable): g55, blending, ...");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2");
   command.add_option("--junction-deviation", junction_deviation_, "Junction deviation of the machine, mm");
   command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min")->transform(as_feed());
@@ -287,6 +289,19 @@ std::vector<Tool> PlanArguments::tools() const {
   return tools;
 }
 
+std::vector<CertificateFileName> PlanArguments::input_files() const {
+  std::vector<CertificateFileName> files;
+  const auto job = this->job();
+  files.push_back({job ? "job" : "part", input_});
+  if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
+  if (tool_library_) files.push_back({"tools", *tool_library_});
+  if (job && !tool_library_ && job->tool_library) files.push_back({"tools", job->tool_library->string()});
+  if (machine_file_) files.push_back({"machine", *machine_file_});
+  if (after_) files.push_back({"earlier program", *after_});
+  if (job && !after_ && job->after) files.push_back({"earlier program", job->after->string()});
+  return files;
+}
+
 ToolLibrary PlanArguments::library() const {
   return tool_library_ ? read_tool_library(*tool_library_, {}) : ToolLibrary{};
 }
@@ -338,6 +353,7 @@ PlanOptions PlanArguments::options() const {
   options.tools = tools();
   options.tool_cutting = tool_cutting(from_job);
   options.machine = machine(from_job);
+  options.accept = accept_;
   check_strategies(given);
   options.sources = given.sources;
   if (machine_file_) options.sources.merge(machine_sources(*machine_file_));

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "certificate_info.h"
 namespace clearcut::cli {
 
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
@@ -30,6 +31,8 @@ class PlanArguments {
   Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
   const std::string& input() const { return input_; }
+  /// Every file that the options rest on, by its role, those that a job names included.
+  std::vector<CertificateFileName> input_files() const;
   const SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
   std::optional<JobFile> job() const;
@@ -65,6 +68,7 @@ class PlanArguments {
   SolidOptions solid_;
   std::optional<std::string> tool_library_;
   std::optional<std::string> machine_file_;
+  std::vector<std::string> accept_;
   std::optional<std::string> strategy_;
   std::optional<std::string> stepover_;
   std::optional<double> angle_;

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
 #include "plan_arguments.h"
@@ -28,6 +29,10 @@ struct PlanCommand {
   bool explain = false;
 };
 
+CertificateBasis basis_of(const PlanCommand& command) {
+  return certificate_basis("plan", command.arguments.input_files(), command.output);
+}
+
 const std::string kCancel = "Ctrl-C stops; nothing is written before the end.";
 
 std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
@@ -36,8 +41,7 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
   const auto add = [&](const std::string& path, auto&& content) {
     if (!path.empty()) files.push_back({path, content()});
   };
-  add(command.certificate,
-      [&] { return write_certificate(result, options, read_file(command.arguments.input())); });
+  add(command.certificate, [&] { return write_certificate(result, options, basis_of(command)); });
   add(command.svg, [&] { return write_picture(result); });
   add(command.html, [&] { return write_page(result, options); });
   add(command.result, [&] { return write_segments(result); });
@@ -130,28 +134,46 @@ int run(PlanCommand command) {
       print_line(write_table(result));
     }
   }
-  return result.findings.all.clean ? kClean : kFault;
+  return exit_code_of(result.findings);
+}
+
+std::shared_ptr<PlanCommand> declare(CLI::App& command) {
+  auto state = std::make_shared<PlanCommand>();
+  state->arguments.add_part_options(command, "INPUT");
+  state->arguments.add_tool_options(command);
+  state->arguments.add_cutting_options(command);
+  command.add_option("-o,--output", state->output, "Program to write (- for standard output)");
+  command.add_option("--certificate", state->certificate, "Certificate to write (JSON)");
+  command.add_option("--svg", state->svg, "Picture to write");
+  command.add_option("--report", state->html, "Animated report to write (HTML)");
+  command.add_option("--result", state->result, "Segments to write: x y to x y per line");
+  command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
+  command.add_flag("--quiet", state->quiet, "Print nothing but errors");
+  return state;
 }
 
 }  // namespace
 
 void add_plan_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("plan", "Plan a part, write its program and certify it");
-  auto state = std::make_shared<PlanCommand>();
-  state->arguments.add_part_options(*command, "INPUT");
-  state->arguments.add_tool_options(*command);
-  state->arguments.add_cutting_options(*command);
-  command->add_option("-o,--output", state->output, "Program to write (- for standard output)");
-  command->add_option("--certificate", state->certificate, "Certificate to write (JSON)");
-  command->add_option("--svg", state->svg, "Picture to write");
-  command->add_option("--report", state->html, "Animated report to write (HTML)");
-  command->add_option("--result", state->result, "Segments to write: x y to x y per line");
-  command->add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
-  command->add_flag("--quiet", state->quiet, "Print nothing but errors");
+  auto state = declare(*command);
   command->callback([state, command, &exit_code] {
     state->arguments.take_sources(*command);
     exit_code = run(*state);
   });
+}
+
+std::string plan_certificate(const std::vector<std::string>& arguments) {
+  CLI::App app;
+  const auto state = declare(app);
+  app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  state->arguments.take_sources(app);
+  PlanCommand command = *state;
+  if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
+  remember_arguments(arguments);
+  const Part part = command.arguments.read();
+  const PlanOptions options = command.arguments.options();
+  return write_certificate(plan_part(part, options), options, basis_of(command));
 }
 
 }  // namespace clearcut::cli

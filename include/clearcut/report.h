@@ -9,6 +9,7 @@
 
 namespace clearcut {
 
+using pipeline::CertificateBasis;
 using pipeline::write_certificate;
 using pipeline::write_contest_table;
 using pipeline::write_page;
@@ -16,5 +17,6 @@ using pipeline::write_picture;
 using pipeline::write_segments;
 using pipeline::write_table;
 using pipeline::write_values;
+using report::CertificateFile;
 
 }  // namespace clearcut

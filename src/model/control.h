@@ -10,9 +10,10 @@ namespace clearcut::inline model {
 
 /// Something about the machine that the program does not say and that would move the cutter elsewhere.
 struct Condition {
-  std::string name;  ///< short and stable, accepted on the command line: "g55", "units", "tool-length-h5"
-  std::string text;  ///< one sentence: what must hold at the machine
-  int line = 0;      ///< of the program, where it first matters; 0: all of it
+  std::string name;      ///< short and stable, accepted on the command line: "g55", "units", "tool-length-h5"
+  std::string text;      ///< one sentence: what must hold at the machine
+  int line = 0;          ///< of the program, where it first matters; 0: all of it
+  std::string met_by{};  ///< who says that it holds: "accepted", "machine file"; "" while it is open
 };
 
 enum class SpindleState : unsigned char { kOff, kClockwise, kCounterClockwise };
@@ -86,13 +87,22 @@ struct ControlEvent {
   int tool = 0;
 };
 
-/// What a program that was read says besides its motion; both lists ascending.
+/// An arc whose words give two radii: controls differ in what they make of it.
+struct ArcDoubt {
+  std::size_t move = 0;
+  double apart_mm = 0;  ///< the tool may be anywhere within this of the move
+};
+
+/// What a program that was read says besides its motion; all lists ascending.
 struct ControlTable {
   std::vector<ControlSpan> spans;
   std::vector<ControlEvent> events;
+  std::vector<ArcDoubt> arcs;
 
   /// What holds at move number `index`, counted over all sections; nothing before the first span.
   const ControlState* at(std::size_t index) const;
+  /// How far move number `index` may lie beside what was read, mm.
+  double doubt_at(std::size_t index) const;
 };
 
 }  // namespace clearcut::inline model

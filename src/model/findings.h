@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/vec2.h"
+#include "model/control.h"
 
 namespace clearcut::inline model {
 
@@ -21,14 +22,21 @@ enum class FaultKind {
   kUncut,            ///< reachable material left, thicker than the tolerance
   kGouge,            ///< the part itself was cut: a wall, an island, or a floor cut too deep
   kRapidInMaterial,  ///< a rapid passes through stock
-  kPlungeTooFast,    ///< straight down into material at the cutting feed, or by a cutter that may not plunge
+  kPlungeTooFast,    ///< down into material faster than the tool's plunge feed, or steeper than the tool may
   kTooDeep,          ///< more axial depth in one pass than the stepdown allows (a level was never cut)
   kOutsideTravel,    ///< beyond the machine's limits
   kNoFeed,           ///< a feed move without a feed
   kNothingCut,       ///< a feature asked for is not cut at all
   kWrongTool,        ///< tool unknown, so nothing can be said
-  kMissingTab,       ///< a tab that was asked for is cut away
-  kTabHeight         ///< a tab stands, but not as high as asked, or higher
+  kToolLength,       ///< the length in force is not that of the tool that cuts
+  kSpindleOff,  ///< a feed move in material while the spindle stands, has no speed or has not had its time to start
+  kSpindleDirection,
+  kSpindleSpeed,    ///< above what the tool or the machine may
+  kBeyondFlutes,    ///< deeper than the flutes are long
+  kBeyondStock,     ///< below the bottom of the stock, farther than a way through needs
+  kOverEngagement,  ///< more of the cutter's circle in material than the limit asked for
+  kMissingTab,      ///< a tab that was asked for is cut away
+  kTabHeight        ///< a tab stands, but not as high as asked, or higher
 };
 const char* name_of(FaultKind kind);
 
@@ -77,10 +85,13 @@ struct Figures {
   int turns = 0;  ///< changes of direction above 0.1 degree between successive feed moves in plan
   double turn_angle_deg = 0;
   int retracts = 0;               ///< rises to or above the stock's top between feed moves
-  double time_s = 0;              ///< kinematic: acceleration, cornering
+  double time_s = 0;              ///< kinematic: acceleration, cornering; with all waits
+  double waits_s = 0;             ///< of it: dwells, spindle starts, tool changes
   double time_naive_s = 0;        ///< length / feed
   double uncut_mm2 = 0;           ///< area of reachable material left (upper bound)
-  double uncut_thickness_mm = 0;  ///< proven upper bound of the thickness of anything left
+  double uncut_thickness_mm = 0;  ///< proven upper bound of the width of anything left
+  double path_tolerance_mm =
+      0;  ///< the control may round corners by this much; it is in the bounds of uncut and gouge
   std::optional<Place> uncut_at;
   double gouge_mm = 0;  ///< depth of the deepest cut into the part
   std::optional<Place> gouge_at;
@@ -121,6 +132,21 @@ struct Findings {
   Figures all;
   std::vector<FeatureFindings> features;  ///< in workplan order
   std::vector<Fault> faults;              ///< worst first
+  std::vector<Condition> conditions;      ///< what must hold at the machine, met and open
 };
+
+/// CLEAN: no fault, and nothing is open. CONDITIONAL: no fault as long as the open conditions hold. FAULTY: a fault.
+enum class Verdict : unsigned char { kClean, kConditional, kFaulty };
+/// "CLEAN", "CONDITIONAL", "FAULTY".
+const char* name_of(Verdict verdict);
+Verdict verdict_of(const Findings& findings);
+
+/// Conditions that nobody has said to hold.
+std::vector<Condition> open_conditions(const Findings& findings);
+/// Marks conditions as met; `names` are those accepted by name. Returns the names that no condition has.
+std::vector<std::string> accept_conditions(Findings& findings, const std::vector<std::string>& names);
+
+/// The verdict, then each fault and each open condition on a line of its own.
+std::string verdict_and_reasons(const Findings& findings);
 
 }  // namespace clearcut::inline model

@@ -9,6 +9,14 @@
 
 namespace clearcut::inline model {
 
+/// Places of the machine in its own coordinates, mm: with them nothing about offsets and reference points is open.
+struct MachinePlaces {
+  std::array<double, 3> start{};                   ///< of the tool's tip when the program begins
+  std::array<std::array<double, 3>, 9> origins{};  ///< of G54, G55 ... G59.3; the work is at that of G54
+  std::array<double, 3> reference{};               ///< G28
+  std::array<double, 3> second_reference{};        ///< G30
+};
+
 /// A small 3-axis mill. Defaults are those of the measured comparisons (Grbl-style cornering).
 struct Machine {
   std::string name = "default";
@@ -17,6 +25,10 @@ struct Machine {
   double junction_deviation = 0.01;  ///< mm
   std::optional<double> max_spindle_rpm;
   std::optional<MmPerMin> max_feed;
+  double spindle_wait_s = 0;             ///< a program has to wait for so long after the spindle starts
+  double tool_change_s = 0;              ///< s, for the times
+  std::optional<double> path_tolerance;  ///< mm; rounds corners by no more, where a program states no bound
+  std::optional<MachinePlaces> places;
   /// Travel limits in workpiece coordinates, mm: x, y, z as {min, max}; absent = unlimited.
   std::optional<std::array<std::array<double, 2>, 3>> travel;
 };

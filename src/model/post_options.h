@@ -13,13 +13,14 @@ namespace clearcut::inline model {
 struct PostOptions {
   std::string dialect = "linuxcnc";  ///< linuxcnc grbl fanuc haas heidenhain mach3 mach4 marlin
   bool inch = false;
-  std::string program_name;             ///< "1234" or "O1234" gives Fanuc and Haas their program number
-  std::vector<std::string> header;      ///< comment lines: part, stock, tools, times, certificate summary
-  std::optional<int> decimals;          ///< 1 to 6; default per dialect and unit
-  bool arcs = true;                     ///< false: lines only, within tol.chord
-  bool tool_changer = true;             ///< false: a pause (M0) instead of M6
-  bool length_offset = true;            ///< false: no G43
-  bool exact_stop = false;              ///< G61 instead of blending, where the control knows it
+  std::string program_name;         ///< "1234" or "O1234" gives Fanuc and Haas their program number
+  std::vector<std::string> header;  ///< comment lines: part, stock, tools, times, certificate summary
+  std::optional<int> decimals;      ///< 1 to 6; default per dialect and unit
+  bool arcs = true;                 ///< false: lines only, within tol.chord
+  bool tool_changer = true;         ///< false: a pause (M0) instead of M6
+  bool length_offset = true;        ///< false: no G43
+  bool exact_stop = false;          ///< G61 instead of blending, where the control knows it
+  bool continuous = false;  ///< where the control states no bound: no G61, corners are rounded by its own
   std::optional<Seconds> spindle_wait;  ///< after the spindle starts; default per dialect
   MmPerMin rapid = MmPerMin::of(3000);  ///< for controls whose G0 takes an F word (Marlin)
   Tolerances tol;

@@ -83,6 +83,7 @@ struct ResolvedPlan {
   std::optional<WorkMaterial> material;  ///< absent: no forces
   std::optional<Toolpath> earlier;       ///< a program that has run before on this stock
   Machine machine;
+  std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
   PostOptions post;
   Tolerances tol;
   std::stop_token cancel;             ///< asked to stop, the stages end with Cancelled

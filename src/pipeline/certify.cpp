@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/digest.h"
 #include "base/error.h"
 #include "base/format.h"
 #include "base/version.h"
@@ -11,11 +12,15 @@
 #include "model/not_machined.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
+#include "report/motion_text.h"
 #include "stock/round_hole.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
 namespace {
+
+/// Hexadecimal digits of a hash in a header.
+constexpr std::size_t kHashShown = 16;
 
 std::string stock_line(const Part& part) {
   if (!part.stock) return "STOCK: NOT GIVEN";
@@ -25,24 +30,41 @@ std::string stock_line(const Part& part) {
                      trimmed(stock.z_bottom, 3), trimmed(stock.z_top, 3));
 }
 
-/// The certificate in short lines, always as many: the numbered places of the findings must stay true.
-std::vector<std::string> verdict_lines(const std::optional<Figures>& all) {
-  if (!all) return {"CERTIFICATE: PENDING", "-", "-", "-", "-"};
-  return {fmt::format("CERTIFICATE: {}", all->clean ? "CLEAN" : "FAULTS FOUND"),
-          fmt::format("LEFT UNCUT: BELOW {:.4f} MM", all->uncut_thickness_mm),
-          fmt::format("GOUGE: {:.4f} MM", all->gouge_mm),
-          fmt::format("RAPIDS IN MATERIAL: {}", all->rapid_in_material),
-          fmt::format("TIME: {:.1f} S", all->time_s)};
+constexpr std::size_t kConditionsShown = 3;
+/// Characters; every control takes a comment as long in one line.
+constexpr std::size_t kConditionLine = 60;
+
+/// "NONE", or the first few by name.
+std::string condition_line(const Findings& findings) {
+  std::string text = "CONDITIONS:";
+  const auto& all = findings.conditions;
+  for (std::size_t i = 0; i < std::min(all.size(), kConditionsShown); ++i)
+    text += (i > 0 ? ", " : " ") + all[i].name + (all[i].met_by.empty() ? "" : " (" + all[i].met_by + ")");
+  if (all.size() > kConditionsShown) text += fmt::format(" AND {} MORE", all.size() - kConditionsShown);
+  return all.empty() ? text + " NONE" : text.substr(0, kConditionLine);
 }
 
-std::vector<std::string> header(const Part& part, const std::optional<Figures>& all) {
+/// The certificate in short lines, always as many: the numbered places of the findings must stay true.
+std::vector<std::string> verdict_lines(const Findings* findings, const std::string& motion_hash) {
+  if (findings == nullptr) return {"CERTIFICATE: PENDING", "-", "-", "-", "-", "-", "-"};
+  const Figures& all = findings->all;
+  return {fmt::format("CERTIFICATE: {}", name_of(verdict_of(*findings))),
+          condition_line(*findings),
+          fmt::format("LEFT UNCUT: BELOW {:.4f} MM", all.uncut_thickness_mm),
+          fmt::format("GOUGE: {:.4f} MM", all.gouge_mm),
+          fmt::format("RAPIDS IN MATERIAL: {}", all.rapid_in_material),
+          fmt::format("TIME: {:.1f} S", all.time_s),
+          fmt::format("MOTION SHA-256: {}", motion_hash.substr(0, kHashShown))};
+}
+
+std::vector<std::string> header(const Part& part, const Findings* findings, const std::string& motion_hash) {
   std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part)};
   for (const auto& tool : part.tools) {
     lines.push_back(
         fmt::format("TOOL T{}: {} {} MM", tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
   }
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
-  for (auto& line : verdict_lines(all)) lines.push_back(std::move(line));
+  for (auto& line : verdict_lines(findings, motion_hash)) lines.push_back(std::move(line));
   for (const auto& name : names_not_machined(part.diagnostics)) lines.push_back("NOT MACHINED: " + name);
   return lines;
 }
@@ -60,10 +82,21 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
                     });
 }
 
-std::string post_with(const std::optional<Figures>& verdict, const Toolpath& toolpath, const Part& part,
-                      const ResolvedPlan& plan) {
-  PostOptions post_options = plan.post;
-  post_options.header = header(part, verdict);
+/// What the machine needs, where nobody has asked for something else.
+PostOptions post_options_of(const ResolvedPlan& plan) {
+  PostOptions post = plan.post;
+  if (!post.spindle_wait && plan.machine.spindle_wait_s > 0)
+    post.spindle_wait = Seconds::of(plan.machine.spindle_wait_s);
+  const auto& accepted = plan.accept;
+  post.continuous = std::find(accepted.begin(), accepted.end(), "blending") != accepted.end();
+  return post;
+}
+
+/// Findings and the motion's hash come into the header of a program that has been judged.
+std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
+                      const Part& part, const ResolvedPlan& plan) {
+  PostOptions post_options = post_options_of(plan);
+  post_options.header = header(part, findings, motion_hash);
   if (post_options.program_name.empty()) post_options.program_name = part.name;
   return post::write_program(toolpath, part, post_options);
 }
@@ -149,7 +182,8 @@ namespace {
 
 /// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
 /// words for them.
-Toolpath read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan) {
+read::gcode::Program read_back(const std::string& program, const Toolpath& planned,
+                               const ResolvedPlan& plan) {
   read::gcode::ReadControllerOptions reading;
   reading.dialect = read::gcode::dialect_named(plan.post.dialect);
   reading.home_z = home_z(plan.machine);
@@ -157,22 +191,61 @@ Toolpath read_back(const std::string& program, const Toolpath& planned, const Re
     const bool same = !reading.hand_tools.empty() && reading.hand_tools.back() == section.tool_number;
     if (section.tool_number > 0 && !same) reading.hand_tools.push_back(section.tool_number);
   }
-  return read::gcode::read_gcode(program, "program", reading).toolpath;
+  return read::gcode::read_gcode(program, "program", reading);
+}
+
+/// Whether the control has lengths for its tools, and cuts at wrong heights without.
+bool has_tool_lengths(read::gcode::Dialect dialect) {
+  using read::gcode::Dialect;
+  return dialect == Dialect::kFanuc || dialect == Dialect::kHaas || dialect == Dialect::kMach3 ||
+         dialect == Dialect::kMach4;
+}
+
+/// How far the control may leave the path before anything found here is no longer so; or the machine file says it.
+void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
+  for (Condition& one : findings.conditions) {
+    if (one.name != "blending") continue;
+    if (plan.machine.path_tolerance) {
+      one.met_by = "machine file";
+      continue;
+    }
+    const double bound =
+        std::min(plan.tol.uncut - findings.all.uncut_thickness_mm, plan.tol.gouge - findings.all.gouge_mm);
+    one.text += fmt::format("; what is found here holds up to {} mm", trimmed(std::max(bound, 0.0), 4));
+  }
 }
 
 }  // namespace
 
+Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
+               const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
+               const ResolvedPlan& plan) {
+  verify::VerifyOptions verify = verify_options(plan);
+  verify.control = &control;
+  verify.accepted = plan.accept;
+  verify.needs_tool_length = has_tool_lengths(dialect) && plan.post.length_offset;
+  Findings findings = verify::verify_program(part, toolpath, verify);
+  findings.conditions = conditions;
+  name_blending_bound(findings, plan);
+  accept_conditions(findings, plan.accept);
+  return findings;
+}
+
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
-  result.program = post_with(std::nullopt, planned, result.part, plan);
-  result.toolpath = read_back(result.program, planned, plan);
-  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(plan));
+  result.program = post_with(nullptr, "", planned, result.part, plan);
+  read::gcode::Program read = read_back(result.program, planned, plan);
+  result.toolpath = std::move(read.toolpath);
+  result.control = std::move(read.control);
+  result.findings = judge(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
   add_not_machined(result.part.diagnostics, result.findings);
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
-  result.program = post_with(result.findings.all, planned, result.part, plan);
+  const std::string hash = sha256_hex(report::motion_text(result.program));
+  result.program = post_with(&result.findings, hash, planned, result.part, plan);
   const auto again = read_back(result.program, planned, plan);
-  CLEARCUT_ASSERT(same_moves(again, result.toolpath));
+  CLEARCUT_ASSERT(same_moves(again.toolpath, result.toolpath));
+  CLEARCUT_ASSERT(sha256_hex(report::motion_text(result.program)) == hash);
 }
 
 }  // namespace clearcut::pipeline

@@ -7,6 +7,7 @@
 #include "model/pass.h"
 #include "model/resolved_plan.h"
 #include "pipeline/run.h"
+#include "read/gcode/dialect.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
@@ -24,6 +25,12 @@ Section link_step(const std::vector<LayerPasses>& passes, int workingstep, Entry
 
 /// Keeps the address of plan.earlier.
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);
+
+/// Judges what a control reads: its moves, what it holds meanwhile, and the conditions of both. Marks the conditions that
+/// the machine file or plan.accept answer.
+Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
+               const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
+               const ResolvedPlan& plan);
 
 /// Posts `planned` for result.part, reads it back, and judges what was read.
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);

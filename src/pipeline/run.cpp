@@ -258,11 +258,24 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
   }
 }
 
+/// Whether another strategy may do without a fault of that kind.
+bool depends_on_strategy(FaultKind kind) {
+  return kind != FaultKind::kBeyondFlutes && kind != FaultKind::kBeyondStock &&
+         kind != FaultKind::kToolLength && kind != FaultKind::kSpindleOff &&
+         kind != FaultKind::kSpindleDirection && kind != FaultKind::kSpindleSpeed &&
+         kind != FaultKind::kOutsideTravel && kind != FaultKind::kWrongTool;
+}
+
 /// Takes the next best plan of every workingstep that was not certified clean. False when there was nothing to do.
 bool retry_unclean(Choice& choice, PlanResult& result) {
   bool retried = false;
   for (const auto& feature : result.findings.features) {
     if (feature.figures.clean || feature.workingstep < 0) continue;
+    const auto& faults = result.findings.faults;
+    if (std::none_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+          return fault.feature == feature.name && depends_on_strategy(fault.kind);
+        }))
+      continue;
     const auto i = static_cast<std::size_t>(feature.workingstep);
     const Tool& tool = tool_of(result.part, result.part.workplan[i]);
     if (tool.corner_radius >= tool.radius()) continue;  // no passes leave a floor flat
@@ -295,8 +308,8 @@ void number_sections(Toolpath& toolpath, const Part& part) {
   }
 }
 
-/// A program of another CAM is held to the stepdown that somebody stated, not to our default.
-void keep_stated_stepdowns(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
+/// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
+void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
   for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
     // Tabs put steps of their own in between, which are named after those above them.
     const std::string& name = prepared.workplan[i].name;
@@ -310,6 +323,9 @@ void keep_stated_stepdowns(Part& prepared, const Part& part, const resolve::Plan
     const bool mills = !stock::only_plunges(tool_of(prepared, prepared.workplan[i]));
     prepared.workplan[i].operation.stepdown =
         options.stepdown && mills ? options.stepdown : stated->operation.stepdown;
+    const auto& plunge = options.cutting.plunge_feed;
+    prepared.workplan[i].operation.cutting.plunge_feed =
+        plunge ? plunge : stated->operation.cutting.plunge_feed;
   }
 }
 
@@ -371,23 +387,21 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   reading.dialect = dialect;
   reading.home_z = home_z(options.machine);
   reading.safe_z = part.top_z();
+  reading.places = options.machine.places;
   auto read = read::gcode::read_gcode(program, program_name, reading);
   CheckResult result;
   const ResolvedPlan plan =
       resolve::resolve(part, numbered_by(read.toolpath, options), strategies_of(options));
   result.part = plan.part;
-  keep_stated_stepdowns(result.part, part, options);
+  keep_stated_limits(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
-  for (const Condition& one : read.conditions) {
-    result.part.diagnostics.warn(program_name + ":" + std::to_string(one.line),
-                                 "condition '" + one.name + "': " + one.text);
-  }
-  result.conditions = std::move(read.conditions);
   result.control = std::move(read.control);
   result.dialect = read.dialect;
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
-  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(plan));
+  result.findings =
+      judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan);
+  result.conditions = result.findings.conditions;
   add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }

@@ -17,10 +17,11 @@
 namespace clearcut::pipeline {
 
 struct PlanResult {
-  Part part;            ///< as prepared: every default filled in, everything noticed in its diagnostics
-  std::string program;  ///< text for the controller
-  Toolpath toolpath;    ///< read back from `program`
-  Findings findings;    ///< of `toolpath`
+  Part part;             ///< as prepared: every default filled in, everything noticed in its diagnostics
+  std::string program;   ///< text for the controller
+  Toolpath toolpath;     ///< read back from `program`
+  Findings findings;     ///< of `toolpath`, with the conditions under which the control moves so
+  ControlTable control;  ///< what the control holds at each move of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
   std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
   std::vector<Condition> conditions;            ///< what somebody has to accept: what no cutter reaches
@@ -38,8 +39,9 @@ struct CheckResult {
   Toolpath toolpath;
   Findings findings;
   read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< as which the program was read
-  ControlTable control;               ///< what the control held at each move of `toolpath`
-  std::vector<Condition> conditions;  ///< what must hold at the machine for the findings to hold
+  ControlTable control;  ///< what the control held at each move of `toolpath`
+  std::vector<Condition>
+      conditions;  ///< what must hold at the machine for the findings to hold; also in these
 };
 /// `dialect`: the control that will run it; absent: recognised.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,

@@ -1,6 +1,6 @@
 #include "pipeline/texts.h"
 
-#include "base/file.h"
+#include "base/digest.h"
 #include "base/version.h"
 #include "report/certificate.h"
 #include "report/contest_table.h"
@@ -13,30 +13,57 @@
 namespace clearcut::pipeline {
 namespace {
 
-report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const std::string& input,
-                                         const std::string& program) {
+report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis) {
   report::CertificateInfo info;
   info.version = kVersion;
   info.seed = options.seed;
-  info.input_hash = content_hash(input);
-  info.program_hash = content_hash(program);
-  info.machine = options.machine.name;
+  info.command = basis.command;
+  info.arguments = basis.arguments;
+  info.inputs = basis.inputs;
+  info.program_name = basis.program_name;
+  info.dialect = options.post.dialect;
+  info.machine = options.machine;
+  info.tolerances = options.tol;
+  info.engagement_limit_deg = options.engagement_deg;
+  info.material = options.shop.material;
   return info;
+}
+
+CertificateBasis basis_of_input(const Part& part, const std::string& command, const std::string& input) {
+  CertificateBasis basis;
+  basis.command = command;
+  basis.inputs.push_back({"part", part.source_file, sha256_hex(input)});
+  return basis;
 }
 
 }  // namespace
 
 std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
-                              const std::string& input) {
-  report::CertificateInfo info = certificate_info(options, input, result.program);
+                              const CertificateBasis& basis) {
+  report::CertificateInfo info = certificate_info(options, basis);
+  info.program = result.program;
   info.contests = result.contests;
   info.values = result.values;
   return report::certificate_json(result.part, result.findings, info);
 }
 
 std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+                              const CertificateBasis& basis, const std::string& program) {
+  report::CertificateInfo info = certificate_info(options, basis);
+  info.program = program;
+  info.dialect = name_of(result.dialect);
+  info.dialect_stated = basis.dialect_stated;
+  return report::certificate_json(result.part, result.findings, info);
+}
+
+std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+                              const std::string& input) {
+  return write_certificate(result, options, basis_of_input(result.part, "plan", input));
+}
+
+std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
                               const std::string& input, const std::string& program) {
-  return report::certificate_json(result.part, result.findings, certificate_info(options, input, program));
+  return write_certificate(result, options, basis_of_input(result.part, "verify", input), program);
 }
 
 std::string write_values(const Part& part, const std::vector<ResolvedValue>& values) {

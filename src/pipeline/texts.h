@@ -2,10 +2,25 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "pipeline/run.h"
+#include "report/certificate.h"
 
 namespace clearcut::pipeline {
+
+/// What a certificate rests on besides the options.
+struct CertificateBasis {
+  std::string command;                          ///< "plan", "verify", "elements"
+  std::vector<std::string> arguments;           ///< of the command, as typed
+  std::vector<report::CertificateFile> inputs;  ///< every file that was read
+  std::string program_name;
+  bool dialect_stated = true;  ///< of a program that was checked; else it was recognised
+};
+std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+                              const CertificateBasis& basis);
+std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+                              const CertificateBasis& basis, const std::string& program);
 
 /// The certificate as JSON: what was found, and what that rests on. `input` is the text of the part's file: its hash names it
 /// in the certificate. docs/report.md lists every field.

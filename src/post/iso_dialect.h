@@ -10,8 +10,9 @@ namespace clearcut::post {
 enum class CommentForm { kParentheses, kSemicolon };
 enum class PathControl {
   kNone,
-  kTolerance,        ///< G64 P- Q0
-  kConstantVelocity  ///< G64
+  kTolerance,       ///< G64 P- Q0
+  kCornerRounding,  ///< G187 E-
+  kExactStop        ///< G61: the control states no bound for what it rounds in G64
 };
 enum class LengthOffset {
   kNone,

@@ -129,7 +129,8 @@ void IsoWriter::set_path_control() {
   const double blend = options_.tol.gouge / 2 / (options_.inch ? kMmPerInch : 1);
   if (dialect_.path_control == PathControl::kTolerance)
     out_.line(fmt::format("G64 P{} Q0", trimmed(blend, 6)));
-  if (dialect_.path_control == PathControl::kConstantVelocity) out_.line("G64");
+  if (dialect_.path_control == PathControl::kCornerRounding) out_.line("G187 E" + trimmed(blend, 6));
+  if (dialect_.path_control == PathControl::kExactStop) out_.line(options_.continuous ? "G64" : "G61");
 }
 
 void IsoWriter::write_section(const Section& section) {

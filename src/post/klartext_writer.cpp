@@ -25,7 +25,7 @@ constexpr std::size_t kLineLength = 80;
 /// mm; a wider helix would miss its end by more than 0.2 um, because its angle is printed with four decimals.
 constexpr double kWidestHelix = 200;
 constexpr double kLargestRadius = 10000;   // mm
-constexpr double kFinestTolerance = 1e-4;  // mm or inch, of cycle 32
+constexpr double kFinestTolerance = 1e-5;  // mm or inch, of cycle 32
 constexpr std::size_t kNameLength = 16;
 
 std::string program_name(const std::string& wanted) {
@@ -121,8 +121,8 @@ void KlartextWriter::begin_program(const Toolpath& toolpath) {
   comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   blank_form(toolpath);
   block("CYCL DEF 32.0 TOLERANCE");
-  const double tolerance = options_.tol.gouge / (options_.inch ? kMmPerInch : 1);
-  block("CYCL DEF 32.1 T" + trimmed(std::max(kFinestTolerance, tolerance), 4));
+  const double tolerance = options_.tol.gouge / 2 / (options_.inch ? kMmPerInch : 1);
+  block("CYCL DEF 32.1 T" + trimmed(std::max(kFinestTolerance, tolerance), 5));
 }
 
 /// The stock, or what the tool's centre covers where no stock is known.

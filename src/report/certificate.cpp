@@ -4,18 +4,18 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/digest.h"
+#include "report/certificate_question.h"
+#include "report/motion_text.h"
+
 namespace clearcut::report {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rounded to 1e-6, so that the same figure has the same text whatever order it was summed in.
 Json number(double value) {
-  if (!std::isfinite(value)) return nullptr;
-  const double scaled = value * 1e6;
-  if (std::abs(scaled) > 1e15) return value;
-  return std::round(scaled) / 1e6 + 0.0;
+  return certificate_number(value);
 }
 
 Json place(const std::optional<Place>& at) {
@@ -92,9 +92,11 @@ void add_figures(Json& json, const Figures& f) {
   json["turn_angle_deg"] = number(f.turn_angle_deg);
   json["retracts"] = f.retracts;
   json["time_s"] = number(f.time_s);
+  json["waits_s"] = number(f.waits_s);
   json["time_naive_s"] = number(f.time_naive_s);
   json["uncut_mm2"] = number(f.uncut_mm2);
   json["uncut_thickness_mm"] = number(f.uncut_thickness_mm);
+  json["path_tolerance_mm"] = number(f.path_tolerance_mm);
   json["uncut_at"] = place(f.uncut_at);
   json["gouge_mm"] = number(f.gouge_mm);
   json["gouge_at"] = place(f.gouge_at);
@@ -164,6 +166,33 @@ Json fault(const Fault& findings) {
   return json;
 }
 
+Json condition(const Condition& one) {
+  Json json;
+  json["name"] = one.name;
+  json["text"] = one.text;
+  json["line"] = one.line;
+  json["met_by"] = one.met_by;
+  return json;
+}
+
+Json file(const CertificateFile& one) {
+  Json json;
+  json["role"] = one.role;
+  json["name"] = one.name;
+  json["sha256"] = one.sha256;
+  return json;
+}
+
+Json program(const CertificateInfo& info) {
+  Json json;
+  json["name"] = info.program_name;
+  json["sha256"] = sha256_hex(info.program);
+  json["motion_sha256"] = sha256_hex(motion_text(info.program));
+  json["dialect"] = info.dialect;
+  json["dialect_stated"] = info.dialect_stated;
+  return json;
+}
+
 /// A value of the plan; `workingstep` is null for those of the whole.
 Json resolved(const ResolvedValue& value) {
   Json json;
@@ -180,15 +209,18 @@ Json resolved(const ResolvedValue& value) {
 
 std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info) {
   Json json;
+  json["schema"] = "clearcut-certificate-2";
   json["version"] = info.version;
   json["seed"] = info.seed;
-  json["input_hash"] = info.input_hash;
-  json["program_hash"] = info.program_hash;
   json["part"] = part.name;
   json["source_file"] = part.source_file;
-  json["tool"] = info.tool;
-  json["machine"] = info.machine;
+  json["inputs"] = Json::array();
+  for (const CertificateFile& one : info.inputs) json["inputs"].push_back(file(one));
+  json["program"] = program(info);
+  json["question"] = certificate_question(part, findings, info);
+  json["verdict"] = name_of(verdict_of(findings));
   add_figures(json, findings.all);
+  json["clean"] = all_finite(findings.all) && verdict_of(findings) == Verdict::kClean;
   json["features"] = Json::array();
   for (const FeatureFindings& one : findings.features)
     json["features"].push_back(feature(one, info.contests));
@@ -196,6 +228,9 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
   if (!info.values.empty()) json["values"] = Json::array();
   for (const ResolvedValue& one : info.values) json["values"].push_back(resolved(one));
+  json["conditions"] = Json::array();
+  for (const Condition& one : findings.conditions) json["conditions"].push_back(condition(one));
+  json["seal"] = seal_of(json);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -43,7 +43,7 @@ TEST(Certificate, HasEveryPromisedFieldForTheWholeEachFeatureAndEachLayer) {
     EXPECT_EQ(figures.at("engagement").at("histogram").size(), 18u);
   }
   EXPECT_THAT(keys_of(json),
-              testing::IsSupersetOf({"version", "seed", "input_hash", "program_hash", "tool", "machine"}));
+              testing::IsSupersetOf({"version", "seed", "inputs", "program", "question", "verdict", "conditions", "seal"}));
 }
 
 TEST(Certificate, FiguresAreTheFindings) {

@@ -56,15 +56,29 @@ std::string faults_of(const Findings& findings) {
   const std::size_t count = findings.faults.size();
   if (count == 0) {
     return findings.all.clean
-               ? fmt::format(
-                     "clean: nothing thicker than {} mm left where the cutter can reach, nothing gouged\n",
-                     fixed(findings.all.uncut_thickness_mm, 3))
-               : "NOT clean\n";
+               ? fmt::format("nothing thicker than {} mm left where the cutter can reach, nothing gouged\n",
+                             fixed(findings.all.uncut_thickness_mm, 3))
+               : "";
   }
   std::string text = fmt::format("{} {}:\n", count, count == 1 ? "fault" : "faults");
   for (std::size_t i = 0; i < std::min(count, kFaultsShown); ++i) text += line_of(findings.faults[i]);
   if (count > kFaultsShown) text += fmt::format("  and {} more\n", count - kFaultsShown);
   return text;
+}
+
+std::string conditions_of(const Findings& findings) {
+  std::string text;
+  for (const Condition& one : findings.conditions) {
+    text += fmt::format("  condition {}: {}", ascii(one.name), ascii(one.text));
+    if (one.line > 0) text += fmt::format(" (line {})", one.line);
+    text +=
+        one.met_by.empty() ? "; say --accept " + ascii(one.name) + " if it does\n" : "; " + one.met_by + "\n";
+  }
+  return text;
+}
+
+std::string verdict_line(const Findings& findings) {
+  return fmt::format("verdict: {}\n", name_of(verdict_of(findings)));
 }
 
 /// Shortens the names in the first column as far as the width of the other columns asks for.
@@ -143,7 +157,8 @@ std::string table(const Part& part, const Findings& findings) {
   text.add_rule();
   text.add(row("total", "", std::to_string(layers), findings.all));
   fit_names(text);
-  return plain(text) + load_lines(findings.all) + scallop_lines(findings) + faults_of(findings);
+  return plain(text) + load_lines(findings.all) + scallop_lines(findings) + verdict_line(findings) +
+         faults_of(findings) + conditions_of(findings);
 }
 
 }  // namespace clearcut::report

@@ -62,7 +62,8 @@ TEST(Table, GivesEachFeatureItsFiguresAndATotal) {
             "  123  "
             "yes");
   EXPECT_THAT(lines[4], HasSubstr("total"));
-  EXPECT_THAT(lines[5], HasSubstr("clean: nothing thicker than 0.005 mm"));
+  EXPECT_THAT(lines[5], HasSubstr("verdict: CLEAN"));
+  EXPECT_THAT(lines[6], HasSubstr("nothing thicker than 0.005 mm"));
 }
 
 TEST(Table, FitsTheTerminalWhateverTheFigures) {

@@ -63,7 +63,8 @@ struct PlanOptions {
   Machine machine;
   PostOptions post;
   std::string objective = "time";
-  std::optional<double> time_s;  ///< longest search
+  std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
+  std::optional<double> time_s;     ///< longest search
   std::uint64_t seed = 1;
   int threads = 0;            ///< 0: all cores
   std::stop_token cancel;     ///< asked to stop, the plan ends with Cancelled within a second

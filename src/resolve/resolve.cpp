@@ -153,6 +153,7 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
   resolve_shop(plan, options.shop);
   plan.earlier = options.earlier;
   plan.machine = options.machine;
+  plan.accept = options.accept;
   plan.post = options.post;
   plan.tol = options.tol;
   plan.cancel = options.cancel;

@@ -77,6 +77,12 @@ class Material {
   /// Their sum and one direction alone, for less; none where the circle is free.
   std::optional<CircleTouch> circle_touch(Vec2 center, double radius, double z) const;
 
+  /// A place within `radius` of `path` where material reaches above z; none where there is none. Finds every piece that holds
+  /// a square 0.02 mm wide, and most others.
+  ///
+  /// Cost    O((sweeps near + length of their outlines / 0.02 mm) log).
+  std::optional<Vec2> in_reach(const Edge& path, double radius, double z) const;
+
   double z_top() const { return z_top_; }
   const std::optional<Box>& plan() const { return plan_; }
 

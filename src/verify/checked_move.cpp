@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "kinematics/kinematics.h"
 #include "verify/edge_tree.h"
@@ -149,10 +150,65 @@ void assign_layers(JudgedProgram& program) {
   }
 }
 
+/// Times of moves that run on into each other; with exact stops each stands alone.
+std::vector<Seconds> times_of(const Section& section, std::size_t first, const Machine& machine,
+                              const ControlTable* control) {
+  const auto stops = [&](std::size_t i) {
+    const ControlState* state = control ? control->at(first + i) : nullptr;
+    return state && state->path.mode == PathMode::kExactStop;
+  };
+  std::vector<Seconds> times;
+  const std::span<const Move> moves(section.moves);
+  for (std::size_t i = 0; i < moves.size();) {
+    std::size_t end = i + 1;
+    if (!stops(i)) {
+      while (end < moves.size() && !stops(end)) ++end;
+    }
+    const std::vector<Move> run(moves.begin() + static_cast<std::ptrdiff_t>(i),
+                                moves.begin() + static_cast<std::ptrdiff_t>(end));
+    for (const Seconds time : kinematics::move_times(run, machine)) times.push_back(time);
+    i = end;
+  }
+  return times;
+}
+
+/// mm; 0 where the control keeps to the path, and where no bound is known: that is a condition.
+double path_tolerance_of(const ControlState* state, const Machine& machine) {
+  if (state == nullptr) return 0;
+  const PathControl& path = state->path;
+  switch (path.mode) {
+    case PathMode::kExactPath:
+    case PathMode::kExactStop:
+      return 0;
+    case PathMode::kTolerance:
+      return path.tolerance_mm.value_or(0) + path.merging_mm.value_or(0);
+    case PathMode::kUnstated:
+    case PathMode::kContinuous:
+    case PathMode::kSmoothness:
+      break;
+  }
+  return machine.path_tolerance.value_or(0);
+}
+
+/// Dwells, and what the machine says that its tool changes take.
+void add_waits(const ControlTable& control, const Machine& machine, std::vector<JudgedMove>& moves) {
+  if (moves.empty()) return;
+  for (const ControlEvent& event : control.events) {
+    const double seconds = event.kind == ControlEventKind::kDwell        ? event.seconds
+                           : event.kind == ControlEventKind::kToolChange ? machine.tool_change_s
+                                                                         : 0;
+    JudgedMove& after = moves[std::min(event.before_move, moves.size() - 1)];
+    after.waits_s += seconds;
+    after.time_s += seconds;
+  }
+}
+
 void append_moves(const Part& part, const Toolpath& toolpath, const Machine& machine,
-                  std::vector<JudgedMove>& out) {
+                  std::vector<JudgedMove>& out, const ControlTable* control) {
+  const std::size_t begin = out.size();
   for (const Section& section : toolpath.sections) {
-    const std::vector<Seconds> times = kinematics::move_times(section.moves, machine);
+    const std::size_t first = out.size() - begin;
+    const std::vector<Seconds> times = times_of(section, first, machine, control);
     for (std::size_t i = 0; i < section.moves.size(); ++i) {
       JudgedMove judged;
       judged.move = &section.moves[i];
@@ -160,11 +216,17 @@ void append_moves(const Part& part, const Toolpath& toolpath, const Machine& mac
       judged.tool_number = section.tool_number;
       judged.clockwise = section.spindle_clockwise;
       judged.rpm = section.spindle_rpm;
+      if (control) {
+        judged.control = control->at(first + i);
+        judged.path_tolerance = path_tolerance_of(judged.control, machine);
+        judged.doubt = control->doubt_at(first + i);
+      }
       judged.time_s = times[i].seconds();
       judged.time_naive_s = kinematics::naive_time(section.moves[i], machine).seconds();
       out.push_back(judged);
     }
   }
+  if (control) add_waits(*control, machine, out);
 }
 
 }  // namespace
@@ -176,16 +238,16 @@ double radius_at(const Tool& tool, double height) {
 }
 
 JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
-                             const Toolpath* earlier) {
+                             const Toolpath* earlier, const ControlTable* control) {
   JudgedProgram program;
-  append_moves(part, toolpath, machine, program.moves);
+  append_moves(part, toolpath, machine, program.moves, control);
   attribute(part, toolpath, program.moves);
   find_layers(part, program);
   assign_layers(program);
   if (earlier == nullptr) return program;
   std::vector<JudgedMove> own = std::move(program.moves);
   program.moves.clear();
-  append_moves(part, *earlier, machine, program.moves);
+  append_moves(part, *earlier, machine, program.moves, nullptr);
   for (JudgedMove& judged : program.moves) judged.earlier = true;
   program.moves.insert(program.moves.end(), own.begin(), own.end());
   return program;

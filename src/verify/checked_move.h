@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
+#include "model/control.h"
 #include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
@@ -48,10 +50,14 @@ struct JudgedMove {
   int tool_number = 0;
   bool clockwise = true;
   double rpm = 0;
-  bool earlier = false;  ///< of a program that has run before: cuts, but counts nothing
-  int workingstep = -1;  ///< whose work it is, for grouping only
-  int layer = -1;        ///< index among the workingstep's layers
-  double time_s = 0;
+  bool earlier = false;                   ///< of a program that has run before: cuts, but counts nothing
+  int workingstep = -1;                   ///< whose work it is, for grouping only
+  int layer = -1;                         ///< index among the workingstep's layers
+  const ControlState* control = nullptr;  ///< what the control holds; null: unknown
+  double path_tolerance = 0;              ///< mm; the control may round the corners at its ends by this
+  double doubt = 0;                       ///< mm; the control may make another arc of it, this far away
+  double time_s = 0;                      ///< with the waits before it
+  double waits_s = 0;
   double time_naive_s = 0;
   std::optional<Gouge> gouge;
   MoveLoad load;
@@ -60,6 +66,16 @@ struct JudgedMove {
   double radius() const { return tool ? tool->radius() : 0; }
   double low_z() const { return std::min(move->z_from, move->z_to); }
   bool is_flat() const { return move->z_from == move->z_to; }
+  /// Whether a feed move was seen to take material away.
+  bool cuts() const {
+    return feeds() && (load.axial_mm > 0 || load.cutting_mm > 0 || load.plunge_contact.has_value());
+  }
+  /// mm the tip goes down for each mm of advance in plan; infinite straight down.
+  double slope() const {
+    const double down = move->z_from - move->z_to;
+    if (down <= 0) return 0;
+    return move->is_vertical() ? HUGE_VAL : down / move->path.length();
+  }
 };
 
 /// Depths at which a workingstep cuts, descending.
@@ -72,8 +88,8 @@ struct JudgedProgram {
 
 /// Lists the moves of `toolpath` with their tools, times, and the workingstep and layer they belong to: by
 /// the section's number, else its label, else by place and depth. The moves of `earlier`, if any, go before, and belong to
-/// no workingstep.
+/// no workingstep. With `control` every move knows what the control held, and times hold the waits.
 JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
-                             const Toolpath* earlier = nullptr);
+                             const Toolpath* earlier = nullptr, const ControlTable* control = nullptr);
 
 }  // namespace clearcut::verify

@@ -20,43 +20,22 @@ constexpr int kSwathsTried = 12;
 constexpr int kLeavesPerSize = 4000;
 /// Where more is left elsewhere, what is left is measured in cells of R / kAreaCells.
 constexpr double kAreaCells = 64;
+/// Where something is left its area is measured with films down to this share of the tolerance.
+constexpr double kFineShare = 50;
 /// mm.
 constexpr double kRounding = 1e-9;
 /// The area of unreachable corners is counted in cells of R / kCornerCells.
 constexpr double kCornerCells = 48;
 
-/// Corners of the convex hull of an edge's part inside a square.
-void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out) {
-  std::vector<double> cuts{0, 1};
-  const Vec2 a = square.min, c = square.max, b{c.x, a.y}, d{a.x, c.y};
-  for (const Edge& side : {Edge::line(a, b), Edge::line(b, c), Edge::line(c, d), Edge::line(d, a)}) {
-    for (const Vec2 p : intersections(edge, side)) cuts.push_back(nearest(edge, p).t);
-  }
-  std::sort(cuts.begin(), cuts.end());
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    if (!square.contains(edge.at((cuts[i] + cuts[i + 1]) / 2))) continue;
-    const Edge part = edge.part(cuts[i], cuts[i + 1]);
-    out.push_back(part.from);
-    out.push_back(part.to);
-    if (!edge.is_arc() || part.from == part.to) continue;
-    // Where the tangents at the ends of each half meet: the half lies inside that triangle.
-    for (const Edge& half : {part.part(0, 0.5), part.part(0.5, 1)}) {
-      const double quarter = std::tan(half.sweep() / 4);
-      if (half.from == half.to || std::abs(half.sweep()) > 2.5) continue;
-      const Vec2 middle = half.at(0.5), chord = (half.from + half.to) / 2.0;
-      out.push_back(half.from);
-      // Sagitta times 2 / (1 - tan^2(sweep / 4)) is the height of the tangents' meeting point.
-      out.push_back(chord + (middle - chord) * (2 / (1 - quarter * quarter)));
-    }
-  }
-}
-
 class CoverageProof {
  public:
-  CoverageProof(const CoverageQuestion& question, const Tolerances& tol)
+  /// A fine proof counts what is left to a fraction of the tolerance, for its area.
+  CoverageProof(const CoverageQuestion& question, const Tolerances& tol, bool fine)
       : question_(question),
         tol_(tol),
-        slack_(tol.uncut / 2),
+        fine_(fine),
+        widest_(fine ? tol.uncut / kFineShare : std::max(tol.uncut - question.path_tolerance, tol.uncut / 2)),
+        slack_(widest_ / 2),
         target_(*question.target),
         legal_(*question.part, question.z, question.radius + question.allowance,
                target_.box().grown(question.radius), tol),
@@ -167,12 +146,20 @@ class CoverageProof {
   bool settle_uncut(const Cell& cell, const ConvexPolygon& part, const Near& near, bool within_reach) {
     const bool smallest = 2 * cell.half <= smallest_cell();
     const double excess = excess_at(cell.center), thickness = excess + cell.reach();
-    if (thickness <= (smallest ? tol_.uncut : slack_)) return count_covered(thickness);
+    const double width = width_of(cell, thickness);
+    if (width <= widest_) return count_width(width);
     // Where more is left elsewhere only the area is still asked for.
-    const bool minor = thickness <= worst_thickness_ && cell.half <= question_.flat / kAreaCells;
+    const bool minor = width <= worst_width_ && cell.half <= question_.flat / kAreaCells;
     const bool all_left = near.swaths.empty() && within_reach && cell.reach() <= 0.05 * excess;
     if (!smallest && !minor && !all_left) return false;
-    return count_uncut(cell, part, thickness);
+    return count_uncut(cell, part, width);
+  }
+
+  /// Upper bound of the widest disc of material with its middle in the cell, whose points lie within `thickness` of what was
+  /// cut: it reaches neither over what was cut nor over the edge of the target.
+  double width_of(const Cell& cell, double thickness) const {
+    const double beside = target_.nearest(cell.center, thickness + cell.reach()).distance + cell.reach();
+    return 2 * std::min(thickness, beside);
   }
 
   bool covered_by_one(const Cell& cell, Range from, Range& out) {
@@ -298,22 +285,25 @@ class CoverageProof {
 
   /// Small enough to tell what a cutter reaches from what it almost does.
   double smallest_cell() const {
-    return std::min(question_.flat / 4, slack_ / 2 * std::exp2(leaves_ / kLeavesPerSize));
+    return std::min(question_.flat / 4, tol_.uncut / 8 * std::exp2(leaves_ / kLeavesPerSize));
   }
 
-  bool count_covered(double excess) {
-    result_.thickness_mm = std::max(result_.thickness_mm, excess);
+  /// What lies no farther than `excess` outside a swath is no wider than twice that.
+  bool count_covered(double excess) { return count_width(2 * excess); }
+
+  bool count_width(double width) {
+    result_.thickness_mm = std::max(result_.thickness_mm, width);
     return true;
   }
 
-  bool count_uncut(const Cell& cell, const ConvexPolygon& part, double thickness) {
+  bool count_uncut(const Cell& cell, const ConvexPolygon& part, double width) {
     ++leaves_;
     result_.uncut_mm2 += part.area();
-    if (thickness > worst_thickness_) {
+    if (width > worst_width_) {
       result_.worst = cell.center;
-      worst_thickness_ = thickness;
+      worst_width_ = width;
     }
-    return count_covered(thickness);
+    return count_width(width);
   }
 
   bool count_unreachable(const Cell& cell, const Near& near) {
@@ -412,7 +402,9 @@ class CoverageProof {
 
   const CoverageQuestion& question_;
   const Tolerances& tol_;
-  const double slack_;
+  const bool fine_;
+  const double widest_;  ///< mm; what is left no wider than this is no fault
+  const double slack_;   ///< mm; so far outside a swath nothing is wider
   EdgeTree target_;
   LegalCenters legal_;
   std::vector<double> deviation_;  ///< of the program from each edge of the legal boundary; -1: not asked yet
@@ -422,14 +414,23 @@ class CoverageProof {
   std::vector<int> outline_, legals_;
   std::vector<Vec2> extremes_;
   int leaves_ = 0;
-  double worst_thickness_ = 0;
+  double worst_width_ = 0;
   Coverage result_;
 };
 
 }  // namespace
 
 Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol) {
-  if (question.flat > tol.uncut) return CoverageProof(question, tol).run();
+  if (question.flat > tol.uncut) {
+    Coverage coverage = CoverageProof(question, tol, false).run();
+    const bool left = coverage.thickness_mm + question.path_tolerance > tol.uncut && coverage.uncut_mm2 > 0;
+    if (left)
+      coverage.uncut_mm2 = std::max(coverage.uncut_mm2, CoverageProof(question, tol, true).run().uncut_mm2);
+    coverage.path_tolerance_mm = question.path_tolerance;
+    if (coverage.reachable)
+      coverage.thickness_mm = std::max(coverage.thickness_mm + question.path_tolerance, question.above);
+    return coverage;
+  }
   Coverage nothing;
   nothing.target_mm2 = nothing.unreachable_mm2 = area(*question.target);
   return nothing;

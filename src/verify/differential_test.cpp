@@ -176,7 +176,7 @@ TEST(Differential, CoverageBoundsAgreeWithARaster) {
     const double radius = random.between(1, 3), allowance = random.below(2) == 0 ? 0 : 0.3;
     const Part part = pocket_part(outline, 2 * radius, -2);
     const FinishedPart finished(part);
-    CoverageQuestion question{&finished, &outline, -1.999, radius, radius, allowance, {}};
+    CoverageQuestion question{&finished, &outline, -1.999, radius, radius, allowance, 0, 0, {}};
     for (int i = 0; i < 25; ++i) {
       Edge path = random_path(random, 12);
       if (std::abs(path.sweep()) > 2) path = path.part(0, 0.5);
@@ -187,10 +187,13 @@ TEST(Differential, CoverageBoundsAgreeWithARaster) {
     const double cell = Raster::kStep * Raster::kStep, blur = Raster::kStep * 1.5;
     double area_low = 0, area_high = 0, thick_low = 0, thick_high = 0, unreachable_low = 0;
     for (const Raster::Sample& sample : raster.samples) {
-      if (sample.to_legal <= radius && sample.excess > 0) thick_low = std::max(thick_low, sample.excess);
+      const double beside = outline[0].boundary_distance(sample.p);
+      if (sample.to_legal <= radius && sample.excess > 0)
+        thick_low = std::max(thick_low, 2 * std::min(sample.excess, beside));
       if (sample.to_legal <= radius && sample.excess > tol.uncut) area_low += cell;
       if (sample.to_legal <= radius + blur && sample.excess > -blur) area_high += cell;
-      if (sample.to_legal <= radius + blur) thick_high = std::max(thick_high, sample.excess + blur);
+      if (sample.to_legal <= radius + blur)
+        thick_high = std::max(thick_high, 2 * std::min(sample.excess, beside) + 2 * blur);
       const bool in_film = outline[0].boundary_distance(sample.p) < allowance + blur;
       if (sample.to_legal > radius + blur && sample.excess > blur && !in_film) unreachable_low += cell;
     }

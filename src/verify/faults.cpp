@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/format.h"
+#include "verify/state_faults.h"
 
 namespace clearcut::verify {
 namespace {
@@ -29,9 +30,6 @@ std::string name_of_work(const Part& part, int workingstep) {
   return workingstep < 0 ? "" : part.features[part.workplan[workingstep].feature].name;
 }
 
-/// What one move is found guilty of, as far as one kind of fault is asked.
-using Judge = std::function<std::optional<Fault>(const JudgedMove&)>;
-
 class FaultFinder {
  public:
   FaultFinder(const Part& part, const VerifyOptions& options) : part_(part), options_(options) {}
@@ -52,12 +50,6 @@ class FaultFinder {
     if (!judged.load.rapid_contact) return std::nullopt;
     return fault(FaultKind::kRapidInMaterial, judged, *judged.load.rapid_contact, judged.move->length(),
                  "A rapid passes through material");
-  }
-
-  std::optional<Fault> plunge(const JudgedMove& judged) const {
-    if (!judged.load.plunge_contact) return std::nullopt;
-    return fault(FaultKind::kPlungeTooFast, judged, *judged.load.plunge_contact, judged.move->length(),
-                 "A cutter that may not plunge goes straight down into material");
   }
 
   std::optional<Fault> depth(const JudgedMove& judged) const {
@@ -104,11 +96,7 @@ class FaultFinder {
  private:
   Fault fault(FaultKind kind, const JudgedMove& judged, const Place& place, double size,
               const std::string& what) const {
-    const std::string feature = name_of_work(part_, judged.workingstep);
-    const std::string whose = judged.earlier    ? "in the program before: "
-                              : feature.empty() ? ""
-                                                : feature + ": ";
-    return {kind, feature, place, size, whose + what + at(place) + "."};
+    return fault_of(part_, kind, judged, place, size, what);
   }
 
   const Part& part_;
@@ -116,7 +104,7 @@ class FaultFinder {
 };
 
 /// One fault for each run of successive guilty moves of one workingstep.
-void collect(const std::vector<JudgedMove>& moves, const Judge& judge, std::vector<Fault>& out) {
+void collect(const std::vector<JudgedMove>& moves, const MoveJudge& judge, std::vector<Fault>& out) {
   std::optional<Fault> run;
   int run_length = 0, workingstep = -1;
   const auto finish = [&] {
@@ -151,54 +139,42 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
                " is allowed."}};
 }
 
-int severity(FaultKind kind) {
-  switch (kind) {
-    case FaultKind::kRapidInMaterial:
-      return 0;
-    case FaultKind::kGouge:
-      return 1;
-    case FaultKind::kPlungeTooFast:
-      return 2;
-    case FaultKind::kTooDeep:
-      return 3;
-    case FaultKind::kOutsideTravel:
-      return 4;
-    case FaultKind::kWrongTool:
-      return 5;
-    case FaultKind::kNoFeed:
-      return 6;
-    case FaultKind::kNothingCut:
-      return 7;
-    case FaultKind::kUncut:
-      return 8;
-    case FaultKind::kMissingTab:
-      return 1;
-    case FaultKind::kTabHeight:
-      return 3;
-  }
-  return 9;
+/// What breaks things first comes first.
+constexpr FaultKind kBySeverity[] = {
+    FaultKind::kRapidInMaterial,  FaultKind::kGouge,          FaultKind::kMissingTab,
+    FaultKind::kTabHeight,        FaultKind::kToolLength,     FaultKind::kSpindleOff,
+    FaultKind::kBeyondStock,      FaultKind::kBeyondFlutes,   FaultKind::kPlungeTooFast,
+    FaultKind::kTooDeep,          FaultKind::kOverEngagement, FaultKind::kSpindleSpeed,
+    FaultKind::kSpindleDirection, FaultKind::kOutsideTravel,  FaultKind::kWrongTool,
+    FaultKind::kNoFeed,           FaultKind::kNothingCut,     FaultKind::kUncut};
+
+std::ptrdiff_t severity(FaultKind kind) {
+  return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);
 }
 
 }  // namespace
 
+Fault fault_of(const Part& part, FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+               const std::string& what) {
+  const std::string feature = name_of_work(part, judged.workingstep);
+  const std::string whose = judged.earlier    ? "in the program before: "
+                            : feature.empty() ? ""
+                                              : feature + ": ";
+  return {kind, feature, place, size, whose + what + at(place) + "."};
+}
+
 std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
                                    const VerifyOptions& options) {
   const FaultFinder finder(part, options);
+  std::vector<MoveJudge> judges{[&](const JudgedMove& m) { return finder.gouge(m); },
+                                [&](const JudgedMove& m) { return finder.rapid(m); },
+                                [&](const JudgedMove& m) { return finder.depth(m); },
+                                [&](const JudgedMove& m) { return finder.travel(m); },
+                                [&](const JudgedMove& m) { return finder.feed(m); },
+                                [&](const JudgedMove& m) { return finder.tool(m); }};
+  for (MoveJudge& judge : state_judges(part, program, options)) judges.push_back(std::move(judge));
   std::vector<Fault> faults;
-  collect(
-      program.moves, [&](const JudgedMove& m) { return finder.gouge(m); }, faults);
-  collect(
-      program.moves, [&](const JudgedMove& m) { return finder.rapid(m); }, faults);
-  collect(
-      program.moves, [&](const JudgedMove& m) { return finder.plunge(m); }, faults);
-  collect(
-      program.moves, [&](const JudgedMove& m) { return finder.depth(m); }, faults);
-  collect(
-      program.moves, [&](const JudgedMove& m) { return finder.travel(m); }, faults);
-  collect(
-      program.moves, [&](const JudgedMove& m) { return finder.feed(m); }, faults);
-  collect(
-      program.moves, [&](const JudgedMove& m) { return finder.tool(m); }, faults);
+  for (const MoveJudge& judge : judges) collect(program.moves, judge, faults);
   return faults;
 }
 
@@ -234,7 +210,7 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
     const Place place{left.worst.value_or(middle), worst.z, 0};
     faults.push_back({FaultKind::kUncut, feature.name, place, left.thickness_mm,
                       feature.name + ": " + trimmed(left.uncut_mm2, 4) +
-                          " mm2 within reach is left uncut, up to " + mm(left.thickness_mm) + " thick," +
+                          " mm2 within reach is left uncut, up to " + mm(left.thickness_mm) + " wide," +
                           at(place) + "."});
   }
   return faults;

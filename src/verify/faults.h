@@ -10,8 +10,12 @@
 
 namespace clearcut::verify {
 
+/// A fault of one move, with the place and whose work it is in its sentence.
+Fault fault_of(const Part& part, FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+               const std::string& what);
+
 /// Faults of single moves: gouges, rapids in material, plunges, too deep passes, travel, missing feeds and
-/// tools. Successive moves with the same fault give one fault at the worst of them.
+/// tools, and what the control holds wrong while they cut. Successive moves with the same fault give one fault at the worst of them.
 std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
                                    const VerifyOptions& options);
 

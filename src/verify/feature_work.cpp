@@ -4,10 +4,12 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <span>
 #include <stop_token>
 #include <thread>
 
 #include "base/progress.h"
+#include "verify/blend.h"
 
 namespace clearcut::verify {
 namespace {
@@ -63,6 +65,14 @@ void append_swaths(const JudgedMove& judged, double z, double level, std::vector
   }
 }
 
+/// Feed moves near the target whose tips count for a level at or below z.
+bool counts_at(const JudgedMove& judged, double z, const Box& target, const Tolerances& tol) {
+  if (!judged.feeds() || !judged.tool || judged.low_z() > z) return false;
+  const Move& move = *judged.move;
+  const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+  return path.grown(judged.radius() + 2 * tol.uncut).overlaps(target);
+}
+
 /// What feed moves sweep of a level, as far as tips that miss it by `tol.uncut` count for it. Those that come within 2
 /// tol.uncut of the target: what a swath almost reaches is thin.
 std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<JudgedMove>& moves,
@@ -70,12 +80,32 @@ std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<
   const double z = level + tol.uncut;
   std::vector<Swath> swaths;
   for (const JudgedMove& judged : moves) {
-    if (!judged.feeds() || !judged.tool || judged.low_z() > z) continue;
-    const Move& move = *judged.move;
-    const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-    if (path.grown(judged.radius() + 2 * tol.uncut).overlaps(target)) append_swaths(judged, z, level, swaths);
+    if (counts_at(judged, z, target, tol)) append_swaths(judged, z, level, swaths);
   }
   return swaths;
+}
+
+/// The most that the control may leave the paths of those moves: it rounds corners, or takes another arc.
+double liberty_at(double z, const Box& target, const std::vector<JudgedMove>& moves, const Tolerances& tol) {
+  double most = 0;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (!counts_at(moves[i], z, target, tol)) continue;
+    most = std::max(most, moves[i].doubt);
+    if (i > 0 && moves[i].path_tolerance > most)
+      most = std::max(most, corner_tolerance(std::span(&moves[i - 1], 2)));
+  }
+  return most;
+}
+
+/// How far above the level the highest level move stands that counts for it.
+double height_above(double level, const Box& target, const std::vector<JudgedMove>& moves,
+                    const Tolerances& tol) {
+  double most = 0;
+  for (const JudgedMove& judged : moves) {
+    const bool counts = judged.is_flat() && counts_at(judged, level + tol.uncut, target, tol);
+    if (counts) most = std::max(most, judged.low_z() - level);
+  }
+  return most;
 }
 
 class WorkJudge {
@@ -96,6 +126,8 @@ class WorkJudge {
     question.flat = work.smallest_flat;
     question.allowance = work.allowance_side;
     question.swaths = swaths_at(level.z, box(feature.target), program_.moves, tol);
+    question.path_tolerance = liberty_at(level.z + tol.uncut, box(feature.target), program_.moves, tol);
+    question.above = height_above(level.z, box(feature.target), program_.moves, tol);
     level.any_cut = !question.swaths.empty();
     level.coverage = coverage_of(question, tol);
   }

@@ -19,6 +19,7 @@ void add_lengths(Figures& figures, const JudgedMove& judged) {
   (judged.feeds() ? figures.feed_mm : figures.rapid_mm) += length;
   if (judged.feeds() && move.is_vertical() && move.z_to < move.z_from) figures.plunge_mm += length;
   figures.time_s += judged.time_s;
+  figures.waits_s += judged.waits_s;
   figures.time_naive_s += judged.time_naive_s;
 }
 

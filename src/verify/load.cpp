@@ -18,6 +18,10 @@ constexpr double kSliver = 0.05;
 /// mm. Longest step between places where contact is measured.
 constexpr double kLongestStep = 0.25;
 
+/// mm down for each mm of advance. Less is no entry but a pass that is not quite level: 0.17 degrees.
+constexpr double kEntrySlope = 3e-3;
+/// mm down for each mm of advance. Steeper ways are judged like plunges.
+constexpr double kAsPlunge = 1;
 /// mm. A level move this near to the ramps before it runs over them.
 constexpr double kOverRamp = 0.01;
 /// Cosine of the change of direction below which two moves join smoothly: 6 degrees.
@@ -66,6 +70,7 @@ class LoadMeter {
     // that go smoothly on have none.
     if (!goes_smoothly_on(move)) measure_at(judged, std::min(0.01 / length, 0.25 / steps), 0);
     if (steps > 1) measure_at(judged, 1, 0);
+    if (judged.slope() >= kAsPlunge) find_plunge_contact(judged, move.path.to);
   }
 
   /// A level move over the ramp just run clears what the ramp left: it still belongs to the entry.
@@ -73,11 +78,13 @@ class LoadMeter {
     const Move& move = *judged.move;
     in_entry_ = false;
     if (!judged.feeds() || move.z_to > move.z_from) return ramps_.clear();
+    if (move.is_vertical()) return;
     if (move.z_to < move.z_from) {
-      if (!move.is_vertical()) ramps_.push_back(&move);
+      in_entry_ = judged.slope() >= kEntrySlope;
+      if (in_entry_) ramps_.push_back(&move);
       return;
     }
-    in_entry_ = !ramps_.empty() && !move.is_vertical();
+    in_entry_ = !ramps_.empty();
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) in_entry_ = in_entry_ && over_ramps(move.path.at(t));
     if (!in_entry_) ramps_.clear();
   }
@@ -104,7 +111,7 @@ class LoadMeter {
     const double axial = contact.angle > 0 ? measure_axial(judged, move.path.at(t),
                                                            angle_of(direction_at(move, t)), z, contact.angles)
                                            : 0;
-    if (!judged.is_flat() || in_entry_) return;
+    if (in_entry_) return;
     if (contact.angle <= 0) {
       load.air_mm += length;
       return;
@@ -170,16 +177,21 @@ class LoadMeter {
         measure_axial_at(judged, p, center, z);
       }
     }
-    if (judged.tool->center_cutting) return;
-    if (touches(center, radius - kFilm, z)) judged.load.plunge_contact = Place{center, z, move.line};
+    const auto hit = material_.in_reach(move.path, radius - kSliver, z + kFilm);
+    if (hit) measure_axial_at(judged, *hit, center, z);
+    find_plunge_contact(judged, center);
   }
 
-  /// Whether the disc holds material above z: on its circle, or on circles inside it.
+  void find_plunge_contact(JudgedMove& judged, Vec2 center) const {
+    if (judged.tool->center_cutting) return;
+    const double z = judged.move->z_to;
+    if (touches(center, judged.radius() - kFilm, z))
+      judged.load.plunge_contact = Place{center, z, judged.move->line};
+  }
+
+  /// Whether the disc holds material above z, wherever in it.
   bool touches(Vec2 center, double radius, double z) const {
-    for (const double share : {1.0, 0.8, 0.6, 0.4, 0.2}) {
-      if (material_.circle_in_material(center, radius * share, z + kFilm).measure() > 1e-9) return true;
-    }
-    return !material_.is_removed(center, z + kFilm);
+    return material_.in_reach(Edge::line(center, center), radius, z + kFilm).has_value();
   }
 
   void measure_rapid(JudgedMove& judged) {
@@ -191,17 +203,17 @@ class LoadMeter {
         report_rapid(judged, move.path.from, judged.low_z());
       return;
     }
+    if (move.z_from == move.z_to) {
+      const auto hit = material_.in_reach(move.path, radius, move.z_to + kFilm);
+      if (hit) report_rapid(judged, move.path.at(nearest(move.path, *hit).t), move.z_to);
+      return;
+    }
     const int steps = steps_of(move.path.length(), judged.radius());
     for (int i = 0; i <= steps; ++i) {
       const double t = static_cast<double>(i) / steps;
       const double z = move.z_from + (move.z_to - move.z_from) * t;
       if (z >= material_.z_top() - kFilm) continue;
-      const Vec2 center = move.path.at(t);
-      const bool ends = i == 0 || i == steps;
-      if (ends ? touches(center, radius, z)
-               : material_.circle_in_material(center, radius, z + kFilm).measure() > 1e-9) {
-        return report_rapid(judged, center, z);
-      }
+      if (touches(move.path.at(t), radius, z)) return report_rapid(judged, move.path.at(t), z);
     }
   }
 

@@ -22,7 +22,8 @@ struct LoadOptions {
 ///
 /// Contact is measured at the middle of steps of at most R/10 and 0.25 mm, and on both sides of corners, on a
 /// circle kFilm smaller than the cutter, so that grazing a wall that is already cut is no contact. Engagement
-/// counts level moves; descending ones, and level ones over the ramps just run, are entries.
+/// counts moves that change Z by less than they advance, but for entries: ways down of 0.17 degrees and more, and level moves
+/// over the ramps just run. Rapids and plunges are judged by the whole area of their cutter.
 ///
 /// Cost    O(length / step * moves near).
 void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options);

@@ -137,4 +137,29 @@ double deviation_of(const Edge& curve, const Edge& path) {
   return std::min(deviation_from_arc(curve, path), distance(path, curve.at(0.5)) + half);
 }
 
+void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out) {
+  std::vector<double> cuts{0, 1};
+  const Vec2 a = square.min, c = square.max, b{c.x, a.y}, d{a.x, c.y};
+  for (const Edge& side : {Edge::line(a, b), Edge::line(b, c), Edge::line(c, d), Edge::line(d, a)}) {
+    for (const Vec2 p : intersections(edge, side)) cuts.push_back(nearest(edge, p).t);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (!square.contains(edge.at((cuts[i] + cuts[i + 1]) / 2))) continue;
+    const Edge part = edge.part(cuts[i], cuts[i + 1]);
+    out.push_back(part.from);
+    out.push_back(part.to);
+    if (!edge.is_arc() || part.from == part.to) continue;
+    // Where the tangents at the ends of each half meet: the half lies inside that triangle.
+    for (const Edge& half : {part.part(0, 0.5), part.part(0.5, 1)}) {
+      const double quarter = std::tan(half.sweep() / 4);
+      if (half.from == half.to || std::abs(half.sweep()) > 2.5) continue;
+      const Vec2 middle = half.at(0.5), chord = (half.from + half.to) / 2.0;
+      out.push_back(half.from);
+      // Sagitta times 2 / (1 - tan^2(sweep / 4)) is the height of the tangents' meeting point.
+      out.push_back(chord + (middle - chord) * (2 / (1 - quarter * quarter)));
+    }
+  }
+}
+
 }  // namespace clearcut::verify

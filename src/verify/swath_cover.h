@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "verify/convex.h"
 #include "verify/coverage.h"
@@ -16,5 +17,8 @@ ConvexPolygon rest_after(const ConvexPolygon& cell, const Swath& swath);
 
 /// Upper bound of how far a point of `curve` may lie from the swath's path, mm.
 double deviation_of(const Edge& curve, const Edge& path);
+
+/// Corners of the convex hull of an edge's part inside a square.
+void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out);
 
 }  // namespace clearcut::verify

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verify/blend.h"
 #include "verify/checked_move.h"
 #include "verify/coverage.h"
 #include "verify/faults.h"
@@ -35,6 +36,29 @@ void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, con
   }
 }
 
+/// The deeper of two cuts into the part.
+void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other) {
+  if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
+}
+
+/// What the control may cut besides, within its tolerance: corners rounded, arcs of another radius.
+void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>& all,
+                     std::span<JudgedMove> moves, const Tolerances& tol) {
+  for (JudgedMove& judged : moves) {
+    const double radius = judged.radius();
+    if (radius <= 0) continue;
+    if (judged.doubt > 0)
+      keep_deeper(judged.gouge, gouge_of(finished, *judged.move, radius + judged.doubt, tol.gouge, false));
+    if (&judged == all.data()) continue;
+    const JudgedMove& before = *(&judged - 1);
+    const auto corner =
+        rounded_corner(before, judged, std::max(before.path_tolerance, judged.path_tolerance));
+    if (!corner) continue;
+    for (const Move& move : *corner)
+      keep_deeper(judged.gouge, gouge_of(finished, move, radius, tol.gouge, false));
+  }
+}
+
 /// Feed length below which the area within reach cannot be cut in one level: area / (2 R), less the first
 /// disc.
 double lower_bound_of(const FeatureWork& work, const Feature& feature) {
@@ -56,6 +80,7 @@ bool is_clean(const Figures& figures, const Tolerances& tol) {
 void add_coverage(Figures& figures, const LevelCoverage& level) {
   const Coverage& coverage = level.coverage;
   figures.uncut_mm2 += coverage.uncut_mm2;
+  figures.path_tolerance_mm = std::max(figures.path_tolerance_mm, coverage.path_tolerance_mm);
   figures.unreachable_mm2 += coverage.unreachable_mm2;
   if (coverage.thickness_mm < figures.uncut_thickness_mm) return;
   figures.uncut_thickness_mm = coverage.thickness_mm;
@@ -166,7 +191,7 @@ class FindingsBuilder {
 
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
   const FinishedPart finished(part);
-  JudgedProgram program = judged_program(part, toolpath, options.machine, options.earlier);
+  JudgedProgram program = judged_program(part, toolpath, options.machine, options.earlier, options.control);
   std::vector<FeatureWork> works = works_of(part);
 
   std::vector<std::function<void()>> tasks;
@@ -176,7 +201,10 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   });
   for (std::size_t i = 0; i < program.moves.size(); i += kChunk) {
     const std::span<JudgedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
-    tasks.push_back([&finished, &options, chunk] { judge_gouges(finished, chunk, options.tol); });
+    tasks.push_back([&finished, &options, &program, chunk] {
+      judge_gouges(finished, chunk, options.tol);
+      judge_liberties(finished, program.moves, chunk, options.tol);
+    });
   }
   judge_works(part, finished, program, options, works, std::move(tasks));
   Findings findings = FindingsBuilder(part, program, works, options).build();

@@ -5,8 +5,11 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
+#include <vector>
 
 #include "base/tolerances.h"
+#include "model/control.h"
 #include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
@@ -23,6 +26,10 @@ struct VerifyOptions {
   /// A program that has run before on the same stock: what it cut is cut, what it spoiled is reported, and its lengths
   /// and times are not in the figures.
   const Toolpath* earlier = nullptr;
+  /// What the control held at each move of the program; absent: nothing is known of it, nor judged.
+  const ControlTable* control = nullptr;
+  bool needs_tool_length = false;     ///< the control cuts at wrong heights without the tool's length (G43)
+  std::vector<std::string> accepted;  ///< conditions that somebody says hold: no faults for what they answer
   std::optional<WorkMaterial> material;  ///< of the work; forces and wear are computed where it is known
   std::stop_token cancel;                ///< looked at between moves and layers
 };

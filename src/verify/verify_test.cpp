@@ -92,8 +92,8 @@ TEST(Verify, AMissingRingIsNamedWhereItWas) {
   const double from_center = std::max(std::abs(fault.at.point.x - 25), std::abs(fault.at.point.y - 25));
   EXPECT_GT(from_center, 9.4);
   EXPECT_LT(from_center, 12.6);
-  // Four sides of 9.5 .. 12.5 less what the links cut; the middle is 1.5 from both sides.
-  EXPECT_NEAR(findings.all.uncut_thickness_mm, 1.5 * std::sqrt(2.0), 0.7);
+  // Four sides of 9.5 .. 12.5 less what the links cut; 3 wide, more in the corners.
+  EXPECT_NEAR(findings.all.uncut_thickness_mm, 3 * std::sqrt(2.0), 0.7);
   EXPECT_GT(findings.all.uncut_mm2, 230);
   EXPECT_LT(findings.all.uncut_mm2, 265);
 }
@@ -103,7 +103,8 @@ TEST(Verify, AMissingWallRingIsNamed) {
   rings.back() = 21.9;
   const Findings findings = verify_program(square_part(), square_program(rings), {});
   ASSERT_TRUE(has(findings, FaultKind::kUncut)) << report_of(findings);
-  EXPECT_NEAR(findings.all.uncut_thickness_mm, 0.1 * std::sqrt(2.0), 0.03);
+  EXPECT_GE(findings.all.uncut_thickness_mm, 0.1 * std::sqrt(2.0));
+  EXPECT_LE(findings.all.uncut_thickness_mm, 0.2 * std::sqrt(2.0) + 0.02);
 }
 
 TEST(Verify, AThinFilmWithinToleranceIsNoFault) {
@@ -127,7 +128,7 @@ TEST(Verify, StepoverJustOverTheCuttersWidthLeavesARidge) {
   EXPECT_TRUE(judged(-0.06).all.clean);
   const Findings wide = judged(0.06);
   ASSERT_TRUE(has(wide, FaultKind::kUncut)) << report_of(wide);
-  EXPECT_NEAR(wide.all.uncut_thickness_mm, 0.03, 0.008);
+  EXPECT_NEAR(wide.all.uncut_thickness_mm, 0.06, 0.016);
   EXPECT_NEAR(wide.all.uncut_mm2, 48 * 0.06, 0.8);
   EXPECT_NEAR(fault_of(wide, FaultKind::kUncut).at.point.y, 6.03, 0.03);
 }
@@ -238,7 +239,7 @@ TEST(Verify, NearlyStraightArcsAreJudgedAsLines) {
       };
       for (const double left : {22.0, 17.5, 13.0, 8.5, 5.0, 4.0, 3.0 + bow}) ring(left);
       const Findings findings = verify_program(part, writer.done(), {});
-      EXPECT_LE(findings.all.uncut_thickness_mm, std::abs(bulge) * 50 + 0.01) << report_of(findings);
+      EXPECT_LE(findings.all.uncut_thickness_mm, std::abs(bulge) * 100 + 0.01) << report_of(findings);
       // Bows turn the corners by 50 / radius.
       EXPECT_NEAR(findings.all.unreachable_mm2, 4 * (1 - kPi / 4) * 9, 0.6 + 2000 / radius) << radius;
       if (radius > 1e5) {

@@ -15,6 +15,8 @@ constexpr double kLargestCoordinate = 1e6;
 /// Cycles, turns and repeats may write at most this many moves beyond a few for each line.
 constexpr long long kMostExpandedMoves = 1'000'000;
 constexpr long long kMovesPerLine = 8;
+/// mm; by so much the radii at the ends of an arc differ where its words are rounded to a thousandth.
+constexpr double kRoundedRadii = 1.5e-3;
 
 MoveKind guessed_kind(const Move& move, bool rapid) {
   if (rapid) return MoveKind::kRapid;
@@ -71,7 +73,9 @@ void ToolpathBuilder::feed(const Target& target, MmPerMin feed, int line) {
   straight(target, false, feed, line);
 }
 
-void ToolpathBuilder::arc(const Edge& path, double z_to, MmPerMin feed, int line) {
+void ToolpathBuilder::arc(const Edge& path, double z_to, MmPerMin feed, int line, double apart) {
+  if (apart > kRoundedRadii)
+    control_.arcs.push_back({static_cast<std::size_t>(moves_), apart - kRoundedRadii});
   Move move{path, known(2, line), z_to, MoveKind::kCut, feed, line};
   move.kind = guessed_kind(move, false);
   append(move);

@@ -55,7 +55,8 @@ class ToolpathBuilder {
   void rapid(const Target& target, int line);
   void feed(const Target& target, MmPerMin feed, int line);
   /// Along `path` (which starts at the known position) to height z_to.
-  void arc(const Edge& path, double z_to, MmPerMin feed, int line);
+  /// `apart`: mm between the radii at the ends of the whole arc.
+  void arc(const Edge& path, double z_to, MmPerMin feed, int line, double apart = 0);
   /// Straight up to where the machine's own zero is taken to be.
   void lift_home(int line);
   bool at_home_height() const { return at_[2] && *at_[2] >= setup_.home_z; }

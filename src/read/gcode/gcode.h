@@ -16,13 +16,7 @@
 
 namespace clearcut::read::gcode {
 
-/// Places of the machine in its own coordinates, mm: with them nothing about offsets and reference points is open.
-struct MachinePlaces {
-  std::array<double, 3> start{};                   ///< of the tool's tip when the program begins
-  std::array<std::array<double, 3>, 9> origins{};  ///< of G54, G55 ... G59.3; the work is at that of G54
-  std::array<double, 3> reference{};               ///< where G28 goes
-  std::array<double, 3> second_reference{};        ///< where G30 goes
-};
+using clearcut::MachinePlaces;
 
 struct ReadControllerOptions {
   std::optional<Dialect> dialect;  ///< absent: recognised from the words used

@@ -179,10 +179,11 @@ void Interpreter::plan_arc(const Block& block, const ArcShape& shape, double z_t
   const std::vector<Edge> edges = arc_edges(shape);
   const double z_from = builder_.known(2, line_);
   const double round = shape.sweep * distance(shape.from, shape.center);
+  const double apart = std::abs(distance(shape.from, shape.center) - distance(shape.to, shape.center));
   const MmPerMin feed = feed_for(std::hypot(round, z_to - z_from), block);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
-    builder_.arc(edges[k], std::lerp(z_from, z_to, t), feed, line_);
+    builder_.arc(edges[k], std::lerp(z_from, z_to, t), feed, line_, apart);
   }
 }
 

@@ -21,6 +21,33 @@ std::array<std::array<double, 2>, 3> travel_of(DataSection section) {
   return travel;
 }
 
+std::optional<std::array<double, 3>> place_of(DataSection& section, const std::string& key) {
+  const std::vector<double> numbers = section.numbers(key);
+  if (numbers.empty()) return std::nullopt;
+  if (numbers.size() != 3) section.fail_at(key, "must be three numbers: [x, y, z]");
+  return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
+}
+
+/// In the machine's own coordinates. Without all of them nothing is answered, so each is asked for.
+MachinePlaces places_of(DataSection section) {
+  const auto needed = [&](const std::string& key) {
+    const auto place = place_of(section, key);
+    if (!place) section.fail(key + " is missing; add " + key + " = [x, y, z]");
+    return *place;
+  };
+  MachinePlaces places;
+  places.start = needed("start");
+  places.reference = needed("g28");
+  places.second_reference = needed("g30");
+  const char* const systems[] = {"g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3"};
+  for (std::size_t i = 0; i < places.origins.size(); ++i) {
+    places.origins[i] =
+        i < 6 ? needed(systems[i]) : place_of(section, systems[i]).value_or(places.origins[0]);
+  }
+  section.refuse_unknown();
+  return places;
+}
+
 }  // namespace
 
 Machine machine_of_section(DataSection section, Machine base) {
@@ -30,6 +57,10 @@ Machine machine_of_section(DataSection section, Machine base) {
   if (const auto deviation = section.positive("junction_deviation")) base.junction_deviation = *deviation;
   if (const auto rpm = section.positive("max_spindle")) base.max_spindle_rpm = rpm;
   if (const auto feed = section.positive("max_feed")) base.max_feed = MmPerMin::of(*feed);
+  if (const auto wait = section.not_negative("spindle_wait")) base.spindle_wait_s = *wait;
+  if (const auto change = section.not_negative("tool_change")) base.tool_change_s = *change;
+  if (const auto tolerance = section.not_negative("path_tolerance")) base.path_tolerance = tolerance;
+  if (const auto places = section.section("places")) base.places = places_of(*places);
   if (const auto travel = section.section("travel")) base.travel = travel_of(*travel);
   section.refuse_unknown();
   return base;

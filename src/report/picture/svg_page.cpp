@@ -28,13 +28,25 @@ std::string subtitle_of(const Part& part) {
   return text;
 }
 
+std::string verdict_words(const Findings& findings) {
+  const auto counted = [](std::size_t count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  switch (verdict_of(findings)) {
+    case Verdict::kClean:
+      return "certified clean";
+    case Verdict::kConditional:
+      return "conditional: " + counted(open_conditions(findings).size(), "condition");
+    case Verdict::kFaulty:
+      break;
+  }
+  return findings.faults.empty() ? "not clean" : "faulty: " + counted(findings.faults.size(), "fault");
+}
+
 void draw_verdict(SvgWriter& svg, const Findings& findings) {
-  const bool clean = findings.all.clean;
-  const std::size_t count = findings.faults.size();
-  const std::string words = clean ? "certified clean"
-                            : count == 0
-                                ? "not clean"
-                                : fmt::format("not clean: {} {}", count, count == 1 ? "fault" : "faults");
+  const Verdict verdict = verdict_of(findings);
+  const bool clean = verdict == Verdict::kClean;
+  const std::string words = verdict_words(findings);
   const double width = 60 + 9.6 * static_cast<double>(words.size());
   const double left = kPageWidth - kPageMargin - width;
   svg.leaf("rect", {{"x", svg_number(left)},

@@ -59,7 +59,7 @@ TEST(Svg, IsWellFormedAndSaysWhatWasFound) {
   EXPECT_THAT(words, HasSubstr("SLOT <2>"));
   EXPECT_THAT(words, HasSubstr("stock 120 x 80 x 30 mm"));
   EXPECT_THAT(words, HasSubstr("T1 end mill 10 mm"));
-  EXPECT_THAT(words, HasSubstr("not clean: 1 fault"));
+  EXPECT_THAT(words, HasSubstr("faulty: 1 fault"));
   EXPECT_THAT(words, HasSubstr("2000 mm")) << "feed of the whole";
   EXPECT_THAT(words, HasSubstr("3:00")) << "time of the whole";
   EXPECT_THAT(words, HasSubstr("0.2500 mm")) << "thickest rest";

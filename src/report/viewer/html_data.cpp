@@ -245,7 +245,8 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   const Job job{part, toolpath, findings};
   Json json;
   json["name"] = part.name.empty() ? "part" : part.name;
-  json["clean"] = findings.all.clean;
+  json["clean"] = verdict_of(findings) == Verdict::kClean;
+  json["verdict"] = name_of(verdict_of(findings));
   json["top"] = number(part.top_z());
   const double bottom = lowest_z(job);
   json["bottom"] = number(bottom);

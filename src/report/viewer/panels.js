@@ -18,7 +18,7 @@ function element(name, text, parent, type) {
 function writeHeader() {
   by('title').textContent = job.name;
   const faults = job.faults.length;
-  by('verdict').textContent = job.clean ? 'certified clean' : faults ? 'not clean: ' + faults + (faults === 1 ? ' fault' : ' faults') : 'not clean';
+  by('verdict').textContent = job.clean ? 'certified clean' : faults ? 'faulty: ' + faults + (faults === 1 ? ' fault' : ' faults') : job.verdict.toLowerCase();
   by('verdict').style.background = css(job.clean ? 'good' : 'bad');
   const f = job.figures, has = kind => job.faults.some(fault => fault.kind === kind);
   for (const [figure, words, bad] of [[clock(f.time_s), 'machining time'], [fixed(f.feed_mm, 0) + ' mm', 'feed'],

@@ -1,0 +1,105 @@
+// Whether material lies within reach of a path: by area, cell by cell.
+#include <algorithm>
+#include <cmath>
+
+#include "stock/material.h"
+
+namespace clearcut::stock {
+namespace {
+
+/// mm; half the side of the smallest cells, which are asked at their middle alone.
+constexpr double kSmallest = 0.01;
+constexpr double kDiagonal = 1.41421356237309515;
+
+struct Cover {
+  Edge path;
+  double radius;
+};
+
+class AreaSearch {
+ public:
+  AreaSearch(const Edge& path, double radius, const std::optional<Box>& plan, std::vector<Cover> covers)
+      : path_(path), radius_(radius), plan_(plan), covers_(std::move(covers)) {
+    for (std::size_t i = 0; i < covers_.size(); ++i) near_.push_back(i);
+  }
+
+  std::optional<Vec2> run() {
+    const Box box = (path_.from == path_.to ? Box{path_.from, path_.from} : path_.box()).grown(radius_);
+    return visit(box.center(), std::max(box.width(), box.height()) / 2, 0, near_.size());
+  }
+
+ private:
+  bool inside(Vec2 p) const { return distance(path_, p) < radius_ && (!plan_ || plan_->contains(p)); }
+
+  /// A place of the cell that may hold material: its middle, or what of it lies nearest to the path and in the plan.
+  std::optional<Vec2> place_in(Vec2 center, double half) const {
+    if (inside(center)) return center;
+    const Vec2 on = nearest(path_, center).point;
+    const Vec2 p{std::clamp(on.x, center.x - half, center.x + half),
+                 std::clamp(on.y, center.y - half, center.y + half)};
+    return inside(p) ? std::optional(p) : std::nullopt;
+  }
+
+  std::optional<Vec2> visit(Vec2 center, double half, std::size_t begin, std::size_t end) {
+    const double reach = half * kDiagonal;
+    if (distance(path_, center) - reach >= radius_) return std::nullopt;
+    const Box cell{{center.x - half, center.y - half}, {center.x + half, center.y + half}};
+    if (plan_ && !cell.overlaps(*plan_)) return std::nullopt;
+    const std::size_t mark = near_.size();
+    bool middle_free = false;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Cover& cover = covers_[near_[k]];
+      const double apart = distance(cover.path, center) - cover.radius;
+      if (apart + reach <= 0) {
+        near_.resize(mark);
+        return std::nullopt;
+      }
+      middle_free = middle_free || apart <= 0;
+      if (apart - reach < 0) near_.push_back(near_[k]);
+    }
+    const auto found = look(center, half, mark, middle_free);
+    near_.resize(mark);
+    return found;
+  }
+
+  std::optional<Vec2> look(Vec2 center, double half, std::size_t mark, bool middle_free) {
+    if (!middle_free && inside(center)) return center;
+    if (near_.size() == mark) {
+      if (const auto place = place_in(center, half)) return place;
+    }
+    if (half <= kSmallest) return std::nullopt;
+    const std::size_t end = near_.size();
+    for (int i = 0; i < 4; ++i) {
+      const double h = half / 2;
+      const Vec2 quarter{center.x + ((i & 1) != 0 ? h : -h), center.y + ((i & 2) != 0 ? h : -h)};
+      if (const auto found = visit(quarter, h, mark, end)) return found;
+    }
+    return std::nullopt;
+  }
+
+  const Edge& path_;
+  double radius_;
+  const std::optional<Box>& plan_;
+  std::vector<Cover> covers_;
+  std::vector<std::size_t> near_;  ///< stack: covers that touch the cells from the whole to the one in hand
+};
+
+}  // namespace
+
+std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z) const {
+  if (z >= z_top_ || radius <= 0) return std::nullopt;
+  const Box box = (path.from == path.to ? Box{path.from, path.from} : path.box()).grown(radius);
+  std::vector<Cover> covers;
+  for (const Sweep& sweep : sweeps_) {
+    if (sweep.z_low > z) continue;
+    const Box swept =
+        (sweep.path.from == sweep.path.to ? Box{sweep.path.from, sweep.path.from} : sweep.path.box())
+            .grown(sweep.shape.radius);
+    if (!swept.overlaps(box)) continue;
+    const auto part = below(sweep, z);
+    if (part) covers.push_back({part->path, part->shape.radius});
+  }
+  return AreaSearch(path, radius, plan_, std::move(covers)).run();
+}
+
+}  // namespace clearcut::stock

@@ -1,0 +1,55 @@
+#include <gtest/gtest.h>
+
+#include "stock/material.h"
+
+namespace clearcut::stock {
+namespace {
+
+void add(Material& material, const Edge& path, double radius) {
+  material.add({path, -1, -1, MoveKind::kCut, MmPerMin::of(1000), 0}, radius);
+}
+
+/// All of a disc is cut but a post about `at`, by rings that turn about it and go outwards.
+Material around_a_post(Vec2 at, double post, double reach) {
+  Material material(std::nullopt, 0, {2, reach});
+  for (double r = post + 2; r < 2 * reach; r += 3) {
+    add(material, Edge::arc(at + Vec2{r, 0}, at - Vec2{r, 0}, at, Turn::kCounterClockwise), 2);
+    add(material, Edge::arc(at - Vec2{r, 0}, at + Vec2{r, 0}, at, Turn::kCounterClockwise), 2);
+  }
+  return material;
+}
+
+Edge disc(Vec2 p) {
+  return Edge::line(p, p);
+}
+
+/// Posts between the circles that samples were once taken on.
+TEST(MaterialArea, FindsASmallPostUnderALargeCutter) {
+  for (const Vec2 post : {Vec2{17.5, 0}, Vec2{0, 12.4}, Vec2{-7.4, 2}, Vec2{0, 0}}) {
+    const Material material = around_a_post(post, 1.5, 25);
+    EXPECT_TRUE(material.in_reach(disc({0, 0}), 25, -0.5).has_value());
+    EXPECT_FALSE(material.in_reach(disc({0, 0}), 25, 0.1).has_value());
+  }
+  const Material thin = around_a_post({1.5, 0.4}, 0.05, 3);
+  const auto found = thin.in_reach(disc({0, 0}), 3, -0.5);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_LT(distance(*found, Vec2{1.5, 0.4}), 0.05);
+}
+
+TEST(MaterialArea, FindsNothingWhereAllIsCut) {
+  Material material(std::nullopt, 0, {3});
+  for (double y = -9; y <= 9; y += 5.5) add(material, Edge::line({-9, y}, {9, y}), 3);
+  EXPECT_FALSE(material.in_reach(disc({0, 0}), 6, -0.5).has_value());
+  EXPECT_FALSE(material.in_reach(Edge::line({-5, 0}, {5, 0}), 5, -0.5).has_value());
+  EXPECT_TRUE(material.in_reach(disc({0, 0}), 6, -1.5).has_value()) << "below what was cut";
+  EXPECT_TRUE(material.in_reach(Edge::line({-5, 0}, {12, 0}), 3, -0.5).has_value()) << "beyond what was cut";
+}
+
+TEST(MaterialArea, BesideTheBlockThereIsNothing) {
+  const Material material(Box{{0, 0}, {10, 10}}, 0, {3});
+  EXPECT_FALSE(material.in_reach(disc({-3.1, 5}), 3, -1).has_value());
+  EXPECT_TRUE(material.in_reach(disc({-2.9, 5}), 3, -1).has_value());
+}
+
+}  // namespace
+}  // namespace clearcut::stock
