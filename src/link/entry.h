@@ -1,4 +1,4 @@
-// Ways down into material: helix, ramp, plunge.
+// Paths down into material: helix, ramp, plunge.
 #pragma once
 
 #include <optional>

@@ -27,8 +27,8 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. What others cleared may hold films up to this thick: no place for rapids.
-constexpr double kFilmOfOthers = 0.01;
+/// mm. What others cleared may hold residuals up to this thick: no place for rapids.
+constexpr double kResidualOfOthers = 0.01;
 
 /// Where nobody says how to go down: a helix under limited engagement and for cutters that cannot plunge.
 EntryKind default_entry(const Tool& tool, const Attempt& attempt) {
@@ -99,7 +99,7 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
     for (const auto& layer : work.layers) {
       passes.push_back(layer.walls_only ? plan::plan_walls(layer.layer, options.tol) : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
-      if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
+      if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }

@@ -74,7 +74,7 @@ double engagement_target(const resolve::PlanOptions& options) {
 
 order::ObjectivePtr layer_objective(const std::string& name, const plan::tour::TourTask& task,
                                     const resolve::PlanOptions& options, MmPerMin feed) {
-  const EngagementTask engagement{task.points, task.way, task.layer->target, task.layer->tool_radius};
+  const EngagementTask engagement{task.points, task.path, task.layer->target, task.layer->tool_radius};
   if (name == "length") return order::length_objective();
   if (name == "turns") return order::turns_objective();
   if (name == "angle") return order::angle_objective();
@@ -111,7 +111,7 @@ order::Problem grid_problem(const plan::tour::TourTask& task) {
   problem.name = "grid";
   problem.points = task.points;
   problem.shape = order::Shape::kOpenPath;
-  problem.detour = task.way;
+  problem.detour = task.path;
   return problem;
 }
 

@@ -31,7 +31,7 @@ struct Swept {
 };
 
 /// How fast what touches material changes.
-struct ContactChange {
+struct EngagementChange {
   double per_mm = 0;      ///< radians, going straight ahead
   double per_radian = 0;  ///< radians, turning to the left
 };
@@ -41,11 +41,11 @@ struct ContactChange {
 /// What is left are spans between two directions. A sweep is the part of the circle within up to four bounds, each a
 /// line or a circle; most spans lie on one side of most of them, which their ends tell by a product each. Only where
 /// a bound crosses a span a root is drawn. Exact to rounding.
-class Horizon {
+class EngagementArcs {
  public:
   enum class Part { kFront, kWhole };
   /// `ahead`: any length > 0; the result is told from it.
-  Horizon(Vec2 center, double radius, Vec2 ahead, Part part);
+  EngagementArcs(Vec2 center, double radius, Vec2 ahead, Part part);
 
   bool empty() const { return count_ == 0; }
   /// Whether a disc of `reach` about `at` may cover any of what is left.
@@ -66,7 +66,7 @@ class Horizon {
   /// How many intervals it is.
   int parts() const { return count_; }
   /// How it changes as the cutter moves straight ahead and as `ahead` turns.
-  ContactChange change() const;
+  EngagementChange change() const;
   /// The middle of its widest interval, of length 1. Not of an empty one.
   Vec2 middle_of_widest() const;
 
@@ -76,7 +76,7 @@ class Horizon {
     double order;  ///< grows with the angle from `ahead`: 0 ahead, 1 on the left, +-2 behind, -1 on the right
     double x, y;   ///< the direction, of length 1
     double nx, ny;  ///< across the line or circle that made it, of any length; none: it stays with `ahead`
-    Vec2 way() const { return {x, y}; }
+    Vec2 direction() const { return {x, y}; }
     Vec2 normal() const { return {nx, ny}; }
   };
   struct Span {
@@ -84,7 +84,7 @@ class Horizon {
     bool is_wide() const { return to.order - from.order >= 2; }  ///< a half turn or more
     /// Whether the direction v, of any length, may be between.
     bool holds(Vec2 v) const {
-      const bool after = cross(from.way(), v) >= 0, before = cross(v, to.way()) >= 0;
+      const bool after = cross(from.direction(), v) >= 0, before = cross(v, to.direction()) >= 0;
       return is_wide() ? after || before : after && before;
     }
     double width() const;
@@ -132,14 +132,14 @@ class Horizon {
     return {normal, (dot(normal, at - center_) + beyond) * inverse_, 1, 0};
   }
   End crossing(const Bound& bound, double side, const Span& span) const;
-  End end_in(const Span& span, const Bound& bound, Vec2 way) const;
+  End end_in(const Span& span, const Bound& bound, Vec2 direction) const;
   bool remove_within(const Bounds& bounds);
   static bool is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed);
   int cut(int place, const Crossed& crossed, bool& changed);
   int replace(int place, const Span* pieces, int count);
   void add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const;
   void drop_narrowest();
-  void look();
+  void bound_rest();
 
   static constexpr int kCapacity = AngleSet::kCapacity;
   const Vec2 center_;

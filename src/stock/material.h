@@ -13,7 +13,7 @@
 namespace clearcut::stock {
 
 /// Where the front half of a cutter's circle touches material, seen from its direction of travel.
-struct Contact {
+struct CutterEngagement {
   AngleSet angles;   ///< radians from the direction of travel, in [-pi/2, pi/2], > 0 on the left
   double angle = 0;  ///< radians, sum of the widths
   double left = 0;   ///< radians of it on the left of the direction of travel
@@ -21,15 +21,15 @@ struct Contact {
 };
 
 /// How much of a cutter's front touches material.
-struct ContactSize {
+struct EngagementSize {
   double angle = 0;  ///< radians, sum of the widths
   int parts = 0;     ///< of the front, apart from each other
 };
 
 /// The same with how it changes as the cutter goes on. Exact but where a part begins, ends or is split just there.
-struct ContactTrend {
-  ContactSize size;
-  ContactChange change;
+struct EngagementTrend {
+  EngagementSize size;
+  EngagementChange change;
 };
 
 /// What of a circle is in material.
@@ -38,7 +38,7 @@ struct CircleTouch {
   Vec2 toward;       ///< unit, the middle of the widest part
 };
 
-/// A block, or solid ground without end, minus the volumes that flat cutters have swept so far.
+/// A block, or solid material without end, minus the volumes that flat cutters have swept so far.
 ///
 /// Exact: sweeps are kept as lines and arcs with a radius, questions are answered by intersecting circles
 /// with their outlines; there is no raster. A cutter whose tip passes at or below z removes everything above.
@@ -65,13 +65,13 @@ class Material {
 
   /// The front half circle of a cutter at `center` that moves along `direction` (any length > 0) with its tip
   /// at z.
-  Contact engagement(Vec2 center, Vec2 direction, double radius, double z) const;
+  CutterEngagement engagement(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The same at parameter t of `move`, for a cutter that has swept the move up to t (and nothing of it is
   /// added yet).
-  Contact engagement(const Move& move, double t, double radius) const;
+  CutterEngagement engagement(const Move& move, double t, double radius) const;
   /// The sum alone, for less.
-  ContactSize contact_size(Vec2 center, Vec2 direction, double radius, double z) const;
-  ContactTrend contact_trend(Vec2 center, Vec2 direction, double radius, double z) const;
+  EngagementSize engagement_size(Vec2 center, Vec2 direction, double radius, double z) const;
+  EngagementTrend engagement_trend(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The parts of the whole circle in material, as absolute angles in [-pi, pi].
   AngleSet circle_in_material(Vec2 center, double radius, double z) const;
   /// Their sum and one direction alone, for less; none where the circle is free.
@@ -127,8 +127,8 @@ class Material {
   static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);
   static std::optional<Sweep> below(const Sweep& sweep, double z);
   static void join(Sweep& last, Sweep& next);
-  void remove_everything(Horizon& horizon, Vec2 center, double radius, double z) const;
-  void remove_outside(Horizon& horizon, Vec2 center, double radius) const;
+  void remove_everything(EngagementArcs& arcs, Vec2 center, double radius, double z) const;
+  void remove_outside(EngagementArcs& arcs, Vec2 center, double radius) const;
 
   std::optional<Box> plan_;
   double z_top_;

@@ -13,7 +13,7 @@ class LegalArea {
  public:
   explicit LegalArea(Regions regions);
 
-  /// Whether every point of the straight way a-b is inside or within `slack` mm of the boundary.
+  /// Whether every point of the straight path a-b is inside or within `slack` mm of the boundary.
   bool holds_line(Vec2 a, Vec2 b) const;
   bool holds(Vec2 p) const;
   /// Whether p is inside (on the boundary: either). Quick: most places need no look at any edge.

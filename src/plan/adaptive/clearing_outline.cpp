@@ -9,7 +9,7 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Share of the widest cut of a wall pass that is left to it: its contact grows where the cut does.
+/// Share of the widest cut of a wall pass that is left to it: its engagement grows where the cut does.
 constexpr double kWallShare = 0.62;
 /// Radians. Walls that turn inwards by more have a corner.
 constexpr double kCornerTurn = 0.1;
@@ -37,8 +37,8 @@ class FrontOutline {
  public:
   FrontOutline(const Region& legal, double tool_radius, double limit)
       : area_({legal}), radius_(tool_radius), limit_(limit) {
-    const double wall_contact = std::acos(1 - kWallShare * (1 - std::cos(limit)));
-    taper_ = std::min(kSteepestTaper, kTaperShare * std::tan(limit - wall_contact));
+    const double wall_engagement = std::acos(1 - kWallShare * (1 - std::cos(limit)));
+    taper_ = std::min(kSteepestTaper, kTaperShare * std::tan(limit - wall_engagement));
   }
 
   Loop around(const Loop& loop) {
@@ -62,7 +62,7 @@ class FrontOutline {
   double widest_cut(const Edge& edge) const {
     const double straight = radius_ * (1 - std::cos(limit_));
     if (edge.turn != Turn::kCounterClockwise) return straight;
-    // Inside an arc: the film between the circle it leaves and the one before it.
+    // Inside an arc: the residual between the circle it leaves and the one before it.
     const double across = radius_ * std::sin(limit_), along = edge.radius() + radius_ * std::cos(limit_);
     return std::clamp(edge.radius() + radius_ - std::hypot(along, across), 0.0, straight);
   }

@@ -5,7 +5,7 @@
 
 namespace clearcut::plan::adaptive {
 
-/// The part of `legal` (the centre's area) that clearing uses for a contact of up to `limit` radians.
+/// The part of `legal` (the centre's area) that clearing uses for a engagement of up to `limit` radians.
 ///
 /// Shape   beside walls the wall pass is left the most of its widest cut; near corners, where a wall
 ///         pass meets both sides at once, and in narrow places nothing; in between the distance changes

@@ -11,12 +11,12 @@
 namespace clearcut::plan::adaptive {
 
 /// The material of one layer seen by one cutter, in plan view. Exact: see Material.
-class Ground {
+class RemainingStock {
  public:
   /// `legal`: where the cutter's centre may be. `stock`: beside it there is nothing; absent: no end.
-  Ground(const Regions& legal, double tool_radius, const std::optional<Box>& stock);
+  RemainingStock(const Regions& legal, double tool_radius, const std::optional<Box>& stock);
 
-  /// mm. Ways through what is cleared may graze as much.
+  /// mm. Paths through what is cleared may graze as much.
   static constexpr double kFree = 1e-3;
   /// mm. Where no more than this stands the cutter goes straight down.
   static constexpr double kClear = 5e-4;
@@ -25,18 +25,18 @@ class Ground {
   const LegalArea& legal() const { return legal_; }
 
   /// Angle of the front half circle in material, for a cutter at p that moves along `heading`. Radians.
-  double contact(Vec2 p, Vec2 heading) const;
-  /// Length of the edge up to where the contact exceeds `limit`, mm.
+  double engagement(Vec2 p, Vec2 heading) const;
+  /// Length of the edge up to where the engagement exceeds `limit`, mm.
   double length_within(const Edge& edge, double limit) const;
-  /// Whether a cutter smaller by `film` mm would touch material at p.
-  bool touches(Vec2 p, double film) const;
+  /// Whether a cutter smaller by `residual` mm would touch material at p.
+  bool touches(Vec2 p, double residual) const;
   /// The same, with a point of that material; looked for first in direction `likely`, of length 1, where it stands longest.
-  std::optional<Vec2> touched(Vec2 p, double film, Vec2 likely) const;
+  std::optional<Vec2> touched(Vec2 p, double residual, Vec2 likely) const;
   /// Whether the centre may run along the way.
-  bool is_legal(const Edge& way) const;
-  /// Whether the way is legal and touches nothing thicker than `film` mm.
-  bool is_free(const Edge& way, double film) const;
-  bool is_free(Vec2 a, Vec2 b, double film) const { return is_free(Edge::line(a, b), film); }
+  bool is_legal(const Edge& path) const;
+  /// Whether the way is legal and touches nothing thicker than `residual` mm.
+  bool is_free(const Edge& path, double residual) const;
+  bool is_free(Vec2 a, Vec2 b, double residual) const { return is_free(Edge::line(a, b), residual); }
   /// Whether nothing stands at p any more.
   bool is_removed(Vec2 p) const { return material_.is_removed(p, -1); }
   /// Takes away a disc.
@@ -46,7 +46,7 @@ class Ground {
   /// Cuts so far; and back to as many.
   std::size_t cuts() const { return material_.sweeps(); }
   void forget_beyond(std::size_t cuts);
-  /// Whether all cuts longer than `tiny` mm, one after the other, keep the contact at most at `limit`. The ground stays
+  /// Whether all cuts longer than `tiny` mm, one after the other, keep the engagement at most at `limit`. The remaining stock stays
   /// as it is.
   bool keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny);
 
@@ -54,23 +54,23 @@ class Ground {
   void note_standing(Vec2 met) const;
   bool is_standing_within(Vec2 p, double radius) const;
   void take(const Edge& path, double radius);
-  /// The contact at parameter t of an edge.
-  struct Look {
+  /// The engagement at parameter t of an edge.
+  struct Sample {
     double t = 0;
-    double contact = 0;
+    double engagement = 0;
     double slope = 0;  ///< radians for the whole edge
     int parts = 0;     ///< of the circle that touch material
   };
-  Look look(const Edge& edge, double t) const;
+  Sample sample(const Edge& edge, double t) const;
   /// Parameters of an edge.
   struct Stretch {
     double from = 0;
     double to = 0;
   };
-  std::optional<Stretch> peak_above(const Edge& edge, const Look& a, const Look& b, double limit,
+  std::optional<Stretch> peak_above(const Edge& edge, const Sample& a, const Sample& b, double limit,
                                     int depth) const;
   double last_within(const Edge& edge, Stretch rise, double limit) const;
-  static std::optional<double> likely_peak(const Look& a, const Look& b, double limit);
+  static std::optional<double> likely_peak(const Sample& a, const Sample& b, double limit);
 
   LegalArea legal_;
   double tool_radius_;
@@ -81,7 +81,7 @@ class Ground {
     Vec2 at;
     std::size_t age = 0;
   };
-  mutable std::vector<Standing> standing_;  ///< material met by the last looks
+  mutable std::vector<Standing> standing_;  ///< material met by the last samples
   mutable std::size_t oldest_ = 0;          ///< of those
   std::size_t age_ = 0;                     ///< counts cuts, those forgotten, too
   std::vector<std::size_t> sweeps_;         ///< of the material before each of the cuts

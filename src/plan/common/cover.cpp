@@ -72,8 +72,8 @@ bool Cover::Stroke::is_within(Vec2 p, double most) const {
   return c * c <= square * whole;
 }
 
-Cover::Cover(std::span<const Edge> edges, double radius, Looks looks)
-    : edges_(edges.begin(), edges.end()), radius_(radius), looks_(looks) {
+Cover::Cover(std::span<const Edge> edges, double radius, SearchPlaces places)
+    : edges_(edges.begin(), edges.end()), radius_(radius), places_(places) {
   Box box;
   for (const auto& edge : edges_) box.add(edge.box());
   if (box.empty()) return;
@@ -87,7 +87,7 @@ Cover::Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base)
     : base_(std::move(base)),
       edges_(edges.begin(), edges.end()),
       radius_(base_->radius_),
-      looks_(base_->looks_),
+      places_(base_->places_),
       grid_(base_->grid_) {
   sort_edges();
 }
@@ -203,7 +203,7 @@ void Cover::add_sides(std::uint32_t edge, Vec2 across, Rims& rims) const {
 
 void Cover::add_circle(Vec2 center, double radius, const Wedge& part, const Box& around, Rims& rims) const {
   if (radius <= kRim) return;
-  const Box box = looks_ == Looks::kAtRims ? part.arc_box(center, radius) : around;
+  const Box box = places_ == SearchPlaces::kAtRims ? part.arc_box(center, radius) : around;
   rims.curves.push_back({true, center, {}, radius, box.grown(kBorder)});
 }
 
@@ -216,7 +216,7 @@ std::optional<Cover::Wedge> Cover::outer_side(Vec2 in, Vec2 out) {
   return Wedge{left_of(out), left_of(in), false, back};
 }
 
-/// Looks for places that nothing holds, square by square.
+/// SearchPlaces for places that nothing holds, square by square.
 class Cover::Search {
  public:
   /// Ends with the first place if `first` is all that is asked for.
@@ -237,7 +237,7 @@ class Cover::Search {
     std::erase_if(left_by_base, [&](Vec2 p) {
       return cover_.own_edge_holds(p, cover_.grid_.cell_of(p), cover_.radius_ - kRim) || !matters_(p);
     });
-    cover_.grid_.for_cells(where, [&](std::size_t cell, Vec2) { look_at_cell(cell); });
+    cover_.grid_.for_cells(where, [&](std::size_t cell, Vec2) { check_cell(cell); });
     std::sort(at_joints_.begin(), at_joints_.end());
     std::sort(at_meetings_.begin(), at_meetings_.end());
     std::vector<Vec2> all;
@@ -294,7 +294,7 @@ class Cover::Search {
            number(p.y - grid.box.min.y, grid.rows) == square.row;
   }
 
-  void look_at_cell(std::size_t cell) {
+  void check_cell(std::size_t cell) {
     if (has_ended() || cover_.whole_[cell] || (base_ && base_->whole_[cell])) return;
     const auto own = cover_.edges_in_.at(cell);
     if (own.empty()) return;
@@ -315,7 +315,7 @@ class Cover::Search {
         add_curves(base_->own_rims_, i, own_curves_, place);
       }
     }
-    look_inside(square, {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
+    search_inside(square, {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
   }
 
   /// Those of one edge that come near; their numbers begin at `first`.
@@ -325,26 +325,26 @@ class Cover::Search {
   }
 
   /// `around`: what is near the square that this one is a part of.
-  void look(const Square& square, const Near& around) {
+  void search(const Square& square, const Near& around) {
     const Place place = place_of(square);
     Near near;
     if (keep_strokes(place.center, place.reach, around.strokes, near.strokes)) {
       near.curves = keep_curves(place, around.curves);
       near.joints = keep_joints(square, around.joints);
-      look_inside(square, near);
+      search_inside(square, near);
       joints_.resize(near.joints.from);
       curves_.resize(near.curves.from);
     }
     strokes_.resize(near.strokes.from);
   }
 
-  void look_inside(const Square& square, const Near& near) {
+  void search_inside(const Square& square, const Near& near) {
     const bool can_meet = near.curves.size() > 1 && curves_[near.curves.from] < own_curves_;
     if (can_meet && near.curves.size() > kFewCurves && square.depth < kMostQuarterings) {
       for (std::size_t k = 0; k < 4 && !has_ended(); ++k)
-        look({2 * square.column + (k & 1), 2 * square.row + (k >> 1), square.depth + 1}, near);
+        search({2 * square.column + (k & 1), 2 * square.row + (k >> 1), square.depth + 1}, near);
     } else {
-      for (std::size_t i = near.joints.from; i < near.joints.to; ++i) look_at_joint(joints_[i], near.strokes);
+      for (std::size_t i = near.joints.from; i < near.joints.to; ++i) check_joint(joints_[i], near.strokes);
       if (can_meet) meet_all(square, near);
     }
   }
@@ -393,7 +393,7 @@ class Cover::Search {
     return is_between(norm_squared(place.center - curve.a), least * least, most * most);
   }
 
-  void look_at_joint(std::uint32_t joint, const Range& near) {
+  void check_joint(std::uint32_t joint, const Range& near) {
     const Vec2 p = rims_.joints[joint];
     if (is_hole(p, near)) at_joints_.push_back({{joint}, p});
   }

@@ -18,11 +18,11 @@ namespace clearcut::plan {
 class Cover {
  public:
   /// Where holes are looked for.
-  enum class Looks {
+  enum class SearchPlaces {
     kAroundRims,  ///< where circles meet others near their part of a rim, too: more places of some holes
     kAtRims       ///< only at vertices of rims: much the cheaper where edges crowd
   };
-  Cover(std::span<const Edge> edges, double radius, Looks looks = Looks::kAroundRims);
+  Cover(std::span<const Edge> edges, double radius, SearchPlaces places = SearchPlaces::kAroundRims);
   /// With all that `base` holds, too; it must have the same radius. Edges outside its box are not looked at beyond
   /// it.
   Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base);
@@ -101,7 +101,7 @@ class Cover {
   std::vector<Edge> edges_;
   std::vector<Stroke> strokes_;
   double radius_;
-  Looks looks_;
+  SearchPlaces places_;
   CellGrid grid_;
   CellLists edges_in_;       ///< per cell: edges that may clear a point of it
   std::vector<char> whole_;  ///< per cell: whether one edge clears all of it

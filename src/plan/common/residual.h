@@ -1,4 +1,4 @@
-// What successive contours leave uncut, and the shortest way along the medial axis that clears it. Used by
+// What successive contours leave uncut, and the shortest path along the medial axis that clears it. Used by
 // plan_contour alone.
 #pragma once
 

@@ -15,7 +15,7 @@ enum class CornerLoop {
   kCircle,  ///< Zhao et al.: the circle through root and tip. CPO-rho eq. (2), its length, is damaged in print
   kPwid,  ///< Park et al., pair-wise interference detection: a kite with sides parallel to the corner's at the tip
   kSingle,  ///< Choy and Chan: straight on past the corner, round, and back along the other side; tangent throughout
-  kDouble  ///< Choy and Chan: the same twice, half way and all the way, so that each bites less
+  kDouble  ///< Choy and Chan: the same twice, half way and all the way, so that each trochoidal steps less
 };
 
 /// The loop from `root` back to it. `in` and `out` are the directions of the contour before and after its corner,

@@ -28,7 +28,7 @@ const char* name_of(RestCause cause);
 struct Rest {
   RestCause cause = RestCause::kNone;
   Vec2 where;
-  double way = 0;  ///< mm; the longest way to the next ring, infinite where none leads there
+  double length = 0;  ///< mm; the longest way to the next ring, infinite where none leads there
 };
 
 /// The axis inside one ring, between level + radius and level + 2 radius.
@@ -58,8 +58,8 @@ class RingBand {
     double length = 0;
   };
   void find_summits();
-  std::vector<double> ways_to(double level) const;
-  RestCause cause_at(std::size_t vertex, const std::vector<double>& ways) const;
+  std::vector<double> lengths_to(double level) const;
+  RestCause cause_at(std::size_t vertex, const std::vector<double>& lengths) const;
 
   double floor_ = 0;  ///< level + radius, and a little: rests thinner than that do not count
   double level_ = 0;

@@ -1,4 +1,4 @@
-// A whole layer as one way of the cutter: rings at the wall that stay, and flexible ways between them. Used
+// A whole layer as one way of the cutter: rings at the wall that stay, and flexible paths between them. Used
 // by the planner alone.
 #pragma once
 
@@ -10,19 +10,19 @@
 
 namespace clearcut::plan::contour {
 
-/// A vertex of a flexible way.
+/// A vertex of a flexible path.
 struct FlexPoint {
   Vec2 at;
   int ring = -1;  ///< it may only slide along this ring
 };
 
-/// A way in, a ring cut once round from where the way ends, and ways that leave the ring and come back to it.
+/// A way in, a ring cut once round from where the way ends, and paths that leave the ring and come back to it.
 struct Leg {
-  std::vector<int> way_in;  ///< numbers of points; the last lies on the ring
+  std::vector<int> path_in;  ///< numbers of points; the last lies on the ring
   int ring = -1;
   std::vector<std::vector<int>>
       detours;          ///< each begins and ends with the same point, which lies on the ring
-  bool lifted = false;  ///< way_in does not begin where the leg before ended
+  bool lifted = false;  ///< path_in does not begin where the leg before ended
 };
 
 struct Skeleton {
@@ -32,13 +32,13 @@ struct Skeleton {
 };
 
 struct SkeletonOptions {
-  double chord = 0.05;  ///< mm; flexible ways start as polygons within this of their rings
+  double chord = 0.05;  ///< mm; flexible paths start as polygons within this of their rings
   /// The innermost ring is begun as near to this as it comes.
   std::optional<Vec2> begin;
-  double hop = 20;  ///< mm; a lift costs as much time as feeding this far
+  double retract_cost = 20;  ///< mm; a lift costs as much time as feeding this far
   double flexible =
       1e9;  ///< mm; rings that surround more way than this stay as they are, like those at the wall
-  /// Whether the straight way between two points is legal.
+  /// Whether the straight path between two points is legal.
   std::function<bool(Vec2, Vec2)> legal;
 };
 
@@ -47,7 +47,7 @@ struct SkeletonOptions {
 /// left out.
 Skeleton skeleton_of(const std::vector<Pass>& passes, const SkeletonOptions& options);
 
-/// The ways of the cutter's centre, one for each stretch without a lift.
+/// The paths of the cutter's centre, one for each stretch without a lift.
 std::vector<Path> paths_of(const Skeleton& skeleton);
 
 }  // namespace clearcut::plan::contour

@@ -1,4 +1,4 @@
-// What stays when an area is cleared: films on walls, corners, narrow ends, rests.
+// What stays when an area is cleared: residuals on walls, corners, narrow ends, rests.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace clearcut::plan::adaptive {
 
-/// Lines of a layer on which the cutter just fits, and how many bites were made in the layer so far.
+/// Lines of a layer on which the cutter just fits, and how many trochoidal steps were made in the layer so far.
 struct Slots {
   std::vector<Path> lines;
-  std::size_t bites = 0;
+  std::size_t trochoidal_steps = 0;
 };
 
 /// The last stage of an adaptive pass: nothing that the cutter can reach stays.
 class AdaptiveFinish {
  public:
   /// `legal`: where the centre may be; `area`: where cuts off the walls run, a little smaller. All is kept by reference.
-  AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
+  AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal, const Regions& area,
                  const Regions& target, Slots& slots, double limit);
 
-  /// Along the walls within the limit, corners, by bites what walls still bear, what the check of the whole cover finds.
+  /// Along the walls within the limit, corners, by trochoidal steps what walls still bear, what the check of the whole cover finds.
   /// `open`: something beside the target is free. Up to `most_rests` rests are cut one by one; false where that was not
   /// enough.
   bool run(bool open, int most_rests);
@@ -42,11 +42,11 @@ class AdaptiveFinish {
   bool stands_at(Vec2 corner) const;
   std::vector<WallStretch> unfinished() const;
   std::vector<WallStretch>::const_iterator nearest_stretch(const std::vector<WallStretch>& stretches) const;
-  bool peel(const WallStretch& stretch);
+  bool cut_in_trochoidal_steps(const WallStretch& stretch);
   bool is_slot_mouth(const WallStretch& stretch) const;
-  bool bite_from_aside(const WallPlace& place);
-  bool bite_from_aside(const WallStretch& stretch);
-  std::optional<Way> way_to_bite(const WallStretch& stretch);
+  bool trochoidal_step_from_aside(const WallPlace& place);
+  bool trochoidal_step_from_aside(const WallStretch& stretch);
+  std::optional<LinkPath> link_to_trochoidal_step(const WallStretch& stretch);
   void cut_stretch(const WallStretch& place);
   bool cut_rests(bool open, int most);
   std::vector<Vec2> rests(const Cover& cover, bool open) const;
@@ -56,12 +56,12 @@ class AdaptiveFinish {
   Vec2 nearest_legal(Vec2 p) const;
   bool cut_rest(Vec2 p);
   template <typename Cut>
-  bool from_gates_about(Vec2 p, const Cut& cut);
-  bool cut_straight(Vec2 gate, Vec2 p, double limit, const Way& way);
-  bool cut_round(Vec2 gate, Vec2 p, const Way& way);
+  bool from_approach_points_about(Vec2 p, const Cut& cut);
+  bool cut_straight(Vec2 approach_point, Vec2 p, double limit, const LinkPath& link);
+  bool cut_round(Vec2 approach_point, Vec2 p, const LinkPath& link);
   bool enter_rest(Vec2 p);
 
-  Ground& ground_;
+  RemainingStock& remaining_;
   ClearingPath& path_;
   const Region& legal_;
   const Regions& target_;

@@ -12,19 +12,19 @@ namespace clearcut::plan::adaptive {
 
 /// How cuts follow walls.
 struct AlongWalls {
-  double air = 0;      ///< mm without contact that end a cut
-  double overrun = 0;  ///< mm past the last contact
+  double air = 0;      ///< mm without engagement that end a cut
+  double overrun = 0;  ///< mm past the last engagement
 };
 
 /// Traces cuts with the material on the right of the direction of travel.
 class Tracer {
  public:
-  /// `limit`: largest contact, radians. Cuts off the walls stay inside `area`. The tracer takes away what it
-  /// cuts from `ground`.
-  Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, AlongWalls along);
+  /// `limit`: largest engagement, radians. Cuts off the walls stay inside `area`. The tracer takes away what it
+  /// cuts from `remaining`.
+  Tracer(RemainingStock& remaining, const Walls& walls, const Regions& area, double limit, AlongWalls along);
 
-  /// One cut from a place on a wall: along the wall until the contact would exceed the limit, off it on an
-  /// arc, on with the contact at its limit, until the cutter meets a wall ahead or runs into the open.
+  /// One cut from a place on a wall: along the wall until the engagement would exceed the limit, off it on an
+  /// arc, on with the engagement at its limit, until the cutter meets a wall ahead or runs into the open.
   /// Empty when nothing can be cut there within the limit. What it is after begins at `material_s`.
   /// Where so little stays on the wall that it may, and `can_begin` agrees to the place, the cut begins beside the wall
   /// with the arc that leads off it.
@@ -43,9 +43,9 @@ class Tracer {
     std::size_t moves = 0, cuts = 0;
   };
   /// The arc off a wall at s, of which at least so much is to be taken, mm; and where it ends on a wall.
-  struct WayOff {
+  struct DepartureArc {
     double s = 0;
-    Course from;
+    CutterState from;
     Edge arc;
     double least = 0;
     std::optional<WallPlace> met;
@@ -61,38 +61,39 @@ class Tracer {
   void forget_beyond(const Mark& mark);
 
   Next follow_wall();
-  double wall_contact(double s) const;
+  double wall_engagement(double s) const;
   double end_of_cut(double cut_until) const;
   Next depart(double s_clear, double s_over);
   double last_within(double s_clear, double s_over) const;
   double latest_departure(double s_clear, double s_over, double radius, double least);
   bool can_leave(double s, double radius);
   Next leave(double s, double radius);
-  Course course_at(double s, double radius, double kink) const;
-  std::optional<WayOff> way_off(double s, double radius, double kink) const;
-  std::optional<WayOff> way_across(const WayOff& off) const;
-  WayOff up_to_wall(double s, const Course& from, Shot shot) const;
-  bool begin_beside(const WayOff& off);
-  std::optional<Vec2> gate_before(double s, const Edge& arc) const;
-  Next on_from(const WayOff& off);
+  CutterState state_at(double s, double radius, double kink) const;
+  std::optional<DepartureArc> departure_arc(double s, double radius, double kink) const;
+  std::optional<DepartureArc> crossing_arc(const DepartureArc& off) const;
+  DepartureArc up_to_wall(double s, const CutterState& from, CandidateArc candidate) const;
+  bool begin_beside(const DepartureArc& off);
+  std::optional<Vec2> approach_point_before(double s, const Edge& arc) const;
+  Next on_from(const DepartureArc& off);
   void follow_from(const WallPlace& place);
   bool append_wall(double s_from, double s_to);
   bool append_as_one(std::span<const Edge> part, double s_from);
 
   Next trace();
-  Next meet_wall(const Shot& shot, double inside);
-  std::optional<Landing> landing_of(const Course& from, const Shot& shot, double inside) const;
+  Next meet_wall(const CandidateArc& candidate, double inside);
+  std::optional<Landing> landing_of(const CutterState& from, const CandidateArc& candidate,
+                                    double inside) const;
   bool leads_along(const WallPlace& met, Vec2 heading) const;
   bool step_to_wall(const WallPlace& place);
 
   bool is_within(const Edge& edge) const;
   double length_within(const Edge& edge) const;
-  double go(const Shot& shot);
+  double go(const CandidateArc& candidate);
   void go(const Edge& edge, double within);
   bool append(const Edge& edge);
   void take(Edge edge);
 
-  Ground& ground_;
+  RemainingStock& remaining_;
   const Walls& walls_;
   ArcAimer aimer_;
   double radius_;
@@ -100,15 +101,15 @@ class Tracer {
   AlongWalls along_;
   double step_;
   Path path_;
-  double engaged_ = 0;  ///< mm of the cut in contact
-  double air_ = 0;      ///< mm since the last contact
-  Course course_;
+  double engaged_ = 0;  ///< mm of the cut engaged
+  double air_ = 0;      ///< mm since the last engagement
+  CutterState state_;
   WallPlace place_;
   double material_s_ = 0;
   CanBegin can_begin_;
   Mark before_wall_;  ///< before the wall that the cut follows, or the step to it
   double first_departure_ = 0;
-  int critical_look_ = 0;  ///< where an arc off the wall exceeded the limit last
+  int critical_sample_ = 0;  ///< where an arc off the wall exceeded the limit last
 };
 
 }  // namespace clearcut::plan::adaptive

@@ -1,4 +1,4 @@
-// The walls of a layer as ways for the cutter's centre, and which stretches of them still touch material.
+// The walls of a layer as paths for the cutter's centre, and which stretches of them still touch material.
 #pragma once
 
 #include <optional>
@@ -54,11 +54,11 @@ struct WallPlace {
 /// All walls with marks where a cutter on them would still touch material.
 class Walls {
  public:
-  /// The walls of `front` with a mark every `pitch` mm or less. Material thinner than `film` mm does not
+  /// The walls of `front` with a mark every `pitch` mm or less. Material thinner than `residual` mm does not
   /// count, nor some more where the walls of `legal` are farther off: there a wall pass follows.
-  Walls(const Region& front, const Region& legal, double pitch, double film);
-  /// All walls of `legal`; material of up to `film` mm stays.
-  Walls(const Region& legal, double pitch, double film) : Walls(legal, legal, pitch, film) {}
+  Walls(const Region& front, const Region& legal, double pitch, double residual);
+  /// All walls of `legal`; material of up to `residual` mm stays.
+  Walls(const Region& legal, double pitch, double residual) : Walls(legal, legal, pitch, residual) {}
 
   const Wall& wall(std::size_t i) const { return walls_[i]; }
   /// Cuts end on the wall before these places instead of leaving it there, and none begins before and ends after one.
@@ -68,13 +68,13 @@ class Walls {
   double from_stop(const WallPlace& place) const { return to_nearest(stops_, place, -1); }
   Vec2 point(const WallPlace& place) const { return walls_[place.wall].at(place.s); }
   std::size_t count() const { return walls_.size(); }
-  double film(const WallPlace& place) const;
+  double residual(const WallPlace& place) const;
   /// Whether a mark on the next `reach` mm touches material.
   bool touches_after(const WallPlace& place, double reach) const;
   /// The nearest place on all walls.
   WallPlace nearest(Vec2 p) const;
-  /// Looks again at the marks within `where`.
-  void update(const Ground& ground, const Box& where);
+  /// Samples again at the marks within `where`.
+  void update(const RemainingStock& remaining, const Box& where);
   /// The last clear mark before each stretch that touches material.
   std::vector<WallPlace> starts() const;
   /// A place on each wall that touches material all along.
@@ -93,8 +93,8 @@ class Walls {
     double after = 0;
   };
   void leave_out(const Around& around);
-  /// Up to the end of the edge that begins at a place a wedge may stay that is `film` mm thick at the place, and kWedge more.
-  void leave_wedge(const WallPlace& place, double film);
+  /// Up to the end of the edge that begins at a place a wedge may stay that is `residual` mm thick at the place, and kWedge more.
+  void leave_wedge(const WallPlace& place, double residual);
   static constexpr double kWedge = 5e-4;  // mm
   /// Whether no other of `places` is nearer along the wall than `least` mm.
   bool is_alone(const WallPlace& place, const std::vector<WallPlace>& places, double least) const;
@@ -106,12 +106,12 @@ class Walls {
   struct Marks {
     double pitch = 1;
     std::vector<Vec2> points;
-    std::vector<double> films;
+    std::vector<double> residuals;
     std::vector<char> touching;
     std::vector<std::optional<Vec2>> touched;  ///< material that each mark touched when it was looked at
     std::vector<double> left_at;               ///< where the last cut from each mark left the wall
   };
-  void add(const Loop& loop, const Region& legal, double pitch, double film);
+  void add(const Loop& loop, const Region& legal, double pitch, double residual);
   std::size_t mark_at(const WallPlace& place) const;
 
   std::vector<Wall> walls_;
@@ -128,11 +128,12 @@ struct WallStretch {
 
 /// The stretches of the walls that still bear material, each ready to be run along. Stretches nearer to each other
 /// than `gap` mm are one.
-std::vector<WallStretch> unfinished_walls(const Walls& walls, double pitch, double gap, const Ground& ground);
+std::vector<WallStretch> unfinished_walls(const Walls& walls, double pitch, double gap,
+                                          const RemainingStock& remaining);
 
-/// What of a stretch bears material thicker than `film` mm, looked at every `pitch` mm and in corners: from a place just
-/// before the first to one just after the last; none where nothing does. Cost O(length / pitch) looks.
+/// What of a stretch bears material thicker than `residual` mm, looked at every `pitch` mm and in corners: from a place just
+/// before the first to one just after the last; none where nothing does. Cost O(length / pitch) samples.
 std::optional<WallStretch> bearing_part(const Walls& walls, const WallStretch& stretch, double pitch,
-                                        double film, const Ground& ground);
+                                        double residual, const RemainingStock& remaining);
 
 }  // namespace clearcut::plan::adaptive
