@@ -1,19 +1,17 @@
 // compare and reproduce: commands that print tables.
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
+#include <clearcut/plan.h>
+#include <clearcut/studies.h>
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/compare.h"
-#include "pipeline/tool_sets.h"
 #include "plan_arguments.h"
-#include "post/part/outline_writer.h"
-#include "studies/method_study.h"
-#include "studies/reproduce.h"
 
 namespace clearcut::cli {
 
@@ -27,8 +25,8 @@ struct CompareCommand {
   std::string slower;
 };
 
-void print_table(const report::TextTable& table, bool as_markdown) {
-  print_line(as_markdown ? report::markdown(table) : report::plain(table));
+void print_table(const TextTable& table, bool as_markdown) {
+  print_line(as_markdown ? markdown(table) : plain(table));
 }
 
 /// A pocket on which a rival is faster than ours, as an outline whose name says by how much.
@@ -38,7 +36,7 @@ void write_slower(const studies::StudyCase& one, const std::string& folder) {
       fmt::format(", endmill:{}, contour {:.2f} s, {} {:.2f} s", part.tools.front().diameter,
                   one.outcomes.at("contour").time_s, *one.faster, one.outcomes.at(*one.faster).time_s);
   std::filesystem::create_directories(folder);
-  write_files({{folder + "/" + std::to_string(one.seed) + ".json", post::write_outline_json(part)}});
+  write_outputs({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}});
 }
 
 void compare_at_random(const CompareCommand& command) {
@@ -70,14 +68,14 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     if (state->random > 0) return compare_at_random(*state);
     if (state->arguments.input().empty())
       throw InputError("compare", "give a part, or --random and how many");
-    print_table(pipeline::compare(state->arguments.read(), state->arguments.options()), state->as_markdown);
+    print_table(compare_strategies(state->arguments.read(), state->arguments.options()), state->as_markdown);
   });
 }
 
 void add_tools_command(CLI::App& app, int& exit_code) {
   struct ToolsCommand {
     PlanArguments arguments;
-    pipeline::ToolSpeeds speeds;
+    ToolSpeeds speeds;
     bool as_markdown = false;
   };
   auto* command = app.add_subcommand("tools", "Plan a part with each of several cutters, in one table");
@@ -93,7 +91,7 @@ void add_tools_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
   command->callback([state, &exit_code] {
-    print_table(pipeline::tool_table(state->arguments.read(), state->speeds, state->arguments.options()),
+    print_table(tool_table(state->arguments.read(), state->speeds, state->arguments.options()),
                 state->as_markdown);
     exit_code = kClean;
   });
@@ -105,7 +103,7 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
   command->add_option("TABLE", *name, "One table; default all");
   command->callback([name, &exit_code] {
     const auto names = name->empty() ? studies::reproducible_tables() : std::vector<std::string>{*name};
-    for (const auto& table : names) print_line(report::plain(studies::reproduce(table)));
+    for (const auto& table : names) print_line(plain(studies::reproduce(table)));
     exit_code = kClean;
   });
 }

@@ -43,10 +43,6 @@ constexpr double kMergeGap = 1.0;
 constexpr double kApproachPoints[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
 /// Tool radii between samples at a wall that is cut by trochoidal steps.
 constexpr double kTrochoidalPitch = 0.02;
-/// Tool radii from the end of a slot within which nothing is cut by trochoidal steps once a layer has had so many: each mouth would take
-/// about 150 of them.
-constexpr double kSlotMouth = 0.3;
-constexpr std::size_t kManyTrochoidalSteps = 360;
 /// mm. Trochoidal steps that take less of the wall are idle.
 constexpr double kLeastTrochoidalStep = 1e-3;
 /// Tool radii between places of a stretch from beside which trochoidal steps are tried, and most of them.
@@ -61,12 +57,11 @@ constexpr double kBeyondEnd = 0.2;
 }  // namespace
 
 AdaptiveFinish::AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal,
-                               const Regions& area, const Regions& target, Slots& slots, double limit)
+                               const Regions& area, const Regions& target, double limit)
     : remaining_(remaining),
       path_(path),
       legal_(legal),
       target_(target),
-      slots_(slots),
       radius_(remaining.tool_radius()),
       limit_(limit),
       cuts_(remaining, path, {legal, kFinePitch * radius_, kWallResidual}, area, limit,
@@ -238,32 +233,18 @@ bool AdaptiveFinish::cut_in_trochoidal_steps(const WallStretch& stretch) {
   const bool began = left.has_value();
   bool idle = false;
   int trochoidal_steps = 0;
-  while (left && !idle && trochoidal_steps < kMostTrochoidalSteps &&
-         !(slots_.trochoidal_steps > kManyTrochoidalSteps && is_slot_mouth(*left))) {
+  while (left && !idle && trochoidal_steps < kMostTrochoidalSteps) {
     const auto link = link_to_trochoidal_step(*left);
     const Path trochoidal_step = link ? steps.trochoidal_step(left->from, left->to) : Path{};
     if (trochoidal_step.empty()) break;
     path_.cut(trochoidal_step, *link);
     ++trochoidal_steps;
-    ++slots_.trochoidal_steps;
     const auto before = *left;
     left = bearing(before);
     if (left) idle = before.to - before.from - (left->to - left->from) < kLeastTrochoidalStep;
   }
   if (trochoidal_steps > (idle ? 1 : 0) || !began) return began;
   return trochoidal_step_from_aside(stretch);
-}
-
-/// Whether all of it lies where the area narrows to a slot, which is cut all round: trochoidal steps would get nearer to it by less
-/// and less.
-bool AdaptiveFinish::is_slot_mouth(const WallStretch& stretch) const {
-  const auto is_near = [&](Vec2 end) {
-    const double reach = kSlotMouth * radius_;
-    return distance(cuts_.walls.point({stretch.wall, stretch.from}), end) < reach &&
-           distance(cuts_.walls.point({stretch.wall, stretch.to}), end) < reach;
-  };
-  return std::any_of(slots_.lines.begin(), slots_.lines.end(),
-                     [&](const Path& slot) { return is_near(slot.front().from) || is_near(slot.back().to); });
 }
 
 /// The same from beside any place of a stretch, the middle first.
