@@ -9,36 +9,32 @@
 #include "plan/adaptive/clearing_outline.h"
 #include "plan/adaptive/entry_regions.h"
 #include "plan/adaptive/finish/finish.h"
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Radians. What rounding in the program, arcs fitted to traced curves and the sampling of the engagement may add.
-constexpr double kEngagementMargin = 0.003;
-/// Radius of the entry circle as a share of the cutter's: below 1 no post is left in its middle.
+/// Radius of the entry circle as a share of the cutter's: below 1, so that no post is left in its middle.
 constexpr double kEntryCircle = 0.95;
-constexpr double kNoLimit = 1e300;  // mm
-/// Tool radii between the marks on walls.
-constexpr double kMarkPitch = 0.1;
+/// mm: the entry circle may be as wide as it likes.
+constexpr double kNoLimit = 1e300;
 /// Tool radii that clearing keeps off the walls, for what arcs deviate from the curves they are fitted to.
 constexpr double kKeepOff = 0.0035;
-/// Entries for what the cuts from elsewhere cannot reach.
+/// Entries into what cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
-/// Rests that are cut one by one: of an area that is cleared by then; and where nothing else clears it.
+/// Rests that are cut one by one: in an area that other cuts have cleared, and where nothing else clears it.
 constexpr int kFewRests = 60;
 constexpr int kMostRests = 2000;
-/// Tool radii that the centre may run beyond an open side.
+/// Tool radii that the centre may run beyond an open side: just past the place where the cutter leaves the stock.
 constexpr double kBeyondOpenSides = 1.01;
-/// Tool radii between the places beside the stock from where cuts are tried, how far inside their outline these are, and
-/// how near the stock is there.
+/// Tool radii between the places beside the stock from which cuts are tried; how far inside their outline these lie; and how
+/// near to them there must be stock.
 constexpr double kAirPitch = 0.5;
 constexpr double kBesideAir = 0.005;
 constexpr double kNearStock = 0.05;
-/// Tool radii of wall without engagement that end a cut while clearing.
-constexpr double kAir = 0.3;
-/// Tool radii beside corners that clearing leaves to the arcs between their walls, from where cuts from wall to wall come nearer
-/// by less and less: this less how much nearer each arc ends.
+/// Tool radii of wall beside a corner that clearing leaves to the arcs between the corner's walls: kLeftToCorner less the gain
+/// of each arc (cuts from wall to wall come nearer to the corner by less and less), and kLeastLeft at least.
 constexpr double kLeftToCorner = 1.5;
 constexpr double kLeastLeft = 0.7;
 
@@ -88,8 +84,8 @@ class AdaptivePlanner {
         path_(remaining_, links_),
         finder_(front_, clearance, remaining_, layer, limit, options.start),
         clearing_(remaining_, path_,
-                  {front_, legal, kMarkPitch * radius_, residual_between_cuts(radius_, limit)},
-                  inner.clearing, limit, {kAir * radius_, 0}),
+                  {front_, legal, RadiusShares::kWallPitch * radius_, residual_between_cuts(radius_, limit)},
+                  inner.clearing, limit, {RadiusShares::kAir * radius_, 0}),
         finish_(remaining_, path_, legal, inner.finishing, layer.target, limit),
         open_(layer.stock && has_open_side(layer)),
         lifts_(lifts),
@@ -323,7 +319,7 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
   result.target = layer.target;
   result.strategy = "adaptive";
   const double first = layer.tool_radius + layer.wall_stock;
-  const double limit = options.engagement.radians() - kEngagementMargin;
+  const double limit = options.engagement.radians() - EngagementTolerance::kMargin;
   for (const auto& region : area_near_target(layer, tol)) {
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);

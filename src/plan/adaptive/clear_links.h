@@ -1,4 +1,4 @@
-// Paths through what is cleared already.
+// Links at depth: paths through what is cleared already.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace clearcut::plan::adaptive {
 
-/// A move of a way, straight or on an arc.
+/// One move of a link, straight or on an arc; it begins where the one before ended.
 struct LinkMove {
   Vec2 to;
   double bulge = 0;  ///< see Edge::from_bulge
@@ -17,13 +17,13 @@ struct LinkMove {
 };
 using LinkPath = std::vector<LinkMove>;
 
-/// Paths through what is cleared: straight, else over one arc, over points of the medial axis.
+/// Finds links through what is cleared: straight, else on one arc, else over points of the medial axis, pulled taut.
 class ClearLinks {
  public:
-  /// `least`: clearance of the axis points that the centre may use, `pitch`: distance between them, mm.
+  /// Axis points with a clearance of at least `least` mm are used, `pitch` mm apart.
   ClearLinks(const MedialAxis& axis, double least, double pitch);
 
-  /// From `from` to `to`, free of anything thicker than `residual` mm; none when there is no way.
+  /// A link from `from` to `to` on which the cutter touches nothing thicker than `residual` mm; none when none was found.
   std::optional<LinkPath> find(Vec2 from, Vec2 to, const RemainingStock& remaining, double residual) const;
 
  private:
@@ -39,11 +39,11 @@ class ClearLinks {
   std::vector<Vec2> nodes_;
   struct Step {
     int to = 0;
-    /// mm; thinnest residual beyond which the step was found free. What is free once stays free.
+    /// mm: the smallest `residual` for which the step was found free. Material is only taken away, so it stays free.
     mutable double free_beyond = 1e300;
   };
   static bool is_free(const Step& step, Vec2 from, Vec2 to, const RemainingStock& remaining, double residual);
-  /// The last place where a way began, for the next one from there.
+  /// The nodes found for the place where the last link began: the next one often begins there, too.
   struct Sources {
     Vec2 from;
     double residual = -1;

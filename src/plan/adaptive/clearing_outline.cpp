@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/route/legal_area.h"
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
@@ -14,7 +15,6 @@ constexpr double kWallShare = 0.62;
 /// Radians. Walls that turn inwards by more have a corner.
 constexpr double kCornerTurn = 0.1;
 /// Tool radii on both sides of a corner that are cut to the wall.
-constexpr double kCornerZone = 1.2;
 /// Share of the slope against the wall at which a wall pass would meet the limit.
 constexpr double kTaperShare = 0.9;
 constexpr double kSteepestTaper = 0.4;
@@ -90,7 +90,7 @@ class FrontOutline {
       const Vec2 before = loop[(e + loop.size() - 1) % loop.size()].tangent_at(1),
                  after = loop[e].tangent_at(0);
       const double turn = std::atan2(cross(before, after), dot(before, after));
-      if (std::abs(turn) > kCornerTurn) keep_corner(at, kCornerZone * radius_);
+      if (std::abs(turn) > kCornerTurn) keep_corner(at, RadiusShares::kCornerReach * radius_);
       at += loop[e].length();
     }
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/units.h"
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
@@ -19,7 +20,6 @@ constexpr double kNearlySame = 1.5e-3;
 /// Tool radii that a hole must be wider than the cutter to begin in.
 constexpr double kLeastHole = 0.05;
 /// Radians by which the spiral may exceed the limit.
-constexpr double kSpiralExcess = 0.015;
 constexpr int kSpiralSamples = 8;
 /// By how much a half turn that exceeds it is taken back, and the least that it widens, in tool radii.
 constexpr double kNarrower = 0.97;
@@ -59,7 +59,8 @@ bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
   const auto end = [&] { return disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0}; };
   const auto half_turn = [&] { return Edge::arc(at_, end(), (at_ + end()) / 2.0, Turn::kCounterClockwise); };
   // The closed form is that of a circle; the half turns that widen it meet a little more.
-  while (!keeps_limit(half_turn(), engagement + kSpiralExcess) && reach > left + kLeastWidening * tool)
+  while (!keeps_limit(half_turn(), engagement + EngagementTolerance::kLongExcess) &&
+         reach > left + kLeastWidening * tool)
     reach = left + (reach - left) * kNarrower;
   const Vec2 to = end();
   cut_arc((at_ + to) / 2.0, to);

@@ -1,4 +1,4 @@
-// The passes of an adaptive layer under construction: cuts, and links between them that are free.
+// The passes of an adaptive layer while they are built: cuts, and clear links between them.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace clearcut::plan::adaptive {
 
-/// The passes cut so far and the one that is being built. What is cut is taken from the remaining stock.
+/// The passes finished so far and the one that is being built. What is cut is taken away from the remaining stock.
 class ClearingPath {
  public:
   ClearingPath(RemainingStock& remaining, const ClearLinks& links) : remaining_(remaining), links_(links) {}
@@ -22,7 +22,8 @@ class ClearingPath {
   /// Goes on, right after open(), until the disc's rim is touched all round: the last turns are thinner.
   void widen_to_rim(const Disc& disc, double engagement);
 
-  /// A link to p that grazes no more than `residual` mm; a pass may begin anywhere.
+  /// A link from the end of the pass to p on which nothing thicker than `residual` mm is touched; empty where a pass begins,
+  /// none where there is no link.
   std::optional<LinkPath> link_to(Vec2 p, double residual) const;
   /// Begins a new pass at p, where nothing stands any more, from above.
   LinkPath retract_to(Vec2 p);

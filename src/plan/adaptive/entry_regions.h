@@ -38,7 +38,7 @@ class EntryRegionFinder {
   std::vector<PredrilledHole> holes_;
 };
 
-/// The room whose rim is nearest to p (deepest around it). `entry_regions` holds at least one.
+/// The entry region whose rim is nearest to p (deepest around it). `entry_regions` holds at least one.
 std::size_t nearest_entry_region(const std::vector<Disc>& entry_regions, Vec2 p);
 
 }  // namespace clearcut::plan::adaptive

@@ -4,35 +4,34 @@
 #include <cmath>
 
 #include "base/work_budget.h"
+#include "plan/adaptive/parameters.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// mm. Thinner engagement is rounding.
+/// mm. The cutter is taken this much smaller where its engagement is asked for: thinner material is rounding.
 constexpr double kRounding = 2e-4;
 /// Radians. Less of the circle in material is rounding.
 constexpr double kTouch = 1e-6;
-/// Tool radii between the places where a straight path is looked at.
+/// Tool radii between samples of a link: it only matters whether anything is touched.
 constexpr double kSampleStep = 0.2;
-/// Tool radii between the places where the engagement of a cut is looked at.
-constexpr double kCheckStep = 0.1;
-/// Radians. No farther than this apart on arcs.
+/// Radians. Samples on arcs are no farther apart than this.
 constexpr double kCheckTurn = 0.15;
-/// Tool radii from the begin of an edge to the first look at it.
+/// Tool radii from the beginning of an edge to its first sample: at the beginning itself a turn of heading would count.
 constexpr double kBeside = 1e-3;
-/// Tool radii: cells that are known to be cleared.
+/// Tool radii: side of the cells that are known to be cleared.
 constexpr double kCell = 1.0 / 8;
-/// Radians of an arc between whose chord and tangents nothing lies.
+/// Radians. Arcs are checked in pieces of this turn, each by its chord and the tangents at its ends.
 constexpr double kLegalTurn = 0.6;
-/// Points of material remembered, and radians of a circle in it that make one worth that.
+/// Points of material that are remembered, because the next query probably touches them, too; and the radians of a circle in
+/// material that make a point worth remembering.
 constexpr std::size_t kMostStanding = 16;
 constexpr double kWorthNoting = 1e-3;
+/// mm: no point.
 constexpr Vec2 kNowhere{1e100, 1e100};
-/// Radians. Peaks between samples may be higher than the limit by so much.
-constexpr double kPeak = 0.008;
-/// Samples for a peak, each nearer to it.
+/// Samples for a peak of the engagement between two samples, each nearer to it.
 constexpr int kMostPeaks = 5;
-/// Of the stretch in which the engagement comes to exceed its limit.
+/// Bisections of the stretch in which the engagement comes to exceed its limit.
 constexpr int kHalvings = 4;
 
 Move level_move(const Edge& edge) {
@@ -61,7 +60,7 @@ RemainingStock::Sample RemainingStock::sample(const Edge& edge, double t) const 
 
 double RemainingStock::length_within(const Edge& edge, double limit) const {
   const double length = edge.length();
-  const double by_length = length / (tool_radius_ * kCheckStep),
+  const double by_length = length / (tool_radius_ * RadiusShares::kWallPitch),
                by_turn = std::abs(edge.sweep()) / kCheckTurn;
   const int steps = static_cast<int>(std::max(by_length, by_turn)) + 1;
   // Where the edge begins the cut before ends: just beyond.
@@ -69,7 +68,7 @@ double RemainingStock::length_within(const Edge& edge, double limit) const {
   for (int i = 1; i <= steps; ++i) {
     const Sample here = sample(edge, static_cast<double>(i) / steps);
     if (here.engagement > limit) return i == 1 ? 0 : before.t * length;
-    if (const auto above = peak_above(edge, before, here, limit + kPeak, kMostPeaks))
+    if (const auto above = peak_above(edge, before, here, limit + EngagementTolerance::kPeak, kMostPeaks))
       return (i == 1 ? last_within(edge, *above, limit) : before.t) * length;
     before = here;
   }

@@ -89,6 +89,12 @@ class Cover {
     std::vector<Vec2> joints;          ///< kJoints per edge
   };
   class Search;
+  /// mm. A point this much nearer than the radius to an edge is inside its swept area, not on the rim.
+  static constexpr double kRim = 1e-7;
+  /// mm. A point on the border of two squares is looked for in both.
+  static constexpr double kBorder = 1e-6;
+  /// Places beside the ends of an edge that are looked at.
+  static constexpr std::uint32_t kJoints = 4;
 
   void sort_edges();
   Rims rims() const;

@@ -13,6 +13,7 @@
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
 #include "plan/contour/step_rule.h"
+#include "plan/tour/lattice.h"
 
 namespace clearcut::plan::tour {
 namespace {
@@ -26,64 +27,11 @@ constexpr int kMendings = 40;
 constexpr double kProbes[] = {0.45, 0.95};
 constexpr int kProbeDirections = 12;
 
-using Points = std::vector<Vec2>;
-
 /// A single point stays, as a way of no length.
 Path path_through(const Points& points) {
   Path path = line_path(points);
   if (path.empty() && !points.empty()) path.push_back(Edge::line(points.front(), points.front()));
   return path;
-}
-
-struct Lattice {
-  Vec2 corner;
-  double pitch = 0;
-  int columns = 0, rows = 0;
-
-  Vec2 at(int column, int row) const { return corner + Vec2{column * pitch, row * pitch}; }
-};
-
-int steps_in(double extent, double pitch) {
-  return static_cast<int>(std::floor(extent / pitch + 1e-9));
-}
-
-/// From the box's lower left corner, as published.
-Lattice published_lattice(const Box& box, double pitch) {
-  return {box.min, pitch, steps_in(box.width(), pitch) + 1, steps_in(box.height(), pitch) + 1};
-}
-
-/// Stretched down so that the wider side is met at both ends, in the middle of the other. Of a box far smaller than the
-/// pitch only the middle is met.
-Lattice fitted_lattice(const Box& box, double largest) {
-  const double wide = std::max(box.width(), box.height());
-  const bool stretched = wide > largest / 2;
-  Lattice lattice =
-      published_lattice(box, stretched ? wide / std::max(1.0, std::ceil(wide / largest - 1e-9)) : largest);
-  const auto centred = [&](double low, double extent, int count) {
-    return low + (extent - (count - 1) * lattice.pitch) / 2;
-  };
-  lattice.corner = {centred(box.min.x, box.width(), lattice.columns),
-                    centred(box.min.y, box.height(), lattice.rows)};
-  return lattice;
-}
-
-/// The same lattice with as many more columns and rows as it takes to fill `box`.
-Lattice filling(const Lattice& lattice, const Box& box) {
-  const int left = std::max(0, steps_in(lattice.corner.x - box.min.x, lattice.pitch));
-  const int below = std::max(0, steps_in(lattice.corner.y - box.min.y, lattice.pitch));
-  return {lattice.at(-left, -below), lattice.pitch,
-          steps_in(box.max.x - lattice.corner.x, lattice.pitch) + left + 1,
-          steps_in(box.max.y - lattice.corner.y, lattice.pitch) + below + 1};
-}
-
-Points points_in(const Lattice& lattice, const LegalArea& area) {
-  Points points;
-  for (int row = 0; row < lattice.rows; ++row) {
-    for (int column = 0; column < lattice.columns; ++column) {
-      if (area.holds(lattice.at(column, row))) points.push_back(lattice.at(column, row));
-    }
-  }
-  return points;
 }
 
 /// What the areas of a layer have in common.

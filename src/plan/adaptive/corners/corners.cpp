@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
@@ -17,7 +18,6 @@ constexpr double kNearest = 1e-3;
 constexpr double kNear = 1e-4;
 constexpr double kVisited = 2.5e-3;
 /// Tool radii. Walls that are not cut up to this near are not prepared; nor are arcs wider than this.
-constexpr double kPrepared = 1.2;
 /// Tool radii between samples for cusps.
 constexpr double kCuspStep = 0.02;
 /// Factor between the distances at which a wall is looked at.
@@ -233,7 +233,7 @@ class CornerCuts {
   /// None where it gains less than a factor of exp(least).
   std::optional<Crossing> spiral_across(double least) {
     const int other = 1 - side_;
-    if (cut_[other] >= kPrepared * radius_) return std::nullopt;
+    if (cut_[other] >= RadiusShares::kCornerReach * radius_) return std::nullopt;
     const Vec2 pole = at(other, cut_[other]);
     // A little nearer to the limit, in a little fewer arcs than the last one.
     int& arcs = spiral_arcs_[side_];
@@ -331,7 +331,7 @@ class CornerCuts {
     const Vec2 from = here(), along = into(side_, cut_[side_]),
                across = at(1 - side_, cut_[1 - side_]) - from;
     const double seen = angle(along, across);
-    double turn = cut_[1 - side_] < kPrepared * radius_ ? std::max(0.0, seen - limit_) : 0.0;
+    double turn = cut_[1 - side_] < RadiusShares::kCornerReach * radius_ ? std::max(0.0, seen - limit_) : 0.0;
     const double ahead = std::max(kNearest, kAhead * cut_[side_]);
     for (int i = 0; i < kMostTurns; ++i) {
       const Vec2 heading = turned(side_, along, turn);
@@ -382,7 +382,7 @@ class CornerCuts {
 /// Distance from the corner to the first centre on a wall that touches nothing.
 std::optional<double> first_visited(const Wall& wall, double s, double sign,
                                     const RemainingStock& remaining) {
-  for (double x = kNearest; x < kPrepared * remaining.tool_radius(); x *= kFarther) {
+  for (double x = kNearest; x < RadiusShares::kCornerReach * remaining.tool_radius(); x *= kFarther) {
     if (!remaining.touches(wall.at(s + sign * x), kVisited)) return x;
   }
   return std::nullopt;
@@ -421,8 +421,8 @@ std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner
                                         RemainingStock& remaining, double limit, double residual) {
   const std::size_t before = remaining.cuts();
   const Wall& wall = walls.wall(corner.place.wall);
-  const double second =
-      first_visited(wall, corner.place.s, 1, remaining).value_or(kPrepared * remaining.tool_radius());
+  const double second = first_visited(wall, corner.place.s, 1, remaining)
+                            .value_or(RadiusShares::kCornerReach * remaining.tool_radius());
   std::optional<CornerRound> best;
   for (int straight = 0; straight <= kMostStraight; ++straight) {
     CornerCuts corner_cuts(wall, corner, remaining, limit, straight);

@@ -3,31 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-// In tool radii:
-constexpr double kWallStep = 0.03;  // between samples along the wall
-constexpr double kLongest = 0.06;   // step off the wall
-constexpr double kFirst = 0.01;     // the first of them
-constexpr double kAir = 0.15;       // length without engagement that ends a trochoidal step
-constexpr double kFarAir = 0.6;     // the same before it has begun
-constexpr double kRightTurn = 0.5;  // tightest turn to the right
-// mm:
-constexpr double kShortest = 4e-4;   // step
-constexpr double kPlace = 1e-4;      // error of a place on the wall
-constexpr double kTolerance = 2e-4;  // of fitted arcs
-// Radians:
-constexpr double kTurn = 0.16;       // most turn of a step that is not the shortest
-constexpr double kLeave = 1.9;       // most turn off the wall, and of the shortest steps
-constexpr double kTouch = 0.02;      // less engagement is none
-constexpr double kAngle = 1e-3;      // error of a turn
-constexpr double kNearLimit = 5e-4;  // below the limit that is as good as at it
-constexpr double kGrow = 1.4;        // from one step to the next
+/// Tool radii between samples along the wall.
+constexpr double kWallStep = 0.03;
+/// Tool radii. Length of the moves off the wall: the first, the longest, and the factor from one to the next.
+constexpr double kFirst = 0.01;
+constexpr double kLongest = 0.06;
+constexpr double kGrow = 1.4;
+/// Tool radii of path without engagement that end a trochoidal step, once it cuts and before it does.
+constexpr double kAir = 0.15;
+constexpr double kFarAir = 0.6;
+/// Tool radii: the tightest turn to the right, towards the material.
+constexpr double kRightTurn = 0.5;
+/// mm: the shortest move off the wall.
+constexpr double kShortest = 4e-4;
+/// mm: error of a place on the wall, and of the arcs that are fitted to the moves.
+constexpr double kPlace = 1e-4;
+constexpr double kTolerance = 2e-4;
+/// Radians: most turn of a move that is not the shortest; most turn off the wall, and of the shortest moves.
+constexpr double kTurn = 0.16;
+constexpr double kLeave = 1.9;
+/// Radians: error of a turn; and how far below the limit the engagement is as good as at it.
+constexpr double kAngle = 1e-3;
+constexpr double kNearLimit = 5e-4;
+/// Moves of one trochoidal step, and changes between wall and open, after which it ends.
 constexpr int kMostSteps = 4000;
-/// Changes between wall and open after which a trochoidal step ends.
 constexpr int kMostRuns = 30;
 
 }  // namespace
@@ -65,7 +70,7 @@ double TrochoidalSteps::wall_engagement(double s) const {
 
 /// Whether there is still something to be expected.
 bool TrochoidalSteps::counts_air(double step, double engagement) {
-  if (engagement > kTouch) {
+  if (engagement > EngagementTolerance::kNone) {
     engaged_ += step;
     air_ = 0;
   } else {

@@ -1,4 +1,4 @@
-// Trochoidal steps at what is left in narrow ends: the engagement at its limit in steps as small as it takes.
+// Trochoidal steps: cuts what is left in narrow ends, where no single arc keeps the engagement limit.
 #pragma once
 
 #include "plan/adaptive/remaining_stock.h"
@@ -6,7 +6,7 @@
 
 namespace clearcut::plan::adaptive {
 
-/// Trochoidal steps along one wall, with what is cut on the left of the direction of travel.
+/// Computes trochoidal steps along one wall. What is cut is on the left of the direction of travel.
 ///
 /// Where the area is much narrower than the cutter, what counts is not how much stands there but how the hull of the
 /// centres visited so far is left: the engagement is the angle between the heading and the tangent to that hull. At a
@@ -20,7 +20,7 @@ class TrochoidalSteps {
   /// From the wall at s, where the cutter touches nothing: along the wall until the engagement would exceed the limit, on
   /// with the engagement at the limit, along the wall again where it is met, until nothing is cut any more or the wall's
   /// place `until` is reached. Empty where nothing can be cut.
-  /// Cost: steps turn by at most kTurn; some 10 samples at the engagement each.
+  /// Cost: steps turn by at most kTurn; some 10 queries for the engagement each.
   Path trochoidal_step(double s, double until);
   /// The same from beside the wall, over its place s: first towards the wall with the engagement at the limit, at last along
   /// it as far as anything is cut.
@@ -51,12 +51,12 @@ class TrochoidalSteps {
   const Wall& wall_;
   double radius_;
   double limit_;
-  double s_ = 0;      ///< on the wall
-  double until_ = 0;  ///< on the wall
+  double s_ = 0;      ///< mm along the wall: where the cutter is, or was last
+  double until_ = 0;  ///< mm along the wall: where the step ends at the latest
   State state_;
   double step_ = 0;
-  double air_ = 0;      ///< mm since the last engagement
-  double engaged_ = 0;  ///< mm engaged
+  double air_ = 0;      ///< mm since the cutter last engaged
+  double engaged_ = 0;  ///< mm of the step in which the cutter engaged
   std::vector<Vec2> run_;
   Path path_;
 };

@@ -5,53 +5,45 @@
 
 #include "geometry/boolean.h"
 #include "plan/adaptive/corners/trochoidal.h"
+#include "plan/adaptive/parameters.h"
 #include "plan/common/cover.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii between the marks on walls that are looked at again; and between marks that finishing cuts follow, where
-/// nothing may stay: what stands between two is no thicker than 1/8 of its square.
-constexpr double kMarkPitch = 0.1;
+/// Tool radii between the marks that finishing cuts follow, where nothing may stay: what stands between two is no thicker
+/// than an eighth of its square.
 constexpr double kFinePitch = 0.06;
-/// Tool radii. A cut that ends as near before a corner goes on round it; mm from the wall.
-constexpr double kCornerReach = 1.2;
+/// mm from a wall within which the cutter counts as being on it.
 constexpr double kOnWall = 1e-4;
+/// mm along a wall: not there at all.
 constexpr double kEndless = 1e300;
-/// mm. Material thinner than this may stay on walls, and in corners.
-constexpr double kWallResidual = 1.5e-3;
-constexpr double kCornerResidual = 5.5e-3;
-/// The same where trochoidal steps end: less than what the paths to the next ones may graze.
-constexpr double kTrochoidalResidual = 2e-3;
-/// Radians that residuals on the walls may add to what a corner shows.
+/// Radians that residuals on the walls may add to the engagement that a corner's turn alone explains.
 constexpr double kResiduals = 0.4;
-/// mm. What paths to corners may graze: walls there are cut to within kWallResidual.
-constexpr double kCornerFree = 3e-3;
-/// mm. Rests thinner than this stay.
-constexpr double kRest = 0.0065;
 /// Tool radii between samples at the border of the target.
 constexpr double kBorderPitch = 0.02;
-/// mm. Nearer to what the cutter cannot reach nothing is a rest.
+/// mm. Material within this distance of what the cutter cannot reach is no rest.
 constexpr double kReach = 5e-4;
 /// mm. So far beyond its reach the cutter still touches the border of the target.
 constexpr double kTouched = 1e-6;
-/// Tool radii of a cut round a rest, at least.
+/// Tool radii. A cut round a rest has at least this radius.
 constexpr double kLeastRound = 0.3;
-/// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed.
+/// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed: a link costs more.
 constexpr double kMergeGap = 1.0;
-/// Tool radii from a wall from where trochoidal steps towards it are tried.
+/// Tool radii from a wall of the approach points from which trochoidal steps towards it are tried.
 constexpr double kApproachPoints[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
 /// Tool radii between samples at a wall that is cut by trochoidal steps.
 constexpr double kTrochoidalPitch = 0.02;
-/// mm. Trochoidal steps that take less of the wall are idle.
+/// mm. Trochoidal steps that shorten the unfinished stretch of wall by less are idle.
 constexpr double kLeastTrochoidalStep = 1e-3;
-/// Tool radii between places of a stretch from beside which trochoidal steps are tried, and most of them.
+/// Tool radii between the places of a stretch from beside which trochoidal steps are tried, and how many places at most.
 constexpr double kAsidePitch = 0.1;
 constexpr int kMostAside = 400;
+/// Trochoidal steps for one stretch of wall; the rest is cut straight.
 constexpr int kMostTrochoidalSteps = 300;
 /// Times that all walls are gone over with trochoidal steps.
 constexpr int kMostRounds = 30;
-/// Tool radii of wall on both sides of its end that are run along where something still stands there.
+/// Tool radii of wall on both sides of its end that are run along where something still stands at the end.
 constexpr double kBeyondEnd = 0.2;
 
 }  // namespace
@@ -64,8 +56,8 @@ AdaptiveFinish::AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, co
       target_(target),
       radius_(remaining.tool_radius()),
       limit_(limit),
-      cuts_(remaining, path, {legal, kFinePitch * radius_, kWallResidual}, area, limit,
-            {kMergeGap * radius_, kMarkPitch * radius_}) {}
+      cuts_(remaining, path, {legal, kFinePitch * radius_, ResidualLimits::kWall}, area, limit,
+            {kMergeGap * radius_, RadiusShares::kWallPitch * radius_}) {}
 
 bool AdaptiveFinish::run(bool open, int most_rests) {
   follow_walls();
@@ -110,8 +102,9 @@ void AdaptiveFinish::go_on_round_corners() {
   std::vector<WallPlace> passed;
   for (Vec2 before{1e300, 0}; path_.at() != before;) {
     before = path_.at();
-    const auto corner = std::find_if(corners_.begin(), corners_.end(),
-                                     [&](const Corner& c) { return ahead(c) < kCornerReach * radius_; });
+    const auto corner = std::find_if(corners_.begin(), corners_.end(), [&](const Corner& c) {
+      return ahead(c) < RadiusShares::kCornerReach * radius_;
+    });
     if (corner == corners_.end()) return;
     const double from = ahead(*corner);
     if (const auto next = finish_corner(*corner, from)) {
@@ -137,7 +130,8 @@ void AdaptiveFinish::cut_without_stop(const Corner& corner, double from) {
 /// mm. How far along its first wall a corner is from the cutter; infinite where that is not on it.
 double AdaptiveFinish::ahead(const Corner& corner) const {
   const Wall& wall = cuts_.walls.wall(corner.place.wall);
-  if (distance(cuts_.walls.point(corner.place), path_.at()) > kCornerReach * radius_) return kEndless;
+  if (distance(cuts_.walls.point(corner.place), path_.at()) > RadiusShares::kCornerReach * radius_)
+    return kEndless;
   const auto hit = wall.nearest(path_.at());
   if (hit.distance > kOnWall) return kEndless;
   const double ahead = corner.place.s - hit.s;
@@ -154,13 +148,13 @@ std::vector<Corner>::iterator AdaptiveFinish::nearest_corner() {
 
 /// Cuts a corner up to which its first wall is cut. Where the cut ends.
 std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, double from) {
-  const auto round = round_corner(cuts_.walls, corner, from, remaining_, limit_, kCornerResidual);
+  const auto round = round_corner(cuts_.walls, corner, from, remaining_, limit_, ResidualLimits::kCorner);
   if (!round) return std::nullopt;
-  const auto link = path_.link_to(round->path.front().from, kCornerFree);
+  const auto link = path_.link_to(round->path.front().from, ResidualLimits::kCornerLink);
   if (!link) return std::nullopt;
   path_.cut(round->path, *link);
   // Its residual is thicker than those of walls.
-  const double pitch = kMarkPitch * radius_;
+  const double pitch = RadiusShares::kWallPitch * radius_;
   cuts_.walls.leave_out({corner.place, round->residual_before + pitch, pitch});
   if (round->wedge > 0) cuts_.walls.leave_wedge(corner.place, round->wedge);
   cuts_.walls.update(remaining_, box(round->path).grown(2 * radius_));
@@ -190,7 +184,7 @@ void AdaptiveFinish::cut_wall_ends() {
       const Vec2 p = nearest_legal(edge.from);
       for (std::size_t w = 0; w < cuts_.walls.count(); ++w) {
         const auto hit = cuts_.walls.wall(w).nearest(p);
-        if (hit.distance > kRest) continue;
+        if (hit.distance > ResidualLimits::kRest) continue;
         cut_stretch({w, hit.s - kBeyondEnd * radius_, hit.s + kBeyondEnd * radius_});
         break;
       }
@@ -201,7 +195,7 @@ void AdaptiveFinish::cut_wall_ends() {
 /// Whether anything within reach stands at a corner of the target.
 bool AdaptiveFinish::stands_at(Vec2 corner) const {
   for (int i = 0; i < 8; ++i) {
-    const Vec2 p = corner + direction_of(kPi / 4 * i) * kRest;
+    const Vec2 p = corner + direction_of(kPi / 4 * i) * ResidualLimits::kRest;
     if (!remaining_.is_removed(p) && contains(target_, p) && distance(nearest_legal(p), p) < radius_)
       return true;
   }
@@ -209,7 +203,7 @@ bool AdaptiveFinish::stands_at(Vec2 corner) const {
 }
 
 std::vector<WallStretch> AdaptiveFinish::unfinished() const {
-  return unfinished_walls(cuts_.walls, kMarkPitch * radius_, kMergeGap * radius_, remaining_);
+  return unfinished_walls(cuts_.walls, RadiusShares::kWallPitch * radius_, kMergeGap * radius_, remaining_);
 }
 
 std::vector<WallStretch>::const_iterator AdaptiveFinish::nearest_stretch(
@@ -227,7 +221,7 @@ bool AdaptiveFinish::cut_in_trochoidal_steps(const WallStretch& stretch) {
   const Walls& walls = cuts_.walls;
   TrochoidalSteps steps(remaining_, walls.wall(stretch.wall), limit_);
   const auto bearing = [&](const WallStretch& within) {
-    return bearing_part(walls, within, kTrochoidalPitch * radius_, kTrochoidalResidual, remaining_);
+    return bearing_part(walls, within, kTrochoidalPitch * radius_, ResidualLimits::kTrochoidal, remaining_);
   };
   auto left = bearing(stretch);
   const bool began = left.has_value();
@@ -284,9 +278,9 @@ std::optional<LinkPath> AdaptiveFinish::link_to_trochoidal_step(const WallStretc
   const Vec2 p = cuts_.walls.point({stretch.wall, stretch.from});
   if (!path_.empty()) {
     // Trochoidal steps begin near the end of the one before: straight over its residual rather than round it.
-    if (remaining_.is_free(path_.at(), p, kCornerFree)) return LinkPath{{p}};
+    if (remaining_.is_free(path_.at(), p, ResidualLimits::kCornerLink)) return LinkPath{{p}};
     if (auto link = path_.link_to(p, RemainingStock::kFree)) return link;
-    if (auto link = path_.link_to(p, kCornerFree)) return link;
+    if (auto link = path_.link_to(p, ResidualLimits::kCornerLink)) return link;
   }
   return path_.retract_if_clear(p);
 }
@@ -321,7 +315,8 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
 /// `most` were cut and some are left.
 bool AdaptiveFinish::cut_rests(bool open, int most) {
   for (int left = most; left > 0;) {
-    const auto holes = rests(Cover(path_.moves(), radius_ + kRest, Cover::SearchPlaces::kAtRims), open);
+    const auto holes =
+        rests(Cover(path_.moves(), radius_ + ResidualLimits::kRest, Cover::SearchPlaces::kAtRims), open);
     const int before = left;
     for (const Vec2 hole : holes) {
       if (remaining_.is_removed(hole)) continue;
@@ -331,7 +326,8 @@ bool AdaptiveFinish::cut_rests(bool open, int most) {
     }
     if (left == before) return true;
   }
-  return rests(Cover(path_.moves(), radius_ + kRest, Cover::SearchPlaces::kAtRims), open).empty();
+  return rests(Cover(path_.moves(), radius_ + ResidualLimits::kRest, Cover::SearchPlaces::kAtRims), open)
+      .empty();
 }
 
 std::vector<Vec2> AdaptiveFinish::rests(const Cover& cover, bool open) const {
@@ -349,11 +345,11 @@ void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& 
       for (double s = 0; s < length;) {
         const Vec2 p = edge.at(s / length);
         // No nearer than by how far it is inside anything ends.
-        const double inside = radius_ + kRest - cover.distance_to(p);
+        const double inside = radius_ + ResidualLimits::kRest - cover.distance_to(p);
         const bool hole = inside < 0 && is_within_reach(p, radius_ + kTouched);
         if (hole && !in_hole) holes.push_back(p);
         in_hole = hole;
-        s += inside < 0 ? kBorderPitch * radius_ : std::max(inside, kRest);
+        s += inside < 0 ? kBorderPitch * radius_ : std::max(inside, ResidualLimits::kRest);
       }
     }
   }

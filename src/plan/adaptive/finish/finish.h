@@ -1,4 +1,4 @@
-// What stays when an area is cleared: residuals on walls, corners, narrow ends, rests.
+// The last steps of adaptive clearing: residuals on walls, corners, narrow ends, and rests that no cut has reached.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,15 @@
 
 namespace clearcut::plan::adaptive {
 
-/// The last stage of an adaptive pass: nothing that the cutter can reach stays.
+/// Cuts what clearing has left in one connected legal area, until nothing stays that the cutter can reach.
 class AdaptiveFinish {
  public:
   /// `legal`: where the centre may be; `area`: where cuts off the walls run, a little smaller. All is kept by reference.
   AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal, const Regions& area,
                  const Regions& target, double limit);
 
-  /// Along the walls within the limit, corners, by trochoidal steps what walls still bear, what the check of the whole cover finds.
+  /// In this order: along the walls within the limit, round corners, by trochoidal steps what still stands along walls, and what
+  /// the exact check of the whole cover finds.
   /// `open`: something beside the target is free. Up to `most_rests` rests are cut one by one; false where that was not
   /// enough.
   bool run(bool open, int most_rests);

@@ -3,37 +3,47 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-// In tool radii:
-constexpr double kSamplePitch = 0.4;  // between samples at an arc before it is taken
-constexpr double kAside = 0.1;        // between samples at where an arc runs
-constexpr double kFirst = 1.0;        // length of an arc that is tried first
+/// Tool radii between samples of the engagement along an arc before it is taken, and between samples of where it runs; for
+/// the latter no more than so many radians of turn, too.
+constexpr double kSamplePitch = 0.4;
+constexpr double kAside = 0.1;
+constexpr double kAsideTurn = 0.25;
+/// Tool radii: length of the arc that is tried first, of the shortest and of the longest.
+constexpr double kFirst = 1.0;
 constexpr double kShortestArc = 0.02;
 constexpr double kLongestArc = 12;
-constexpr double kRightTurn = 1.0;  // tightest radius to the right
-constexpr double kOffWall = 0.005;  // off a wall, where cuts are traced
-constexpr double kRise = 0.5;       // length in which the engagement comes back to its limit
-// Of arcs from wall to wall, in tool radii:
+/// Tool radii: the tightest radius to the right, towards the material.
+constexpr double kRightTurn = 1.0;
+/// Tool radii off a wall at which a cut counts as having left it; and the most radians that it turns until then.
+constexpr double kOffWall = 0.005;
+constexpr double kLargestOff = 1.27;
+/// Tool radii of path in which the engagement comes back to its limit where it was below.
+constexpr double kRise = 0.5;
+/// Arcs from wall to wall, in tool radii: the tightest radius, the greatest length, the pitch of samples.
 constexpr double kTightestAcross = 0.3;
 constexpr double kLongestAcross = 3.5;
-constexpr double kSampleAcross = 0.3;  // between samples
-// Radians:
-constexpr double kBelow = 0.06;  // by which long arcs may stay below the limit
+constexpr double kSampleAcross = 0.3;
+/// How far arcs may stay below the limit, summed along the arc: kBelow radians over its first kShortBelow tool radii and one
+/// more, and kLongBelow radians over all of its length.
+constexpr double kBelow = 0.06;
 constexpr double kShortBelow = 2.0;
 constexpr double kLongBelow = 0.01;
-constexpr double kAimed = 0.006;        // engagement this near to what was aimed at is good
-constexpr double kMostTurn = 2.0;       // of one arc
-constexpr double kAcrossAbove = 0.015;  // the limit, on arcs from wall to wall
-constexpr double kAsideTurn = 0.25;     // of an arc between samples at where it runs
-constexpr double kLargestOff = 1.27;    // off a wall
+/// Radians: an engagement this near to what was aimed at is good.
+constexpr double kAimed = 0.006;
+/// Radians: most turn of one arc.
+constexpr double kMostTurn = 2.0;
+/// Samples along an arc that is looked at closely.
 constexpr int kCloseSamples = 8;
-constexpr double kFlatTurn = 5e-10;  // of half a stride that is straight
-/// Factors between curvatures that are tried for an arc from wall to wall, and that are as good as the same; most tries, and most of
-/// them after closer samples. Share of its length that it may lose.
+/// Radians of turn of half a stride that counts as straight.
+constexpr double kFlatTurn = 5e-10;
+/// Factors between curvatures that are tried for an arc from wall to wall, and between those that are as good as the same;
+/// most tries, and most of them with close samples; share of its length that such an arc may lose.
 constexpr double kOtherCurvature = 1.15;
 constexpr double kCloseCurvature = 1.05;
 constexpr int kMostAcross = 7;
@@ -41,11 +51,9 @@ constexpr int kMostTighter = 5;
 constexpr double kMostLost = 0.11;
 /// Radians. Kinks between arcs: with 500 mm/s2 and a junction deviation of 0.01 mm no brake up to 2500 mm/min.
 constexpr double kMostKink = 0.15;
-/// Radians below the limit from where arcs rise to it without a kink; and corrections until one is aimed.
+/// Radians below the limit from where arcs rise to it without a kink; and corrections until a kinked arc is aimed.
 constexpr double kMostRise = 0.1;
 constexpr int kMostBends = 5;
-/// Radians above the limit that they are aimed at: they swing about it.
-constexpr double kBent = 0.008;
 /// Share of its length that an arc aimed at a wall may turn out longer.
 constexpr double kToWall = 0.2;
 
@@ -54,7 +62,7 @@ Vec2 turned(Vec2 u, Vec2 v) {
   return {u.x * v.x - u.y * v.y, u.x * v.y + u.y * v.x};
 }
 
-/// Along a candidate, one look after the other: cheaper than each of its own.
+/// Places along a candidate at equal distances, one after the other: cheaper than computing each from the start.
 class Strides {
  public:
   Strides(const CutterState& from, const CandidateArc& candidate, double stride)
@@ -192,8 +200,8 @@ std::optional<CandidateArc> ArcAimer::bend(const CutterState& from, CandidateArc
   if (from.engagement < limit_ - kMostRise) return std::nullopt;
   const double whole = candidate.length, half = whole / 2, q = 1 / (radius_ * std::sin(limit_));
   for (int i = 0; i < kMostBends; ++i) {
-    const double at_half = engagement_after(from, candidate, half) - limit_ - kBent,
-                 at_end = engagement_after(from, candidate, whole) - limit_ - kBent;
+    const double at_half = engagement_after(from, candidate, half) - limit_ - EngagementTolerance::kPeak,
+                 at_end = engagement_after(from, candidate, whole) - limit_ - EngagementTolerance::kPeak;
     if (std::max(std::abs(at_half), std::abs(at_end)) <= kAimed) return candidate;
     // The engagement falls by 1 per radian of heading and by q per mm to the left.
     const double a = 1 + q * half, b = half + q * half * half / 2, c = 1 + q * whole,
@@ -215,7 +223,7 @@ bool ArcAimer::is_steady(const CutterState& from, const CandidateArc& candidate)
   Strides strides(from, candidate, candidate.length / (samples + 1));
   for (int i = 1; i <= samples; ++i) {
     const double engagement = engagement_at(strides.next());
-    if (engagement > limit_ + kAboveLimit) return false;
+    if (engagement > limit_ + EngagementTolerance::kExcess) return false;
     missing += std::max(0.0, limit_ - engagement) * candidate.length / samples;
   }
   const double rise = std::max(0.0, limit_ - from.engagement) * kRise * radius_;
@@ -268,7 +276,7 @@ ArcAimer::Fit ArcAimer::cross(const CutterState& from, double curvature, Crossin
   Strides strides(from, candidate, candidate.length / samples);
   for (int i = 1; i < samples; ++i) {
     const double engagement = engagement_at(strides.next());
-    if (engagement > limit_ + kAcrossAbove) return Fit::kExceeds;
+    if (engagement > limit_ + EngagementTolerance::kLongExcess) return Fit::kExceeds;
     crossing.lost += std::max(0.0, 1 - (1 - std::cos(engagement)) / full) * candidate.length / (samples - 1);
   }
   return Fit::kFits;
@@ -288,7 +296,7 @@ std::optional<CandidateArc> ArcAimer::to_wall(const CutterState& from, const Can
 std::optional<CandidateArc> ArcAimer::surely_within(const CutterState& from, CandidateArc across) const {
   for (int i = 0; i < kMostTighter; ++i) {
     const Edge edge = edge_of(from, across);
-    if (remaining_.length_within(edge, limit_ + kAboveLimit) >= edge.length()) return across;
+    if (remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess) >= edge.length()) return across;
     Crossing tighter;
     if (cross(from, across.curvature * kCloseCurvature, tighter) != Fit::kFits) return std::nullopt;
     across = tighter.candidate;

@@ -70,7 +70,8 @@ TEST(ArcAimer, CrossesACornerOnOneArcWithinTheLimitAndSaysWhatThatLoses) {
     const auto sure = aimer.surely_within(from, candidate);
     if (!sure) continue;
     ++sure_ones;
-    EXPECT_LE(sample_along(from, *sure, pocket.remaining, limit).most, limit + kAboveLimit + 2e-3);
+    EXPECT_LE(sample_along(from, *sure, pocket.remaining, limit).most,
+              limit + EngagementTolerance::kExcess + 2e-3);
   }
   EXPECT_GT(crossings, 40);
   EXPECT_GT(sure_ones, 30);

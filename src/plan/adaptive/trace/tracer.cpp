@@ -3,56 +3,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-// In tool radii:
-constexpr double kStep = 0.1;          // between samples along walls
-constexpr double kShortestArc = 0.02;  // that leads on
-constexpr double kAir = 0.3;           // length without engagement that ends a cut
-constexpr double kLeastCut = 0.05;     // length engaged below which a cut is none
-constexpr double kLeastTurn = 0.02;    // tightest radius off a wall
-constexpr double kWidestTurn = 0.5;    // of the tightest turns allowed
-constexpr double kTightest = 0.1;      // turn where the engagement rises
-constexpr double kEnoughWall = 0.03;   // advance along a wall for which no tighter turn is looked for
-constexpr double kBeforeStop = 1.2;    // a stop this far ahead is one that cuts end before
-constexpr double kNoMove = 0.02;       // along a wall, for which no move is made where that may be
-constexpr double kShortWall = 0.2;     // of wall that a cut ends before rather than follow
-constexpr double kThick = 0.5;         // before a stop: thicker material is cut like elsewhere
-constexpr double kLeastLead = 0.1;     // of an arc before it comes to the wall that it leads off, tried
+/// Tool radii. The tightest radius with which a cut leaves a wall, and the widest of the tightest turns allowed later on.
+constexpr double kLeastTurn = 0.02;
+constexpr double kWidestTurn = 0.5;
+/// Tool radii of advance along a wall for which no tighter turn off the wall is looked for.
+constexpr double kEnoughWall = 0.03;
+/// Tool radii along a wall. A departure moves back by up to as much to where an edge ends, which saves a move.
+constexpr double kNoMove = 0.02;
+/// Tool radii. Before a stop (a corner) thicker material than this is cut off the wall like elsewhere.
+constexpr double kThick = 0.5;
+/// Tool radii of an arc before it comes to the wall that it leads off, tried from the longest to the shortest by this step.
+constexpr double kLeastLead = 0.1;
 constexpr double kMostLead = 2.5;
-constexpr double kLeadStep = 0.05;    // at this pitch
-constexpr double kEndsAtWall = 0.05;  // arcs that end as near to a wall go on to it
-constexpr double kBentWall = 0.1;     // from a wall, within which a line may take its place
-// Single arcs from wall to wall: how far they may leave the wall before what they are after, and before the last place to leave it;
-// looked for at this pitch; what a cut costs beside its length, for the way to it and its moves.
+constexpr double kLeadStep = 0.05;
+/// Tool radii from a wall, within which one line or arc may take the place of several edges of it; and how much longer it may be.
+constexpr double kBentWall = 0.1;
+constexpr double kMostDetour = 1.1;
+/// Tool radii. Single arcs from wall to wall: how far they may leave the wall before the material they are after, and before
+/// the last place from which the wall can be left; the pitch at which they are looked for; and what a cut costs beside its
+/// length, for the link to it and its moves.
 constexpr double kBeforeMaterial = 0.3;
 constexpr double kFarthestAcross = 0.6;
 constexpr double kAcrossPitch = 0.16;
 constexpr double kCostOfCut = 1.1;
-// Radians:
-constexpr double kTouch = 0.02;      // less engagement is none
-constexpr double kLeaveStep = 0.15;  // between samples at an arc off the wall
-constexpr int kLeastLeave = 4;       // samples that it takes at least to leave one wall and meet another
-constexpr double kLeaveTurn = 1.6;   // length of that look
-/// Of the stretch of wall in which the last place to leave it is.
+/// Radians of turn between samples along an arc off the wall, and how far it is sampled: a quarter turn. It takes at least
+/// kLeastLeave samples to leave one wall before another is met.
+constexpr double kLeaveStep = 0.15;
+constexpr double kLeaveTurn = 1.6;
+constexpr int kLeastLeave = 4;
+/// Bisections of the stretch of wall in which the last place to leave it lies.
 constexpr int kMostHalvings = 4;
 /// Factor between the curvature of an arc at the limit where it begins and that of one from wall to wall.
 constexpr double kTighterAcross = 1.1;
-/// Factor between turns tried where none wider leads on.
-constexpr double kTighter = 0.6;
-/// Length of an edge over that of those that it takes the place of.
-constexpr double kMostDetour = 1.1;
-/// Cosine between the direction of travel and a wall met, above which the cut goes on along the wall.
-constexpr double kSlide = 0.5;
-/// Length along a wall met over the distance from it.
-constexpr double kMeetSlope = 2;
-constexpr int kMostArcs = 20000;
 /// Changes between wall and open without cutting, after which a cut ends.
 constexpr int kMostIdle = 4;
-constexpr double kNowhere = -1e300;  // mm along a wall
+/// mm along a wall: no place found.
+constexpr double kNowhere = -1e300;
 
 /// From the first edge's beginning to the last one's end, with the heading that there is there if that is an arc's.
 Edge as_one(std::span<const Edge> edges) {
@@ -71,7 +63,7 @@ Tracer::Tracer(RemainingStock& remaining, const Walls& walls, const Regions& are
       radius_(remaining.tool_radius()),
       limit_(limit),
       along_(along),
-      step_(kStep * radius_) {}
+      step_(RadiusShares::kWallPitch * radius_) {}
 
 Path Tracer::cut_from(const WallPlace& start, double material_s, const CanBegin& can_begin) {
   path_.clear();
@@ -103,10 +95,10 @@ Path Tracer::run(Next next) {
     const std::size_t moves = path_.size();
     const bool on_wall = next == Next::kWall;
     next = on_wall ? follow_wall() : trace();
-    idle = engaged_ > before + kLeastCut * radius_ ? 0 : idle + 1;
+    idle = engaged_ > before + RadiusShares::kLeastCut * radius_ ? 0 : idle + 1;
     if (on_wall && next == Next::kDone && path_.size() == moves) forget_beyond(before_wall_);
   }
-  if (path_.empty() && engaged_ < kLeastCut * radius_) return {};
+  if (path_.empty() && engaged_ < RadiusShares::kLeastCut * radius_) return {};
   return path_;
 }
 
@@ -133,11 +125,11 @@ Tracer::Next Tracer::follow_wall() {
     // The heading may change where an edge ends.
     const double before = wall_engagement(next - 1e-7),
                  engagement = next < end ? before : std::max(before, wall_engagement(next + 1e-7));
-    if (engagement > limit_ && walls_.to_stop({place_.wall, s}) < kBeforeStop * radius_ &&
+    if (engagement > limit_ && walls_.to_stop({place_.wall, s}) < RadiusShares::kCornerReach * radius_ &&
         !remaining_.touches(wall.at(next), kThick * radius_))
       break;
     if (engagement > limit_) return depart(s, next);
-    if (engagement > kTouch) engaged_ += next - s;
+    if (engagement > EngagementTolerance::kNone) engaged_ += next - s;
     if (remaining_.touches(wall.at(next), walls_.residual({place_.wall, next}))) {
       cut_until = next;
     } else if (next - cut_until > along_.air) {
@@ -166,7 +158,7 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
   s_over = last_within(s_clear, s_over);
   const double natural = radius_ * (1 + std::cos(limit_)) / 2;
   double best = first, best_radius = 0;
-  for (double radius = natural; radius > kLeastTurn * radius_; radius *= kTighter) {
+  for (double radius = natural; radius > kLeastTurn * radius_; radius *= kTighterTurn) {
     const double s = latest_departure(s_clear, s_over, radius, best);
     if (s <= best) continue;
     best = s;
@@ -183,10 +175,10 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
 
 /// The last place found at which the engagement on the wall keeps the limit, from one that does to one that does not.
 double Tracer::last_within(double s_clear, double s_over) const {
-  if (wall_engagement(s_over) <= limit_ + kAboveLimit) return s_over;
+  if (wall_engagement(s_over) <= limit_ + EngagementTolerance::kExcess) return s_over;
   for (int i = 0; i < kMostHalvings; ++i) {
     const double middle = (s_clear + s_over) / 2;
-    (wall_engagement(middle) <= limit_ + kAboveLimit ? s_clear : s_over) = middle;
+    (wall_engagement(middle) <= limit_ + EngagementTolerance::kExcess ? s_clear : s_over) = middle;
   }
   return s_clear;
 }
@@ -313,7 +305,7 @@ std::optional<Tracer::DepartureArc> Tracer::crossing_arc(const DepartureArc& off
 /// The candidate off the wall at s, to end on the wall that it meets or comes near to where the cut goes on along that.
 Tracer::DepartureArc Tracer::up_to_wall(double s, const CutterState& from, CandidateArc candidate) const {
   const double least = 2 * aimer_.length_off(from, candidate),
-               beyond = candidate.length + kEndsAtWall * radius_,
+               beyond = candidate.length + RadiusShares::kEndsAtWall * radius_,
                inside = aimer_.length_inside(from, {candidate.curvature, beyond, candidate.kink});
   if (inside < beyond) candidate = {candidate.curvature, inside, candidate.kink, true};
   DepartureArc off{s, from, edge_of(from, candidate), least, std::nullopt};
@@ -335,10 +327,10 @@ bool Tracer::begin_beside(const DepartureArc& off) {
     return false;
   const Edge arc = Edge::arc(*approach_point, from_wall.to, from_wall.center, from_wall.turn);
   const double lead = arc.length() - from_wall.length();
-  double within = remaining_.length_within(arc, limit_ + kAboveLimit);
+  double within = remaining_.length_within(arc, limit_ + EngagementTolerance::kExcess);
   // Arcs that follow one that ends sooner are longer.
   if (within < arc.length())
-    within = std::min(within, remaining_.length_within(arc, limit_ + kAboveLimit / 2));
+    within = std::min(within, remaining_.length_within(arc, limit_ + EngagementTolerance::kExcess / 2));
   if (within < lead + off.least || !can_begin_(*approach_point)) return false;
   place_.s = off.s;
   state_ = off.from;
@@ -373,164 +365,6 @@ void Tracer::follow_from(const WallPlace& place) {
   before_wall_ = mark();
   place_ = place;
   material_s_ = place.s;
-}
-
-/// Whether all of it was taken; what would exceed the limit is left out.
-bool Tracer::append_wall(double s_from, double s_to) {
-  if (s_to <= s_from) return true;
-  if (path_.empty() && can_begin_ && !can_begin_(walls_.point({place_.wall, s_from}))) return false;
-  const Path part = walls_.wall(place_.wall).part(s_from, s_to);
-  std::span<const Edge> left = part;
-  for (double s = s_from; !left.empty();) {
-    // As many edges as one may stand for.
-    std::size_t count = left.size();
-    while (count > 1 && !append_as_one(left.first(count), s)) --count;
-    if (count == 1 && !append(left.front())) return false;
-    for (const Edge& edge : left.first(count)) s += edge.length();
-    left = left.subspan(count);
-  }
-  return true;
-}
-
-/// On one line or arc where all that stays on the wall, from s_from on, may stay there.
-bool Tracer::append_as_one(std::span<const Edge> part, double s_from) {
-  const Edge one = as_one(part);
-  double end = s_from;
-  for (const Edge& edge : part) {
-    if (distance(one, edge.to) > kBentWall * radius_) return false;
-    end += edge.length();
-  }
-  if (one.length() > kMostDetour * (end - s_from)) return false;
-  if (!remaining_.is_legal(one) || !is_within(one)) return false;
-  const Mark before = mark();
-  take(one);
-  for (double s = s_from; s < end; s += step_) {
-    const WallPlace place{place_.wall, s};
-    if (!remaining_.touches(walls_.point(place), walls_.residual(place))) continue;
-    forget_beyond(before);
-    return false;
-  }
-  return true;
-}
-
-/// Whether all of it was taken; what would exceed the limit is left out.
-bool Tracer::append(const Edge& edge) {
-  const double length = distance(edge.from, edge.to) < kShortestMove ? 0 : edge.length();
-  if (length <= 0) return true;
-  const double within = remaining_.length_within(edge, limit_ + kAboveLimit);
-  if (within < kShortestMove) return false;
-  take(within < length ? edge.part(0, within / length) : edge);
-  return within >= length;
-}
-
-void Tracer::take(Edge edge) {
-  if (!path_.empty()) edge.from = path_.back().to;  // the same point to rounding
-  remaining_.cut(edge);
-  path_.push_back(edge);
-}
-
-bool Tracer::is_within(const Edge& edge) const {
-  return remaining_.length_within(edge, limit_ + kAboveLimit) >= edge.length();
-}
-
-/// mm of an edge up to where its engagement is too high; nothing leads on from a peak.
-double Tracer::length_within(const Edge& edge) const {
-  const double length = edge.length(), within = remaining_.length_within(edge, limit_ + kAboveLimit),
-               t = within / length;
-  if (within >= length || remaining_.engagement(edge.at(t), edge.tangent_at(t)) <= limit_ + kAboveLimit)
-    return within;
-  return remaining_.length_within(edge, limit_ + kAboveLimit / 2);
-}
-
-/// Takes so much of the edge.
-void Tracer::go(const Edge& edge, double within) {
-  const Edge part = within < edge.length() ? edge.part(0, within / edge.length()) : edge;
-  state_.point = part.to;
-  state_.heading = part.tangent_at(1);
-  state_.curvature = edge.is_arc() ? (edge.turn == Turn::kCounterClockwise ? 1 : -1) / edge.radius() : 0;
-  state_.engagement = remaining_.engagement(state_.point, state_.heading);  // before it is cut
-  state_.usual = within;
-  state_.off_wall.reset();
-  take(part);
-}
-
-/// Takes the candidate up to where its engagement is too high; the length taken.
-double Tracer::go(const CandidateArc& candidate) {
-  const Edge edge = edge_of(state_, candidate);
-  const double within = distance(edge.from, edge.to) < kShortestMove ? 0 : length_within(edge);
-  if (within < kShortestMove) return 0;
-  go(edge, within);
-  return within;
-}
-
-Tracer::Next Tracer::trace() {
-  air_ = 0;
-  for (int i = 0; i < kMostArcs; ++i) {
-    auto candidate = aimer_.find_candidate(state_);
-    for (; !candidate && state_.tightest > kTightest * radius_; candidate = aimer_.find_candidate(state_))
-      state_.tightest *= kTighter;
-    if (!candidate) return Next::kDone;
-    if (const auto across = aimer_.to_wall(state_, *candidate)) candidate = across;
-    const double beyond = candidate->length + kEndsAtWall * radius_,
-                 inside = aimer_.length_inside(state_, {candidate->curvature, beyond, candidate->kink});
-    if (inside < beyond || candidate->meets_wall) return meet_wall(*candidate, inside);
-    double gone = go(*candidate);
-    if (gone < kShortestArc * radius_ && gone < candidate->length) {
-      const auto closely = aimer_.find_candidate_closely(state_, candidate->curvature);
-      if (closely && aimer_.length_inside(state_, *closely) == closely->length) gone += go(*closely);
-    }
-    if (gone < kShortestArc * radius_ && gone < candidate->length) return Next::kDone;
-    if (state_.engagement > kTouch) {
-      engaged_ += gone;
-      air_ = 0;
-    } else if ((air_ += gone) > kAir * radius_) {
-      return Next::kDone;
-    }
-  }
-  return Next::kDone;
-}
-
-/// Runs up to the wall where the arc leaves the area, and on along it where it is met at a small angle.
-Tracer::Next Tracer::meet_wall(const CandidateArc& candidate, double inside) {
-  const auto landing = landing_of(state_, candidate, inside);
-  if (landing && remaining_.is_legal(landing->arc) && is_within(landing->arc)) {
-    take(landing->arc);
-    follow_from(landing->place);
-    return Next::kWall;
-  }
-  if (inside > kShortestMove) {
-    const double gone = go({candidate.curvature, inside, candidate.kink});
-    if (gone < inside) return gone < kShortestArc * radius_ ? Next::kDone : Next::kTrace;
-  }
-  return landing && step_to_wall(landing->place) ? Next::kWall : Next::kDone;
-}
-
-/// The candidate, bent a little to end on the wall that it meets after `inside` mm; none where a cut would not go on along that.
-std::optional<Tracer::Landing> Tracer::landing_of(const CutterState& from, const CandidateArc& candidate,
-                                                  double inside) const {
-  const auto [end, heading] = after(from, candidate, inside);
-  WallPlace met = walls_.nearest(end);
-  if (!leads_along(met, heading)) return std::nullopt;
-  met.s += kMeetSlope * distance(end, walls_.point(met));
-  return Landing{arc_to(from, candidate.kink, walls_.point(met)), met};
-}
-
-/// Whether a cut that meets a wall with that heading goes on along it: it bears something there.
-bool Tracer::leads_along(const WallPlace& met, Vec2 heading) const {
-  if (dot(heading, walls_.wall(met.wall).heading(met.s)) < kSlide ||
-      !walls_.touches_after({met.wall, met.s + kShortWall * radius_}, radius_))
-    return false;
-  return met.wall != place_.wall || met.s >= place_.s + kLeastCut * radius_ || met.s <= place_.s - radius_;
-}
-
-/// Straight to a wall that the cut has come near to.
-bool Tracer::step_to_wall(const WallPlace& place) {
-  const Mark before = mark();
-  const Edge line = Edge::line(state_.point, walls_.point(place));
-  if (!remaining_.is_legal(line) || !append(line)) return false;
-  follow_from(place);
-  before_wall_ = before;
-  return true;
 }
 
 }  // namespace clearcut::plan::adaptive

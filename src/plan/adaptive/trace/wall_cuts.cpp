@@ -2,24 +2,27 @@
 
 #include <algorithm>
 
+#include "plan/adaptive/parameters.h"
+
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii. A cut begins no farther before the material that it is after, looked for at this pitch.
+/// Tool radii along the wall. A cut begins no farther before the material that it is after.
 constexpr double kLongestApproach = 1.5;
-constexpr double kPitch = 0.1;
 /// Tool radii. A start from which a cut advances less along the wall is given up.
 constexpr double kLeastAdvance = 0.03;
-/// Length along a wall of the last move onto it over the distance that it comes from.
+/// Approach points beside a wall: length along the wall of the last move onto it over the distance that it comes from, tried
+/// in this order; and how many tool radii along the wall such a point may be away.
 constexpr double kApproachSlopes[] = {0, 2, 6, 16};
-constexpr double kFarthestApproachPoint = 3;  // tool radii
-/// Tool radii from the end of a cut to a start that is led to at the cutting feed; mm, shortest lead.
+constexpr double kFarthestApproachPoint = 3;
+/// Tool radii. A start no farther from the end of the last cut is led to straight, at the cutting feed.
 constexpr double kStraightOn = 0.6;
+/// mm. Shorter leads are none.
 constexpr double kShortest = 1e-4;
 
 }  // namespace
 
-/// A free path to a approach point, from where a short move leads to the first place of a cut.
+/// A clear link to an approach point, from where a short move leads to the first place of a cut.
 struct WallCuts::Approach {
   LinkPath link;
   Path lead;  ///< at the cutting feed, through residuals
@@ -107,10 +110,11 @@ void WallCuts::add(const WallPlace& start, const Path& cut, const LinkPath& link
 std::optional<WallPlace> WallCuts::clear_place_before(const WallPlace& start) const {
   // Rather where an edge ends than just before it: that would be one more move.
   const WallPlace end{start.wall, walls.wall(start.wall).edge_end(start.s)};
-  if (end.s < start.s + kPitch * radius_ && !remaining_.touches(walls.point(end), RemainingStock::kFree))
+  if (end.s < start.s + RadiusShares::kWallPitch * radius_ &&
+      !remaining_.touches(walls.point(end), RemainingStock::kFree))
     return end;
   const double farthest = farthest_before(start);
-  for (double back = 0; back < farthest; back += kPitch * radius_ / 2) {
+  for (double back = 0; back < farthest; back += RadiusShares::kWallPitch * radius_ / 2) {
     const WallPlace first{start.wall, start.s - back};
     if (!remaining_.touches(walls.point(first), RemainingStock::kFree)) return first;
   }
@@ -143,7 +147,7 @@ std::optional<WallCuts::Approach> WallCuts::straight_on_to(const WallPlace& plac
   return Approach{{}, {lead}, place};
 }
 
-/// Over a approach point beside the wall. Where no way leads to one it seldom leads to the others.
+/// Over an approach point beside the wall. Where no way leads to one it seldom leads to the others.
 std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace& place) const {
   const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
   for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
@@ -166,7 +170,7 @@ std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace&
 std::optional<WallCuts::Approach> WallCuts::approach_through_residuals(const WallPlace& start) const {
   if (path_.empty()) return std::nullopt;
   const double farthest = farthest_before(start);
-  for (double back = 0; back < farthest; back += kPitch * radius_) {
+  for (double back = 0; back < farthest; back += RadiusShares::kWallPitch * radius_) {
     const WallPlace first{start.wall, start.s - back};
     const double residual = walls.residual(first);
     if (remaining_.touches(walls.point(first), residual)) continue;

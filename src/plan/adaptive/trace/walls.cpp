@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/adaptive/parameters.h"
+
 namespace clearcut::plan::adaptive {
 namespace {
 
@@ -234,7 +236,6 @@ bool Walls::is_alone(const WallPlace& place, const std::vector<WallPlace>& place
 namespace {
 
 /// mm. Thinner residuals are left.
-constexpr double kFinished = 6e-3;
 
 void add_unfinished(const Walls& walls, std::size_t index, double pitch, double gap,
                     const RemainingStock& remaining, std::vector<WallStretch>& out) {
@@ -246,11 +247,13 @@ void add_unfinished(const Walls& walls, std::size_t index, double pitch, double 
   double end = 0;
   for (const Edge& edge : wall.loop()) {
     end += edge.length();
-    if (remaining.touches(edge.to, kFinished)) bears[static_cast<std::size_t>(end / step) % bears.size()] = 1;
+    if (remaining.touches(edge.to, ResidualLimits::kFinishedWall))
+      bears[static_cast<std::size_t>(end / step) % bears.size()] = 1;
   }
   std::vector<int> bearing;
   for (int i = 0; i < count; ++i) {
-    if (bears[static_cast<std::size_t>(i)] || remaining.touches(wall.at(i * step), kFinished))
+    if (bears[static_cast<std::size_t>(i)] ||
+        remaining.touches(wall.at(i * step), ResidualLimits::kFinishedWall))
       bearing.push_back(i);
   }
   if (bearing.empty()) return;
