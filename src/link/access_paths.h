@@ -23,7 +23,7 @@ class AccessPaths {
   /// A point beside the stock or in a predrilled hole from which a straight legal move leads to p.
   std::optional<Vec2> air_before(Vec2 p, std::size_t item) const;
   /// The nearest place beside what the layer is to remove from which a straight legal move leads to p: earlier work has
-  /// cleared the remaining stock there, but for residuals in which a cutter that may not plunge would be at fault.
+  /// cleared what stood there, but for residuals in which a cutter that may not plunge would be at fault.
   std::optional<Vec2> cleared_before(Vec2 p, std::size_t item) const;
   /// A legal path to p from beside the stock, from a predrilled hole or from cleared stock: straight, else the shortest found
   /// round corners. Empty: p is such a place.
@@ -32,7 +32,7 @@ class AccessPaths {
   std::optional<PassStart> start_before_air(std::size_t item) const;
   /// The same from beside what is to be removed, of a few places on the ring.
   std::optional<PassStart> start_before_cleared(std::size_t item) const;
-  /// Where the way in to `start` comes upon its ring first.
+  /// The place at which the access path to `start` meets its ring first.
   std::optional<PassStart> start_on_access_path(const PassStart& start, std::size_t item) const;
 
  private:

@@ -1,4 +1,4 @@
-// Cuts passes in an order that is given or found on the way, and writes the moves.
+// Cuts passes in a given order, or always the one reached soonest, and writes the moves with their links.
 #pragma once
 
 #include <array>
@@ -54,7 +54,7 @@ class Linker {
   /// All passes in this order, which keeps precedence.
   void cut_in_order(const std::vector<Task>& tasks);
 
-  /// Seconds from a place to the beginning of a pass, as far as is known before anything is cut. `low`: the way may be near
+  /// Seconds from a place to the beginning of a pass, as far as is known before anything is cut. `low`: the link may be near
   /// the material or in it where that is legal.
   double travel(const CutterAt& from, const Beginning& to, bool low) const;
   Beginning beginning(std::size_t item, Vec2 point) const { return {item, point, approach_z(point, item)}; }

@@ -21,7 +21,7 @@ class LayerWork {
   const LegalArea& legal() const { return legal_; }
   /// Paths round corners; made for the first that asks. Not to be moved from then on.
   const LegalRoutes& routes() const;
-  /// All places at which the cutter touches what is to be removed; beside them the remaining stock is cleared already. Made for the
+  /// All places at which the cutter touches what is to be removed; beside them everything is cleared already. Made for the
   /// first that asks.
   const Regions& touching() const;
   /// Whether the cutter may leave the material sideways.

@@ -27,9 +27,9 @@ class LegalPaths {
   bool all_straight() const { return corners_.empty(); }
 
   /// The bends of the shortest legal path from a to b, both of which must be legal; empty when the straight
-  /// move is legal, absent when the area does not join them. The way back has the same bends in reverse.
-  /// Cost: one look at the straight move where that is legal; else O(k^2) such looks, k the number of bends
-  /// inside the smallest ellipse about a and b that contains the way (at most twice its size).
+  /// move is legal, absent when the area does not join them. The path from b to a has the same bends in reverse.
+  /// Cost: one check of the straight move where that is legal; else O(k^2) such checks, k the number of bends
+  /// inside the smallest ellipse about a and b that contains the path (at most twice its size).
   std::optional<std::vector<Vec2>> bends(Vec2 a, Vec2 b) const;
 
   /// The same for places that are asked about again and again: which corners each of them sees is remembered.
@@ -56,7 +56,7 @@ class LegalPaths {
   /// Whether corners i and j see each other; remembered.
   bool joined(std::size_t i, std::size_t j) const;
   std::vector<std::size_t> corners_within(Vec2 a, Vec2 b, double reach) const;
-  /// Whether a corner is seen from one of the ends of a way.
+  /// Whether a corner is seen from one of the ends of a path.
   using Sight = std::function<bool(std::size_t corner)>;
   struct End {
     Vec2 point;

@@ -15,7 +15,7 @@ class LegalRoutes {
 
   /// A path from a to b inside the legal area: the straight one where it is legal, else along the boundaries
   /// that are in its way, the shorter way round each, pulled taut. Both places must be legal. Nothing when
-  /// they lie in different regions. Short, not always the shortest. Cost O(edges + vertices of the way squared).
+  /// they lie in different regions. Short, not always the shortest. Cost O(edges + vertices of the path squared).
   std::optional<Path> between(Vec2 a, Vec2 b) const;
 
  private:

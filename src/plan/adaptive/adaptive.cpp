@@ -184,7 +184,7 @@ class AdaptivePlanner {
     }
   }
 
-  /// A spiral in the room, and on round it. A last thin turn of the spiral would waste most of a round; it is needed only
+  /// A spiral in the entry region, and on round it. A last thin turn of the spiral would waste most of a round; it is needed only
   /// where no cut leads on without it.
   void clear_entry_region(const Disc& entry_region) {
     path_.open(entry_region, entry_circle_, limit_, finder_.hole_at(entry_region.center));

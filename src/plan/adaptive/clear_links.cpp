@@ -8,10 +8,10 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Axis points tried as the first and last of a way.
+/// Axis points nearest to either end of a link that are tried as the first and last of its path.
 constexpr int kMostAccessNodes = 3;
 constexpr double kInfinity = 1e300;
-/// Halvings that bring a corner of a way near to the straight path past it.
+/// Bisections that bring a corner of a link near to the straight line past it.
 constexpr int kPulls = 4;
 
 /// Bulges of arcs that are tried, and halvings towards a flatter one.

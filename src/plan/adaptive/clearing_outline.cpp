@@ -10,7 +10,8 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Share of the widest cut of a wall pass that is left to it: its engagement grows where the cut does.
+/// Share of the widest cut that a wall pass can take within the limit which is left to it: below 1, because the engagement grows
+/// where a wall turns inwards.
 constexpr double kWallShare = 0.62;
 /// Radians. Walls that turn inwards by more have a corner.
 constexpr double kCornerTurn = 0.1;

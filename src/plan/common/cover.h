@@ -17,14 +17,13 @@ namespace clearcut::plan {
 /// the same while edges change.
 class Cover {
  public:
-  /// Where holes are looked for.
+  /// At which places holes are searched for.
   enum class SearchPlaces {
     kAroundRims,  ///< where circles meet others near their part of a rim, too: more places of some holes
     kAtRims       ///< only at vertices of rims: much the cheaper where edges crowd
   };
   Cover(std::span<const Edge> edges, double radius, SearchPlaces places = SearchPlaces::kAroundRims);
-  /// With all that `base` holds, too; it must have the same radius. Edges outside its box are not looked at beyond
-  /// it.
+  /// Together with all that `base` holds; it must have the same radius. Edges count only inside the box of `base`.
   Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base);
 
   /// Whether some edge lies within radius - slack of p.
@@ -74,7 +73,7 @@ class Cover {
     double squared_distance(Vec2 p) const;
     bool is_within(Vec2 p, double reach) const;
   };
-  /// A line at the given distance beside an edge, or a circle.
+  /// A line at the radius beside an edge, or a circle: the border of what the edge clears.
   struct Curve {
     bool circle = false;
     Vec2 a;             ///< a point of the line, or the centre

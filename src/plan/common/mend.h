@@ -1,4 +1,4 @@
-// Makes any set of paths clean: finds what they leave and adds the short paths there and back that clear it. Used by
+// Completes any set of paths: finds what they leave uncut and adds short detours there and back that clear it. Used by
 // strategies alone.
 #pragma once
 

@@ -1,4 +1,4 @@
-// How long a lift takes, for comparing with staying down. Used by the planner alone.
+// How long a retract link takes, for comparing it with a link at depth. Used by the planner alone.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace clearcut::plan {
 
-/// mm.
+/// The heights of a retract link. mm.
 struct RetractHeights {
   double lift = 0;    ///< from the tip up to where rapids cross
-  double plunge = 0;  ///< the last of the way down, at the plunge feed
+  double plunge = 0;  ///< the last part of the descent, at the plunge feed
 };
 
 /// Of a layer that is left for the clearance over all that stands.

@@ -11,7 +11,7 @@ namespace clearcut::plan::contour {
 /// Spacing of the vertices of bands, as a share of the radius.
 constexpr double kBandSpacing = 0.6;
 
-/// A straight piece between neighbouring vertices of a way.
+/// A straight piece between neighbouring vertices of a flexible path.
 struct Band {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
@@ -29,7 +29,7 @@ struct Witness {
 struct Bands {
   Skeleton skeleton;
   std::vector<Edge> fixed;  ///< the skeleton's rings
-  std::vector<Band> bands;  ///< of all paths, one way after the other
+  std::vector<Band> bands;  ///< of all flexible paths, one path after the other
   std::vector<Witness> witnesses;
   double moved = 0;  ///< mm; no band has moved farther since the beginning
 
@@ -38,7 +38,7 @@ struct Bands {
   Vec2 point(int i) const { return skeleton.points[static_cast<std::size_t>(i)].at; }
   bool on_ring(std::uint32_t i) const { return skeleton.points[i].ring >= 0; }
 
-  /// Calls f(way) for every flexible path, in the order of `bands`.
+  /// Calls f(path) for every flexible path, in the order of `bands`.
   template <typename F>
   void for_paths(F&& f) {
     for (auto& leg : skeleton.legs) {

@@ -7,7 +7,7 @@
 namespace clearcut::plan::contour {
 
 /// Drops every vertex of the paths that coverage can do without: fewer corners, shorter paths. All that was within
-/// `radius` of a way or ring stays so.
+/// `radius` mm of a path or ring stays so.
 /// Cost  O(vertices * (edges near)^2).
 void drop_needless_vertices(Bands& paths, const TightenJob& job, double radius);
 

@@ -14,11 +14,11 @@ struct TightenJob {
   std::function<bool(Vec2)> matters;  ///< whether a place has to be cut
   Box where;                          ///< holds all places that matter
   const LegalArea* legal = nullptr;   ///< where the centre may be
-  double turn_cost = 0;               ///< mm of way that a right-angled corner is worth
+  double turn_cost = 0;               ///< mm of path that take as long as a right-angled corner costs
   bool bare = false;                  ///< not even a residual may stay
 };
 
-/// Shortens the paths of a skeleton while everything that matters stays within the radius of a way or a ring.
+/// Shortens the paths of a skeleton while everything that matters stays within the radius of a path or a ring.
 ///
 /// Method  The paths are rubber bands, shortened by Newton steps; places that have to be cut (witnesses) hold
 /// the bands

@@ -309,7 +309,7 @@ class CornerCuts {
     return std::all_of(cusps.begin(), cusps.end(), [&](const Edge& edge) { return take_within(edge); });
   }
 
-  /// The same from the second wall at once, if no more than the residual stays on the first.
+  /// The same from the second wall at once, if no more than the residual that may stay does so on the first.
   bool cut_cusps_from_second(double residual) {
     if (side_ == 0) return false;
     const std::size_t before = remaining_.cuts();

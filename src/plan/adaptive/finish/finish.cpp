@@ -85,7 +85,7 @@ void AdaptiveFinish::follow_walls() {
       misses = 0;
       if (path_.at() != before) go_on_round_corners();
     } else {
-      // Where no way leads to one place it seldom leads to the next ones.
+      // Where no link leads to one start it seldom leads to the next ones.
       cuts_.walls.give_up(start, ++misses);
     }
   }
@@ -277,7 +277,7 @@ bool AdaptiveFinish::trochoidal_step_from_aside(const WallPlace& place) {
 std::optional<LinkPath> AdaptiveFinish::link_to_trochoidal_step(const WallStretch& stretch) {
   const Vec2 p = cuts_.walls.point({stretch.wall, stretch.from});
   if (!path_.empty()) {
-    // Trochoidal steps begin near the end of the one before: straight over its residual rather than round it.
+    // A trochoidal step begins near the end of the one before: straight over the residual there rather than round it.
     if (remaining_.is_free(path_.at(), p, ResidualLimits::kCornerLink)) return LinkPath{{p}};
     if (auto link = path_.link_to(p, RemainingStock::kFree)) return link;
     if (auto link = path_.link_to(p, ResidualLimits::kCornerLink)) return link;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTool = 5;
 
-/// The room of a square pocket whose middle is cleared up to `cleared` mm.
+/// A square pocket whose middle is cleared up to `cleared` mm.
 struct ClearedPocket {
   explicit ClearedPocket(double cleared) : remaining(area, kTool, std::nullopt) {
     remaining.remove_disc({25, 25}, cleared);
@@ -29,7 +29,7 @@ CutterState on_wall(double x, double limit) {
   return {{5 + x, 5}, {1, 0}, 1 / kTool, limit, kTool, kTool / 2, 0.0};
 }
 
-/// The largest engagement and what is lost, looked at closely.
+/// The largest engagement and what is lost, sampled closely.
 struct Samples {
   double most = 0;
   double lost = 0;

@@ -152,7 +152,8 @@ double Tracer::end_of_cut(double cut_until) const {
   return stands(end) || stands((end + over) / 2) || stands(over) ? over : end;
 }
 
-/// Off the wall before `s_over`, as late and as gently as the engagement allows.
+/// Leaves the wall between `s_clear`, where the engagement is within the limit, and `s_over`, where it is not: as late and with
+/// as wide a radius as the engagement allows.
 Tracer::Next Tracer::depart(double s_clear, double s_over) {
   const double first = place_.s;
   s_over = last_within(s_clear, s_over);
@@ -173,7 +174,8 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
   return Next::kDone;
 }
 
-/// The last place found at which the engagement on the wall keeps the limit, from one that does to one that does not.
+/// By bisection: the last place along the wall at which the engagement keeps the limit, between one where it does and one
+/// where it does not.
 double Tracer::last_within(double s_clear, double s_over) const {
   if (wall_engagement(s_over) <= limit_ + EngagementTolerance::kExcess) return s_over;
   for (int i = 0; i < kMostHalvings; ++i) {
@@ -302,7 +304,8 @@ std::optional<Tracer::DepartureArc> Tracer::crossing_arc(const DepartureArc& off
   return candidate ? std::optional(up_to_wall(best_s, from, *candidate)) : std::nullopt;
 }
 
-/// The candidate off the wall at s, to end on the wall that it meets or comes near to where the cut goes on along that.
+/// The candidate off the wall at s as a departure arc. Where it meets another wall, or comes near to one, and the cut can go on
+/// along that, the arc is bent a little to end on it.
 Tracer::DepartureArc Tracer::up_to_wall(double s, const CutterState& from, CandidateArc candidate) const {
   const double least = 2 * aimer_.length_off(from, candidate),
                beyond = candidate.length + RadiusShares::kEndsAtWall * radius_,
@@ -365,6 +368,45 @@ void Tracer::follow_from(const WallPlace& place) {
   before_wall_ = mark();
   place_ = place;
   material_s_ = place.s;
+}
+
+/// Cuts along the wall from s_from to s_to, in as few moves as may stand for its edges, up to where the engagement would exceed
+/// the limit. Whether that was all of it.
+bool Tracer::append_wall(double s_from, double s_to) {
+  if (s_to <= s_from) return true;
+  if (path_.empty() && can_begin_ && !can_begin_(walls_.point({place_.wall, s_from}))) return false;
+  const Path part = walls_.wall(place_.wall).part(s_from, s_to);
+  std::span<const Edge> left = part;
+  for (double s = s_from; !left.empty();) {
+    // As many edges as one may stand for.
+    std::size_t count = left.size();
+    while (count > 1 && !append_as_one(left.first(count), s)) --count;
+    if (count == 1 && !append(left.front())) return false;
+    for (const Edge& edge : left.first(count)) s += edge.length();
+    left = left.subspan(count);
+  }
+  return true;
+}
+
+/// On one line or arc where all that stays on the wall, from s_from on, may stay there.
+bool Tracer::append_as_one(std::span<const Edge> part, double s_from) {
+  const Edge one = as_one(part);
+  double end = s_from;
+  for (const Edge& edge : part) {
+    if (distance(one, edge.to) > kBentWall * radius_) return false;
+    end += edge.length();
+  }
+  if (one.length() > kMostDetour * (end - s_from)) return false;
+  if (!remaining_.is_legal(one) || !is_within(one)) return false;
+  const Mark before = mark();
+  take(one);
+  for (double s = s_from; s < end; s += step_) {
+    const WallPlace place{place_.wall, s};
+    if (!remaining_.touches(walls_.point(place), walls_.residual(place))) continue;
+    forget_beyond(before);
+    return false;
+  }
+  return true;
 }
 
 }  // namespace clearcut::plan::adaptive

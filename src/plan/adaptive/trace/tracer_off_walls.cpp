@@ -22,45 +22,7 @@ constexpr int kMostArcs = 20000;
 
 }  // namespace
 
-/// Whether all of it was taken; what would exceed the limit is left out.
-bool Tracer::append_wall(double s_from, double s_to) {
-  if (s_to <= s_from) return true;
-  if (path_.empty() && can_begin_ && !can_begin_(walls_.point({place_.wall, s_from}))) return false;
-  const Path part = walls_.wall(place_.wall).part(s_from, s_to);
-  std::span<const Edge> left = part;
-  for (double s = s_from; !left.empty();) {
-    // As many edges as one may stand for.
-    std::size_t count = left.size();
-    while (count > 1 && !append_as_one(left.first(count), s)) --count;
-    if (count == 1 && !append(left.front())) return false;
-    for (const Edge& edge : left.first(count)) s += edge.length();
-    left = left.subspan(count);
-  }
-  return true;
-}
-
-/// On one line or arc where all that stays on the wall, from s_from on, may stay there.
-bool Tracer::append_as_one(std::span<const Edge> part, double s_from) {
-  const Edge one = as_one(part);
-  double end = s_from;
-  for (const Edge& edge : part) {
-    if (distance(one, edge.to) > kBentWall * radius_) return false;
-    end += edge.length();
-  }
-  if (one.length() > kMostDetour * (end - s_from)) return false;
-  if (!remaining_.is_legal(one) || !is_within(one)) return false;
-  const Mark before = mark();
-  take(one);
-  for (double s = s_from; s < end; s += step_) {
-    const WallPlace place{place_.wall, s};
-    if (!remaining_.touches(walls_.point(place), walls_.residual(place))) continue;
-    forget_beyond(before);
-    return false;
-  }
-  return true;
-}
-
-/// Whether all of it was taken; what would exceed the limit is left out.
+/// Cuts the edge up to where the engagement would exceed the limit. Whether that was all of it.
 bool Tracer::append(const Edge& edge) {
   const double length = distance(edge.from, edge.to) < kShortestMove ? 0 : edge.length();
   if (length <= 0) return true;
@@ -80,7 +42,8 @@ bool Tracer::is_within(const Edge& edge) const {
   return remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess) >= edge.length();
 }
 
-/// mm of an edge up to where its engagement is too high; nothing leads on from a peak.
+/// mm of an edge up to where its engagement is too high. Where it jumps there, the edge is ended earlier, because no arc leads
+/// on from a peak.
 double Tracer::length_within(const Edge& edge) const {
   const double length = edge.length(),
                within = remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess),
@@ -91,7 +54,7 @@ double Tracer::length_within(const Edge& edge) const {
   return remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess / 2);
 }
 
-/// Takes so much of the edge.
+/// Cuts the first `within` mm of the edge and updates the cutter state.
 void Tracer::go(const Edge& edge, double within) {
   const Edge part = within < edge.length() ? edge.part(0, within / edge.length()) : edge;
   state_.point = part.to;
@@ -103,7 +66,7 @@ void Tracer::go(const Edge& edge, double within) {
   take(part);
 }
 
-/// Takes the candidate up to where its engagement is too high; the length taken.
+/// Cuts the candidate up to where its engagement is too high. Returns the mm that were cut.
 double Tracer::go(const CandidateArc& candidate) {
   const Edge edge = edge_of(state_, candidate);
   const double within = distance(edge.from, edge.to) < kShortestMove ? 0 : length_within(edge);

@@ -76,7 +76,8 @@ bool WallCuts::cut_from(const WallPlace& start) {
   return true;
 }
 
-/// From the wall where it bears nothing yet, or from beside it. Most cuts: only what is cut needs a way.
+/// A cut from a place on the wall where nothing stands, or from beside it. Most cuts are of this kind. The link to the place is
+/// only looked for once it is known that something can be cut from there.
 WallCuts::Outcome WallCuts::cut_from_clear_wall(const WallPlace& start) {
   const auto first = clear_place_before(start);
   if (!first) return Outcome::kNoLink;
@@ -147,7 +148,8 @@ std::optional<WallCuts::Approach> WallCuts::straight_on_to(const WallPlace& plac
   return Approach{{}, {lead}, place};
 }
 
-/// Over an approach point beside the wall. Where no way leads to one it seldom leads to the others.
+/// Over an approach point beside the wall. Only the first clear one is tried: where no link leads to one, it seldom leads to
+/// the others.
 std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace& place) const {
   const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
   for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
