@@ -2,20 +2,19 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
+#include "model/resolved_plan.h"
 #include "order/objective.h"
 #include "order/problem.h"
 #include "plan/tour/tour.h"
-#include "resolve/plan_options.h"
 
 namespace clearcut::pipeline {
 
-/// Makes the objective of a name such as "length"; throws InputError for names it does not know.
-using ObjectiveMaker = std::function<order::ObjectivePtr(const std::string& name)>;
+/// Makes the objective of one quantity.
+using ObjectiveMaker = std::function<order::ObjectivePtr(ObjectiveKind kind)>;
 
-/// "turns", or weights: "1:length,20:turns". Throws InputError.
-order::ObjectivePtr objective_from(const std::string& text, const ObjectiveMaker& make);
+/// The quantity itself, or the weighted sum.
+order::ObjectivePtr objective_of(const Objective& objective, const ObjectiveMaker& make);
 
 /// Seconds on a machine that accelerates: length / feed, and at every corner what slowing down to the speed of
 /// the junction (Grbl's rule, see kinematic_time) and speeding up again loses. As exact as kinematic_time
@@ -25,8 +24,8 @@ order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed
 /// An open path through the points of a grid, along its legal ways.
 order::Problem grid_problem(const plan::tour::TourTask& task);
 
-/// Orders grids by options.objective. Without options.time_s the same points give the same order, however
+/// Orders grids by plan.objective. Without plan.search_s the same points give the same order, however
 /// busy the machine. `briefly`: with a fifth of the usual search, which is seldom felt in the order.
-plan::tour::TourSolver tour_solver(const resolve::PlanOptions& options, MmPerMin feed, bool briefly = false);
+plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, MmPerMin feed, bool briefly = false);
 
 }  // namespace clearcut::pipeline
