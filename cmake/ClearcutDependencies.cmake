@@ -26,7 +26,7 @@ if(CLEARCUT_TESTS)
 endif()
 
 function(clearcut_link_packages)
-  foreach(pair "base|fmt::fmt" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "plan|TBB::tbb" "order|TBB::tbb"
+  foreach(pair "base|fmt::fmt" "base|TBB::tbb" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "plan|TBB::tbb" "order|TBB::tbb"
                "read|nlohmann_json::nlohmann_json" "read|pugixml::pugixml" "read|PkgConfig::tomlplusplus"
                "report|nlohmann_json::nlohmann_json" "pipeline|TBB::tbb" "pipeline|nlohmann_json::nlohmann_json")
     string(REPLACE "|" ";" pair "${pair}")

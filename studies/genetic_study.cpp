@@ -1,7 +1,6 @@
 #include "studies/genetic_study.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "base/parallel.h"
 #include "order/genetic/crossover.h"
 #include "order/genetic/mutation.h"
 #include "order/genetic/selection.h"
@@ -330,7 +330,7 @@ std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const Genetic
   std::mutex mutex;
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
+    parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
       auto rows = one_run(study, missing[i].first, missing[i].second, options.seed);
       const std::lock_guard lock(mutex);
       rows_of[missing[i]] = std::move(rows);

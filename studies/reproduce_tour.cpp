@@ -1,7 +1,6 @@
 #include "studies/reproduce_tour.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <optional>
 
 #include "base/file.h"
+#include "base/parallel.h"
 #include "order/genetic/genetic.h"
 #include "order/lattice.h"
 #include "order/tsplib.h"
@@ -100,7 +100,7 @@ void add_row(report::TextTable& table, const Row& row, const std::string& method
     return;
   }
   std::vector<order::GeneticResult> results(static_cast<std::size_t>(row.runs));
-  tbb::parallel_for(0, row.runs, [&](int i) {
+  parallel_for(0, row.runs, [&](int i) {
     order::GeneticOptions options = options_for(row);
     options.seed = static_cast<std::uint64_t>(i) + 1;
     results[static_cast<std::size_t>(i)] =

@@ -1,6 +1,5 @@
 #include "order/solve.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/parallel.h"
 #include "order/bounds/lattice_bounds.h"
 #include "order/bounds/line_cover.h"
 #include "order/bounds/one_tree.h"
@@ -247,7 +247,7 @@ class Islands {
     kicks_ = std::max(20, static_cast<int>(1000 * effort) / (1 + moves.problem().size() / 100));
   }
   void run_round(double enough, const StopWatch& watch) {
-    tbb::parallel_for(0, kIslands, [&](int i) {
+    parallel_for(0, kIslands, [&](int i) {
       if (!descended_) islands_[i].descend(watch);
       islands_[i].run(kicks_, enough, watch);
     });

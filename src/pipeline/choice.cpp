@@ -1,12 +1,12 @@
 #include "pipeline/choice.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/work_budget.h"
 
 namespace clearcut::pipeline {
@@ -34,7 +34,7 @@ bool is_worthwhile(const StrategyEntry& strategy, const ClearedSize& known, doub
 template <typename Work>
 void in_parallel(std::size_t count, int threads, Work&& work) {
   tbb::task_arena arena(threads);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+  arena.execute([&] { parallel_for(std::size_t{0}, count, work); });
 }
 
 }  // namespace

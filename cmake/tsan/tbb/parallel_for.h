@@ -42,4 +42,16 @@ void parallel_for(Index first, Last last, Work&& work) {
   if (error) std::rethrow_exception(error);
 }
 
+struct task_group_context {
+  enum kind_type { isolated };
+  task_group_context() = default;
+  explicit task_group_context(kind_type) {}
+  bool cancel_group_execution() { return true; }
+};
+
+template <typename Index, typename Work>
+void parallel_for(Index first, Index last, Work&& work, task_group_context&) {
+  parallel_for(first, last, work);
+}
+
 }  // namespace tbb

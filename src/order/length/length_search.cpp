@@ -1,11 +1,10 @@
 #include "order/length/length_search.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "order/length/chained_search.h"
 #include "order/length/population.h"
 #include "order/length/start_tours.h"
@@ -87,7 +86,7 @@ std::vector<std::vector<int>> start_tours(const LengthModel& model, const Plan& 
   std::vector<std::uint64_t> seeds;
   Random random(seed);
   for (int i = 0; i < plan.population; ++i) seeds.push_back(random.next());
-  tbb::parallel_for(0, plan.population, [&](int i) {
+  parallel_for(0, plan.population, [&](int i) {
     if (!watch.over()) tours[i] = start_tour(model, seeds[i], plan.kicks, watch);
   });
   std::erase_if(tours, [](const auto& t) { return t.empty(); });
@@ -179,7 +178,7 @@ void improve_all_windows(const Problem& problem, Tour& tour, bool kicked, Random
   std::vector<std::uint64_t> seeds;
   for (int i = 0; i < windows; ++i) seeds.push_back(random.next());
   for (int some = 0; some < windows && !watch.over(); some += kAtATime) {
-    tbb::parallel_for(some, std::min(some + kAtATime, windows), [&](int i) {
+    parallel_for(some, std::min(some + kAtATime, windows), [&](int i) {
       const int count = begins[i + 1] - begins[i];
       if (watch.over() || count < 8) return;
       const int first = (offset + begins[i]) % n;

@@ -1,9 +1,9 @@
 #include "order/length/population.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numeric>
+
+#include "base/parallel.h"
 
 namespace clearcut::order {
 
@@ -93,7 +93,7 @@ void Population::run_generation(Stage stage, const StopWatch& watch, std::vector
   for (int begin = 0; begin < size && !watch.over(); begin += kBatch) {
     const int count = std::min(kBatch, size - begin);
     std::vector<Offspring> offspring(static_cast<std::size_t>(count));
-    tbb::parallel_for(0, count, [&](int i) {
+    parallel_for(0, count, [&](int i) {
       const Individual& a = individuals_[ring[begin + i]];
       const Individual& b = individuals_[ring[(begin + i + 1) % size]];
       offspring[i] = breed(a, b, stage, Random(seeds[begin + i]), workspaces[i]);

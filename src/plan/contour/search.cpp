@@ -1,12 +1,12 @@
 #include "plan/contour/search.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 
+#include "base/parallel.h"
 #include "base/progress.h"
 #include "base/work_budget.h"
 #include "plan/common/retract_link.h"
@@ -72,7 +72,7 @@ void in_parallel(std::size_t count, const Work& work) {
     const WorkBudget own = WorkBudget::unlimited();
     work(i);
   };
-  tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, count, uncounted); });
+  tbb::this_task_arena::isolate([&] { parallel_for(std::size_t{0}, count, uncounted); });
 }
 
 /// One component's contest.
