@@ -86,7 +86,7 @@ std::string over(double value, double least) {
 }
 
 pipeline::EngagementTask engagement_task(const plan::tour::TourTask& task) {
-  return {task.points, task.way, task.layer->target, task.layer->tool_radius};
+  return {task.points, task.path, task.layer->target, task.layer->tool_radius};
 }
 
 void add_printed(report::TextTable& table, const char* objective, double length, int turns) {

@@ -73,10 +73,10 @@ std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const Lin
 /// Down along the ring, edge by edge; the last edge ends where the depth is reached.
 std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& options) {
   const double slope = std::tan(options.entry_angle.radians());
-  const double around = length(*place.ring), way = (place.z_above - place.z) / slope;
-  if (!(way > 0) || way > kMostRounds * around) return std::nullopt;
-  Entry entry{{}, EntryKind::kRamp, std::fmod(way, around)};
-  double left = way, z = place.z_above;
+  const double around = length(*place.ring), stroke = (place.z_above - place.z) / slope;
+  if (!(stroke > 0) || stroke > kMostRounds * around) return std::nullopt;
+  Entry entry{{}, EntryKind::kRamp, std::fmod(stroke, around)};
+  double left = stroke, z = place.z_above;
   for (std::size_t i = 0; left > 0; i = (i + 1) % place.ring->size()) {
     const Edge& edge = (*place.ring)[i];
     const double size = edge.length();
@@ -103,20 +103,20 @@ std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& area, con
 }
 
 std::vector<Move> ramp(const EntryPlace& place, Vec2 end, const LinkOptions& options) {
-  const double per_way = distance(place.start, end) * std::tan(options.entry_angle.radians());
+  const double per_stroke = distance(place.start, end) * std::tan(options.entry_angle.radians());
   const double drop = place.z_above - place.z;
-  const int pairs = std::max(1, static_cast<int>(std::ceil(drop / (2 * per_way))));
+  const int pairs = std::max(1, static_cast<int>(std::ceil(drop / (2 * per_stroke))));
   std::vector<Move> moves;
-  const auto way = [&](Vec2 a, Vec2 b, double za, double zb) {
+  const auto stroke = [&](Vec2 a, Vec2 b, double za, double zb) {
     moves.push_back({Edge::line(a, b), za, zb, MoveKind::kRamp, options.ramp_feed, 0});
   };
   for (int i = 0; i < pairs; ++i) {
     const double from = place.z_above - drop * i / pairs, to = place.z_above - drop * (i + 1) / pairs;
-    way(place.start, end, from, (from + to) / 2);
-    way(end, place.start, (from + to) / 2, to);
+    stroke(place.start, end, from, (from + to) / 2);
+    stroke(end, place.start, (from + to) / 2, to);
   }
-  way(place.start, end, place.z, place.z);
-  way(end, place.start, place.z, place.z);
+  stroke(place.start, end, place.z, place.z);
+  stroke(end, place.start, place.z, place.z);
   return moves;
 }
 

@@ -1,4 +1,4 @@
-// Ways down into material: helix, ramp, plunge.
+// Paths down into material: helix, ramp, plunge.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace clearcut::link {
 
-/// Where a pass begins and what is known about the way to it.
+/// Where a pass begins, and what is known about the material over it. mm.
 struct EntryPlace {
   Vec2 start;                         ///< first point of the pass
   Vec2 direction;                     ///< unit, in which the pass begins
@@ -20,7 +20,7 @@ struct EntryPlace {
   const Path* ring = nullptr;         ///< the whole pass from its start, where it is closed
 };
 
-/// A way down.
+/// The moves of one entry.
 struct Entry {
   std::vector<Move> moves;
   EntryKind kind = EntryKind::kPlunge;
@@ -28,8 +28,8 @@ struct Entry {
   double along_ring = 0;
 };
 
-/// The moves from z_above down to the pass, all inside `legal`; they begin at or beside its start. The first way of these
-/// that fits, beginning with the one asked for:
+/// The moves from z_above down to the pass, all inside `legal`; they begin at or beside its start. The first of these
+/// kinds that fits, beginning with the one asked for:
 ///
 /// Helix    about circle_center, else about a centre beside the start so that it touches `direction`, as wide as
 ///          options.helix_widest and less while it does not fit, down to helix_narrowest; no steeper than the

@@ -24,8 +24,8 @@ EntryPlace place_at(Vec2 start) {
   return {start, {1, 0}, 0.2, -4, std::nullopt, nullptr};
 }
 
-void expect_way_down(const std::vector<Move>& moves, const EntryPlace& place, double steepest_deg,
-                     const Regions& legal) {
+void expect_entry(const std::vector<Move>& moves, const EntryPlace& place, double steepest_deg,
+                  const Regions& legal) {
   ASSERT_FALSE(moves.empty());
   if (!moves.front().path.is_arc()) {
     EXPECT_EQ(moves.front().path.from, place.start);
@@ -52,7 +52,7 @@ TEST(Entry, HelixIsNoSteeperThanAskedForAndStaysLegal) {
   for (const double y : {0.0, 5.0, 15.0}) {
     const auto place = place_at({15, y});
     const auto moves = entry_at(place, legal, options_for(EntryKind::kHelix)).moves;
-    expect_way_down(moves, place, 5, legal);
+    expect_entry(moves, place, 5, legal);
     EXPECT_TRUE(moves.front().path.is_arc());
     EXPECT_EQ(moves.back().z_from, moves.back().z_to) << "ends with a flat circle";
   }
@@ -60,16 +60,16 @@ TEST(Entry, HelixIsNoSteeperThanAskedForAndStaysLegal) {
 
 TEST(Entry, HelixTurnsNoFartherThanItsAngleAsksFor) {
   const auto moves = entry_at(place_at({15, 5}), square(30), options_for(EntryKind::kHelix)).moves;
-  double way = 0;
-  for (const Move& move : moves) way += move.z_from > move.z_to ? move.path.length() : 0;
-  EXPECT_NEAR(way * std::tan(Radians::of_degrees(5).radians()), 4.2, 1e-9);
+  double path = 0;
+  for (const Move& move : moves) path += move.z_from > move.z_to ? move.path.length() : 0;
+  EXPECT_NEAR(path * std::tan(Radians::of_degrees(5).radians()), 4.2, 1e-9);
 }
 
 TEST(Entry, HelixShrinksUntilItFits) {
   const auto legal = square(2);
   const auto place = place_at({1, 0});
   const auto moves = entry_at(place, legal, options_for(EntryKind::kHelix)).moves;
-  expect_way_down(moves, place, 5, legal);
+  expect_entry(moves, place, 5, legal);
   EXPECT_LE(moves.front().path.radius(), 1.0);
 }
 
@@ -78,7 +78,7 @@ TEST(Entry, SlotTakesARampInsteadOfAHelix) {
       loop_from_points(std::vector<Vec2>{{0, 0}, {30, 0}, {30, 0.2}, {0, 0.2}}), {})};
   const auto place = place_at({5, 0.1});
   const auto moves = entry_at(place, legal, options_for(EntryKind::kHelix)).moves;
-  expect_way_down(moves, place, 5, legal);
+  expect_entry(moves, place, 5, legal);
   EXPECT_FALSE(moves.front().path.is_arc());
 }
 

@@ -58,7 +58,7 @@ bool holds_disc(const Regions& legal, Vec2 center, double radius) {
   });
 }
 
-/// Looks for leads on one pass.
+/// Samples for leads on one pass.
 class LeadSearch {
  public:
   LeadSearch(const Path& path, const Regions& legal, double overlap)

@@ -14,7 +14,7 @@ namespace {
 /// Seconds. What is faster by less is rounding, and the order found first stays.
 constexpr double kFaster = 1e-6;
 
-/// Keeps the fastest of the ways of doing the same work.
+/// Keeps the fastest of several orders of the same passes.
 class Fastest {
  public:
   explicit Fastest(const LinkOptions& options) : options_(options) {}

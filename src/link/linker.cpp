@@ -73,7 +73,7 @@ double Linker::rapid_time(double length) const {
 }
 
 /// Seconds to lift, cross and come down again.
-double Linker::hop_time(const CutterAt& from, const Beginning& to, double height) const {
+double Linker::retract_time(const CutterAt& from, const Beginning& to, double height) const {
   const double up = rapid_time(height - from.z), across = rapid_time(distance(from.at, to.point));
   const double down = rapid_time(height - to.rapid_z);
   return up + across + down + (to.rapid_z - layer(to.item).layer().z) / options_.plunge_feed.mm_per_s();
@@ -87,27 +87,28 @@ double Linker::straight_time(const CutterAt& from, const Beginning& to) const {
 }
 
 double Linker::travel(const CutterAt& from, const Beginning& to, bool low) const {
-  if (!low) return hop_time(from, to, options_.cross_z);
-  const double hop = hop_time(from, to, hop_height(from, to.point, to.item));
+  if (!low) return retract_time(from, to, options_.cross_z);
+  const double retract = retract_time(from, to, retract_height(from, to.point, to.item));
   const double down = straight_time(from, to);
-  return down < hop && layer(to.item).legal().holds_line(from.at, to.point) ? down : hop;
+  return down < retract && layer(to.item).legal().holds_line(from.at, to.point) ? down : retract;
 }
 
 /// Rapids may cross just over the layer where the cutter stays within the pocket all along the way; in the
 /// layer above it has cut everything there. From a lower layer it could meet what that left.
-double Linker::hop_height(const CutterAt& from, Vec2 to, std::size_t item) const {
+double Linker::retract_height(const CutterAt& from, Vec2 to, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
   const std::size_t index = work_.items()[item].layer;
   const double top = std::max({passes.z_top, passes.wall_top.value_or(passes.z_top), from.z});
   const double low = top + options_.above_material;
-  const bool clear = index == 0 || work_.layer(index - 1).layer().film == 0;
-  return clear && low < options_.cross_z && ways_in().is_clear(item, from.at, to) ? low : options_.cross_z;
+  const bool clear = index == 0 || work_.layer(index - 1).layer().residual == 0;
+  return clear && low < options_.cross_z && access_paths().is_clear(item, from.at, to) ? low
+                                                                                       : options_.cross_z;
 }
 
 /// Where a rapid down has to end over `p`.
 double Linker::approach_z(Vec2 p, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
-  if (ways_in().in_air(p)) return passes.z + options_.above_material;
+  if (access_paths().in_air(p)) return passes.z + options_.above_material;
   const double top =
       passes.wall_top && is_at_wall(p, item) ? std::max(*passes.wall_top, passes.z_top) : passes.z_top;
   return top + options_.above_material;
@@ -142,9 +143,9 @@ Linker::Choice Linker::evaluate(std::size_t item, const PassStart& start) const 
   choice.start = start;
   if (!running()) return choice;
   const Beginning to = beginning(item, start.point);
-  choice.cost = hop_time(here(), to, hop_height(here(), start.point, item));
+  choice.cost = retract_time(here(), to, retract_height(here(), start.point, item));
   const double down = straight_time(here(), to);
-  if (down < choice.cost && ways_in().is_clear(item, moves_.at(), start.point)) {
+  if (down < choice.cost && access_paths().is_clear(item, moves_.at(), start.point)) {
     choice.stay_down = true;
     choice.cost = down;
   }
@@ -165,7 +166,7 @@ Linker::Choice Linker::first_choice() const {
       candidate.start = nearest_start(pass, *wanted);
       candidate.cost = distance(candidate.start.point, *wanted);
     }
-    if (layer(i).open() && ways_in().start_before_air(i)) candidate.cost -= kAirWorth;
+    if (layer(i).open() && access_paths().start_before_air(i)) candidate.cost -= kAirWorth;
     if (candidate.cost < first.cost) first = candidate;
   }
   return first;
@@ -204,16 +205,16 @@ std::optional<Lead> Linker::lead_for_pass(const Path& path, const Choice& next) 
 /// A pass that is entered anew begins where air leads to it, if it does anywhere.
 void Linker::start_from_air(Choice& next) const {
   const Pass& pass = work_.pass(next.item);
-  if (ways_in().air_before(next.start.point, next.item)) return;
+  if (access_paths().air_before(next.start.point, next.item)) return;
   if (pass.closed && pass.kinds.empty()) {
-    auto start = ways_in().start_before_air(next.item);
-    if (!start && ways_in().cleared_before(next.start.point, next.item)) return;
-    if (!start) start = ways_in().start_before_cleared(next.item);
-    if (!start) start = ways_in().start_on_way_in(next.start, next.item);
+    auto start = access_paths().start_before_air(next.item);
+    if (!start && access_paths().cleared_before(next.start.point, next.item)) return;
+    if (!start) start = access_paths().start_before_cleared(next.item);
+    if (!start) start = access_paths().start_on_access_path(next.start, next.item);
     if (start) next.start = *start;
   } else if (!pass.closed && pass.reversible) {
     const Vec2 other = next.start.backwards ? pass.path.front().from : pass.path.back().to;
-    if (ways_in().air_before(other, next.item)) next.start = {other, 0, 0, !next.start.backwards};
+    if (access_paths().air_before(other, next.item)) next.start = {other, 0, 0, !next.start.backwards};
   }
 }
 
@@ -224,13 +225,13 @@ double Linker::go_to(const Choice& next, const Path& path, bool is_ring) {
     link_to(p);
     return 0;
   }
-  const bool straight = work_.pass(next.item).may_cut_to_start || ways_in().in_air(p);
-  const auto way = straight ? ways_in().to(p, next.item) : std::nullopt;
-  if (!way && !work_.pass(next.item).starts_clear)
+  const bool straight = work_.pass(next.item).may_cut_to_start || access_paths().in_air(p);
+  const auto access = straight ? access_paths().to(p, next.item) : std::nullopt;
+  if (!access && !work_.pass(next.item).starts_clear)
     return enter_material(p, path, is_ring ? &path : nullptr, next.item);
-  go_over(way && !way->empty() ? way->front().from : p, next.item);
+  go_over(access && !access->empty() ? access->front().from : p, next.item);
   moves_.vertical(layer(next.item).layer().z, MoveKind::kPlunge, options_.plunge_feed);
-  if (way) cut(*way, std::vector<MoveKind>(way->size(), MoveKind::kLeadIn));
+  if (access) cut(*access, std::vector<MoveKind>(access->size(), MoveKind::kLeadIn));
   return 0;
 }
 
@@ -245,7 +246,7 @@ void Linker::link_to(Vec2 p) {
 
 /// Over p, as low as is safe.
 void Linker::go_over(Vec2 p, std::size_t item) {
-  rise_and_cross(p, running() ? hop_height(here(), p, item) : options_.safe_z);
+  rise_and_cross(p, running() ? retract_height(here(), p, item) : options_.safe_z);
   moves_.vertical(approach_z(p, item), MoveKind::kRapid, {});
 }
 

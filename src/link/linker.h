@@ -1,4 +1,4 @@
-// Cuts passes in an order that is given or found on the way, and writes the moves.
+// Cuts passes in a given order, or always the one reached soonest, and writes the moves with their links.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "link/access_paths.h"
 #include "link/lead.h"
 #include "link/link.h"
 #include "link/moves.h"
 #include "link/pass_start.h"
-#include "link/ways_in.h"
 #include "link/work.h"
 
 namespace clearcut::link {
@@ -54,7 +54,7 @@ class Linker {
   /// All passes in this order, which keeps precedence.
   void cut_in_order(const std::vector<Task>& tasks);
 
-  /// Seconds from a place to the beginning of a pass, as far as is known before anything is cut. `low`: the way may be near
+  /// Seconds from a place to the beginning of a pass, as far as is known before anything is cut. `low`: the link may be near
   /// the material or in it where that is legal.
   double travel(const CutterAt& from, const Beginning& to, bool low) const;
   Beginning beginning(std::size_t item, Vec2 point) const { return {item, point, approach_z(point, item)}; }
@@ -76,15 +76,15 @@ class Linker {
   bool running() const { return !moves_.empty(); }
   bool is_at_depth_of(std::size_t item) const { return moves_.z() == layer(item).layer().z; }
   const LayerWork& layer(std::size_t item) const { return work_.layer_of(item); }
-  WaysIn ways_in() const { return {work_, options_, progress_}; }
+  AccessPaths access_paths() const { return {work_, options_, progress_}; }
   CutterAt here() const { return {moves_.at(), moves_.z()}; }
 
   Choice choose() const;
   Choice first_choice() const;
   Choice evaluate(std::size_t item, const PassStart& start) const;
-  double hop_time(const CutterAt& from, const Beginning& to, double height) const;
+  double retract_time(const CutterAt& from, const Beginning& to, double height) const;
   double straight_time(const CutterAt& from, const Beginning& to) const;
-  double hop_height(const CutterAt& from, Vec2 to, std::size_t item) const;
+  double retract_height(const CutterAt& from, Vec2 to, std::size_t item) const;
   double approach_z(Vec2 p, std::size_t item) const;
   bool is_at_wall(Vec2 p, std::size_t item) const;
 

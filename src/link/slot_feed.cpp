@@ -10,7 +10,7 @@ constexpr double kStepsPerRadius = 8;
 /// Degrees. A link that is less in the material touches none.
 constexpr double kTouching = 1;
 /// mm. Material thinner than this is rounding.
-constexpr double kFilm = 1e-3;
+constexpr double kResidual = 1e-3;
 
 /// One of the equal steps of a move, slow or not.
 std::vector<bool> slow_steps(const Move& move, double radius, Radians limit,
@@ -18,11 +18,11 @@ std::vector<bool> slow_steps(const Move& move, double radius, Radians limit,
   const int count = std::max(1, static_cast<int>(std::ceil(move.path.length() * kStepsPerRadius / radius)));
   std::vector<bool> slow;
   Move lifted = move;
-  lifted.z_from += kFilm;
-  lifted.z_to += kFilm;
+  lifted.z_from += kResidual;
+  lifted.z_to += kResidual;
   for (int i = 0; i < count; ++i) {
     const double t = (i + 0.5) / count;
-    slow.push_back(material.engagement(lifted, t, radius - kFilm).angle > limit.radians());
+    slow.push_back(material.engagement(lifted, t, radius - kResidual).angle > limit.radians());
   }
   // A step early and a step late: the load rises before it is measured.
   std::vector<bool> wide = slow;

@@ -153,9 +153,9 @@ void Progress::mark_done(std::size_t item) {
   while (first_undone_ < done_.size() && done_[first_undone_]) ++first_undone_;
 }
 
-bool Progress::clear_above(std::size_t layer, const Box& way) const {
+bool Progress::clear_above(std::size_t layer, const Box& travel) const {
   if (finished()) return true;
-  const Box swept = way.grown(work_.tool_radius());
+  const Box swept = travel.grown(work_.tool_radius());
   const auto& items = work_.items();
   for (std::size_t i = first_undone_; i < items.size() && items[i].layer < layer; ++i) {
     if (!done_[i] && items[i].swept.overlaps(swept)) return false;

@@ -19,9 +19,9 @@ class LayerWork {
 
   const LayerPasses& layer() const { return *layer_; }
   const LegalArea& legal() const { return legal_; }
-  /// Ways round corners; made for the first that asks. Not to be moved from then on.
+  /// Paths round corners; made for the first that asks. Not to be moved from then on.
   const LegalRoutes& routes() const;
-  /// All places at which the cutter touches what is to be removed; beside them the ground is cleared already. Made for the
+  /// All places at which the cutter touches what is to be removed; beside them everything is cleared already. Made for the
   /// first that asks.
   const Regions& touching() const;
   /// Whether the cutter may leave the material sideways.
@@ -98,8 +98,8 @@ class Progress {
   bool finished() const { return left_ == 0; }
   void mark_done(std::size_t item);
 
-  /// Whether nothing of higher layers stands where the cutter's centre goes through the box `way` in `layer`.
-  bool clear_above(std::size_t layer, const Box& way) const;
+  /// Whether nothing of higher layers stands where the cutter's centre goes through the box `travel` in `layer`.
+  bool clear_above(std::size_t layer, const Box& travel) const;
 
  private:
   const Work& work_;

@@ -36,7 +36,7 @@ struct LayerPasses {
   Regions legal;                ///< where the tool's centre may be at this depth
   std::vector<Path> fit_lines;  ///< where it just fits (zero-width parts of the legal area)
   Regions target;               ///< material to remove in this layer, plan view
-  double film = 0;              ///< mm; uncut films up to this far from what was cut may stay between passes
+  double residual = 0;  ///< mm; uncut residuals up to this far from what was cut may stay between passes
   std::vector<Pass> passes;
   /// Up to where walls stand above z_top, no farther away than those of the layer; absent: nothing stands there.
   std::optional<double> wall_top;

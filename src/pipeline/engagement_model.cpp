@@ -198,7 +198,8 @@ class ExactEngagement final : public EngagementModel {
       const Move cutting = flat(move[i - 1], move[i]);
       const int samples = 1 + static_cast<int>(8 * piece / task().radius);
       for (int k = 0; k < samples; ++k) {
-        const stock::Contact contact = material_.engagement(cutting, (k + 0.5) / samples, task().radius);
+        const stock::CutterEngagement contact =
+            material_.engagement(cutting, (k + 0.5) / samples, task().radius);
         sum += contact.angle / kPi * piece / samples;
       }
       length += piece;

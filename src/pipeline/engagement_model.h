@@ -16,8 +16,8 @@ namespace clearcut::pipeline {
 /// What the models need to know about a tour.
 struct EngagementTask {
   std::vector<Vec2> points;
-  plan::tour::WayFunction way;  ///< bends between two points; empty: straight
-  Regions target;               ///< material before the first move, plan view
+  plan::tour::PathFunction way;  ///< bends between two points; empty: straight
+  Regions target;                ///< material before the first move, plan view
   double radius = 0;
 };
 

@@ -34,8 +34,8 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. What others cleared may hold films up to this thick: no place for rapids.
-constexpr double kFilmOfOthers = 0.01;
+/// mm. What others cleared may hold residuals up to this thick: no place for rapids.
+constexpr double kResidualOfOthers = 0.01;
 
 /// Share of the rim's length times the radius that is reached beyond it, at least: corners reach less than straight
 /// walls.
@@ -104,7 +104,7 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
                        : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
                                           : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
-      if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
+      if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }

@@ -73,7 +73,7 @@ struct Search {
 
 order::ObjectivePtr layer_objective(ObjectiveKind kind, const plan::tour::TourTask& task,
                                     const Search& search) {
-  const EngagementTask engagement{task.points, task.way, task.layer->target, task.layer->tool_radius};
+  const EngagementTask engagement{task.points, task.path, task.layer->target, task.layer->tool_radius};
   switch (kind) {
     case ObjectiveKind::kLength:
       return order::length_objective();
@@ -109,7 +109,7 @@ order::Problem grid_problem(const plan::tour::TourTask& task) {
   problem.name = "grid";
   problem.points = task.points;
   problem.shape = order::Shape::kOpenPath;
-  problem.detour = task.way;
+  problem.detour = task.path;
   return problem;
 }
 

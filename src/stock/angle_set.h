@@ -1,4 +1,4 @@
-// Which directions around a point are left.
+// A set of directions around a point, as intervals of angles.
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ class AngleSet {
   /// Disjoint, ascending intervals, kCapacity at most; those of no width are left out.
   explicit AngleSet(std::span<const AngleInterval> items);
   AngleSet(const AngleSet& other) { *this = other; }
-  /// Copies what is in use alone.
+  /// Copies only the intervals in use: sets are copied often and mostly hold one or two.
   AngleSet& operator=(const AngleSet& other);
 
   bool empty() const { return count_ == 0; }

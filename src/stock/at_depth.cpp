@@ -7,11 +7,11 @@
 namespace clearcut::stock {
 
 Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol) {
-  const double lean = below_top * std::tan(wall_slope.radians());
-  if (lean <= 0) return regions;
+  const double draft = below_top * std::tan(wall_slope.radians());
+  if (draft <= 0) return regions;
   Regions result;
   for (const Region& region : regions)
-    for (Region& piece : inset(region, lean, tol)) result.push_back(std::move(piece));
+    for (Region& piece : inset(region, draft, tol)) result.push_back(std::move(piece));
   return result;
 }
 

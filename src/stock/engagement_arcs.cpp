@@ -24,7 +24,7 @@ double pseudo_angle(Vec2 v) {
 }
 
 /// The direction of a pseudo-angle, not of unit length.
-Vec2 way_of(double pseudo) {
+Vec2 direction_of(double pseudo) {
   const double q = std::abs(pseudo);
   return {1 - q, std::copysign(q <= 1 ? q : 2 - q, pseudo)};
 }
@@ -52,7 +52,7 @@ bool Swept::comes_within(Vec2 p, double far) const {
   return squared <= outer * outer && (inner <= 0 || squared >= inner * inner);
 }
 
-Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
+EngagementArcs::EngagementArcs(Vec2 center, double radius, Vec2 ahead, Part part)
     : center_(center),
       radius_(radius),
       inverse_(1 / radius),
@@ -64,35 +64,36 @@ Horizon::Horizon(Vec2 center, double radius, Vec2 ahead, Part part)
                                    : Span{{-2, -ahead_.x, -ahead_.y, 0, 0}, {2, -ahead_.x, -ahead_.y, 0, 0}};
 }
 
-double Horizon::Span::width() const {
-  const double angle = std::atan2(cross(from.way(), to.way()), dot(from.way(), to.way()));
+double EngagementArcs::Span::width() const {
+  const double angle =
+      std::atan2(cross(from.direction(), to.direction()), dot(from.direction(), to.direction()));
   return is_wide() && angle <= 0 ? angle + 2 * kPi : std::max(angle, 0.0);
 }
 
 /// Where a bound crosses a span: there but for rounding, which may carry it past an end, and past straight behind.
-Horizon::End Horizon::end_in(const Span& span, const Bound& bound, Vec2 way) const {
-  const double order = pseudo_angle({dot(ahead_, way), cross(ahead_, way)});
+EngagementArcs::End EngagementArcs::end_in(const Span& span, const Bound& bound, Vec2 direction) const {
+  const double order = pseudo_angle({dot(ahead_, direction), cross(ahead_, direction)});
   const double turn = 4, before = span.from.order - order, after = order - span.to.order;
   if (before > 0) return before <= after + turn ? span.from : span.to;
   if (after > 0) return after <= before + turn ? span.to : span.from;
-  const Vec2 normal = bound.normal + way * bound.round;
-  return {order, way.x, way.y, normal.x, normal.y};
+  const Vec2 normal = bound.normal + direction * bound.round;
+  return {order, direction.x, direction.y, normal.x, normal.y};
 }
 
 /// The circle about the cutter's centre is within another where |w + radius u|^2 <= its_radius^2, w from that
 /// circle's centre to the cutter's.
-Horizon::Bound Horizon::within_circle(Vec2 w, double its_radius) const {
+EngagementArcs::Bound EngagementArcs::within_circle(Vec2 w, double its_radius) const {
   const double squared = norm_squared(w);
   return {w, (its_radius * its_radius - squared - radius_ * radius_) * (0.5 * inverse_), squared, radius_};
 }
 
-void Horizon::remove_beyond(Vec2 normal, double q) {
+void EngagementArcs::remove_beyond(Vec2 normal, double q) {
   Bounds bounds;
   bounds.add({-normal, -q, 1, 0});
   remove_within(bounds);
 }
 
-bool Horizon::remove(const Swept& swept) {
+bool EngagementArcs::remove(const Swept& swept) {
   if (swept.kind == Swept::Kind::kDisc) return remove_disc(swept.from, swept.radius);
   if (!swept.comes_within(rest_center_, swept.radius + rest_radius_)) return false;
   const double before = dot(swept.before, rest_center_ - swept.from);
@@ -105,7 +106,7 @@ bool Horizon::remove(const Swept& swept) {
   return changed;
 }
 
-bool Horizon::remove_disc(Vec2 at, double disc) {
+bool EngagementArcs::remove_disc(Vec2 at, double disc) {
   if (!may_meet(at, disc)) return false;
   Bounds bounds;
   bounds.add(within_circle(center_ - at, disc));
@@ -116,7 +117,7 @@ bool Horizon::remove_disc(Vec2 at, double disc) {
 
 /// The rectangle, or part of a ring, between the planes across the ends. Bounds that all of what is left keeps are not
 /// looked at further.
-bool Horizon::remove_between(const Swept& swept, double before, double after) {
+bool EngagementArcs::remove_between(const Swept& swept, double before, double after) {
   Bounds bounds;
   if (swept.kind == Swept::Kind::kLine) {
     bound_strip(swept, bounds);
@@ -128,14 +129,14 @@ bool Horizon::remove_between(const Swept& swept, double before, double after) {
   return remove_within(bounds);
 }
 
-void Horizon::bound_strip(const Swept& line, Bounds& bounds) const {
+void EngagementArcs::bound_strip(const Swept& line, Bounds& bounds) const {
   const Vec2 left = left_of(line.after);
   const double aside = dot(left, rest_center_ - line.from);
   if (aside + rest_radius_ > line.radius) bounds.add(within_line(left, line.from, line.radius));
   if (aside - rest_radius_ < -line.radius) bounds.add(within_line(-left, line.from, line.radius));
 }
 
-void Horizon::bound_ring(const Swept& arc, Bounds& bounds) const {
+void EngagementArcs::bound_ring(const Swept& arc, Bounds& bounds) const {
   const double outer = arc.ring + arc.radius, inner = arc.ring - arc.radius;
   const double squared = norm_squared(rest_center_ - arc.center);
   const double kept = outer - rest_radius_, hollow = inner + rest_radius_;
@@ -145,9 +146,9 @@ void Horizon::bound_ring(const Swept& arc, Bounds& bounds) const {
   bounds.add({-hole.normal, -hole.most, hole.squared, -radius_});
 }
 
-Horizon::Side Horizon::side_of(const Bound& bound, const Span& span) {
-  const bool from_beyond = dot(bound.normal, span.from.way()) > bound.most;
-  const bool to_beyond = dot(bound.normal, span.to.way()) > bound.most;
+EngagementArcs::Side EngagementArcs::side_of(const Bound& bound, const Span& span) {
+  const bool from_beyond = dot(bound.normal, span.from.direction()) > bound.most;
+  const bool to_beyond = dot(bound.normal, span.to.direction()) > bound.most;
   if (from_beyond != to_beyond) return from_beyond ? Side::kFromBeyond : Side::kToBeyond;
   // Between two ends on one side the bound is crossed twice, if at all.
   const bool meets = bound.most * bound.most < bound.squared;
@@ -158,15 +159,16 @@ Horizon::Side Horizon::side_of(const Bound& bound, const Span& span) {
 
 /// Where a bound that crosses a span lets it go, seen from the bound's normal on the left (1) or on the right (-1):
 /// beyond begins on the right.
-Horizon::End Horizon::crossing(const Bound& bound, double side, const Span& span) const {
+EngagementArcs::End EngagementArcs::crossing(const Bound& bound, double side, const Span& span) const {
   const double inverse = 1 / bound.squared;
   const double half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most));
-  const Vec2 way = bound.normal * (bound.most * inverse) + left_of(bound.normal) * (side * half * inverse);
-  return end_in(span, bound, way);
+  const Vec2 direction =
+      bound.normal * (bound.most * inverse) + left_of(bound.normal) * (side * half * inverse);
+  return end_in(span, bound, direction);
 }
 
 /// The parts of a span beyond a bound that crosses it.
-void Horizon::add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const {
+void EngagementArcs::add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const {
   switch (side) {
     case Side::kFromBeyond:
       return pieces.add({span.from, crossing(bound, 1, span)});
@@ -183,14 +185,14 @@ void Horizon::add_beyond(const Bound& bound, Side side, const Span& span, Pieces
   }
 }
 
-void Horizon::Pieces::add(const Span& span) {
+void EngagementArcs::Pieces::add(const Span& span) {
   if (!(span.to.order > span.from.order)) return;
   int place = count++;
   for (; place > 0 && items[place - 1].from.order > span.from.order; --place) items[place] = items[place - 1];
   items[place] = span;
 }
 
-void Horizon::Pieces::merge() {
+void EngagementArcs::Pieces::merge() {
   int merged = 0;
   for (int i = 1; i < count; ++i) {
     if (items[i].from.order <= items[merged].to.order) {
@@ -203,7 +205,7 @@ void Horizon::Pieces::merge() {
 }
 
 /// Takes away what lies within all bounds.
-bool Horizon::remove_within(const Bounds& bounds) {
+bool EngagementArcs::remove_within(const Bounds& bounds) {
   bool changed = false;
   for (int i = 0; i < count_;) {
     Crossed crossed;
@@ -213,12 +215,12 @@ bool Horizon::remove_within(const Bounds& bounds) {
       i = cut(i, crossed, changed);
     }
   }
-  if (changed && count_ > 0) look();
+  if (changed && count_ > 0) bound_rest();
   return changed;
 }
 
 /// Whether the whole span is beyond one of the bounds; else, those that cross it.
-bool Horizon::is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed) {
+bool EngagementArcs::is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed) {
   for (int k = 0; k < bounds.count; ++k) {
     const Side side = side_of(bounds.items[k], span);
     if (side == Side::kBeyond) return true;
@@ -230,7 +232,7 @@ bool Horizon::is_beyond_any(const Bounds& bounds, const Span& span, Crossed& cro
 }
 
 /// Leaves of a span what is beyond one of the bounds that cross it; returns the place after that.
-int Horizon::cut(int place, const Crossed& crossed, bool& changed) {
+int EngagementArcs::cut(int place, const Crossed& crossed, bool& changed) {
   Span& span = items_[place];
   // Nearly always one end is moved.
   if (crossed.count == 1 && (crossed.sides[0] == Side::kFromBeyond || crossed.sides[0] == Side::kToBeyond)) {
@@ -252,7 +254,7 @@ int Horizon::cut(int place, const Crossed& crossed, bool& changed) {
 }
 
 /// Puts pieces where a span was; returns the place after them.
-int Horizon::replace(int place, const Span* pieces, int count) {
+int EngagementArcs::replace(int place, const Span* pieces, int count) {
   if (count == 1) {
     items_[place] = pieces[0];
     return place + 1;
@@ -279,7 +281,7 @@ int Horizon::replace(int place, const Span* pieces, int count) {
 }
 
 /// A full set drops its narrowest item: less than is left is reported rather than none at all.
-void Horizon::drop_narrowest() {
+void EngagementArcs::drop_narrowest() {
   Span* narrowest = std::min_element(items_, items_ + count_, [](const Span& a, const Span& b) {
     return a.to.order - a.from.order < b.to.order - b.from.order;
   });
@@ -288,7 +290,7 @@ void Horizon::drop_narrowest() {
 }
 
 /// What is left lies on the circle beside the widest gap.
-void Horizon::look() {
+void EngagementArcs::bound_rest() {
   int first = 0;
   double widest = items_[0].from.order + 4 - items_[count_ - 1].to.order;
   for (int i = 1; i < count_; ++i) {
@@ -302,39 +304,41 @@ void Horizon::look() {
     rest_radius_ = enclosing(radius_);
     return;
   }
-  const Vec2 from = items_[first].from.way(), to = items_[first == 0 ? count_ - 1 : first - 1].to.way();
+  const Vec2 from = items_[first].from.direction(),
+             to = items_[first == 0 ? count_ - 1 : first - 1].to.direction();
   // The disc about the chord's middle holds the arc.
   rest_center_ = center_ + (from + to) * (0.5 * radius_);
   rest_radius_ = enclosing(0.5 * radius_ * std::sqrt(norm_squared(to - from)));
 }
 
-AngleSet Horizon::angles() const {
+AngleSet EngagementArcs::angles() const {
   const auto angle = [](const End& end) {
-    const Vec2 way = way_of(end.order);
-    return std::atan2(way.y, way.x);
+    const Vec2 direction = direction_of(end.order);
+    return std::atan2(direction.y, direction.x);
   };
   AngleInterval found[kCapacity];
   for (int i = 0; i < count_; ++i) found[i] = {angle(items_[i].from), angle(items_[i].to)};
   return AngleSet({found, static_cast<std::size_t>(count_)});
 }
 
-double Horizon::measure() const {
+double EngagementArcs::measure() const {
   double sum = 0;
   for (int i = 0; i < count_; ++i) sum += items_[i].width();
   return sum;
 }
 
 /// Radians that an end goes to the left per mm that the cutter goes ahead.
-double Horizon::drift(const End& end) const {
+double EngagementArcs::drift(const End& end) const {
   const Vec2 normal = end.normal();
-  const double least = kTangent * std::sqrt(norm_squared(normal)), across = dot(normal, left_of(end.way()));
+  const double least = kTangent * std::sqrt(norm_squared(normal)),
+               across = dot(normal, left_of(end.direction()));
   if (least == 0) return 0;
   return -dot(normal, ahead_) /
          (radius_ * (std::abs(across) < least ? std::copysign(least, across) : across));
 }
 
-ContactChange Horizon::change() const {
-  ContactChange change;
+EngagementChange EngagementArcs::change() const {
+  EngagementChange change;
   for (int i = 0; i < count_; ++i) {
     const Span& span = items_[i];
     change.per_mm += drift(span.to) - drift(span.from);
@@ -343,10 +347,10 @@ ContactChange Horizon::change() const {
   return change;
 }
 
-Vec2 Horizon::middle_of_widest() const {
+Vec2 EngagementArcs::middle_of_widest() const {
   const Span& widest = *std::max_element(items_, items_ + count_,
                                          [](const Span& a, const Span& b) { return a.width() < b.width(); });
-  const Vec2 from = widest.from.way(), to = widest.to.way();
+  const Vec2 from = widest.from.direction(), to = widest.to.direction();
   // Square to the chord, which is none of a whole circle.
   const Vec2 middle = widest.is_wide() ? right_of(to - from) : from + to;
   return middle == Vec2{} ? ahead_ : unit(middle);

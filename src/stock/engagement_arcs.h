@@ -1,4 +1,5 @@
-// Which directions around a cutter's centre are still in material, kept without trigonometry.
+// The engagement arcs: which directions around a cutter's centre are in material. Computed without trigonometric functions,
+// because this is the innermost loop of planning and checking.
 #pragma once
 
 #include <cmath>
@@ -9,7 +10,8 @@
 
 namespace clearcut::stock {
 
-/// What a cutter swept on a disc, a line, or an arc of less than a half turn: the points no farther than `radius` from it.
+/// The area that a cutter swept along a point, a line, or an arc of less than a half turn: all points no farther than `radius`
+/// from it. Lengths in mm.
 ///
 /// Within the planes across its ends it is a rectangle or a part of a ring, beyond them it is round.
 struct Swept {
@@ -18,7 +20,7 @@ struct Swept {
   bool round_start = true;  ///< false: another sweep covers what is beyond the start
   bool round_end = true;    ///< false: another sweep covers what is beyond the end, and a little before
   double radius = 0;        ///< of the cutter
-  Vec2 from;                ///< a disc's place
+  Vec2 from;                ///< beginning; of a disc: its centre
   Vec2 to;
   Vec2 before;      ///< unit, backwards at the start
   Vec2 after;       ///< unit, onwards at the end
@@ -30,22 +32,22 @@ struct Swept {
   bool covers(Vec2 p) const { return comes_within(p, radius); }
 };
 
-/// How fast what touches material changes.
-struct ContactChange {
-  double per_mm = 0;      ///< radians, going straight ahead
-  double per_radian = 0;  ///< radians, turning to the left
+/// How fast the engagement changes.
+struct EngagementChange {
+  double per_mm = 0;      ///< radians per mm of going straight ahead
+  double per_radian = 0;  ///< radians per radian of turning the heading to the left
 };
 
-/// The circle of a cutter, or its front half, less what sweeps cover.
+/// The circle of a cutter, or its front half, minus the directions that lie in swept areas.
 ///
 /// What is left are spans between two directions. A sweep is the part of the circle within up to four bounds, each a
 /// line or a circle; most spans lie on one side of most of them, which their ends tell by a product each. Only where
 /// a bound crosses a span a root is drawn. Exact to rounding.
-class Horizon {
+class EngagementArcs {
  public:
   enum class Part { kFront, kWhole };
-  /// `ahead`: any length > 0; the result is told from it.
-  Horizon(Vec2 center, double radius, Vec2 ahead, Part part);
+  /// `ahead`: the direction of travel, of any length > 0; resulting angles are measured from it.
+  EngagementArcs(Vec2 center, double radius, Vec2 ahead, Part part);
 
   bool empty() const { return count_ == 0; }
   /// Whether a disc of `reach` about `at` may cover any of what is left.
@@ -54,20 +56,20 @@ class Horizon {
     return norm_squared(at - rest_center_) <= far * far;
   }
   void clear() { count_ = 0; }
-  /// Whether anything was left of what it covers.
+  /// Takes away the directions that `swept` covers. Whether any of them was left before.
   bool remove(const Swept& swept);
-  /// Directions u with dot(normal, u) > q, normal of length 1.
+  /// Takes away the directions u with dot(normal, u) > q. `normal` is a unit vector.
   void remove_beyond(Vec2 normal, double q);
 
-  /// What is left, from `ahead`, in [-pi, pi].
+  /// What is left, as angles from `ahead` in [-pi, pi].
   AngleSet angles() const;
   /// Sum of its widths, radians.
   double measure() const;
-  /// How many intervals it is.
+  /// The number of separate intervals that are left.
   int parts() const { return count_; }
-  /// How it changes as the cutter moves straight ahead and as `ahead` turns.
-  ContactChange change() const;
-  /// The middle of its widest interval, of length 1. Not of an empty one.
+  /// How measure() changes as the cutter moves straight ahead and as `ahead` turns.
+  EngagementChange change() const;
+  /// The middle of the widest interval, as a unit vector. Something must be left.
   Vec2 middle_of_widest() const;
 
  private:
@@ -76,7 +78,7 @@ class Horizon {
     double order;  ///< grows with the angle from `ahead`: 0 ahead, 1 on the left, +-2 behind, -1 on the right
     double x, y;   ///< the direction, of length 1
     double nx, ny;  ///< across the line or circle that made it, of any length; none: it stays with `ahead`
-    Vec2 way() const { return {x, y}; }
+    Vec2 direction() const { return {x, y}; }
     Vec2 normal() const { return {nx, ny}; }
   };
   struct Span {
@@ -84,7 +86,7 @@ class Horizon {
     bool is_wide() const { return to.order - from.order >= 2; }  ///< a half turn or more
     /// Whether the direction v, of any length, may be between.
     bool holds(Vec2 v) const {
-      const bool after = cross(from.way(), v) >= 0, before = cross(v, to.way()) >= 0;
+      const bool after = cross(from.direction(), v) >= 0, before = cross(v, to.direction()) >= 0;
       return is_wide() ? after || before : after && before;
     }
     double width() const;
@@ -132,14 +134,14 @@ class Horizon {
     return {normal, (dot(normal, at - center_) + beyond) * inverse_, 1, 0};
   }
   End crossing(const Bound& bound, double side, const Span& span) const;
-  End end_in(const Span& span, const Bound& bound, Vec2 way) const;
+  End end_in(const Span& span, const Bound& bound, Vec2 direction) const;
   bool remove_within(const Bounds& bounds);
   static bool is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed);
   int cut(int place, const Crossed& crossed, bool& changed);
   int replace(int place, const Span* pieces, int count);
   void add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const;
   void drop_narrowest();
-  void look();
+  void bound_rest();
 
   static constexpr int kCapacity = AngleSet::kCapacity;
   const Vec2 center_;

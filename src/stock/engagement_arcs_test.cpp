@@ -16,62 +16,62 @@ struct Arc {
   double half = 0;
 };
 
-Horizon all_round() {
-  return {{0, 0}, 1, {1, 0}, Horizon::Part::kWhole};
+EngagementArcs all_round() {
+  return {{0, 0}, 1, {1, 0}, EngagementArcs::Part::kWhole};
 }
 
-Horizon front() {
-  return {{0, 0}, 1, {1, 0}, Horizon::Part::kFront};
+EngagementArcs front() {
+  return {{0, 0}, 1, {1, 0}, EngagementArcs::Part::kFront};
 }
 
-void remove(Horizon& horizon, const Arc& arc) {
-  horizon.remove_beyond({std::cos(arc.center), std::sin(arc.center)}, std::cos(arc.half));
+void remove(EngagementArcs& arcs, const Arc& arc) {
+  arcs.remove_beyond({std::cos(arc.center), std::sin(arc.center)}, std::cos(arc.half));
 }
 
-TEST(Horizon, BeginsWhole) {
+TEST(EngagementArcs, BeginsWhole) {
   EXPECT_DOUBLE_EQ(front().angles().measure(), kPi);
 }
 
-TEST(Horizon, RemovesAcrossTheSeam) {
-  Horizon horizon = all_round();
-  remove(horizon, {kPi, 0.5});  // half of it at each end of the domain
-  const AngleSet set = horizon.angles();
+TEST(EngagementArcs, RemovesAcrossTheSeam) {
+  EngagementArcs arcs = all_round();
+  remove(arcs, {kPi, 0.5});  // half of it at each end of the domain
+  const AngleSet set = arcs.angles();
   ASSERT_EQ(set.intervals().size(), 1u);
   EXPECT_DOUBLE_EQ(set.intervals()[0].from, -kPi + 0.5);
   EXPECT_DOUBLE_EQ(set.intervals()[0].to, kPi - 0.5);
 }
 
-TEST(Horizon, TurnsMayBeAddedToAnInterval) {
+TEST(EngagementArcs, TurnsMayBeAddedToAnInterval) {
   for (const int turns : {-3, -1, 0, 1, 5}) {
-    Horizon horizon = front();
-    remove(horizon, {0.2 + 2 * kPi * turns, 0.1});
-    const AngleSet set = horizon.angles();
+    EngagementArcs arcs = front();
+    remove(arcs, {0.2 + 2 * kPi * turns, 0.1});
+    const AngleSet set = arcs.angles();
     ASSERT_EQ(set.intervals().size(), 2u) << turns;
     EXPECT_NEAR(set.measure(), kPi - 0.2, 1e-12);
   }
 }
 
-TEST(Horizon, KeepsOnlyTheArcsThatNothingCovers) {
-  Horizon horizon = all_round();
+TEST(EngagementArcs, KeepsOnlyTheArcsThatNothingCovers) {
+  EngagementArcs arcs = all_round();
   // All but 0.25 to both sides of 0 and 0.5 to both sides of pi.
-  for (const double side : {1.0, -1.0}) remove(horizon, {side * (kPi - 0.25) / 2, (kPi - 0.75) / 2});
-  EXPECT_NEAR(horizon.angles().measure(), 1.5, 1e-12);
-  horizon.clear();
-  EXPECT_TRUE(horizon.angles().empty());
+  for (const double side : {1.0, -1.0}) remove(arcs, {side * (kPi - 0.25) / 2, (kPi - 0.75) / 2});
+  EXPECT_NEAR(arcs.angles().measure(), 1.5, 1e-12);
+  arcs.clear();
+  EXPECT_TRUE(arcs.angles().empty());
 }
 
 // What correct means: after any sequence of removals a direction is in the set exactly when no removed arc
 // holds it. Checked at 2000 directions, away from arc ends.
-TEST(Horizon, AgreesWithMembershipOfDirections) {
+TEST(EngagementArcs, AgreesWithMembershipOfDirections) {
   Random random(7);
   for (int round = 0; round < 300; ++round) {
-    Horizon horizon = front();
+    EngagementArcs arcs = front();
     std::vector<Arc> removed;
     for (int i = 0; i < 8; ++i) {
       removed.push_back({random.between(-9, 9), random.between(0, 0.4)});
-      remove(horizon, removed.back());
+      remove(arcs, removed.back());
     }
-    const AngleSet set = horizon.angles();
+    const AngleSet set = arcs.angles();
     for (int i = 0; i < 2000; ++i) {
       const double angle = -kPi / 2 + kPi * (i + 0.5) / 2000;
       bool expected = true, unclear = false;

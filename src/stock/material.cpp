@@ -219,86 +219,86 @@ double Material::height(Vec2 p) const {
   return height;
 }
 
-void Material::remove_outside(Horizon& horizon, Vec2 center, double radius) const {
+void Material::remove_outside(EngagementArcs& arcs, Vec2 center, double radius) const {
   if (!plan_) return;
-  horizon.remove_beyond({1, 0}, (plan_->max.x - center.x) / radius);
-  horizon.remove_beyond({0, 1}, (plan_->max.y - center.y) / radius);
-  horizon.remove_beyond({-1, 0}, (center.x - plan_->min.x) / radius);
-  horizon.remove_beyond({0, -1}, (center.y - plan_->min.y) / radius);
+  arcs.remove_beyond({1, 0}, (plan_->max.x - center.x) / radius);
+  arcs.remove_beyond({0, 1}, (plan_->max.y - center.y) / radius);
+  arcs.remove_beyond({-1, 0}, (center.x - plan_->min.x) / radius);
+  arcs.remove_beyond({0, -1}, (center.y - plan_->min.y) / radius);
 }
 
-void Material::remove_everything(Horizon& horizon, Vec2 center, double radius, double z) const {
-  if (z >= z_top_) return horizon.clear();
-  remove_outside(horizon, center, radius);
+void Material::remove_everything(EngagementArcs& arcs, Vec2 center, double radius, double z) const {
+  if (z >= z_top_) return arcs.clear();
+  remove_outside(arcs, center, radius);
   const std::vector<Entry>* near = grid_for(radius).at(center);
   if (!near) return;
   // Latest first: what was cut last is most often what the circle still touches.
-  for (auto entry = near->rbegin(); entry != near->rend() && !horizon.empty(); ++entry) {
-    if (entry->z_low > z || !horizon.may_meet(entry->middle, entry->reach)) continue;
+  for (auto entry = near->rbegin(); entry != near->rend() && !arcs.empty(); ++entry) {
+    if (entry->z_low > z || !arcs.may_meet(entry->middle, entry->reach)) continue;
     const Sweep& sweep = sweeps_[static_cast<std::size_t>(entry->sweep)];
-    horizon.remove(sweep.z_high <= z ? sweep.shape : below(sweep, z)->shape);
+    arcs.remove(sweep.z_high <= z ? sweep.shape : below(sweep, z)->shape);
   }
 }
 
 namespace {
 
-Contact contact_of(const Horizon& horizon) {
-  Contact contact{horizon.angles(), 0, 0, 0};
-  for (const AngleInterval& item : contact.angles.intervals()) {
-    contact.left += std::max(0.0, item.to) - std::max(0.0, item.from);
-    contact.right += std::min(0.0, item.to) - std::min(0.0, item.from);
+CutterEngagement engagement_of(const EngagementArcs& arcs) {
+  CutterEngagement engagement{arcs.angles(), 0, 0, 0};
+  for (const AngleInterval& item : engagement.angles.intervals()) {
+    engagement.left += std::max(0.0, item.to) - std::max(0.0, item.from);
+    engagement.right += std::min(0.0, item.to) - std::min(0.0, item.from);
   }
-  contact.angle = contact.left + contact.right;
-  return contact;
+  engagement.angle = engagement.left + engagement.right;
+  return engagement;
 }
 
 }  // namespace
 
-Contact Material::engagement(Vec2 center, Vec2 direction, double radius, double z) const {
-  Horizon horizon(center, radius, direction, Horizon::Part::kFront);
-  remove_everything(horizon, center, radius, z);
-  return contact_of(horizon);
+CutterEngagement Material::engagement(Vec2 center, Vec2 direction, double radius, double z) const {
+  EngagementArcs arcs(center, radius, direction, EngagementArcs::Part::kFront);
+  remove_everything(arcs, center, radius, z);
+  return engagement_of(arcs);
 }
 
-Contact Material::engagement(const Move& move, double t, double radius) const {
+CutterEngagement Material::engagement(const Move& move, double t, double radius) const {
   const double z = move.z_from + (move.z_to - move.z_from) * t;
   const Vec2 center = move.path.at(t), direction = move.path.tangent_at(t);
-  Horizon horizon(center, radius, direction, Horizon::Part::kFront);
-  remove_everything(horizon, center, radius, z);
+  EngagementArcs arcs(center, radius, direction, EngagementArcs::Part::kFront);
+  remove_everything(arcs, center, radius, z);
   // Going straight on, the front never meets the move's own start; going round, it may. What a descending
   // move passed stands higher than its tip is now.
   const bool counts = move.path.is_arc() && move.z_to >= move.z_from;
   const int pieces = counts ? static_cast<int>(std::ceil(std::abs(move.path.sweep()) * t / kPieceSweep)) : 0;
-  for (int i = 0; i < pieces && !horizon.empty(); ++i) {
+  for (int i = 0; i < pieces && !arcs.empty(); ++i) {
     const Edge piece = move.path.part(t * i / pieces, t * (i + 1) / pieces);
-    horizon.remove(make_sweep(piece, z, z, radius).shape);
+    arcs.remove(make_sweep(piece, z, z, radius).shape);
   }
-  return contact_of(horizon);
+  return engagement_of(arcs);
 }
 
-ContactSize Material::contact_size(Vec2 center, Vec2 direction, double radius, double z) const {
-  Horizon horizon(center, radius, direction, Horizon::Part::kFront);
-  remove_everything(horizon, center, radius, z);
-  return {horizon.measure(), horizon.parts()};
+EngagementSize Material::engagement_size(Vec2 center, Vec2 direction, double radius, double z) const {
+  EngagementArcs arcs(center, radius, direction, EngagementArcs::Part::kFront);
+  remove_everything(arcs, center, radius, z);
+  return {arcs.measure(), arcs.parts()};
 }
 
-ContactTrend Material::contact_trend(Vec2 center, Vec2 direction, double radius, double z) const {
-  Horizon horizon(center, radius, direction, Horizon::Part::kFront);
-  remove_everything(horizon, center, radius, z);
-  return {{horizon.measure(), horizon.parts()}, horizon.change()};
+EngagementTrend Material::engagement_trend(Vec2 center, Vec2 direction, double radius, double z) const {
+  EngagementArcs arcs(center, radius, direction, EngagementArcs::Part::kFront);
+  remove_everything(arcs, center, radius, z);
+  return {{arcs.measure(), arcs.parts()}, arcs.change()};
 }
 
 std::optional<CircleTouch> Material::circle_touch(Vec2 center, double radius, double z) const {
-  Horizon horizon(center, radius, {1, 0}, Horizon::Part::kWhole);
-  remove_everything(horizon, center, radius, z);
-  if (horizon.empty()) return std::nullopt;
-  return CircleTouch{horizon.measure(), horizon.middle_of_widest()};
+  EngagementArcs arcs(center, radius, {1, 0}, EngagementArcs::Part::kWhole);
+  remove_everything(arcs, center, radius, z);
+  if (arcs.empty()) return std::nullopt;
+  return CircleTouch{arcs.measure(), arcs.middle_of_widest()};
 }
 
 AngleSet Material::circle_in_material(Vec2 center, double radius, double z) const {
-  Horizon horizon(center, radius, {1, 0}, Horizon::Part::kWhole);
-  remove_everything(horizon, center, radius, z);
-  return horizon.angles();
+  EngagementArcs arcs(center, radius, {1, 0}, EngagementArcs::Part::kWhole);
+  remove_everything(arcs, center, radius, z);
+  return arcs.angles();
 }
 
 }  // namespace clearcut::stock

@@ -1,4 +1,4 @@
-// What is left of the stock while a program runs, and how much of a cutter's circle is in it.
+// The remaining stock while a program runs, and the engagement of a cutter in it.
 #pragma once
 
 #include <cstdint>
@@ -12,33 +12,34 @@
 
 namespace clearcut::stock {
 
-/// Where the front half of a cutter's circle touches material, seen from its direction of travel.
-struct Contact {
+/// Which directions of the front half of a cutter's circle are in material.
+struct CutterEngagement {
   AngleSet angles;   ///< radians from the direction of travel, in [-pi/2, pi/2], > 0 on the left
   double angle = 0;  ///< radians, sum of the widths
   double left = 0;   ///< radians of it on the left of the direction of travel
-  double right = 0;
+  double right = 0;  ///< and on the right
 };
 
-/// How much of a cutter's front touches material.
-struct ContactSize {
+/// The engagement as a number, without directions: cheaper than CutterEngagement.
+struct EngagementSize {
   double angle = 0;  ///< radians, sum of the widths
-  int parts = 0;     ///< of the front, apart from each other
+  int parts = 0;     ///< separate parts of the front half circle in material
 };
 
-/// The same with how it changes as the cutter goes on. Exact but where a part begins, ends or is split just there.
-struct ContactTrend {
-  ContactSize size;
-  ContactChange change;
+/// The engagement as a number, and its rate of change as the cutter goes on. Exact, except at places where a part begins, ends
+/// or is split just there.
+struct EngagementTrend {
+  EngagementSize size;
+  EngagementChange change;
 };
 
-/// What of a circle is in material.
+/// How much of a circle is in material, and where.
 struct CircleTouch {
   double angle = 0;  ///< radians, sum of the widths
   Vec2 toward;       ///< unit, the middle of the widest part
 };
 
-/// A block, or solid ground without end, minus the volumes that flat cutters have swept so far.
+/// The remaining stock: a block, or material without end, minus the volumes that flat-ended cutters have swept so far.
 ///
 /// Exact: sweeps are kept as lines and arcs with a radius, questions are answered by intersecting circles
 /// with their outlines; there is no raster. A cutter whose tip passes at or below z removes everything above.
@@ -46,14 +47,14 @@ struct CircleTouch {
 /// Cost    add: O(length / radius + 1); a question: O(moves within two radii), whatever the program's length.
 class Material {
  public:
-  /// `plan` is the block's outline, absent: no end. Material reaches down from z_top. `radii` are those of
+  /// `plan` is the block's outline in plan view; absent: the material has no end sideways. Material reaches down from z_top. `radii` are those of
   /// the cutters that will be asked about (any smaller radius may be asked about too), mm, all > 0.
   Material(std::optional<Box> plan, double z_top, const std::vector<double>& radii);
 
   /// Takes away what a cutter of `radius` mm sweeps along `move`.
   void add(const Move& move, double radius);
 
-  /// How many pieces of moves were added, and the way back to fewer: what later ones swept is material again.
+  /// How many pieces of moves were added so far; and back to an earlier number: what later pieces swept is material again.
   std::size_t sweeps() const { return sweeps_.size(); }
   void forget_beyond(std::size_t sweeps);
 
@@ -65,16 +66,16 @@ class Material {
 
   /// The front half circle of a cutter at `center` that moves along `direction` (any length > 0) with its tip
   /// at z.
-  Contact engagement(Vec2 center, Vec2 direction, double radius, double z) const;
+  CutterEngagement engagement(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The same at parameter t of `move`, for a cutter that has swept the move up to t (and nothing of it is
   /// added yet).
-  Contact engagement(const Move& move, double t, double radius) const;
-  /// The sum alone, for less.
-  ContactSize contact_size(Vec2 center, Vec2 direction, double radius, double z) const;
-  ContactTrend contact_trend(Vec2 center, Vec2 direction, double radius, double z) const;
+  CutterEngagement engagement(const Move& move, double t, double radius) const;
+  /// Only the total angle and the number of parts: cheaper.
+  EngagementSize engagement_size(Vec2 center, Vec2 direction, double radius, double z) const;
+  EngagementTrend engagement_trend(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The parts of the whole circle in material, as absolute angles in [-pi, pi].
   AngleSet circle_in_material(Vec2 center, double radius, double z) const;
-  /// Their sum and one direction alone, for less; none where the circle is free.
+  /// Only their total angle and the direction of the widest; absent where the circle touches nothing. Cheaper.
   std::optional<CircleTouch> circle_touch(Vec2 center, double radius, double z) const;
 
   /// A place within `radius` of `path` where material reaches above z; none where there is none. Finds every piece that holds
@@ -133,8 +134,8 @@ class Material {
   static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);
   static std::optional<Sweep> below(const Sweep& sweep, double z);
   static void join(Sweep& last, Sweep& next);
-  void remove_everything(Horizon& horizon, Vec2 center, double radius, double z) const;
-  void remove_outside(Horizon& horizon, Vec2 center, double radius) const;
+  void remove_everything(EngagementArcs& arcs, Vec2 center, double radius, double z) const;
+  void remove_outside(EngagementArcs& arcs, Vec2 center, double radius) const;
 
   std::optional<Box> plan_;
   double z_top_;

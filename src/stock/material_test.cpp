@@ -20,9 +20,9 @@ double degrees(double radians) {
 
 TEST(Material, FreshSolidIsASlot) {
   const Material material(std::nullopt, 0, {3});
-  const Contact contact = material.engagement({0, 0}, {1, 0}, 3, -1);
-  EXPECT_DOUBLE_EQ(degrees(contact.angle), 180);
-  EXPECT_DOUBLE_EQ(contact.left, contact.right);
+  const CutterEngagement engagement = material.engagement({0, 0}, {1, 0}, 3, -1);
+  EXPECT_DOUBLE_EQ(degrees(engagement.angle), 180);
+  EXPECT_DOUBLE_EQ(engagement.left, engagement.right);
 }
 
 TEST(Material, AboveTheTopThereIsNothing) {
@@ -60,11 +60,11 @@ TEST(Material, StepoverGivesItsClosedForm) {
   for (const double stepover : {0.5, 2.0, 5.0, 7.5, 9.9}) {
     Material material(std::nullopt, 0, {r});
     material.add(flat(Edge::line({-50, 0}, {50, 0}), -1), r);
-    const Contact on_left = material.engagement({0, stepover}, {1, 0}, r, -1);
+    const CutterEngagement on_left = material.engagement({0, stepover}, {1, 0}, r, -1);
     EXPECT_NEAR(on_left.angle, std::acos(1 - stepover / r), 1e-12) << stepover;
     // Material is on the left when the cleared pass is on the right.
     EXPECT_GT(on_left.left, on_left.right - 1e-12);
-    const Contact on_right = material.engagement({0, stepover}, {-1, 0}, r, -1);
+    const CutterEngagement on_right = material.engagement({0, stepover}, {-1, 0}, r, -1);
     EXPECT_NEAR(on_right.right, on_left.left, 1e-12);
   }
 }
@@ -151,7 +151,7 @@ bool removed_by_sampling(const Scene& scene, Vec2 p, double z, double slack) {
   return false;
 }
 
-// What correct means: a direction belongs to the contact exactly when the point of the circle there is in
+// What correct means: a direction belongs to the engagement exactly when the point of the circle there is in
 // material. The sampling is blind within 0.01 mm of an outline; such directions are left out, and must be
 // few.
 TEST(Material, EngagementAgreesWithSampledRandomScenes) {
@@ -238,11 +238,11 @@ TEST(Material, JoinedSweepsCoverWhatTheyCoverApart) {
       const double radius = random.below(2) == 0 ? 2.9998 : random.between(0.3, 2.9),
                    z = -random.between(0.5, 2.5);
       const Vec2 ahead = direction_of(random.between(-3, 3));
-      const Contact contact = joined.engagement(p, ahead, radius, z);
-      ASSERT_NEAR(contact.angle, apart.engagement(p, ahead, radius, z).angle, 1e-9) << round;
-      const ContactSize size = joined.contact_size(p, ahead, radius, z);
-      ASSERT_NEAR(size.angle, contact.angle, 1e-12);
-      ASSERT_EQ(size.parts, static_cast<int>(contact.angles.intervals().size()));
+      const CutterEngagement engagement = joined.engagement(p, ahead, radius, z);
+      ASSERT_NEAR(engagement.angle, apart.engagement(p, ahead, radius, z).angle, 1e-9) << round;
+      const EngagementSize size = joined.engagement_size(p, ahead, radius, z);
+      ASSERT_NEAR(size.angle, engagement.angle, 1e-12);
+      ASSERT_EQ(size.parts, static_cast<int>(engagement.angles.intervals().size()));
       const AngleSet circle = joined.circle_in_material(p, radius, z);
       ASSERT_NEAR(circle.measure(), apart.circle_in_material(p, radius, z).measure(), 1e-9) << round;
       const auto touch = joined.circle_touch(p, radius, z);
@@ -264,10 +264,12 @@ TEST(Material, TrendOfTheContactIsItsDerivative) {
     for (int k = 0; k < 40; ++k) {
       const Vec2 p{random.between(-10, 10), random.between(-10, 10)},
           ahead = direction_of(random.between(-3, 3));
-      const ContactTrend trend = material.contact_trend(p, ahead, r, -1);
-      const auto moved = [&](double by) { return material.contact_size(p + ahead * by, ahead, r, -1).angle; };
+      const EngagementTrend trend = material.engagement_trend(p, ahead, r, -1);
+      const auto moved = [&](double by) {
+        return material.engagement_size(p + ahead * by, ahead, r, -1).angle;
+      };
       const auto turned = [&](double by) {
-        return material.contact_size(p, rotated(ahead, by), r, -1).angle;
+        return material.engagement_size(p, rotated(ahead, by), r, -1).angle;
       };
       if (trend.size.angle == 0) continue;
       ++checked;

@@ -23,10 +23,10 @@ std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances&
 bool only_plunges(const Tool& tool);
 
 /// Whether a plunge of `tool` at its centre makes the whole hole: as wide to within tol.fit, and no narrower than
-/// a film of tol.uncut all round.
+/// a residual of tol.uncut all round.
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);
 
-/// The ways down that are there, in reach of its passes, when a workingstep begins, for cutters that are no wider: predrilled holes, and those that
+/// The paths down that are there, in reach of its passes, when a workingstep begins, for cutters that are no wider: predrilled holes, and those that
 /// earlier steps have made at least as deep as the step goes. Cost O(steps).
 std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol);
 

@@ -22,7 +22,7 @@ constexpr double kLargestDeflection = 0.02;  // mm
 constexpr double kThickestWall = 20;         // mm
 constexpr std::size_t kMostWalls = 3000;
 
-double width_of_cut(const stock::Contact& contact, double radius) {
+double width_of_cut(const stock::CutterEngagement& contact, double radius) {
   double width = 0;
   for (const stock::AngleInterval& arc : contact.angles.intervals())
     width += radius * (std::sin(arc.from + arc.width()) - std::sin(arc.from));

@@ -12,7 +12,7 @@ namespace clearcut::verify {
 
 /// What the cutter meets over a short stretch of a level move.
 struct Bite {
-  stock::Contact contact;
+  stock::CutterEngagement contact;
   double axial = 0;   ///< mm of depth in material
   double length = 0;  ///< mm of path; 0: a place that only may be the worst
   Place at;

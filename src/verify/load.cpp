@@ -106,7 +106,7 @@ class LoadMeter {
     Move lifted = move;
     lifted.z_from += kFilm;
     lifted.z_to += kFilm;
-    const stock::Contact contact = material_.engagement(lifted, t, judged.radius() - kFilm);
+    const stock::CutterEngagement contact = material_.engagement(lifted, t, judged.radius() - kFilm);
     MoveLoad& load = judged.load;
     const double axial = contact.angle > 0 ? measure_axial(judged, move.path.at(t),
                                                            angle_of(direction_at(move, t)), z, contact.angles)
@@ -133,7 +133,7 @@ class LoadMeter {
   }
 
   /// 1: the material is on the climb side, 0: on the other; a slot is half of each.
-  static double climb_share(const stock::Contact& contact, bool clockwise) {
+  static double climb_share(const stock::CutterEngagement& contact, bool clockwise) {
     const double difference = clockwise ? contact.right - contact.left : contact.left - contact.right;
     if (std::abs(difference) < 0.01 * contact.angle) return 0.5;
     return difference > 0 ? 1 : 0;

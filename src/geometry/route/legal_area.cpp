@@ -54,7 +54,7 @@ bool on_one_side(Vec2 p, Vec2 q, Vec2 on, Vec2 direction, double off) {
   return left * right > 0 && left * left > least && right * right > least;
 }
 
-/// Whether the straight way a-b surely passes an edge at more than `off`.
+/// Whether the straight path a-b surely passes an edge at more than `off`.
 bool is_far_from(Vec2 a, Vec2 b, const Edge& edge, double off) {
   if (!edge.is_arc()) {
     return on_one_side(edge.from, edge.to, a, b - a, off) ||
@@ -148,7 +148,7 @@ bool LegalArea::contains(Vec2 p) const {
   return around != 0;
 }
 
-/// How often the level way from p to x crosses an edge, from its left to its right.
+/// How often the level path from p to x crosses an edge, from its left to its right.
 int LegalArea::crossings(std::size_t edge, Vec2 p, double x) const {
   const Box& box = boxes_[edge];
   if (p.y < box.min.y - kAside || p.y > box.max.y + kAside || p.x > box.max.x + kAside) return 0;
@@ -259,9 +259,9 @@ void LegalArea::add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<doub
     add_arc_cuts(a, b, edge, cuts);
   } else {
     const Vec2 u = b - a, v = edge.to - edge.from;
-    const double det = cross(u, v), on_way = cross(edge.from - a, v), on_edge = cross(edge.from - a, u);
+    const double det = cross(u, v), on_line = cross(edge.from - a, v), on_edge = cross(edge.from - a, u);
     const bool parallel = det * det <= 1e-28 * norm_squared(u) * norm_squared(v);
-    if (!parallel && is_share(on_edge, det) && is_share(on_way, det)) cuts.push_back(on_way / det);
+    if (!parallel && is_share(on_edge, det) && is_share(on_line, det)) cuts.push_back(on_line / det);
   }
   // An edge along the way crosses it nowhere; where it ends the boundary turns away.
   for (const Vec2 p : {edge.from, edge.to}) {

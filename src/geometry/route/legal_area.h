@@ -13,10 +13,10 @@ class LegalArea {
  public:
   explicit LegalArea(Regions regions);
 
-  /// Whether every point of the straight way a-b is inside or within `slack` mm of the boundary.
+  /// Whether every point of the straight path a-b is inside or within `slack` mm of the boundary.
   bool holds_line(Vec2 a, Vec2 b) const;
   bool holds(Vec2 p) const;
-  /// Whether p is inside (on the boundary: either). Quick: most places need no look at any edge.
+  /// Whether p is inside (on the boundary: either). Quick: for most places no edge has to be checked.
   bool contains(Vec2 p) const;
   /// Whether the boundary comes within `reach` mm of p. Cost: the cells that lie so near.
   bool is_near_boundary(Vec2 p, double reach) const;

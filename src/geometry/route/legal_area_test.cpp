@@ -76,17 +76,17 @@ bool holds_plainly(const Region& region, Vec2 p) {
 }
 
 bool holds_plainly(const Region& region, Vec2 a, Vec2 b) {
-  const Edge way = Edge::line(a, b);
+  const Edge path = Edge::line(a, b);
   std::vector<double> cuts{0, 1};
   const auto add = [&](Vec2 p) { cuts.push_back(dot(p - a, b - a) / norm_squared(b - a)); };
   for (const Edge& edge : region.edges()) {
-    for (const Vec2 p : intersections(way, edge)) add(p);
+    for (const Vec2 p : intersections(path, edge)) add(p);
     for (const Vec2 p : {edge.from, edge.to})
-      if (distance(way, p) <= LegalArea::kSlack) add(p);
+      if (distance(path, p) <= LegalArea::kSlack) add(p);
   }
   std::sort(cuts.begin(), cuts.end());
   for (std::size_t i = 1; i < cuts.size(); ++i) {
-    if ((cuts[i] - cuts[i - 1]) * way.length() < LegalArea::kSlack) continue;
+    if ((cuts[i] - cuts[i - 1]) * path.length() < LegalArea::kSlack) continue;
     if (!holds_plainly(region, lerp(a, b, (cuts[i - 1] + cuts[i]) / 2))) return false;
   }
   return true;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kNoLength = 1e-7;
 /// Arcs of a way may be left at places this far apart.
 constexpr double kArcPiece = kPi / 18;
-/// Ways with more vertices than this are shortened in one pass over windows of so many.
+/// Paths with more vertices than this are shortened in one pass over windows of so many.
 constexpr std::size_t kWindow = 120;
 
 void append(Path& path, const Edge& edge) {
@@ -22,9 +22,9 @@ void append(Path& path, const Edge& edge) {
 }
 
 /// Arcs in pieces, so that a way can be left on its way round.
-Path in_pieces(const Path& way) {
+Path in_pieces(const Path& path) {
   Path pieces;
-  for (const auto& edge : way) {
+  for (const auto& edge : path) {
     const int count = edge.is_arc() ? static_cast<int>(std::ceil(std::abs(edge.sweep()) / kArcPiece)) : 1;
     for (int i = 0; i < count; ++i) {
       pieces.push_back(
@@ -66,13 +66,13 @@ LegalRoutes::LegalRoutes(const Regions& regions, const LegalArea& area) : area_(
 }
 
 std::vector<LegalRoutes::Crossing> LegalRoutes::crossings(Vec2 a, Vec2 b) const {
-  const Edge way = Edge::line(a, b);
-  const Box where = way.box().grown(LegalArea::kSlack);
+  const Edge path = Edge::line(a, b);
+  const Box where = path.box().grown(LegalArea::kSlack);
   std::vector<Crossing> found;
   for (std::size_t loop = 0; loop < loops_.size(); ++loop) {
     for (std::size_t edge = 0; edge < loops_[loop].size(); ++edge) {
       if (!boxes_[loop][edge].overlaps(where)) continue;
-      for (const Vec2 p : intersections(way, loops_[loop][edge])) {
+      for (const Vec2 p : intersections(path, loops_[loop][edge])) {
         found.push_back({dot(p - a, b - a) / norm_squared(b - a), p, loop, edge});
       }
     }
@@ -87,9 +87,9 @@ std::optional<Path> LegalRoutes::between(Vec2 a, Vec2 b) const {
   if (distance(a, b) <= kNoLength) return Path{};
   if (area_.holds_line(a, b)) return Path{Edge::line(a, b)};
   const auto all = crossings(a, b);
-  Path way;
+  Path path;
   Vec2 at = a;
-  // Leave the straight way where it leaves the area, go round that boundary to where the way crosses it last.
+  // Leave the straight path where it leaves the area, go round that boundary to where the way crosses it last.
   for (std::size_t i = 0; i < all.size();) {
     const double t_next = i + 1 < all.size() ? all[i + 1].t : 1.0;
     const bool goes_on = (t_next - all[i].t) * distance(a, b) < LegalArea::kSlack ||
@@ -101,16 +101,16 @@ std::optional<Path> LegalRoutes::between(Vec2 a, Vec2 b) const {
     std::size_t last = all.size() - 1;
     while (last > i && all[last].loop != all[i].loop) --last;
     if (last == i) return std::nullopt;
-    append(way, Edge::line(at, all[i].point));
-    for (const auto& edge : around(all[i], all[last])) way.push_back(edge);
+    append(path, Edge::line(at, all[i].point));
+    for (const auto& edge : around(all[i], all[last])) path.push_back(edge);
     at = all[last].point;
     i = last;
     if (last + 1 == all.size()) break;
     ++i;
     // What lies between this crossing and the next is inside: the way has just come in.
   }
-  append(way, Edge::line(at, b));
-  return taut(a, way);
+  append(path, Edge::line(at, b));
+  return taut(a, path);
 }
 
 Path LegalRoutes::around(const Crossing& out, const Crossing& in) const {
@@ -121,9 +121,9 @@ Path LegalRoutes::around(const Crossing& out, const Crossing& in) const {
 }
 
 /// Greedily replaces stretches of the way by straight legal ones, the longest first from each place.
-Path LegalRoutes::taut(Vec2 a, const Path& way) const {
-  const Path pieces = in_pieces(way);
-  Path short_way;
+Path LegalRoutes::taut(Vec2 a, const Path& path) const {
+  const Path pieces = in_pieces(path);
+  Path short_path;
   Vec2 at = a;
   for (std::size_t i = 0; i < pieces.size();) {
     std::size_t far = std::min(pieces.size() - 1, i + kWindow);
@@ -131,11 +131,11 @@ Path LegalRoutes::taut(Vec2 a, const Path& way) const {
     Edge edge = pieces[i];
     if (far > i || !edge.is_arc() || area_.holds_line(at, edge.to)) edge = Edge::line(at, pieces[far].to);
     edge.from = at;
-    append(short_way, edge);
-    if (!short_way.empty()) at = short_way.back().to;
+    append(short_path, edge);
+    if (!short_path.empty()) at = short_path.back().to;
     i = far + 1;
   }
-  return short_way;
+  return short_path;
 }
 
 }  // namespace clearcut::inline geometry

@@ -9,36 +9,32 @@
 #include "plan/adaptive/clearing_outline.h"
 #include "plan/adaptive/entry_regions.h"
 #include "plan/adaptive/finish/finish.h"
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Radians. What rounding in the program, arcs fitted to traced curves and the sampling of the contact may add.
-constexpr double kContactMargin = 0.003;
-/// Radius of the entry circle as a share of the cutter's: below 1 no post is left in its middle.
+/// Radius of the entry circle as a share of the cutter's: below 1, so that no post is left in its middle.
 constexpr double kEntryCircle = 0.95;
-constexpr double kNoLimit = 1e300;  // mm
-/// Tool radii between the marks on walls.
-constexpr double kMarkPitch = 0.1;
+/// mm: the entry circle may be as wide as it likes.
+constexpr double kNoLimit = 1e300;
 /// Tool radii that clearing keeps off the walls, for what arcs deviate from the curves they are fitted to.
 constexpr double kKeepOff = 0.0035;
-/// Entries for what the cuts from elsewhere cannot reach.
+/// Entries into what cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
-/// Rests that are cut one by one: of an area that is cleared by then; and where nothing else clears it.
+/// Rests that are cut one by one: in an area that other cuts have cleared, and where nothing else clears it.
 constexpr int kFewRests = 60;
 constexpr int kMostRests = 2000;
-/// Tool radii that the centre may run beyond an open side.
+/// Tool radii that the centre may run beyond an open side: just past the place where the cutter leaves the stock.
 constexpr double kBeyondOpenSides = 1.01;
-/// Tool radii between the places beside the stock from where cuts are tried, how far inside their outline these are, and
-/// how near the stock is there.
+/// Tool radii between the places beside the stock from which cuts are tried; how far inside their outline these lie; and how
+/// near to them there must be stock.
 constexpr double kAirPitch = 0.5;
 constexpr double kBesideAir = 0.005;
 constexpr double kNearStock = 0.05;
-/// Tool radii of wall without contact that end a cut while clearing.
-constexpr double kAir = 0.3;
-/// Tool radii beside corners that clearing leaves to the arcs between their walls, from where cuts from wall to wall come nearer
-/// by less and less: this less how much nearer each arc ends.
+/// Tool radii of wall beside a corner that clearing leaves to the arcs between the corner's walls: kLeftToCorner less the gain
+/// of each arc (cuts from wall to wall come nearer to the corner by less and less), and kLeastLeft at least.
 constexpr double kLeftToCorner = 1.5;
 constexpr double kLeastLeft = 0.7;
 
@@ -62,15 +58,15 @@ struct InnerAreas {
 };
 
 /// mm. What cuts that end at a wall leave between them.
-double film_between_cuts(double radius, double limit) {
+double residual_between_cuts(double radius, double limit) {
   const double step = radius * (1 - std::cos(limit));
   return std::max(0.16 * step * step / radius, radius * (1 - std::cos(limit / 3)));
 }
 
-/// Where cuts may begin that no free way leads to.
+/// Where cuts may begin that no free path leads to.
 enum class Lifts {
   kFew,  ///< from above only where all else is cut, and not often
-  kAny   ///< as often as it takes: in areas so large that free ways do not lead back round them
+  kAny   ///< as often as it takes: in areas so large that free paths do not lead back round them
 };
 
 /// The passes of one connected legal area.
@@ -83,24 +79,25 @@ class AdaptivePlanner {
         radius_(layer.tool_radius),
         limit_(limit),
         entry_circle_(std::min(kEntryCircle * radius_, options.widest_helix.value_or(kNoLimit) / 2)),
-        ground_({legal}, radius_, layer.stock),
-        ways_(clearance.axis(), layer.tool_radius + layer.wall_stock, 2 * radius_),
-        path_(ground_, ways_),
-        finder_(front_, clearance, ground_, layer, limit, options.start),
-        clearing_(ground_, path_, {front_, legal, kMarkPitch * radius_, film_between_cuts(radius_, limit)},
-                  inner.clearing, limit, {kAir * radius_, 0}),
-        finish_(ground_, path_, legal, inner.finishing, layer.target, limit),
+        remaining_({legal}, radius_, layer.stock),
+        links_(clearance.axis(), layer.tool_radius + layer.wall_stock, 2 * radius_),
+        path_(remaining_, links_),
+        finder_(front_, clearance, remaining_, layer, limit, options.start),
+        clearing_(remaining_, path_,
+                  {front_, legal, RadiusShares::kWallPitch * radius_, residual_between_cuts(radius_, limit)},
+                  inner.clearing, limit, {RadiusShares::kAir * radius_, 0}),
+        finish_(remaining_, path_, legal, inner.finishing, layer.target, limit),
         open_(layer.stock && has_open_side(layer)),
         lifts_(lifts),
         cancel_(options.cancel) {
     leave_corners();
-    for (const PredrilledHole& hole : layer.holes) ground_.remove_disc(hole.center, hole.diameter / 2);
+    for (const PredrilledHole& hole : layer.holes) remaining_.remove_disc(hole.center, hole.diameter / 2);
   }
 
   /// Absent where more was left to the end than is cut one by one.
   std::optional<std::vector<Pass>> plan() {
     if (open_) cut_from_outside();
-    clear_rooms();
+    clear_entry_regions();
     enter_what_is_left();
     if (!finish_.run(open_, lifts_ == Lifts::kFew ? kFewRests : kMostRests) && lifts_ == Lifts::kFew)
       return std::nullopt;
@@ -123,18 +120,18 @@ class AdaptivePlanner {
   }
 
   /// The widest places one after the other, each with what is nearer to it than to the others.
-  void clear_rooms() {
-    const auto rooms = finder_.choose();
-    for (std::size_t i = 0; i < rooms.size(); ++i) {
-      clear_room(rooms[i]);
-      cut_fronts([&](Vec2 p) { return nearest_room(rooms, p) == i; });
+  void clear_entry_regions() {
+    const auto entry_regions = finder_.choose();
+    for (std::size_t i = 0; i < entry_regions.size(); ++i) {
+      clear_entry_region(entry_regions[i]);
+      cut_fronts([&](Vec2 p) { return nearest_entry_region(entry_regions, p) == i; });
     }
     cut_fronts(everywhere);
   }
 
   /// In at open sides, as far as that leads.
   void cut_from_outside() {
-    clearing_.walls.update(ground_, legal_.box());
+    clearing_.walls.update(remaining_, legal_.box());
     cut_fronts_from_above();
     const Wall outline(legal_.outer());
     const double end = outline.length();
@@ -148,27 +145,27 @@ class AdaptivePlanner {
     cut_fronts(everywhere);
     if (lifts_ == Lifts::kFew) return;
     for (std::size_t before = 0; !path_.empty() && !clearing_.walls.starts().empty();) {
-      before = ground_.cuts();
+      before = remaining_.cuts();
       path_.finish_pass();
       cut_fronts(everywhere);
-      if (ground_.cuts() == before) break;
+      if (remaining_.cuts() == before) break;
     }
     path_.resume_pass();
   }
 
-  /// Round the stock with it on the right, nearer until the contact is at the limit, and on. Whether it stands beside
+  /// Round the stock with it on the right, nearer until the engagement is at the limit, and on. Whether it stands beside
   /// the outline at s, with nothing on it.
   bool cut_from_air(const Wall& outline, double s) {
     const Vec2 along = outline.heading(s), inwards = left_of(along),
                p = outline.at(s) + inwards * (kBesideAir * radius_);
-    if (ground_.touches(p, Ground::kClear) ||
-        !ground_.touches(p + inwards * (kNearStock * radius_), Ground::kFree))
+    if (remaining_.touches(p, RemainingStock::kClear) ||
+        !remaining_.touches(p + inwards * (kNearStock * radius_), RemainingStock::kFree))
       return false;
-    const auto way = path_.empty() ? std::nullopt : path_.way_to(p, Ground::kFree);
+    const auto link = path_.empty() ? std::nullopt : path_.link_to(p, RemainingStock::kFree);
     const Path cut = finish_.cut_on(p, -along);
     if (cut.empty()) return false;
-    path_.append(cut, way ? *way : path_.hop_to(p));
-    clearing_.walls.update(ground_, box(cut).grown(2 * radius_));
+    path_.append(cut, link ? *link : path_.retract_to(p));
+    clearing_.walls.update(remaining_, box(cut).grown(2 * radius_));
     return true;
   }
 
@@ -180,24 +177,24 @@ class AdaptivePlanner {
     }
     path_.resume_pass();
     for (int i = 0; i < kMostEntries; ++i) {
-      const auto room = finder_.widest_uncut();
-      if (!room) return;
-      clear_room(*room);
+      const auto entry_region = finder_.widest_uncut();
+      if (!entry_region) return;
+      clear_entry_region(*entry_region);
       cut_fronts(everywhere);
     }
   }
 
-  /// A spiral in the room, and on round it. A last thin turn of the spiral would waste most of a round; it is needed only
+  /// A spiral in the entry region, and on round it. A last thin turn of the spiral would waste most of a round; it is needed only
   /// where no cut leads on without it.
-  void clear_room(const Disc& room) {
-    path_.open(room, entry_circle_, limit_, finder_.hole_at(room.center));
+  void clear_entry_region(const Disc& entry_region) {
+    path_.open(entry_region, entry_circle_, limit_, finder_.hole_at(entry_region.center));
     const Walls walls = clearing_.walls;
-    const std::size_t spiral = ground_.cuts();
+    const std::size_t spiral = remaining_.cuts();
     Path round = go_round();
     if (!leads_on()) {
-      ground_.forget_beyond(spiral);
+      remaining_.forget_beyond(spiral);
       clearing_.walls = walls;
-      path_.widen_to_rim(room, limit_);
+      path_.widen_to_rim(entry_region, limit_);
       round = go_round();
     }
     path_.append(round, {});
@@ -207,17 +204,17 @@ class AdaptivePlanner {
   Path go_round() {
     const auto last = path_.last_arc();
     Path round = last ? clearing_.tracer.cut_on(last->to, last->tangent_at(1), 1 / last->radius()) : Path{};
-    clearing_.walls.update(ground_, legal_.box());
+    clearing_.walls.update(remaining_, legal_.box());
     return round;
   }
 
   /// Whether a cut can be made from a wall.
   bool leads_on() {
-    const std::size_t before = ground_.cuts();
+    const std::size_t before = remaining_.cuts();
     const auto starts = clearing_.walls.starts();
     return std::any_of(starts.begin(), starts.end(), [&](const WallPlace& start) {
       const Path cut = clearing_.tracer.cut_from(start, start.s);
-      ground_.forget_beyond(before);
+      remaining_.forget_beyond(before);
       return length(cut) > radius_;
     });
   }
@@ -253,10 +250,10 @@ class AdaptivePlanner {
   Region front_;  ///< where it clears; the rest is the wall pass's
   double radius_, limit_;
   double entry_circle_;  ///< radius of the first circle, mm
-  Ground ground_;
-  FreeWays ways_;
+  RemainingStock remaining_;
+  ClearLinks links_;
   ClearingPath path_;
-  RoomFinder finder_;
+  EntryRegionFinder finder_;
   WallCuts clearing_;
   AdaptiveFinish finish_;
   bool open_;  ///< something beside the target is free
@@ -322,7 +319,7 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
   result.target = layer.target;
   result.strategy = "adaptive";
   const double first = layer.tool_radius + layer.wall_stock;
-  const double limit = options.engagement.radians() - kContactMargin;
+  const double limit = options.engagement.radians() - EngagementTolerance::kMargin;
   for (const auto& region : area_near_target(layer, tol)) {
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);

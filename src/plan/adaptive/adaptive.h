@@ -25,13 +25,13 @@ struct AdaptiveOptions {
 
 /// The passes of one layer with the cutter's engagement limited.
 ///
-/// Shape   open passes with their links, to run one after the other: for each wide room of each connected legal
-///         area a spiral, then cuts from wall to wall with the contact at the limit, at last along the walls
+/// Shape   open passes with their links, to run one after the other: for each wide entry region of each connected legal
+///         area a spiral, then cuts from wall to wall with the engagement at the limit, at last along the walls
 ///         at radius + wall_stock. Empty where the cutter has no legal position.
-/// Error   the contact exceeds the limit only on the circle of an entry and where a wall pass turns into a
+/// Error   the engagement exceeds the limit only on the circle of an entry and where a wall pass turns into a
 ///         tight corner.
 /// Cost    O(length of the passes / radius * passes near); about 3 us a step of a tenth of the radius.
-/// Source  own; the spiral's step and the look of a steady cut follow from the contact in closed form, see
+/// Source  own; the spiral's step and the shape of a steady cut follow from the engagement in closed form, see
 ///         docs/adaptive.md.
 LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol);
 

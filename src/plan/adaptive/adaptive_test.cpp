@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kTool = 3;
 
-/// Contact of the cutter at p, moving along `travel`, where only `cleared` is free: counted on its circle.
-double counted_contact(Vec2 p, Vec2 travel, const Disc& cleared) {
+/// Engagement of the cutter at p, moving along `travel`, where only `cleared` is free: counted on its circle.
+double counted_engagement(Vec2 p, Vec2 travel, const Disc& cleared) {
   constexpr int kParts = 20000;
   int inside = 0;
   for (int i = 0; i < kParts; ++i) {
@@ -32,7 +32,8 @@ TEST(Adaptive, WidenedCircleHasExactlyTheContactAskedFor) {
   for (const double angle : {0.3, 0.9, 1.4, 2.0}) {
     for (const double cleared : {3.5, 6.0, 30.0}) {
       const double d = widened_circle(cleared, kTool, angle);
-      EXPECT_NEAR(counted_contact({d, 0}, {0, 1}, {{0, 0}, cleared}), angle, 2e-3) << angle << " " << cleared;
+      EXPECT_NEAR(counted_engagement({d, 0}, {0, 1}, {{0, 0}, cleared}), angle, 2e-3)
+          << angle << " " << cleared;
     }
   }
 }
@@ -61,13 +62,13 @@ TEST(Adaptive, NothingWhereTheCutterDoesNotFit) {
   EXPECT_TRUE(plan_adaptive(square_layer(5.9), {}, {}).passes.empty());
 }
 
-/// A second look at the contact, without any of the planner's geometry: material is a raster of small squares.
+/// A second look at the engagement, without any of the planner's geometry: material is a raster of small squares.
 class Raster {
  public:
   explicit Raster(double side)
       : count_(static_cast<int>(side / kCell)), solid_(static_cast<std::size_t>(count_ * count_), 1) {}
 
-  double contact(Vec2 p, Vec2 travel) const {
+  double engagement(Vec2 p, Vec2 travel) const {
     constexpr int kParts = 360;
     int inside = 0;
     for (int i = 0; i < kParts; ++i) {
@@ -110,7 +111,7 @@ TEST(Adaptive, ContactKeepsTheLimitOnARaster) {
       const Vec2 p = edge.at((k + 0.5) / steps);
       // The first circle is the entry's. One square of the raster is worth some ten degrees.
       if (i >= 2 &&
-          raster.contact(p, edge.tangent_at((k + 0.5) / steps)) > options.engagement.radians() + 0.2)
+          raster.engagement(p, edge.tangent_at((k + 0.5) / steps)) > options.engagement.radians() + 0.2)
         over += edge.length() / steps;
       whole += edge.length() / steps;
       raster.clear(p);
@@ -126,7 +127,7 @@ Layer polygon_layer(const std::vector<Vec2>& corners) {
   return layer;
 }
 
-/// Length of the passes, after the entries, with more contact than `limit`. Looked at closely, also in the corners.
+/// Length of the passes, after the entries, with more engagement than `limit`. Looked at closely, also in the corners.
 double length_above(const LayerPasses& planned, double limit) {
   stock::Material material(std::nullopt, 0, {kTool});
   double above = 0;

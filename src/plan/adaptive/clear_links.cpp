@@ -8,10 +8,10 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Axis points tried as the first and last of a way.
-constexpr int kMostGates = 3;
+/// Axis points nearest to either end of a link that are tried as the first and last of its path.
+constexpr int kMostAccessNodes = 3;
 constexpr double kInfinity = 1e300;
-/// Halvings that bring a corner of a way near to the straight way past it.
+/// Bisections that bring a corner of a link near to the straight line past it.
 constexpr int kPulls = 4;
 
 /// Bulges of arcs that are tried, and halvings towards a flatter one.
@@ -19,15 +19,15 @@ constexpr double kBulges[] = {0.2, 0.5, 0.9};
 constexpr double kShortestArc = 1e-3;  // mm from end to end
 constexpr int kFlatter = 3;
 
-Way straight_legs(const std::vector<Vec2>& stations) {
-  Way way;
-  for (const Vec2 station : stations) way.push_back({station});
-  return way;
+LinkPath straight_moves(const std::vector<Vec2>& stations) {
+  LinkPath link;
+  for (const Vec2 station : stations) link.push_back({station});
+  return link;
 }
 
 }  // namespace
 
-FreeWays::FreeWays(const MedialAxis& axis, double least, double pitch) {
+ClearLinks::ClearLinks(const MedialAxis& axis, double least, double pitch) {
   for (const AxisPoint& point : axis.points) nodes_.push_back(point.point);
   steps_.resize(nodes_.size());
   for (const AxisEdge& edge : axis.edges) {
@@ -47,47 +47,51 @@ FreeWays::FreeWays(const MedialAxis& axis, double least, double pitch) {
   }
 }
 
-int FreeWays::add_node(Vec2 p) {
+int ClearLinks::add_node(Vec2 p) {
   nodes_.push_back(p);
   steps_.emplace_back();
   return static_cast<int>(nodes_.size()) - 1;
 }
 
-void FreeWays::join(int a, int b) {
+void ClearLinks::join(int a, int b) {
   steps_[static_cast<std::size_t>(a)].push_back({b});
   steps_[static_cast<std::size_t>(b)].push_back({a});
 }
 
-std::optional<Way> FreeWays::find(Vec2 from, Vec2 to, const Ground& ground, double film) const {
-  if (ground.is_free(from, to, film)) return Way{{to}};
-  if (const auto arc = one_arc(from, to, ground, film)) return Way{*arc};
-  const auto& sources = sources_of(from, ground, film);
+std::optional<LinkPath> ClearLinks::find(Vec2 from, Vec2 to, const RemainingStock& remaining,
+                                         double residual) const {
+  if (remaining.is_free(from, to, residual)) return LinkPath{{to}};
+  if (const auto arc = one_arc(from, to, remaining, residual)) return LinkPath{*arc};
+  const auto& sources = sources_of(from, remaining, residual);
   if (sources.empty()) return std::nullopt;
-  const auto targets = nearest_free(to, ground, film);
+  const auto targets = nearest_free(to, remaining, residual);
   if (targets.empty()) return std::nullopt;
-  const auto stations = shortest(sources, targets, from, to, ground, film);
+  const auto stations = shortest(sources, targets, from, to, remaining, residual);
   if (stations.empty()) return std::nullopt;
   // Straighten: from each station to the farthest that can be seen.
-  std::vector<Vec2> way;
+  std::vector<Vec2> link;
   Vec2 at = from;
   for (std::size_t next = 0; next < stations.size();) {
     std::size_t farthest = next;
     for (std::size_t jump = stations.size() - 1; jump > next; jump = next + (jump - next) / 2) {
-      if (!ground.is_free(at, stations[jump], film)) continue;
+      if (!remaining.is_free(at, stations[jump], residual)) continue;
       farthest = jump;
       break;
     }
-    way.push_back(at = stations[farthest]);
+    link.push_back(at = stations[farthest]);
     next = farthest + 1;
   }
-  pull_taut(way, from, ground, film);
-  return straight_legs(way);
+  pull_taut(link, from, remaining, residual);
+  return straight_moves(link);
 }
 
 /// The flattest arc that was found free.
-std::optional<Leg> FreeWays::one_arc(Vec2 from, Vec2 to, const Ground& ground, double film) {
+std::optional<LinkMove> ClearLinks::one_arc(Vec2 from, Vec2 to, const RemainingStock& remaining,
+                                            double residual) {
   if (distance(from, to) < kShortestArc) return std::nullopt;
-  const auto is_free = [&](double bulge) { return ground.is_free(Leg{to, bulge}.edge(from), film); };
+  const auto is_free = [&](double bulge) {
+    return remaining.is_free(LinkMove{to, bulge}.edge(from), residual);
+  };
   for (const double side : {1.0, -1.0}) {
     double bad = 0;
     for (double good : kBulges) {
@@ -99,58 +103,63 @@ std::optional<Leg> FreeWays::one_arc(Vec2 from, Vec2 to, const Ground& ground, d
         const double middle = (good + bad) / 2;
         (is_free(side * middle) ? good : bad) = middle;
       }
-      return Leg{to, side * good};
+      return LinkMove{to, side * good};
     }
   }
   return std::nullopt;
 }
 
-/// Moves every corner towards the straight way past it, as far as both legs stay free.
-void FreeWays::pull_taut(std::vector<Vec2>& way, Vec2 from, const Ground& ground, double film) {
-  for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-    const Vec2 before = i == 0 ? from : way[i - 1], after = way[i + 1];
-    const Vec2 straight = nearest(Edge::line(before, after), way[i]).point;
+/// Moves every corner towards the straight path past it, as far as both legs stay free.
+void ClearLinks::pull_taut(std::vector<Vec2>& link, Vec2 from, const RemainingStock& remaining,
+                           double residual) {
+  for (std::size_t i = 0; i + 1 < link.size(); ++i) {
+    const Vec2 before = i == 0 ? from : link[i - 1], after = link[i + 1];
+    const Vec2 straight = nearest(Edge::line(before, after), link[i]).point;
     double good = 1, bad = 0;
     for (int k = 0; k < kPulls; ++k) {
       const double share = (good + bad) / 2;
-      const Vec2 corner = lerp(straight, way[i], share);
-      const bool free = ground.is_free(before, corner, film) && ground.is_free(corner, after, film);
+      const Vec2 corner = lerp(straight, link[i], share);
+      const bool free =
+          remaining.is_free(before, corner, residual) && remaining.is_free(corner, after, residual);
       (free ? good : bad) = share;
     }
-    way[i] = lerp(straight, way[i], good);
+    link[i] = lerp(straight, link[i], good);
   }
 }
 
-const std::vector<int>& FreeWays::sources_of(Vec2 from, const Ground& ground, double film) const {
-  if (sources_.from != from || sources_.film != film)
-    sources_ = {from, film, nearest_free(from, ground, film)};
+const std::vector<int>& ClearLinks::sources_of(Vec2 from, const RemainingStock& remaining,
+                                               double residual) const {
+  if (sources_.from != from || sources_.residual != residual)
+    sources_ = {from, residual, nearest_free(from, remaining, residual)};
   return sources_.nodes;
 }
 
-bool FreeWays::is_free(const Step& step, Vec2 from, Vec2 to, const Ground& ground, double film) {
-  if (film >= step.free_beyond) return true;
-  if (!ground.is_free(from, to, film)) return false;
-  step.free_beyond = film;
+bool ClearLinks::is_free(const Step& step, Vec2 from, Vec2 to, const RemainingStock& remaining,
+                         double residual) {
+  if (residual >= step.free_beyond) return true;
+  if (!remaining.is_free(from, to, residual)) return false;
+  step.free_beyond = residual;
   return true;
 }
 
-std::vector<int> FreeWays::nearest_free(Vec2 p, const Ground& ground, double film) const {
+std::vector<int> ClearLinks::nearest_free(Vec2 p, const RemainingStock& remaining, double residual) const {
   std::vector<std::pair<double, int>> by_distance;
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     if (!steps_[i].empty()) by_distance.push_back({distance(nodes_[i], p), static_cast<int>(i)});
   }
   std::sort(by_distance.begin(), by_distance.end());
   std::vector<int> found;
-  int looked = 0;
+  int visited = 0;
   for (const auto& [far, node] : by_distance) {
-    if (static_cast<int>(found.size()) >= kMostGates || ++looked > 5 * kMostGates) break;
-    if (ground.is_free(p, nodes_[static_cast<std::size_t>(node)], film)) found.push_back(node);
+    if (static_cast<int>(found.size()) >= kMostAccessNodes || ++visited > 5 * kMostAccessNodes) break;
+    if (remaining.is_free(p, nodes_[static_cast<std::size_t>(node)], residual)) found.push_back(node);
   }
   return found;
 }
 
-std::vector<Vec2> FreeWays::shortest(const std::vector<int>& sources, const std::vector<int>& targets,
-                                     Vec2 from, Vec2 to, const Ground& ground, double film) const {
+std::vector<Vec2> ClearLinks::shortest(const std::vector<int>& sources, const std::vector<int>& targets,
+                                       Vec2 from, Vec2 to, const RemainingStock& remaining,
+                                       double residual) const {
   const auto at = [&](int node) { return nodes_[static_cast<std::size_t>(node)]; };
   std::vector<double> cost(nodes_.size(), kInfinity);
   std::vector<int> before(nodes_.size(), -1);
@@ -174,7 +183,8 @@ std::vector<Vec2> FreeWays::shortest(const std::vector<int>& sources, const std:
     for (const Step& step : steps_[static_cast<std::size_t>(node)]) {
       const int next = step.to;
       const double sum = spent + distance(at(node), at(next));
-      if (sum >= cost[static_cast<std::size_t>(next)] || !is_free(step, at(node), at(next), ground, film))
+      if (sum >= cost[static_cast<std::size_t>(next)] ||
+          !is_free(step, at(node), at(next), remaining, residual))
         continue;
       cost[static_cast<std::size_t>(next)] = sum;
       before[static_cast<std::size_t>(next)] = node;

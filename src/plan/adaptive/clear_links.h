@@ -1,4 +1,4 @@
-// Ways through what is cleared already.
+// Links at depth: paths through what is cleared already.
 #pragma once
 
 #include <optional>
@@ -9,46 +9,47 @@
 
 namespace clearcut::plan::adaptive {
 
-/// A move of a way, straight or on an arc.
-struct Leg {
+/// One move of a link, straight or on an arc; it begins where the one before ended.
+struct LinkMove {
   Vec2 to;
   double bulge = 0;  ///< see Edge::from_bulge
   Edge edge(Vec2 from) const { return Edge::from_bulge(from, to, bulge); }
 };
-using Way = std::vector<Leg>;
+using LinkPath = std::vector<LinkMove>;
 
-/// Ways through what is cleared: straight, else over one arc, over points of the medial axis.
-class FreeWays {
+/// Finds links through what is cleared: straight, else on one arc, else over points of the medial axis, pulled taut.
+class ClearLinks {
  public:
-  /// `least`: clearance of the axis points that the centre may use, `pitch`: distance between them, mm.
-  FreeWays(const MedialAxis& axis, double least, double pitch);
+  /// Axis points with a clearance of at least `least` mm are used, `pitch` mm apart.
+  ClearLinks(const MedialAxis& axis, double least, double pitch);
 
-  /// From `from` to `to`, free of anything thicker than `film` mm; none when there is no way.
-  std::optional<Way> find(Vec2 from, Vec2 to, const Ground& ground, double film) const;
+  /// A link from `from` to `to` on which the cutter touches nothing thicker than `residual` mm; none when none was found.
+  std::optional<LinkPath> find(Vec2 from, Vec2 to, const RemainingStock& remaining, double residual) const;
 
  private:
   int add_node(Vec2 p);
   void join(int a, int b);
-  static std::optional<Leg> one_arc(Vec2 from, Vec2 to, const Ground& ground, double film);
-  static void pull_taut(std::vector<Vec2>& way, Vec2 from, const Ground& ground, double film);
-  std::vector<int> nearest_free(Vec2 p, const Ground& ground, double film) const;
+  static std::optional<LinkMove> one_arc(Vec2 from, Vec2 to, const RemainingStock& remaining,
+                                         double residual);
+  static void pull_taut(std::vector<Vec2>& link, Vec2 from, const RemainingStock& remaining, double residual);
+  std::vector<int> nearest_free(Vec2 p, const RemainingStock& remaining, double residual) const;
   std::vector<Vec2> shortest(const std::vector<int>& sources, const std::vector<int>& targets, Vec2 from,
-                             Vec2 to, const Ground& ground, double film) const;
+                             Vec2 to, const RemainingStock& remaining, double residual) const;
 
   std::vector<Vec2> nodes_;
   struct Step {
     int to = 0;
-    /// mm; thinnest film beyond which the step was found free. What is free once stays free.
+    /// mm: the smallest `residual` for which the step was found free. Material is only taken away, so it stays free.
     mutable double free_beyond = 1e300;
   };
-  static bool is_free(const Step& step, Vec2 from, Vec2 to, const Ground& ground, double film);
-  /// The last place where a way began, for the next one from there.
+  static bool is_free(const Step& step, Vec2 from, Vec2 to, const RemainingStock& remaining, double residual);
+  /// The nodes found for the place where the last link began: the next one often begins there, too.
   struct Sources {
     Vec2 from;
-    double film = -1;
+    double residual = -1;
     std::vector<int> nodes;
   };
-  const std::vector<int>& sources_of(Vec2 from, const Ground& ground, double film) const;
+  const std::vector<int>& sources_of(Vec2 from, const RemainingStock& remaining, double residual) const;
   std::vector<std::vector<Step>> steps_;
   mutable Sources sources_;
 };

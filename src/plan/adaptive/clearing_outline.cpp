@@ -4,17 +4,18 @@
 #include <cmath>
 
 #include "geometry/route/legal_area.h"
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Share of the widest cut of a wall pass that is left to it: its contact grows where the cut does.
+/// Share of the widest cut that a wall pass can take within the limit which is left to it: below 1, because the engagement grows
+/// where a wall turns inwards.
 constexpr double kWallShare = 0.62;
 /// Radians. Walls that turn inwards by more have a corner.
 constexpr double kCornerTurn = 0.1;
 /// Tool radii on both sides of a corner that are cut to the wall.
-constexpr double kCornerZone = 1.2;
 /// Share of the slope against the wall at which a wall pass would meet the limit.
 constexpr double kTaperShare = 0.9;
 constexpr double kSteepestTaper = 0.4;
@@ -37,8 +38,8 @@ class FrontOutline {
  public:
   FrontOutline(const Region& legal, double tool_radius, double limit)
       : area_({legal}), radius_(tool_radius), limit_(limit) {
-    const double wall_contact = std::acos(1 - kWallShare * (1 - std::cos(limit)));
-    taper_ = std::min(kSteepestTaper, kTaperShare * std::tan(limit - wall_contact));
+    const double wall_engagement = std::acos(1 - kWallShare * (1 - std::cos(limit)));
+    taper_ = std::min(kSteepestTaper, kTaperShare * std::tan(limit - wall_engagement));
   }
 
   Loop around(const Loop& loop) {
@@ -62,7 +63,7 @@ class FrontOutline {
   double widest_cut(const Edge& edge) const {
     const double straight = radius_ * (1 - std::cos(limit_));
     if (edge.turn != Turn::kCounterClockwise) return straight;
-    // Inside an arc: the film between the circle it leaves and the one before it.
+    // Inside an arc: the residual between the circle it leaves and the one before it.
     const double across = radius_ * std::sin(limit_), along = edge.radius() + radius_ * std::cos(limit_);
     return std::clamp(edge.radius() + radius_ - std::hypot(along, across), 0.0, straight);
   }
@@ -90,7 +91,7 @@ class FrontOutline {
       const Vec2 before = loop[(e + loop.size() - 1) % loop.size()].tangent_at(1),
                  after = loop[e].tangent_at(0);
       const double turn = std::atan2(cross(before, after), dot(before, after));
-      if (std::abs(turn) > kCornerTurn) keep_corner(at, kCornerZone * radius_);
+      if (std::abs(turn) > kCornerTurn) keep_corner(at, RadiusShares::kCornerReach * radius_);
       at += loop[e].length();
     }
   }

@@ -1,11 +1,11 @@
-// Where the centre runs while it clears: off the walls by what the wall pass may take within the limit.
+// The outline of the area in which clearing runs: off the walls by what a later wall pass can take within the limit.
 #pragma once
 
 #include "geometry/region.h"
 
 namespace clearcut::plan::adaptive {
 
-/// The part of `legal` (the centre's area) that clearing uses for a contact of up to `limit` radians.
+/// The part of `legal` (where the centre may be) that clearing uses for an engagement of up to `limit` radians.
 ///
 /// Shape   beside walls the wall pass is left the most of its widest cut; near corners, where a wall
 ///         pass meets both sides at once, and in narrow places nothing; in between the distance changes

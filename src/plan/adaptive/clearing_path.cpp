@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/units.h"
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
@@ -19,8 +20,7 @@ constexpr double kNearlySame = 1.5e-3;
 /// Tool radii that a hole must be wider than the cutter to begin in.
 constexpr double kLeastHole = 0.05;
 /// Radians by which the spiral may exceed the limit.
-constexpr double kSpiralExcess = 0.015;
-constexpr int kSpiralLooks = 8;
+constexpr int kSpiralSamples = 8;
 /// By how much a half turn that exceeds it is taken back, and the least that it widens, in tool radii.
 constexpr double kNarrower = 0.97;
 constexpr double kLeastWidening = 0.05;
@@ -29,7 +29,7 @@ constexpr double kLeastWidening = 0.05;
 
 void ClearingPath::open(const Disc& disc, double entry_radius, double engagement, double cleared) {
   finish_pass();
-  const double tool = ground_.tool_radius(), within = cleared - tool;
+  const double tool = remaining_.tool_radius(), within = cleared - tool;
   const bool in_hole = within > kLeastHole * tool;
   const double first = std::min({entry_radius, disc.radius - tool, in_hole ? within : entry_radius});
   at_ = disc.center + Vec2{first, 0};
@@ -50,7 +50,7 @@ void ClearingPath::widen_to_rim(const Disc& disc, double engagement) {
 
 /// One more half turn; whether there was one.
 bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
-  const double tool = ground_.tool_radius(), last = disc.radius - tool;
+  const double tool = remaining_.tool_radius(), last = disc.radius - tool;
   const auto [left, right] = spiral_;
   if (right >= last) return false;
   const double most = widened_circle(left + tool, tool, engagement);
@@ -59,7 +59,8 @@ bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
   const auto end = [&] { return disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0}; };
   const auto half_turn = [&] { return Edge::arc(at_, end(), (at_ + end()) / 2.0, Turn::kCounterClockwise); };
   // The closed form is that of a circle; the half turns that widen it meet a little more.
-  while (!keeps_limit(half_turn(), engagement + kSpiralExcess) && reach > left + kLeastWidening * tool)
+  while (!keeps_limit(half_turn(), engagement + EngagementTolerance::kLongExcess) &&
+         reach > left + kLeastWidening * tool)
     reach = left + (reach - left) * kNarrower;
   const Vec2 to = end();
   cut_arc((at_ + to) / 2.0, to);
@@ -67,21 +68,21 @@ bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
   return true;
 }
 
-/// Along a spiral the contact changes smoothly: a few looks tell.
+/// Along a spiral the engagement changes smoothly: a few samples tell.
 bool ClearingPath::keeps_limit(const Edge& half_turn, double limit) const {
-  for (int i = 1; i <= kSpiralLooks; ++i) {
-    const double t = static_cast<double>(i) / kSpiralLooks;
-    if (ground_.contact(half_turn.at(t), half_turn.tangent_at(t)) > limit) return false;
+  for (int i = 1; i <= kSpiralSamples; ++i) {
+    const double t = static_cast<double>(i) / kSpiralSamples;
+    if (remaining_.engagement(half_turn.at(t), half_turn.tangent_at(t)) > limit) return false;
   }
   return true;
 }
 
-void ClearingPath::append(const Path& cut, const Way& way) {
+void ClearingPath::append(const Path& cut, const LinkPath& link) {
   if (cut.empty()) return;
   if (pass_.path.empty()) {
     at_ = cut.front().from;
   } else {
-    for (const Leg& leg : way) link(leg);
+    for (const LinkMove& move : link) append_link(move);
   }
   for (Edge edge : cut) {
     edge.from = at_;
@@ -99,23 +100,23 @@ void ClearingPath::append(const Path& cut, const Way& way) {
 std::optional<Edge> ClearingPath::joined_to_last(const Edge& edge) const {
   if (pass_.path.empty() || pass_.kinds.back() != MoveKind::kCut) return std::nullopt;
   if (const auto same = joined(pass_.path.back(), edge, kSame)) return same;
-  const auto whole = joined(pass_.path.back(), edge, kNearlySame * ground_.tool_radius());
-  return whole && ground_.is_legal(*whole) ? whole : std::nullopt;
+  const auto whole = joined(pass_.path.back(), edge, kNearlySame * remaining_.tool_radius());
+  return whole && remaining_.is_legal(*whole) ? whole : std::nullopt;
 }
 
 void ClearingPath::cut_arc(Vec2 center, Vec2 to) {
   const Edge arc = Edge::arc(at_, to, center, Turn::kCounterClockwise);
-  ground_.cut(arc);
+  remaining_.cut(arc);
   pass_.path.push_back(arc);
   pass_.kinds.push_back(MoveKind::kCut);
   at_ = to;
 }
 
-void ClearingPath::link(const Leg& leg) {
-  if (distance(at_, leg.to) < kShortest) return;
-  pass_.path.push_back(leg.edge(at_));
+void ClearingPath::append_link(const LinkMove& move) {
+  if (distance(at_, move.to) < kShortest) return;
+  pass_.path.push_back(move.edge(at_));
   pass_.kinds.push_back(MoveKind::kLink);
-  at_ = leg.to;
+  at_ = move.to;
 }
 
 std::optional<Edge> ClearingPath::last_arc() const {
@@ -123,29 +124,29 @@ std::optional<Edge> ClearingPath::last_arc() const {
   return pass_.path.back();
 }
 
-std::optional<Way> ClearingPath::way_to(Vec2 p, double film) const {
-  return empty() ? Way{{p}} : ways_.find(at_, p, ground_, film);
+std::optional<LinkPath> ClearingPath::link_to(Vec2 p, double residual) const {
+  return empty() ? LinkPath{{p}} : links_.find(at_, p, remaining_, residual);
 }
 
-Way ClearingPath::hop_to(Vec2 p) {
+LinkPath ClearingPath::retract_to(Vec2 p) {
   finish_pass();
   pass_.starts_clear = true;
   return {{p}};
 }
 
-std::optional<Way> ClearingPath::hop_if_clear(Vec2 p) {
-  if (ground_.touches(p, Ground::kClear)) return std::nullopt;
-  return hop_to(p);
+std::optional<LinkPath> ClearingPath::retract_if_clear(Vec2 p) {
+  if (remaining_.touches(p, RemainingStock::kClear)) return std::nullopt;
+  return retract_to(p);
 }
 
 void ClearingPath::note_start(Vec2 p) {
-  if (empty()) pass_.starts_clear = !ground_.touches(p, Ground::kClear);
+  if (empty()) pass_.starts_clear = !remaining_.touches(p, RemainingStock::kClear);
 }
 
-void ClearingPath::cut(const Path& cut, const Way& way) {
+void ClearingPath::cut(const Path& cut, const LinkPath& link) {
   note_start(cut.front().from);
-  for (const Edge& edge : cut) ground_.cut(edge);
-  append(cut, way);
+  for (const Edge& edge : cut) remaining_.cut(edge);
+  append(cut, link);
 }
 
 void ClearingPath::finish_pass() {

@@ -1,4 +1,4 @@
-// The passes of an adaptive layer under construction: cuts, and links between them that are free.
+// The passes of an adaptive layer while they are built: cuts, and clear links between them.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace clearcut::plan::adaptive {
 
-/// The passes cut so far and the one that is being built. What is cut is taken from the ground.
+/// The passes finished so far and the one that is being built. What is cut is taken away from the remaining stock.
 class ClearingPath {
  public:
-  ClearingPath(Ground& ground, const FreeWays& ways) : ground_(ground), ways_(ways) {}
+  ClearingPath(RemainingStock& remaining, const ClearLinks& links) : remaining_(remaining), links_(links) {}
 
   /// Begins a pass with a circle of `entry_radius` about the disc's centre and widens it in half turns as long as they
   /// stay inside the disc and take all that `engagement` lets them.
@@ -22,19 +22,20 @@ class ClearingPath {
   /// Goes on, right after open(), until the disc's rim is touched all round: the last turns are thinner.
   void widen_to_rim(const Disc& disc, double engagement);
 
-  /// A link to p that grazes no more than `film` mm; a pass may begin anywhere.
-  std::optional<Way> way_to(Vec2 p, double film) const;
+  /// A link from the end of the pass to p on which nothing thicker than `residual` mm is touched; empty where a pass begins,
+  /// none where there is no link.
+  std::optional<LinkPath> link_to(Vec2 p, double residual) const;
   /// Begins a new pass at p, where nothing stands any more, from above.
-  Way hop_to(Vec2 p);
+  LinkPath retract_to(Vec2 p);
   /// The same where nothing stands.
-  std::optional<Way> hop_if_clear(Vec2 p);
+  std::optional<LinkPath> retract_if_clear(Vec2 p);
   /// What is known about the place where a pass begins, before it is cut.
   void note_start(Vec2 p);
-  /// Goes over `link` to the start of `cut` and appends it; a pass begins with its first cut. The ground is as
+  /// Goes over `link` to the start of `cut` and appends it; a pass begins with its first cut. The remaining stock is as
   /// after the cut already.
-  void append(const Path& cut, const Way& link);
-  /// The same, and takes the cut from the ground.
-  void cut(const Path& cut, const Way& link);
+  void append(const Path& cut, const LinkPath& link);
+  /// The same, and takes the cut from the remaining stock.
+  void cut(const Path& cut, const LinkPath& link);
 
   bool empty() const { return pass_.path.empty(); }
   std::optional<Edge> last_arc() const;
@@ -53,11 +54,11 @@ class ClearingPath {
   bool widen(const Disc& disc, double engagement, Turns turns);
   bool keeps_limit(const Edge& half_turn, double limit) const;
   void cut_arc(Vec2 center, Vec2 to);
-  void link(const Leg& leg);
+  void append_link(const LinkMove& move);
   std::optional<Edge> joined_to_last(const Edge& edge) const;
 
-  Ground& ground_;
-  const FreeWays& ways_;
+  RemainingStock& remaining_;
+  const ClearLinks& links_;
   std::vector<Pass> passes_;
   Pass pass_;
   Vec2 at_;

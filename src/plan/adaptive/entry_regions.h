@@ -13,11 +13,11 @@
 namespace clearcut::plan::adaptive {
 
 /// Finds the wide places of one connected legal area. Radii are those of the material cleared there.
-class RoomFinder {
+class EntryRegionFinder {
  public:
   /// `front`: where the centre may be while it clears. `start`: where the first entry is asked for.
-  RoomFinder(const Region& front, const Clearance& clearance, const Ground& ground, const Layer& layer,
-             double limit, std::optional<Vec2> start);
+  EntryRegionFinder(const Region& front, const Clearance& clearance, const RemainingStock& remaining,
+                    const Layer& layer, double limit, std::optional<Vec2> start);
 
   /// The widest places, each worth an entry of its own.
   std::vector<Disc> choose() const;
@@ -27,18 +27,18 @@ class RoomFinder {
   double hole_at(Vec2 place) const;
 
  private:
-  std::optional<Disc> first_room() const;
+  std::optional<Disc> first_entry_region() const;
   bool is_worth_entry(const Disc& disc) const;
 
   const Region& front_;
   const Clearance& clearance_;
-  const Ground& ground_;
+  const RemainingStock& remaining_;
   double radius_, reach_, depth_, limit_;
   std::optional<Vec2> start_;
   std::vector<PredrilledHole> holes_;
 };
 
-/// The room whose rim is nearest to p (deepest around it). `rooms` holds at least one.
-std::size_t nearest_room(const std::vector<Disc>& rooms, Vec2 p);
+/// The entry region whose rim is nearest to p (deepest around it). `entry_regions` holds at least one.
+std::size_t nearest_entry_region(const std::vector<Disc>& entry_regions, Vec2 p);
 
 }  // namespace clearcut::plan::adaptive

@@ -4,35 +4,34 @@
 #include <cmath>
 
 #include "base/work_budget.h"
+#include "plan/adaptive/parameters.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// mm. Thinner contact is rounding.
+/// mm. The cutter is taken this much smaller where its engagement is asked for: thinner material is rounding.
 constexpr double kRounding = 2e-4;
 /// Radians. Less of the circle in material is rounding.
 constexpr double kTouch = 1e-6;
-/// Tool radii between the places where a straight way is looked at.
-constexpr double kLookStep = 0.2;
-/// Tool radii between the places where the contact of a cut is looked at.
-constexpr double kCheckStep = 0.1;
-/// Radians. No farther than this apart on arcs.
+/// Tool radii between samples of a link: it only matters whether anything is touched.
+constexpr double kSampleStep = 0.2;
+/// Radians. Samples on arcs are no farther apart than this.
 constexpr double kCheckTurn = 0.15;
-/// Tool radii from the begin of an edge to the first look at it.
+/// Tool radii from the beginning of an edge to its first sample: at the beginning itself a turn of heading would count.
 constexpr double kBeside = 1e-3;
-/// Tool radii: cells that are known to be cleared.
+/// Tool radii: side of the cells that are known to be cleared.
 constexpr double kCell = 1.0 / 8;
-/// Radians of an arc between whose chord and tangents nothing lies.
+/// Radians. Arcs are checked in pieces of this turn, each by its chord and the tangents at its ends.
 constexpr double kLegalTurn = 0.6;
-/// Points of material remembered, and radians of a circle in it that make one worth that.
+/// Points of material that are remembered, because the next query probably touches them, too; and the radians of a circle in
+/// material that make a point worth remembering.
 constexpr std::size_t kMostStanding = 16;
 constexpr double kWorthNoting = 1e-3;
+/// mm: no point.
 constexpr Vec2 kNowhere{1e100, 1e100};
-/// Radians. Peaks between looks may be higher than the limit by so much.
-constexpr double kPeak = 0.008;
-/// Looks for a peak, each nearer to it.
+/// Samples for a peak of the engagement between two samples, each nearer to it.
 constexpr int kMostPeaks = 5;
-/// Of the stretch in which the contact comes to exceed its limit.
+/// Bisections of the stretch in which the engagement comes to exceed its limit.
 constexpr int kHalvings = 4;
 
 Move level_move(const Edge& edge) {
@@ -41,76 +40,77 @@ Move level_move(const Edge& edge) {
 
 }  // namespace
 
-Ground::Ground(const Regions& legal, double tool_radius, const std::optional<Box>& stock)
+RemainingStock::RemainingStock(const Regions& legal, double tool_radius, const std::optional<Box>& stock)
     : legal_(legal),
       tool_radius_(tool_radius),
       material_(stock, 0, {tool_radius}),
       cleared_(box(legal).grown(tool_radius * (1 + 2 * kCell)), tool_radius * kCell) {}
 
-double Ground::contact(Vec2 p, Vec2 heading) const {
+double RemainingStock::engagement(Vec2 p, Vec2 heading) const {
   WorkBudget::spend(1);
-  return material_.contact_size(p, heading, tool_radius_ - kRounding, -1).angle;
+  return material_.engagement_size(p, heading, tool_radius_ - kRounding, -1).angle;
 }
 
-Ground::Look Ground::look(const Edge& edge, double t) const {
+RemainingStock::Sample RemainingStock::sample(const Edge& edge, double t) const {
   WorkBudget::spend(1);
   const auto [size, change] =
-      material_.contact_trend(edge.at(t), edge.tangent_at(t), tool_radius_ - kRounding, -1);
+      material_.engagement_trend(edge.at(t), edge.tangent_at(t), tool_radius_ - kRounding, -1);
   return {t, size.angle, change.per_mm * edge.length() + change.per_radian * edge.sweep(), size.parts};
 }
 
-double Ground::length_within(const Edge& edge, double limit) const {
+double RemainingStock::length_within(const Edge& edge, double limit) const {
   const double length = edge.length();
-  const double by_length = length / (tool_radius_ * kCheckStep),
+  const double by_length = length / (tool_radius_ * RadiusShares::kWallPitch),
                by_turn = std::abs(edge.sweep()) / kCheckTurn;
   const int steps = static_cast<int>(std::max(by_length, by_turn)) + 1;
   // Where the edge begins the cut before ends: just beyond.
-  Look before = look(edge, std::min(kBeside * tool_radius_ / length, 0.1 / steps));
+  Sample before = sample(edge, std::min(kBeside * tool_radius_ / length, 0.1 / steps));
   for (int i = 1; i <= steps; ++i) {
-    const Look here = look(edge, static_cast<double>(i) / steps);
-    if (here.contact > limit) return i == 1 ? 0 : before.t * length;
-    if (const auto above = peak_above(edge, before, here, limit + kPeak, kMostPeaks))
+    const Sample here = sample(edge, static_cast<double>(i) / steps);
+    if (here.engagement > limit) return i == 1 ? 0 : before.t * length;
+    if (const auto above = peak_above(edge, before, here, limit + EngagementTolerance::kPeak, kMostPeaks))
       return (i == 1 ? last_within(edge, *above, limit) : before.t) * length;
     before = here;
   }
   return length;
 }
 
-/// Where the contact between two looks, which is within `limit` there, comes to exceed it.
-std::optional<Ground::Stretch> Ground::peak_above(const Edge& edge, const Look& a, const Look& b,
-                                                  double limit, int depth) const {
+/// Where the engagement between two samples, which is within `limit` there, comes to exceed it.
+std::optional<RemainingStock::Stretch> RemainingStock::peak_above(const Edge& edge, const Sample& a,
+                                                                  const Sample& b, double limit,
+                                                                  int depth) const {
   if (depth == 0) return std::nullopt;
   const auto t = likely_peak(a, b, limit);
   if (!t) return std::nullopt;
-  const Look peak = look(edge, *t);
-  if (peak.contact > limit) return Stretch{a.t, *t};
+  const Sample peak = sample(edge, *t);
+  if (peak.engagement > limit) return Stretch{a.t, *t};
   if (const auto above = peak_above(edge, a, peak, limit, depth - 1)) return above;
   return peak_above(edge, peak, b, limit, depth - 1);
 }
 
-double Ground::last_within(const Edge& edge, Stretch rise, double limit) const {
+double RemainingStock::last_within(const Edge& edge, Stretch rise, double limit) const {
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (rise.from + rise.to) / 2;
-    (contact(edge.at(middle), edge.tangent_at(middle)) > limit ? rise.to : rise.from) = middle;
+    (engagement(edge.at(middle), edge.tangent_at(middle)) > limit ? rise.to : rise.from) = middle;
   }
   return rise.from;
 }
 
-/// Where the contact may be above `limit` between two looks.
-std::optional<double> Ground::likely_peak(const Look& a, const Look& b, double limit) {
+/// Where the engagement may be above `limit` between two samples.
+std::optional<double> RemainingStock::likely_peak(const Sample& a, const Sample& b, double limit) {
   const double span = b.t - a.t, fall = a.slope - b.slope;
-  // Contact that begins, ends, or parts: it may have jumped.
+  // Engagement that begins, ends, or parts: it may have jumped.
   if (a.parts != b.parts) return a.t + span / 2;
   if (fall <= 0) return std::nullopt;
   // Else it is about as high as it gets where the tangents meet.
-  const double from_a = (b.contact - a.contact - b.slope * span) / fall;
+  const double from_a = (b.engagement - a.engagement - b.slope * span) / fall;
   if (from_a < 0 || from_a > span) return a.t + span / 2;
-  if (a.contact + a.slope * from_a <= limit) return std::nullopt;
+  if (a.engagement + a.slope * from_a <= limit) return std::nullopt;
   return a.t + std::clamp(from_a, span / 8, 7 * span / 8);
 }
 
-bool Ground::touches(Vec2 p, double film) const {
-  const double radius = tool_radius_ - film;
+bool RemainingStock::touches(Vec2 p, double residual) const {
+  const double radius = tool_radius_ - residual;
   if (is_standing_within(p, radius)) return true;
   const auto touch = material_.circle_touch(p, radius, -1);
   if (!touch || touch->angle <= kTouch) return false;
@@ -118,8 +118,8 @@ bool Ground::touches(Vec2 p, double film) const {
   return true;
 }
 
-std::optional<Vec2> Ground::touched(Vec2 p, double film, Vec2 likely) const {
-  const double radius = tool_radius_ - film;
+std::optional<Vec2> RemainingStock::touched(Vec2 p, double residual, Vec2 likely) const {
+  const double radius = tool_radius_ - residual;
   const Vec2 beside = p + likely * (radius - kRounding);
   if (!is_removed(beside)) return beside;
   const auto touch = material_.circle_touch(p, radius, -1);
@@ -127,13 +127,13 @@ std::optional<Vec2> Ground::touched(Vec2 p, double film, Vec2 likely) const {
   return p + touch->toward * radius;
 }
 
-void Ground::note_standing(Vec2 met) const {
+void RemainingStock::note_standing(Vec2 met) const {
   if (standing_.size() < kMostStanding) standing_.resize(kMostStanding, {met, age_});
   standing_[oldest_++ % kMostStanding] = {met, age_};
 }
 
 /// Whether any of the material met lately still stands near p.
-bool Ground::is_standing_within(Vec2 p, double radius) const {
+bool RemainingStock::is_standing_within(Vec2 p, double radius) const {
   const double near = radius - kRounding;
   for (Standing& met : standing_) {
     if (norm_squared(met.at - p) >= near * near) continue;
@@ -146,35 +146,35 @@ bool Ground::is_standing_within(Vec2 p, double radius) const {
   return false;
 }
 
-bool Ground::is_free(const Edge& way, double film) const {
-  if (!is_legal(way)) return false;
-  const int steps = static_cast<int>(way.length() / (tool_radius_ * kLookStep)) + 1;
-  const auto at = [&](int look) { return way.at(static_cast<double>(look) / steps); };
-  // Most ways that are not free are seen at once by where the centre would run.
+bool RemainingStock::is_free(const Edge& path, double residual) const {
+  if (!is_legal(path)) return false;
+  const int steps = static_cast<int>(path.length() / (tool_radius_ * kSampleStep)) + 1;
+  const auto at = [&](int sample) { return path.at(static_cast<double>(sample) / steps); };
+  // Most paths that are not free are seen at once by where the centre would run.
   for (int i = steps; i >= 0; --i) {
     if (!cleared_.holds(at(i), 0) && !is_removed(at(i))) return false;
   }
   for (int i = 0; i <= steps; ++i) {
-    if (!cleared_.holds(at(i), tool_radius_ - film) && touches(at(i), film)) return false;
+    if (!cleared_.holds(at(i), tool_radius_ - residual) && touches(at(i), residual)) return false;
   }
   return true;
 }
 
 /// An arc runs between its chords and its tangents.
-bool Ground::is_legal(const Edge& way) const {
-  if (!way.is_arc()) return legal_.holds_line(way.from, way.to);
-  const int pieces = static_cast<int>(std::abs(way.sweep()) / kLegalTurn) + 1;
-  const double half = way.sweep() / (2 * pieces), out = 1 / std::cos(half);
+bool RemainingStock::is_legal(const Edge& path) const {
+  if (!path.is_arc()) return legal_.holds_line(path.from, path.to);
+  const int pieces = static_cast<int>(std::abs(path.sweep()) / kLegalTurn) + 1;
+  const double half = path.sweep() / (2 * pieces), out = 1 / std::cos(half);
   for (int i = 0; i < pieces; ++i) {
-    const Vec2 a = way.at(static_cast<double>(i) / pieces), b = way.at((i + 1.0) / pieces),
-               corner = way.center + rotated(a - way.center, half) * out;
+    const Vec2 a = path.at(static_cast<double>(i) / pieces), b = path.at((i + 1.0) / pieces),
+               corner = path.center + rotated(a - path.center, half) * out;
     if (!legal_.holds_line(a, b) || !legal_.holds_line(a, corner) || !legal_.holds_line(corner, b))
       return false;
   }
   return true;
 }
 
-bool Ground::keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny) {
+bool RemainingStock::keeps_limit(const std::vector<Edge>& cuts, double limit, double tiny) {
   const std::size_t before = material_.sweeps();
   bool kept = true;
   for (const Edge& edge : cuts) {
@@ -186,22 +186,22 @@ bool Ground::keeps_limit(const std::vector<Edge>& cuts, double limit, double tin
   return kept;
 }
 
-void Ground::remove_disc(Vec2 center, double radius) {
+void RemainingStock::remove_disc(Vec2 center, double radius) {
   take(Edge::line(center, center), radius);
 }
 
-void Ground::cut(const Edge& edge) {
+void RemainingStock::cut(const Edge& edge) {
   take(edge, tool_radius_);
 }
 
-void Ground::take(const Edge& path, double radius) {
+void RemainingStock::take(const Edge& path, double radius) {
   ++age_;
   sweeps_.push_back(material_.sweeps());
   material_.add(level_move(path), radius);
   cleared_.add(path, radius);
 }
 
-void Ground::forget_beyond(std::size_t cuts) {
+void RemainingStock::forget_beyond(std::size_t cuts) {
   material_.forget_beyond(cuts);
   while (!sweeps_.empty() && sweeps_.back() >= cuts) sweeps_.pop_back();
   cleared_.forget_beyond(sweeps_.size());

@@ -10,8 +10,8 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. Walls two diameters apart are cut clean but for a film, within the error of offsets.
-constexpr double kFilm = 0.001;
+/// mm. Walls two diameters apart are cut clean but for a residual, within the error of offsets.
+constexpr double kResidual = 0.001;
 /// mm. Where not even that may stay, the rest overlaps by this with what the wall passes clear.
 constexpr double kBareMargin = 0.002;
 /// mm. Walls are followed this much farther than the target can be reached from them.
@@ -57,7 +57,7 @@ class AreaBuilder {
     area_.walls.z = layer.z;
     area_.walls.target = layer.target;
     bare_ = layer.bare || !closed_;
-    area_.walls.film = bare_ ? 0 : kFilm;
+    area_.walls.residual = bare_ ? 0 : kResidual;
     if (!closed_) near_ = dilate(layer.target, layer.tool_radius + layer.rounded + kWallMargin, tol);
   }
 
@@ -146,7 +146,7 @@ class AreaBuilder {
   const Layer& layer_;
   const Tolerances& tol_;
   bool closed_;
-  bool bare_ = false;  ///< not even a film may stay
+  bool bare_ = false;  ///< not even a residual may stay
   Regions near_;       ///< from where the target can be reached, on layers with open sides
   ClearingArea area_;
 };

@@ -10,17 +10,11 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. A point this much nearer than the radius to an edge is inside its swept area, not on the rim.
-constexpr double kRim = 1e-7;
-/// mm. A point on the border of two squares is looked for in both.
-constexpr double kBorder = 1e-6;
 /// Of a square of side 1, a little more.
 constexpr double kHalfDiagonal = 0.7072;
 /// Squares with more curves are quartered, so often.
 constexpr std::size_t kFewCurves = 24;
 constexpr int kMostQuarterings = 5;
-/// Places beside the ends of an edge.
-constexpr std::uint32_t kJoints = 4;
 
 bool is_between(double v, double least, double most) {
   return v >= least && v <= most;
@@ -72,8 +66,8 @@ bool Cover::Stroke::is_within(Vec2 p, double most) const {
   return c * c <= square * whole;
 }
 
-Cover::Cover(std::span<const Edge> edges, double radius, Looks looks)
-    : edges_(edges.begin(), edges.end()), radius_(radius), looks_(looks) {
+Cover::Cover(std::span<const Edge> edges, double radius, SearchPlaces places)
+    : edges_(edges.begin(), edges.end()), radius_(radius), places_(places) {
   Box box;
   for (const auto& edge : edges_) box.add(edge.box());
   if (box.empty()) return;
@@ -87,7 +81,7 @@ Cover::Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base)
     : base_(std::move(base)),
       edges_(edges.begin(), edges.end()),
       radius_(base_->radius_),
-      looks_(base_->looks_),
+      places_(base_->places_),
       grid_(base_->grid_) {
   sort_edges();
 }
@@ -135,87 +129,6 @@ double Cover::distance_to(Vec2 p) const {
   return std::sqrt(best);
 }
 
-/// What its rays cut out of a circle about `center`.
-Box Cover::Wedge::arc_box(Vec2 center, double radius) const {
-  Box box;
-  box.add(center + start * (radius / std::sqrt(norm_squared(start))));
-  box.add(center + end * (radius / std::sqrt(norm_squared(end))));
-  for (const Vec2 axis : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}})
-    if (holds(axis)) box.add(center + axis * radius);
-  return box;
-}
-
-/// The same, and more around it. Rays of unit length.
-Box Cover::Wedge::wide_box(Vec2 center, double radius) const {
-  if (over_quarter) return Box{center, center}.grown(radius);
-  // The arc lies within its sagitta of the chord.
-  const Vec2 a = center + start * radius, b = center + end * radius;
-  Box box;
-  box.add(a);
-  box.add(b);
-  return box.grown(0.3 * norm(b - a));
-}
-
-Cover::Rims Cover::rims() const {
-  Rims rims;
-  rims.curves.reserve(3 * edges_.size());
-  rims.joints.reserve(kJoints * edges_.size());
-  rims.first.reserve(edges_.size() + 1);
-  Vec2 in;  // where the edge before went
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    const Edge& e = edges_[i];
-    const Vec2 u = e.tangent_at(0), v = e.is_arc() ? e.tangent_at(1) : u;
-    const Vec2 n = left_of(u) * radius_, m = left_of(v) * radius_;
-    rims.first.push_back(static_cast<std::uint32_t>(rims.curves.size()));
-    add_sides(i, n, rims);
-    const bool joined = i > 0 && edges_[i - 1].to == e.from;
-    if (!joined) {
-      add_circle(e.from, radius_, {n, -n, false, true}, Box{e.from, e.from}.grown(radius_), rims);
-    } else if (const auto turn = outer_side(in, u)) {
-      add_circle(e.from, radius_, *turn, turn->wide_box(e.from, radius_), rims);
-    }
-    const bool goes_on = i + 1 < edges_.size() && edges_[i + 1].from == e.to;
-    if (!goes_on) add_circle(e.to, radius_, {-m, m, false, true}, Box{e.to, e.to}.grown(radius_), rims);
-    for (const Vec2 p : {e.from + n, e.from - n, e.to + m, e.to - m}) rims.joints.push_back(p);
-    in = v;
-  }
-  rims.first.push_back(static_cast<std::uint32_t>(rims.curves.size()));
-  return rims;
-}
-
-/// What bounds the sweep of an edge on both sides; `across`: to the left of a line.
-void Cover::add_sides(std::uint32_t edge, Vec2 across, Rims& rims) const {
-  const Edge& e = edges_[edge];
-  if (e.is_arc()) {
-    const double r = e.radius();
-    const Box around = e.box().grown(radius_);
-    for (const double side : {r + radius_, r - radius_})
-      add_circle(e.center, side, strokes_[edge].wedge, around, rims);
-    return;
-  }
-  for (const Vec2 side : {across, -across}) {
-    Box box;
-    box.add(e.from + side);
-    box.add(e.to + side);
-    rims.curves.push_back({false, e.from + side, unit(e.to - e.from), 0, box.grown(kBorder)});
-  }
-}
-
-void Cover::add_circle(Vec2 center, double radius, const Wedge& part, const Box& around, Rims& rims) const {
-  if (radius <= kRim) return;
-  const Box box = looks_ == Looks::kAtRims ? part.arc_box(center, radius) : around;
-  rims.curves.push_back({true, center, {}, radius, box.grown(kBorder)});
-}
-
-/// The circle about the joint of two edges is a rim only between their normals, on the outer side of the turn.
-std::optional<Cover::Wedge> Cover::outer_side(Vec2 in, Vec2 out) {
-  const double turn = cross(in, out);
-  const bool back = dot(in, out) <= 0;
-  if (!back && std::abs(turn) < 1e-12) return std::nullopt;
-  if (turn > 0) return Wedge{-left_of(in), -left_of(out), false, back};
-  return Wedge{left_of(out), left_of(in), false, back};
-}
-
 /// Looks for places that nothing holds, square by square.
 class Cover::Search {
  public:
@@ -237,7 +150,7 @@ class Cover::Search {
     std::erase_if(left_by_base, [&](Vec2 p) {
       return cover_.own_edge_holds(p, cover_.grid_.cell_of(p), cover_.radius_ - kRim) || !matters_(p);
     });
-    cover_.grid_.for_cells(where, [&](std::size_t cell, Vec2) { look_at_cell(cell); });
+    cover_.grid_.for_cells(where, [&](std::size_t cell, Vec2) { check_cell(cell); });
     std::sort(at_joints_.begin(), at_joints_.end());
     std::sort(at_meetings_.begin(), at_meetings_.end());
     std::vector<Vec2> all;
@@ -294,7 +207,7 @@ class Cover::Search {
            number(p.y - grid.box.min.y, grid.rows) == square.row;
   }
 
-  void look_at_cell(std::size_t cell) {
+  void check_cell(std::size_t cell) {
     if (has_ended() || cover_.whole_[cell] || (base_ && base_->whole_[cell])) return;
     const auto own = cover_.edges_in_.at(cell);
     if (own.empty()) return;
@@ -315,7 +228,7 @@ class Cover::Search {
         add_curves(base_->own_rims_, i, own_curves_, place);
       }
     }
-    look_inside(square, {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
+    search_inside(square, {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
   }
 
   /// Those of one edge that come near; their numbers begin at `first`.
@@ -325,26 +238,26 @@ class Cover::Search {
   }
 
   /// `around`: what is near the square that this one is a part of.
-  void look(const Square& square, const Near& around) {
+  void search(const Square& square, const Near& around) {
     const Place place = place_of(square);
     Near near;
     if (keep_strokes(place.center, place.reach, around.strokes, near.strokes)) {
       near.curves = keep_curves(place, around.curves);
       near.joints = keep_joints(square, around.joints);
-      look_inside(square, near);
+      search_inside(square, near);
       joints_.resize(near.joints.from);
       curves_.resize(near.curves.from);
     }
     strokes_.resize(near.strokes.from);
   }
 
-  void look_inside(const Square& square, const Near& near) {
+  void search_inside(const Square& square, const Near& near) {
     const bool can_meet = near.curves.size() > 1 && curves_[near.curves.from] < own_curves_;
     if (can_meet && near.curves.size() > kFewCurves && square.depth < kMostQuarterings) {
       for (std::size_t k = 0; k < 4 && !has_ended(); ++k)
-        look({2 * square.column + (k & 1), 2 * square.row + (k >> 1), square.depth + 1}, near);
+        search({2 * square.column + (k & 1), 2 * square.row + (k >> 1), square.depth + 1}, near);
     } else {
-      for (std::size_t i = near.joints.from; i < near.joints.to; ++i) look_at_joint(joints_[i], near.strokes);
+      for (std::size_t i = near.joints.from; i < near.joints.to; ++i) check_joint(joints_[i], near.strokes);
       if (can_meet) meet_all(square, near);
     }
   }
@@ -393,7 +306,7 @@ class Cover::Search {
     return is_between(norm_squared(place.center - curve.a), least * least, most * most);
   }
 
-  void look_at_joint(std::uint32_t joint, const Range& near) {
+  void check_joint(std::uint32_t joint, const Range& near) {
     const Vec2 p = rims_.joints[joint];
     if (is_hole(p, near)) at_joints_.push_back({{joint}, p});
   }

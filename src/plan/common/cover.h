@@ -17,14 +17,13 @@ namespace clearcut::plan {
 /// the same while edges change.
 class Cover {
  public:
-  /// Where holes are looked for.
-  enum class Looks {
+  /// At which places holes are searched for.
+  enum class SearchPlaces {
     kAroundRims,  ///< where circles meet others near their part of a rim, too: more places of some holes
     kAtRims       ///< only at vertices of rims: much the cheaper where edges crowd
   };
-  Cover(std::span<const Edge> edges, double radius, Looks looks = Looks::kAroundRims);
-  /// With all that `base` holds, too; it must have the same radius. Edges outside its box are not looked at beyond
-  /// it.
+  Cover(std::span<const Edge> edges, double radius, SearchPlaces places = SearchPlaces::kAroundRims);
+  /// Together with all that `base` holds; it must have the same radius. Edges count only inside the box of `base`.
   Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base);
 
   /// Whether some edge lies within radius - slack of p.
@@ -74,7 +73,7 @@ class Cover {
     double squared_distance(Vec2 p) const;
     bool is_within(Vec2 p, double reach) const;
   };
-  /// A line at the given distance beside an edge, or a circle.
+  /// A line at the radius beside an edge, or a circle: the border of what the edge clears.
   struct Curve {
     bool circle = false;
     Vec2 a;             ///< a point of the line, or the centre
@@ -89,6 +88,12 @@ class Cover {
     std::vector<Vec2> joints;          ///< kJoints per edge
   };
   class Search;
+  /// mm. A point this much nearer than the radius to an edge is inside its swept area, not on the rim.
+  static constexpr double kRim = 1e-7;
+  /// mm. A point on the border of two squares is looked for in both.
+  static constexpr double kBorder = 1e-6;
+  /// Places beside the ends of an edge that are looked at.
+  static constexpr std::uint32_t kJoints = 4;
 
   void sort_edges();
   Rims rims() const;
@@ -101,7 +106,7 @@ class Cover {
   std::vector<Edge> edges_;
   std::vector<Stroke> strokes_;
   double radius_;
-  Looks looks_;
+  SearchPlaces places_;
   CellGrid grid_;
   CellLists edges_in_;       ///< per cell: edges that may clear a point of it
   std::vector<char> whole_;  ///< per cell: whether one edge clears all of it

@@ -159,7 +159,7 @@ TEST(Cover, FindsAllVerticesOfTheBorder) {
     vertices += expected.size();
     const auto half = static_cast<std::ptrdiff_t>(edges.size() / 2 + 1);
     const std::vector<Edge> later(edges.begin() + half, edges.end());
-    for (const Cover& cover : {Cover(edges, radius), Cover(edges, radius, Cover::Looks::kAtRims),
+    for (const Cover& cover : {Cover(edges, radius), Cover(edges, radius, Cover::SearchPlaces::kAtRims),
                                Cover(later, base_of({edges.begin(), edges.begin() + half}, radius))}) {
       const auto found = sorted(cover.holes(kEverywhere));
       for (const Vec2 p : expected) EXPECT_TRUE(has(found, p)) << seed << ": " << p.x << ' ' << p.y;

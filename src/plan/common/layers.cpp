@@ -21,9 +21,9 @@ constexpr double kRounding = 1e-9;
 
 double step_for(const Feature& feature, const Operation& operation, double tool_radius) {
   const double step = operation.stepdown.value_or(tool_radius);
-  const double lean = std::sin(feature.wall_slope.radians());
-  if (!operation.scallop || *operation.scallop <= 0 || lean <= 0) return step;
-  return std::min(step, *operation.scallop / lean);
+  const double draft = std::sin(feature.wall_slope.radians());
+  if (!operation.scallop || *operation.scallop <= 0 || draft <= 0) return step;
+  return std::min(step, *operation.scallop / draft);
 }
 
 Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {

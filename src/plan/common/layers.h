@@ -21,7 +21,7 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 /// Depth ends at floor_z + allowance_floor. Absent stepdown: tool_radius (half the diameter). With leaning
 /// walls each layer has the outline at its own depth, so that no layer cuts into the wall, and the stepdown
 /// is lowered so that the steps left on the wall stand no more than `operation.scallop` mm off it, square to
-/// the wall: scallop = stepdown * sin(slope) (SPEC B4). Layers whose outline has vanished (leaning walls that
+/// the wall: scallop = stepdown * sin(slope) (SPEC B4). Layers whose outline has vanished (walls with draft that
 /// met) are left out.
 ///
 /// A cutter with rounded corners cuts the floor with the flat part of its end only: it is planned as one that

@@ -79,13 +79,13 @@ std::vector<Group> groups_of(std::vector<Vec2> holes, double most) {
 
 /// How far from `from` towards the group's centre the cutter has to go to reach all of it, as a share.
 double share_to_go(Vec2 from, const Group& group, double radius) {
-  const Vec2 way = group.center - from;
-  const double length_squared = norm_squared(way);
+  const Vec2 offset = group.center - from;
+  const double length_squared = norm_squared(offset);
   double share = 0;
   for (const Vec2 p : group.points) {
     // |from + t way - p| <= radius, the smaller root.
     const Vec2 off = from - p;
-    const double b = dot(off, way), c = norm_squared(off) - radius * radius;
+    const double b = dot(off, offset), c = norm_squared(off) - radius * radius;
     if (c <= 0 || length_squared <= 0) continue;
     const double root = b * b - length_squared * c;
     share = std::max(share, root > 0 ? std::clamp((-b - std::sqrt(root)) / length_squared, 0.0, 1.0) : 1.0);
@@ -117,7 +117,7 @@ std::vector<Place> places_near(const std::vector<Path>& paths, Vec2 p, double re
 }
 
 /// Puts the way to `target` and back into the path; where the path begins or ends there, one way is enough.
-void insert_way(Path& path, const Place& place, Vec2 target) {
+void insert_path(Path& path, const Place& place, Vec2 target) {
   const Edge edge = path[place.edge];
   const bool at_from = place.t<kAtEnd, at_to = place.t> 1 - kAtEnd;
   const Vec2 q = at_from ? edge.from : at_to ? edge.to : place.point;
@@ -142,13 +142,13 @@ void insert_way(Path& path, const Place& place, Vec2 target) {
 }
 
 bool clear_group(std::vector<Path>& paths, const Group& group, const MendJob& job) {
-  const double radius = job.radius + std::min(0.0, job.film) - kReserve;
+  const double radius = job.radius + std::min(0.0, job.residual) - kReserve;
   for (const auto& place : places_near(paths, group.center, 4 * job.radius)) {
     const double share = share_to_go(place.point, group, radius);
     const Vec2 target = lerp(place.point, group.center, share);
     if (distance(place.point, target) < 1e-6) continue;
     if (!job.legal(place.point, target)) continue;
-    insert_way(paths[place.path], place, target);
+    insert_path(paths[place.path], place, target);
     return true;
   }
   return false;
@@ -157,7 +157,7 @@ bool clear_group(std::vector<Path>& paths, const Group& group, const MendJob& jo
 }  // namespace
 
 std::vector<Vec2> left_by(std::span<const Path> paths, const MendJob& job) {
-  return Cover(all_edges(paths, job), job.radius + job.film).holes(job.matters);
+  return Cover(all_edges(paths, job), job.radius + job.residual).holes(job.matters);
 }
 
 bool mend(std::vector<Path>& paths, const MendJob& job) {

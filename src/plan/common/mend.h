@@ -1,4 +1,4 @@
-// Makes any set of ways clean: finds what they leave and adds the short ways there and back that clear it. Used by
+// Completes any set of paths: finds what they leave uncut and adds short detours there and back that clear it. Used by
 // strategies alone.
 #pragma once
 
@@ -12,17 +12,17 @@ namespace clearcut::plan {
 
 struct MendJob {
   double radius = 0;                  ///< of the cutter, mm
-  double film = 5e-4;                 ///< mm; what is left between ways a diameter apart may be as thick
+  double residual = 5e-4;             ///< mm; what is left between paths a diameter apart may be as thick
   std::function<bool(Vec2)> matters;  ///< whether a place has to be cut
-  std::span<const Edge> fixed;        ///< cut in any case, by ways that stay as they are
-  /// Whether the straight way between two points is legal.
+  std::span<const Edge> fixed;        ///< cut in any case, by paths that stay as they are
+  /// Whether the straight path between two points is legal.
   std::function<bool(Vec2, Vec2)> legal;
 };
 
 /// What `paths` and job.fixed leave of the places that matter: see Cover::holes.
 std::vector<Vec2> left_by(std::span<const Path> paths, const MendJob& job);
 
-/// Adds to `paths` what it takes to leave nothing. False when something stays that no straight legal way clears.
+/// Adds to `paths` what it takes to leave nothing. False when something stays that no straight legal path clears.
 ///
 /// Method  A disc that holds the vertices of a hole's rim holds the hole, or nearly all of it. Vertices are gathered
 /// into groups that fit into one disc; from the nearest place of a path the cutter goes towards the disc's centre as far

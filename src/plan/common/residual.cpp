@@ -216,9 +216,10 @@ class ResidualGraph {
     }
     for (auto v = order.rbegin(); v != order.rend(); ++v) {
       auto& below = children_[*v];
-      const auto way = [&](std::size_t u) { return length[u] + distance(place_[*v], place_[u]); };
-      std::sort(below.begin(), below.end(), [&](std::size_t a, std::size_t b) { return way(a) < way(b); });
-      if (!below.empty()) length[*v] = way(below.back());
+      const auto beyond = [&](std::size_t u) { return length[u] + distance(place_[*v], place_[u]); };
+      std::sort(below.begin(), below.end(),
+                [&](std::size_t a, std::size_t b) { return beyond(a) < beyond(b); });
+      if (!below.empty()) length[*v] = beyond(below.back());
     }
   }
 

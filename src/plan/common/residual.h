@@ -1,4 +1,4 @@
-// What successive contours leave uncut, and the shortest way along the medial axis that clears it. Used by
+// What successive contours leave uncut, and the shortest path along the medial axis that clears it. Used by
 // plan_contour alone.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace clearcut::plan {
 
-/// A way along the medial axis that clears one connected residual.
+/// A path along the medial axis that clears one connected residual.
 struct ResidualPath {
   std::vector<Vec2> points;  ///< at least one
   bool closed = false;       ///< a ridge all round an island: the last point joins the first
@@ -17,7 +17,7 @@ struct ResidualPath {
 
 /// The residuals between the contour of `node` and those of its children, for a cutter of `radius`.
 ///
-/// A point p between them that no contour clears lies on the way from the wall to a point m of the medial
+/// A point p between them that no contour clears lies on the line from the wall to a point m of the medial
 /// axis with level + radius < clearance(m) < next_level, at most next_level - level - radius <= radius from
 /// m. So a walk along that part of the axis clears everything; its free ends are then cut back by up to one
 /// radius.

@@ -14,36 +14,36 @@ constexpr double kPlungeShare = 0.3;  // of the feed
 
 }  // namespace
 
-HopHeights hop_heights(const Layer& layer) {
+RetractHeights retract_heights(const Layer& layer) {
   return {layer.lift, std::min(layer.lift, layer.z_top - layer.z + kAboveMaterial)};
 }
 
-double Hop::rapid_time(double length) const {
+double RetractLink::rapid_time(double length) const {
   return kinematics::travel_time(length, machine_.rapid.mm_per_s(), machine_.acceleration);
 }
 
-double Hop::time(double across) const {
+double RetractLink::time(double across) const {
   const auto [lift, plunge] = heights_;
   return rapid_time(lift) + rapid_time(lift - plunge) + rapid_time(across) +
          plunge / (kPlungeShare * feed_.mm_per_s());
 }
 
-double Hop::time_of(std::span<const Path> ways, double across) const {
+double RetractLink::time_of(std::span<const Path> paths, double across) const {
   double time = 0;
-  for (const auto& way : ways) {
+  for (const auto& path : paths) {
     std::vector<Move> moves;
-    for (const auto& edge : way) moves.push_back({edge, 0, 0, MoveKind::kCut, feed_, 0});
-    time += kinematics::kinematic_time(moves, machine_).seconds() + Hop::time(across);
+    for (const auto& edge : path) moves.push_back({edge, 0, 0, MoveKind::kCut, feed_, 0});
+    time += kinematics::kinematic_time(moves, machine_).seconds() + RetractLink::time(across);
   }
   return time;
 }
 
-std::optional<Path> Hop::way_at_depth(Vec2 a, Vec2 b, const LegalRoutes& routes) const {
+std::optional<Path> RetractLink::link_at_depth(Vec2 a, Vec2 b, const LegalRoutes& routes) const {
   const double lift = time(distance(a, b)), speed = feed_.mm_per_s();
   if (distance(a, b) / speed > lift) return std::nullopt;
-  auto way = routes.between(a, b);
-  if (!way || length(*way) / speed > lift) return std::nullopt;
-  return way;
+  auto path = routes.between(a, b);
+  if (!path || length(*path) / speed > lift) return std::nullopt;
+  return path;
 }
 
 }  // namespace clearcut::plan

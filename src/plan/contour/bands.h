@@ -1,4 +1,4 @@
-// The ways of a skeleton as rubber bands, and what holds them. Used by the planner alone.
+// The paths of a skeleton as rubber bands, and what holds them. Used by the planner alone.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ namespace clearcut::plan::contour {
 /// Spacing of the vertices of bands, as a share of the radius.
 constexpr double kBandSpacing = 0.6;
 
-/// A straight piece between neighbouring vertices of a way.
+/// A straight piece between neighbouring vertices of a flexible path.
 struct Band {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
@@ -29,7 +29,7 @@ struct Witness {
 struct Bands {
   Skeleton skeleton;
   std::vector<Edge> fixed;  ///< the skeleton's rings
-  std::vector<Band> bands;  ///< of all ways, one way after the other
+  std::vector<Band> bands;  ///< of all flexible paths, one path after the other
   std::vector<Witness> witnesses;
   double moved = 0;  ///< mm; no band has moved farther since the beginning
 
@@ -38,21 +38,21 @@ struct Bands {
   Vec2 point(int i) const { return skeleton.points[static_cast<std::size_t>(i)].at; }
   bool on_ring(std::uint32_t i) const { return skeleton.points[i].ring >= 0; }
 
-  /// Calls f(way) for every flexible way, in the order of `bands`.
+  /// Calls f(path) for every flexible path, in the order of `bands`.
   template <typename F>
-  void for_ways(F&& f) {
+  void for_paths(F&& f) {
     for (auto& leg : skeleton.legs) {
-      f(leg.way_in);
-      for (auto& way : leg.detours) f(way);
+      f(leg.path_in);
+      for (auto& path : leg.detours) f(path);
     }
   }
 
-  /// Sets `bands` to the pieces of the ways as they are now.
+  /// Sets `bands` to the pieces of the paths as they are now.
   void list() {
     bands.clear();
-    for_ways([&](const std::vector<int>& way) {
-      for (std::size_t i = 1; i < way.size(); ++i) {
-        bands.push_back({static_cast<std::uint32_t>(way[i - 1]), static_cast<std::uint32_t>(way[i])});
+    for_paths([&](const std::vector<int>& path) {
+      for (std::size_t i = 1; i < path.size(); ++i) {
+        bands.push_back({static_cast<std::uint32_t>(path[i - 1]), static_cast<std::uint32_t>(path[i])});
       }
     });
   }

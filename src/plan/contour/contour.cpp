@@ -31,7 +31,7 @@ namespace {
 /// Steps smaller than this share of the radius are mistyped.
 constexpr double kSmallestStep = 0.005;
 /// mm. Rings a whole diameter apart meet exactly: the rounding of a program's numbers may part them by this.
-constexpr double kRingFilm = 0.001;
+constexpr double kRingResidual = 0.001;
 /// mm. Overlap of rings, and of what clears their rests, where not even that may stay.
 constexpr double kBareOverlap = 0.004;
 constexpr double kBareMargin = 0.002;
@@ -39,7 +39,7 @@ constexpr double kBareMargin = 0.002;
 constexpr double kOpenDistance = 1e-3;
 
 /// mm. Less than this of a face's border may stay; in tool radii, between looks at it.
-constexpr double kArmFilm = 0.005;
+constexpr double kArmResidual = 0.005;
 constexpr double kBorderPitch = 0.1;
 
 bool on_wall(Vec2 p, const Regions& allowed) {
@@ -131,23 +131,23 @@ Regions legal_area(const Layer& layer, const std::vector<Domain>& domains, doubl
   return legal;
 }
 
-bool is_way(const Pass& pass) {
+bool is_path(const Pass& pass) {
   return !pass.closed && !pass.reversible;
 }
 
-/// Ways pulled taut inside-out become ways outside-in: each runs backwards, the last comes first.
-void turn_ways_round(LayerPasses& layer) {
-  const auto ways = std::stable_partition(layer.passes.begin(), layer.passes.end(),
-                                          [](const Pass& pass) { return !is_way(pass); });
-  std::reverse(ways, layer.passes.end());
-  std::for_each(ways, layer.passes.end(), [](Pass& pass) { pass.path = reversed(pass.path); });
+/// Paths pulled taut inside-out become paths outside-in: each runs backwards, the last comes first.
+void reverse_paths(LayerPasses& layer) {
+  const auto paths = std::stable_partition(layer.passes.begin(), layer.passes.end(),
+                                           [](const Pass& pass) { return !is_path(pass); });
+  std::reverse(paths, layer.passes.end());
+  std::for_each(paths, layer.passes.end(), [](Pass& pass) { pass.path = reversed(pass.path); });
 }
 
-/// A straight way from `start` to the first of the ways that can be reached by one.
+/// A straight path from `start` to the first of the paths that can be reached by one.
 void begin_at(Vec2 start, LayerPasses& layer) {
   const LegalArea legal(layer.legal);
   for (auto& pass : layer.passes) {
-    if (!is_way(pass)) continue;
+    if (!is_path(pass)) continue;
     const Vec2 first = pass.path.front().from;
     if (first == start || !legal.holds_line(start, first)) continue;
     pass.path.insert(pass.path.begin(), Edge::line(start, first));
@@ -155,7 +155,7 @@ void begin_at(Vec2 start, LayerPasses& layer) {
   }
 }
 
-/// Rings, and the ways they are pulled into, inside-out.
+/// Rings, and the paths they are pulled into, inside-out.
 LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, FaceRing face_ring,
                             const Tolerances& tol);
 
@@ -163,16 +163,17 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
 bool leaves_border(const Layer& layer, const LayerPasses& planned) {
   std::vector<Edge> edges;
   for (const auto& pass : planned.passes) edges.insert(edges.end(), pass.path.begin(), pass.path.end());
-  const Cover cover(edges, layer.tool_radius + kArmFilm);
+  const Cover cover(edges, layer.tool_radius + kArmResidual);
   const LegalArea legal(planned.legal);
   const auto is_left = [&](Vec2 p) {
-    return !cover.holds(p) && (legal.contains(p) || legal.is_near_boundary(p, layer.tool_radius - kArmFilm));
+    return !cover.holds(p) &&
+           (legal.contains(p) || legal.is_near_boundary(p, layer.tool_radius - kArmResidual));
   };
   for (const auto& region : layer.target) {
     for (const Edge& edge : region.edges()) {
-      const int looks = 1 + static_cast<int>(edge.length() / (kBorderPitch * layer.tool_radius));
-      for (int i = 0; i < looks; ++i) {
-        if (is_left(edge.at((i + 0.5) / looks))) return true;
+      const int samples = 1 + static_cast<int>(edge.length() / (kBorderPitch * layer.tool_radius));
+      for (int i = 0; i < samples; ++i) {
+        if (is_left(edge.at((i + 0.5) / samples))) return true;
       }
     }
   }
@@ -183,7 +184,7 @@ bool leaves_border(const Layer& layer, const LayerPasses& planned) {
 
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
   ContourOptions inside_out = options;
-  // Ways are run backwards in the end, so their rings are planned the other way round.
+  // Paths are run backwards in the end, so their rings are planned the other way round.
   if (options.outside_in) inside_out.wall_on_right = !options.wall_on_right;
   LayerPasses result = plan_inside_out(layer, inside_out, FaceRing::kInside, tol);
   const bool clears = options.residuals == ResidualRule::kOurs && !closed_all_round(layer);
@@ -191,7 +192,7 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
     result = plan_inside_out(layer, inside_out, FaceRing::kOnEdge, tol);
   result.outside_in = options.outside_in;
   result.start = options.start;
-  if (options.outside_in) turn_ways_round(result);
+  if (options.outside_in) reverse_paths(result);
   if (options.start) begin_at(*options.start, result);
   return result;
 }
@@ -212,7 +213,7 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   job.first_level = layer.tool_radius + layer.wall_stock;
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
-  // A film saves a pass where rings fit exactly, as they do in pockets of round dimensions; faces gain nothing.
+  // A residual saves a pass where rings fit exactly, as they do in pockets of round dimensions; faces gain nothing.
   const bool bare = layer.bare || !closed_all_round(layer);
   job.margin = bare ? kBareMargin : 0;
   const double overlap = bare && options.step.kind == StepRule::Kind::kWidest ? kBareOverlap : 0;
@@ -222,7 +223,7 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   };
   result.legal = legal_area(layer, domains, job.first_level, tol);
   result.passes = ring_passes(domains, job, tol);
-  result.film = bare ? 0 : kRingFilm;
+  result.residual = bare ? 0 : kRingResidual;
   for (const auto& pass : result.passes) {
     if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);
   }

@@ -52,16 +52,16 @@ enum class ResidualRule {
 struct ContourOptions {
   StepRule step;
   ResidualRule residuals = ResidualRule::kOurs;
-  /// How long to look for shorter ways at the widest step: 0 not at all (under a millisecond), 1 some tenths
+  /// How long to look for shorter paths at the widest step: 0 not at all (under a millisecond), 1 some tenths
   /// of a second for an ordinary pocket.
   double effort = 1;
   /// Rings run with the wall on the right (climb milling for a clockwise spindle); false: on the left.
   bool wall_on_right = true;
   /// Rings at the wall come first, those they surround after them; false: the other way round.
   bool outside_in = false;
-  /// Where cutting should begin: exactly there where the first pass can be reached on a straight way.
+  /// Where cutting should begin: exactly there where the first pass can be reached on a straight path.
   std::optional<Vec2> start;
-  /// What the fastest of several plans is judged by.
+  /// What the fastest of several plans is checked by.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
   /// Looked at between the trials of the search; Cancelled is thrown when it asks to stop.

@@ -25,8 +25,8 @@ Vec2 mirrored(Vec2 point, Vec2 root, Vec2 axis) {
 
 /// Its sides at the tip run parallel to the corner's, its others stand at right angles to them.
 Path kite(Vec2 root, Vec2 tip, double half_sine) {
-  const Vec2 way = tip - root, axis = unit(way), across{-axis.y, axis.x};
-  const double half_cosine = std::sqrt(1 - half_sine * half_sine), side = norm(way) * half_sine;
+  const Vec2 path = tip - root, axis = unit(path), across{-axis.y, axis.x};
+  const double half_cosine = std::sqrt(1 - half_sine * half_sine), side = norm(path) * half_sine;
   const Vec2 foot = root + axis * (side * half_sine) + across * (side * half_cosine);
   const Vec2 other = mirrored(foot, root, axis);
   return {Edge::line(root, foot), Edge::line(foot, tip), Edge::line(tip, other), Edge::line(other, root)};
@@ -34,8 +34,8 @@ Path kite(Vec2 root, Vec2 tip, double half_sine) {
 
 /// Straight on along `in`, by an arc through the tip, and back along `out` (taken symmetric about the way to the tip).
 Path tangent_loop(Vec2 root, Vec2 tip, double half_sine, Vec2 in) {
-  const Vec2 way = tip - root, axis = unit(way);
-  const double radius = norm(way) * half_sine / (1 + half_sine);
+  const Vec2 path = tip - root, axis = unit(path);
+  const double radius = norm(path) * half_sine / (1 + half_sine);
   const double straight = radius * std::sqrt(1 - half_sine * half_sine) / half_sine;
   const Vec2 center = tip - axis * radius, across{-axis.y, axis.x};
   const double side = dot(in, across) > 0 ? 1 : -1, half_cosine = std::sqrt(1 - half_sine * half_sine);

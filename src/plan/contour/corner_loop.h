@@ -1,8 +1,8 @@
 // Loops that published methods append in a corner to clear what a wide step leaves there.
 //
 // All leave the inner contour at its corner (the root) and come near the corner of the contour around it: to the tip,
-// the farthest place that a cutter has to reach. A loop that encloses the way from root to tip, and is nowhere wider than
-// the cutter, clears all that this way clears: from any point the way to that line crosses the loop first.
+// the farthest place that a cutter has to reach. A loop that encloses the line from root to tip, and is nowhere wider than
+// the cutter, clears all that this line clears: the shortest line from any point to it crosses the loop first.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ enum class CornerLoop {
   kCircle,  ///< Zhao et al.: the circle through root and tip. CPO-rho eq. (2), its length, is damaged in print
   kPwid,  ///< Park et al., pair-wise interference detection: a kite with sides parallel to the corner's at the tip
   kSingle,  ///< Choy and Chan: straight on past the corner, round, and back along the other side; tangent throughout
-  kDouble  ///< Choy and Chan: the same twice, half way and all the way, so that each bites less
+  kDouble  ///< Choy and Chan: the same twice, half way and all the way, so that each engages less
 };
 
 /// The loop from `root` back to it. `in` and `out` are the directions of the contour before and after its corner,

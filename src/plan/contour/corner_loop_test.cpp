@@ -68,14 +68,14 @@ TEST(CornerLoop, ClearsWhatTheWayToTheTipClears) {
     Random random(static_cast<std::uint64_t>(seed));
     const double radius = 5, far = random.between(0.1, radius);
     const Corner c = built(random.between(0.1, 2.6), random.between(0, 6), far);
-    const Edge way = Edge::line(c.root, c.tip);
+    const Edge path = Edge::line(c.root, c.tip);
     for (const CornerLoop kind : kAll) {
       const auto loop = corner_loop(kind, c.root, c.tip, c.in, c.out, 5);
       ASSERT_TRUE(loop);
       for (int i = 0; i < 50; ++i) {
         const Vec2 p =
             c.root + Vec2{random.between(-2 * radius, 2 * radius), random.between(-2 * radius, 2 * radius)};
-        if (distance(way, p) > radius) continue;
+        if (distance(path, p) > radius) continue;
         ++checked;
         EXPECT_LE(distance_to(*loop, p), radius + 1e-9) << seed;
       }

@@ -1,6 +1,6 @@
 // Symbols of the minimisation (an augmented Lagrangian with Newton steps):
 //
-//   v_i       vertices of the ways                       unknown
+//   v_i       vertices of the paths                       unknown
 //   w         witnesses: places that have to be cut      given, more after each exact check
 //   d(w)      distance from w to the nearest band (straight piece between neighbouring vertices)
 //   lambda_w  force with which w holds its band          multiplier
@@ -85,9 +85,9 @@ struct Active {
 }  // namespace
 
 struct BandMinimiser::Impl {
-  Impl(Bands& ways, const TightenJob& job) : ways_(ways), job_(job), grid_(job.where, job.radius) {
-    for (std::uint32_t i = 0; i < ways_.fixed.size(); ++i) {
-      grid_.for_cells(ways_.fixed[i].box().grown(1.5 * job_.radius),
+  Impl(Bands& paths, const TightenJob& job) : paths_(paths), job_(job), grid_(job.where, job.radius) {
+    for (std::uint32_t i = 0; i < paths_.fixed.size(); ++i) {
+      grid_.for_cells(paths_.fixed[i].box().grown(1.5 * job_.radius),
                       [&](std::size_t cell, Vec2) { fixed_in_.add(cell, i); });
     }
     fixed_in_.build(grid_.count());
@@ -108,20 +108,20 @@ struct BandMinimiser::Impl {
 
   void step(double reach) {
     if (moved_since_listing_ > skin_) list_active();
-    before_.resize(ways_.skeleton.points.size());
-    for (std::size_t i = 0; i < before_.size(); ++i) before_[i] = ways_.skeleton.points[i].at;
+    before_.resize(paths_.skeleton.points.size());
+    for (std::size_t i = 0; i < before_.size(); ++i) before_[i] = paths_.skeleton.points[i].at;
     assemble();
-    ways_.for_ways([&](const std::vector<int>& way) { solve(way); });
+    paths_.for_paths([&](const std::vector<int>& path) { solve(path); });
     const double longest = longest_move();
     for (std::size_t i = 0; i < before_.size(); ++i) {
       // Each for itself: one that is thrown far must not hold up all others.
       const double far = norm(move_[i]);
-      ways_.skeleton.points[i].at = before_[i] + move_[i] * (far > reach ? reach / far : 1);
+      paths_.skeleton.points[i].at = before_[i] + move_[i] * (far > reach ? reach / far : 1);
     }
     slide();
     undo_illegal();
     moved_since_listing_ += std::min(longest, reach);
-    ways_.moved += std::min(longest, reach);
+    paths_.moved += std::min(longest, reach);
   }
 
   double longest_move() const {
@@ -132,19 +132,20 @@ struct BandMinimiser::Impl {
 
   /// Gradient and Hessian of the augmented Lagrangian, per vertex and per band.
   void assemble() {
-    gradient_.assign(ways_.skeleton.points.size(), {});
-    diagonal_.assign(ways_.skeleton.points.size(), {kDamping / job_.radius, 0, kDamping / job_.radius});
-    coupling_.assign(ways_.bands.size(), {});
-    move_.assign(ways_.skeleton.points.size(), {});
+    gradient_.assign(paths_.skeleton.points.size(), {});
+    diagonal_.assign(paths_.skeleton.points.size(), {kDamping / job_.radius, 0, kDamping / job_.radius});
+    coupling_.assign(paths_.bands.size(), {});
+    move_.assign(paths_.skeleton.points.size(), {});
     measure_bands();
-    for (std::uint32_t i = 0; i < ways_.bands.size(); ++i) add_pull(i);
+    for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) add_pull(i);
     for (const auto& active : active_) add_hold(active);
-    if (job_.turn_cost * tension_ > 0) ways_.for_ways([&](const std::vector<int>& way) { add_turns(way); });
+    if (job_.turn_cost * tension_ > 0)
+      paths_.for_paths([&](const std::vector<int>& path) { add_turns(path); });
   }
 
   void add_pull(std::uint32_t i) {
-    const Band band = ways_.bands[i];
-    const Vec2 d = ways_.at(band.b) - ways_.at(band.a);
+    const Band band = paths_.bands[i];
+    const Vec2 d = paths_.at(band.b) - paths_.at(band.a);
     const double soft = kSoft * job_.radius, spring = kEven / (kBandSpacing * job_.radius);
     const double l = std::sqrt(norm_squared(d) + soft * soft);
     const Vec2 u = d / l, g = (u + d * spring) * tension_;
@@ -158,11 +159,11 @@ struct BandMinimiser::Impl {
 
   /// turn_cost * (1 - cosine of the turn) at every vertex, with a bound of its curvature in place of the
   /// Hessian.
-  void add_turns(const std::vector<int>& way) {
-    for (std::size_t i = 1; i + 1 < way.size(); ++i) {
-      const auto before = static_cast<std::uint32_t>(way[i - 1]), here = static_cast<std::uint32_t>(way[i]);
-      const auto after = static_cast<std::uint32_t>(way[i + 1]);
-      const Vec2 d1 = ways_.at(here) - ways_.at(before), d2 = ways_.at(after) - ways_.at(here);
+  void add_turns(const std::vector<int>& path) {
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      const auto before = static_cast<std::uint32_t>(path[i - 1]), here = static_cast<std::uint32_t>(path[i]);
+      const auto after = static_cast<std::uint32_t>(path[i + 1]);
+      const Vec2 d1 = paths_.at(here) - paths_.at(before), d2 = paths_.at(after) - paths_.at(here);
       const double least = 0.1 * kBandSpacing * job_.radius;
       const double l1 = std::max(least, std::sqrt(norm_squared(d1))),
                    l2 = std::max(least, std::sqrt(norm_squared(d2)));
@@ -188,7 +189,7 @@ struct BandMinimiser::Impl {
   };
 
   void add_hold(const Active& active) {
-    Witness& witness = ways_.witnesses[active.witness];
+    Witness& witness = paths_.witnesses[active.witness];
     const Hold hold = nearest_hold(active, witness.p);
     if (hold.distance < limit_ - skin_) return;
     if (!witness.moving) return hold_band(hold, 1.0);
@@ -212,7 +213,7 @@ struct BandMinimiser::Impl {
   void hold_band(const Hold& hold, double share) {
     const double force = stiffness_ * (hold.distance - limit_) * share;
     if (force <= 0 || hold.distance < 1e-9 || hold.band == kFixed) return;
-    const Band band = ways_.bands[hold.band];
+    const Band band = paths_.bands[hold.band];
     const double bend = force / hold.distance;
     Sym2 h = outer_product(hold.away) * (stiffness_ * share - bend);
     h.xx += bend;
@@ -226,81 +227,81 @@ struct BandMinimiser::Impl {
   }
 
   /// From the place of band `i` that is nearest to p, to p.
-  Vec2 way_from_band(std::uint32_t i, Vec2 p, double& t) const {
+  Vec2 offset_from_band(std::uint32_t i, Vec2 p, double& t) const {
     const Segment& band = segments_[i];
     const Vec2 s = p - band.a;
     t = std::clamp(dot(s, band.d) * band.inverse, 0.0, 1.0);
     return s - band.d * t;
   }
 
-  static void finish(Hold& hold, Vec2 way) {
-    hold.distance = std::sqrt(norm_squared(way));
-    if (hold.distance > 0) hold.away = way / hold.distance;
+  static void finish(Hold& hold, Vec2 offset) {
+    hold.distance = std::sqrt(norm_squared(offset));
+    if (hold.distance > 0) hold.away = offset / hold.distance;
   }
 
   Hold nearest_hold(const Active& active, Vec2 p) const {
     Hold best;
-    Vec2 best_way;
+    Vec2 best_offset;
     double nearest_squared = std::numeric_limits<double>::infinity(), t = 0;
     for (std::uint32_t k = active.first; k < active.end; ++k) {
-      const Vec2 way = way_from_band(candidates_[k], p, t);
-      const double squared = norm_squared(way);
+      const Vec2 offset = offset_from_band(candidates_[k], p, t);
+      const double squared = norm_squared(offset);
       if (squared >= nearest_squared) continue;
       nearest_squared = squared;
-      best_way = way;
+      best_offset = offset;
       best.band = candidates_[k];
       best.t = t;
     }
-    finish(best, best_way);
+    finish(best, best_offset);
     return best;
   }
 
   /// The nearest hold on the other side of p, fixed edges included.
   Hold opposite_hold(const Active& active, Vec2 p, const Hold& nearest) const {
     Hold best;
-    Vec2 best_way;
+    Vec2 best_offset;
     double best_squared = std::numeric_limits<double>::infinity(), t = 0;
-    const auto opposite = [&](Vec2 way, double squared) {
-      const double c = dot(way, nearest.away);
+    const auto opposite = [&](Vec2 offset, double squared) {
+      const double c = dot(offset, nearest.away);
       return squared < best_squared && (c <= 0 || c * c < 0.25 * squared);
     };
     for (std::uint32_t k = active.first; k < active.end; ++k) {
-      const Vec2 way = way_from_band(candidates_[k], p, t);
-      const double squared = norm_squared(way);
-      if (!opposite(way, squared)) continue;
+      const Vec2 offset = offset_from_band(candidates_[k], p, t);
+      const double squared = norm_squared(offset);
+      if (!opposite(offset, squared)) continue;
       best_squared = squared;
-      best_way = way;
+      best_offset = offset;
       best.band = candidates_[k];
       best.t = t;
     }
     for (const std::uint32_t i : fixed_in_.at(grid_.cell_of(p))) {
-      const Vec2 way = p - nearest_point(ways_.fixed[i], p);
-      const double squared = norm_squared(way);
-      if (squared <= 0 || !opposite(way, squared)) continue;
+      const Vec2 offset = p - nearest_point(paths_.fixed[i], p);
+      const double squared = norm_squared(offset);
+      if (squared <= 0 || !opposite(offset, squared)) continue;
       best_squared = squared;
-      best_way = way;
+      best_offset = offset;
       best.band = kFixed;
     }
-    if (std::isfinite(best_squared)) finish(best, best_way);
+    if (std::isfinite(best_squared)) finish(best, best_offset);
     return best;
   }
 
   /// Newton step of the free vertices of one way, by block elimination from its first to its last.
-  void solve(const std::vector<int>& way) {
-    const std::size_t n = way.size();
+  void solve(const std::vector<int>& path) {
+    const std::size_t n = path.size();
     if (n == 0) return;
     const std::size_t first_band = next_band_;
-    next_band_ = first_band + n - 1 == ways_.bands.size() ? 0 : first_band + n - 1;
+    next_band_ = first_band + n - 1 == paths_.bands.size() ? 0 : first_band + n - 1;
     pivot_.resize(n);
     right_.resize(n);
-    const auto vertex = [&](std::size_t i) { return static_cast<std::uint32_t>(way[i]); };
+    const auto vertex = [&](std::size_t i) { return static_cast<std::uint32_t>(path[i]); };
     for (std::size_t i = 0; i < n; ++i) {
       Sym2 d = diagonal_[vertex(i)];
       Vec2 r = -gradient_[vertex(i)];
-      if (ways_.on_ring(vertex(i))) {
+      if (paths_.on_ring(vertex(i))) {
         d = kHeld;
         r = {};
-      } else if (i > 0 && !ways_.on_ring(vertex(i - 1))) {
+      } else if (i > 0 && !paths_.on_ring(vertex(i - 1))) {
         const Sym2 c = coupling_[first_band + i - 1];
         const Sym2 reduced = c.around(pivot_[i - 1]);
         d += reduced * -1;
@@ -310,46 +311,47 @@ struct BandMinimiser::Impl {
       right_[i] = r;
     }
     for (std::size_t i = n; i-- > 0;) {
-      if (ways_.on_ring(vertex(i))) continue;
+      if (paths_.on_ring(vertex(i))) continue;
       Vec2 r = right_[i];
-      if (i + 1 < n && !ways_.on_ring(vertex(i + 1)))
+      if (i + 1 < n && !paths_.on_ring(vertex(i + 1)))
         r = r - coupling_[first_band + i] * move_[vertex(i + 1)];
       move_[vertex(i)] = pivot_[i] * r;
     }
     for (const std::size_t i : {std::size_t{0}, n - 1}) {
-      if (ways_.on_ring(vertex(i))) move_[vertex(i)] = slide_step(vertex(i));
+      if (paths_.on_ring(vertex(i))) move_[vertex(i)] = slide_step(vertex(i));
     }
   }
 
   Vec2 slide_step(std::uint32_t i) const {
     Vec2 tangent{1, 0};
-    nearest_on_ring(ways_.skeleton.rings[static_cast<std::size_t>(ways_.skeleton.points[i].ring)],
-                    ways_.at(i), &tangent);
+    nearest_on_ring(paths_.skeleton.rings[static_cast<std::size_t>(paths_.skeleton.points[i].ring)],
+                    paths_.at(i), &tangent);
     return tangent * (-dot(gradient_[i], tangent) / dot(tangent, diagonal_[i] * tangent));
   }
 
   void slide() {
-    for (auto& vertex : ways_.skeleton.points) {
+    for (auto& vertex : paths_.skeleton.points) {
       if (vertex.ring < 0) continue;
-      vertex.at = nearest_on_ring(ways_.skeleton.rings[static_cast<std::size_t>(vertex.ring)], vertex.at);
+      vertex.at = nearest_on_ring(paths_.skeleton.rings[static_cast<std::size_t>(vertex.ring)], vertex.at);
     }
   }
 
   /// Bands that have left the legal area go back to where they were.
   void undo_illegal() {
-    for (std::size_t i = 0; i < ways_.bands.size(); ++i) {
-      const Band band = ways_.bands[i];
-      if (safe_[i] || (ways_.at(band.a) == before_[band.a] && ways_.at(band.b) == before_[band.b])) continue;
-      if (job_.legal->holds_line(ways_.at(band.a), ways_.at(band.b))) continue;
-      ways_.at(band.a) = before_[band.a];
-      ways_.at(band.b) = before_[band.b];
+    for (std::size_t i = 0; i < paths_.bands.size(); ++i) {
+      const Band band = paths_.bands[i];
+      if (safe_[i] || (paths_.at(band.a) == before_[band.a] && paths_.at(band.b) == before_[band.b]))
+        continue;
+      if (job_.legal->holds_line(paths_.at(band.a), paths_.at(band.b))) continue;
+      paths_.at(band.a) = before_[band.a];
+      paths_.at(band.b) = before_[band.b];
     }
   }
 
   void measure_bands() {
-    segments_.resize(ways_.bands.size());
-    for (std::size_t i = 0; i < ways_.bands.size(); ++i) {
-      const Vec2 a = ways_.at(ways_.bands[i].a), d = ways_.at(ways_.bands[i].b) - a;
+    segments_.resize(paths_.bands.size());
+    for (std::size_t i = 0; i < paths_.bands.size(); ++i) {
+      const Vec2 a = paths_.at(paths_.bands[i].a), d = paths_.at(paths_.bands[i].b) - a;
       const double whole = norm_squared(d);
       segments_[i] = {a, d, whole > 0 ? 1 / whole : 0};
     }
@@ -362,20 +364,20 @@ struct BandMinimiser::Impl {
     const double far = limit_ + 2 * skin_, near = limit_ - 2 * skin_;
     measure_bands();
     sort_bands_into_grid(far);
-    for (std::uint32_t w = 0; w < ways_.witnesses.size(); ++w) {
-      Witness& witness = ways_.witnesses[w];
-      if (witness.near + (ways_.moved - witness.when) < near) continue;
+    for (std::uint32_t w = 0; w < paths_.witnesses.size(); ++w) {
+      Witness& witness = paths_.witnesses[w];
+      if (witness.near + (paths_.moved - witness.when) < near) continue;
       const Vec2 p = witness.p;
       const auto first = static_cast<std::uint32_t>(candidates_.size());
       double nearest_squared = far * far, t = 0;
       for (const std::uint32_t band : bands_in_.at(grid_.cell_of(p))) {
-        const double squared = norm_squared(way_from_band(band, p, t));
+        const double squared = norm_squared(offset_from_band(band, p, t));
         if (squared > far * far) continue;
         candidates_.push_back(band);
         nearest_squared = std::min(nearest_squared, squared);
       }
       witness.near = std::sqrt(nearest_squared);
-      witness.when = ways_.moved;
+      witness.when = paths_.moved;
       if (nearest_squared < near * near || (witness.moving && !job_.matters(p))) {
         candidates_.resize(first);
         continue;
@@ -389,9 +391,9 @@ struct BandMinimiser::Impl {
   std::uint32_t nearest_band(Vec2 p) const {
     std::uint32_t best = 0;
     double best_distance = std::numeric_limits<double>::infinity();
-    for (std::uint32_t i = 0; i < ways_.bands.size(); ++i) {
+    for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) {
       double t = 0;
-      const double d = norm_squared(way_from_band(i, p, t));
+      const double d = norm_squared(offset_from_band(i, p, t));
       if (d >= best_distance) continue;
       best_distance = d;
       best = i;
@@ -400,11 +402,11 @@ struct BandMinimiser::Impl {
   }
 
   void sort_bands_into_grid(double far) {
-    safe_.assign(ways_.bands.size(), 0);
-    for (std::uint32_t i = 0; i < ways_.bands.size(); ++i) {
+    safe_.assign(paths_.bands.size(), 0);
+    for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) {
       Box box;
-      box.add(ways_.at(ways_.bands[i].a));
-      box.add(ways_.at(ways_.bands[i].b));
+      box.add(paths_.at(paths_.bands[i].a));
+      box.add(paths_.at(paths_.bands[i].b));
       grid_.for_cells(box.grown(far), [&](std::size_t cell, Vec2) { bands_in_.add(cell, i); });
       safe_[i] = job_.legal->surely_holds(box.grown(2 * skin_));
     }
@@ -413,7 +415,7 @@ struct BandMinimiser::Impl {
 
   static constexpr Sym2 kHeld{1, 0, 1};
 
-  Bands& ways_;
+  Bands& paths_;
   const TightenJob& job_;
   double limit_ = 0;  ///< distance at which witnesses begin to hold
   double skin_ = 0;
@@ -431,7 +433,8 @@ struct BandMinimiser::Impl {
   std::vector<char> safe_;  ///< of each band: it cannot leave the legal area before the next listing
 };
 
-BandMinimiser::BandMinimiser(Bands& ways, const TightenJob& job) : impl_(std::make_unique<Impl>(ways, job)) {}
+BandMinimiser::BandMinimiser(Bands& paths, const TightenJob& job)
+    : impl_(std::make_unique<Impl>(paths, job)) {}
 BandMinimiser::~BandMinimiser() = default;
 
 void BandMinimiser::relax(const Pull& pull, double limit) {

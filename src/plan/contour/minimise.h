@@ -23,7 +23,7 @@ struct Pull {
 class BandMinimiser {
  public:
   /// Both must live as long as this.
-  BandMinimiser(Bands& ways, const TightenJob& job);
+  BandMinimiser(Bands& paths, const TightenJob& job);
   ~BandMinimiser();
   BandMinimiser(const BandMinimiser&) = delete;
   BandMinimiser& operator=(const BandMinimiser&) = delete;

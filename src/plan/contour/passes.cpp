@@ -52,12 +52,12 @@ bool stays_clear(const Path& loop, const Region& domain, double level) {
   });
 }
 
-/// mm. Ways begin on the axis a little above their ring's level, so near beside its corners.
+/// mm. Paths begin on the axis a little above their ring's level, so near beside its corners.
 constexpr double kAtCorner = 0.01;
 
 /// Inserts a way that returns to where it begins into a ring, at the place nearest to that.
-template <typename MakeWay>
-void insert_way(Path& ring, Vec2 begin, MakeWay&& way_from) {
+template <typename MakePath>
+void insert_path(Path& ring, Vec2 begin, MakePath&& path_from) {
   std::size_t at = 0;
   const auto root = nearest_on(ring, begin, at);
   const Edge edge = ring[at];
@@ -68,7 +68,7 @@ void insert_way(Path& ring, Vec2 begin, MakeWay&& way_from) {
   const Edge& after = at + 1 == ring.size() ? ring.front() : ring[at + 1];
   const Vec2 in = inside ? edge.tangent_at(root.t) : at_end ? edge.tangent_at(1) : before.tangent_at(1);
   const Vec2 out = inside ? in : at_end ? after.tangent_at(0) : edge.tangent_at(0);
-  Path pieces = way_from(from, in, out);
+  Path pieces = path_from(from, in, out);
   if (inside) {
     pieces.insert(pieces.begin(), edge.part(0, root.t));
     pieces.push_back(edge.part(root.t, 1));
@@ -139,7 +139,7 @@ class PassBuilder {
 
   void add_ear(const RingNode& node, const ResidualPath& residual, const Region& domain) {
     const Vec2 root = residual.points.front();
-    insert_way(passes_[ring_at_root(node, root)].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
+    insert_path(passes_[ring_at_root(node, root)].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
       std::vector<Vec2> points = residual.points;
       points.front() = points.back() = from;
       return loop_for(points, in, out, domain).value_or(line_path(points));
@@ -155,9 +155,9 @@ class PassBuilder {
       return norm_squared(a - root) < norm_squared(b - root);
     });
     if (tip == root) return std::nullopt;
-    const Edge way = Edge::line(root, tip);
-    const bool straight = std::all_of(ear.begin(), ear.end(),
-                                      [&](Vec2 p) { return distance(way, p) <= kStraightEar * job_.radius; });
+    const Edge path = Edge::line(root, tip);
+    const bool straight = std::all_of(
+        ear.begin(), ear.end(), [&](Vec2 p) { return distance(path, p) <= kStraightEar * job_.radius; });
     auto loop = straight ? corner_loop(*kind, root, tip, in, out, job_.radius) : std::nullopt;
     return loop && stays_clear(*loop, domain, job_.first_level) ? loop : std::nullopt;
   }

@@ -9,20 +9,20 @@ namespace {
 /// One way after the other, from its first vertex to its last.
 class Polish {
  public:
-  Polish(Bands& ways, const TightenJob& job, double radius) : ways_(ways), job_(job), radius_(radius) {}
+  Polish(Bands& paths, const TightenJob& job, double radius) : paths_(paths), job_(job), radius_(radius) {}
 
   void run() {
     EdgesInUse state(2 * job_.radius);
-    for (const auto& edge : ways_.fixed) state.add(edge);
+    for (const auto& edge : paths_.fixed) state.add(edge);
     std::vector<std::uint32_t> first_edges;
-    ways_.for_ways([&](const std::vector<int>& way) {
+    paths_.for_paths([&](const std::vector<int>& path) {
       first_edges.push_back(static_cast<std::uint32_t>(state.edges.size()));
-      for (std::size_t i = 1; i < way.size(); ++i)
-        state.add(Edge::line(ways_.point(way[i - 1]), ways_.point(way[i])));
+      for (std::size_t i = 1; i < path.size(); ++i)
+        state.add(Edge::line(paths_.point(path[i - 1]), paths_.point(path[i])));
     });
-    std::size_t next_way = 0;
-    ways_.for_ways([&](std::vector<int>& way) { polish(way, first_edges[next_way++], state); });
-    ways_.list();
+    std::size_t next_path = 0;
+    paths_.for_paths([&](std::vector<int>& path) { polish(path, first_edges[next_path++], state); });
+    paths_.list();
   }
 
  private:
@@ -42,21 +42,21 @@ class Polish {
     }
   };
 
-  /// `edge` is the number of the way's first edge; the others follow it.
-  void polish(std::vector<int>& way, std::uint32_t edge, EdgesInUse& state) const {
+  /// `edge` is the number of the path's first edge; the others follow it.
+  void polish(std::vector<int>& path, std::uint32_t edge, EdgesInUse& state) const {
     std::vector<int> kept;
     std::uint32_t arriving = edge;
-    for (std::size_t i = 0; i < way.size(); ++i) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
       const std::uint32_t leaving = edge + static_cast<std::uint32_t>(i);
-      if (i > 0 && i + 1 < way.size() && may_drop(arriving, leaving, state)) {
+      if (i > 0 && i + 1 < path.size() && may_drop(arriving, leaving, state)) {
         state.used[arriving] = state.used[leaving] = 0;
-        arriving = state.add(Edge::line(ways_.point(kept.back()), ways_.point(way[i + 1])));
+        arriving = state.add(Edge::line(paths_.point(kept.back()), paths_.point(path[i + 1])));
       } else {
-        kept.push_back(way[i]);
+        kept.push_back(path[i]);
         arriving = leaving;
       }
     }
-    way = std::move(kept);
+    path = std::move(kept);
   }
 
   /// Whether one straight edge in place of two neighbouring ones still clears all that they clear.
@@ -80,15 +80,15 @@ class Polish {
     return !Cover(edges, radius_).has_hole(both.grown(radius_), was_cut);
   }
 
-  Bands& ways_;
+  Bands& paths_;
   const TightenJob& job_;
   double radius_;
 };
 
 }  // namespace
 
-void drop_needless_vertices(Bands& ways, const TightenJob& job, double radius) {
-  Polish(ways, job, radius).run();
+void drop_needless_vertices(Bands& paths, const TightenJob& job, double radius) {
+  Polish(paths, job, radius).run();
 }
 
 }  // namespace clearcut::plan::contour

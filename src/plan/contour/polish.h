@@ -1,4 +1,4 @@
-// Fewer corners for ways that are pulled taut. Used by the planner alone.
+// Fewer corners for paths that are pulled taut. Used by the planner alone.
 #pragma once
 
 #include "plan/contour/bands.h"
@@ -6,9 +6,9 @@
 
 namespace clearcut::plan::contour {
 
-/// Drops every vertex of the ways that coverage can do without: fewer corners, shorter ways. All that was within
-/// `radius` of a way or ring stays so.
+/// Drops every vertex of the paths that coverage can do without: fewer corners, shorter paths. All that was within
+/// `radius` mm of a path or ring stays so.
 /// Cost  O(vertices * (edges near)^2).
-void drop_needless_vertices(Bands& ways, const TightenJob& job, double radius);
+void drop_needless_vertices(Bands& paths, const TightenJob& job, double radius);
 
 }  // namespace clearcut::plan::contour

@@ -90,14 +90,14 @@ void RingBand::find_summits() {
 }
 
 /// Shortest way along the axis from every vertex to clearance `level`.
-std::vector<double> RingBand::ways_to(double level) const {
-  std::vector<double> ways(vertices_.size(), kFar);
+std::vector<double> RingBand::lengths_to(double level) const {
+  std::vector<double> lengths(vertices_.size(), kFar);
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  const auto reach = [&](std::size_t v, double way) {
-    if (way >= ways[v]) return;
-    ways[v] = way;
-    open.emplace(way, v);
+  const auto reach = [&](std::size_t v, double length) {
+    if (length >= lengths[v]) return;
+    lengths[v] = length;
+    open.emplace(length, v);
   };
   const auto has_ring = [&](std::size_t v) {
     const double summit = vertices_[v].summit, room = std::min(kRoom * radius_, (summit - floor_) / 2);
@@ -111,19 +111,19 @@ std::vector<double> RingBand::ways_to(double level) const {
     if (low < level && has_ring(link.high)) reach(link.low, link.length * (level - low) / (high - low));
   }
   while (!open.empty()) {
-    const auto [way, v] = open.top();
+    const auto [length, v] = open.top();
     open.pop();
-    if (way > ways[v] || has_ring(v)) continue;
+    if (length > lengths[v] || has_ring(v)) continue;
     for (const std::size_t i : vertices_[v].links) {
       const std::size_t u = links_[i].low == v ? links_[i].high : links_[i].low;
-      reach(u, way + links_[i].length);
+      reach(u, length + links_[i].length);
     }
   }
-  return ways;
+  return lengths;
 }
 
-RestCause RingBand::cause_at(std::size_t v, const std::vector<double>& ways) const {
-  if (ways[v] < kFar) {
+RestCause RingBand::cause_at(std::size_t v, const std::vector<double>& lengths) const {
+  if (lengths[v] < kFar) {
     const auto& links = vertices_[v].links;
     const auto rises =
         std::count_if(links.begin(), links.end(), [&](std::size_t i) { return links_[i].low == v; });
@@ -152,27 +152,28 @@ RestCause RingBand::cause_at(std::size_t v, const std::vector<double>& ways) con
 
 Rest RingBand::worst(double step, double reach) const {
   const double level = level_ + step;
-  const auto ways = ways_to(level);
+  const auto lengths = lengths_to(level);
   Rest worst;
   std::size_t at = vertices_.size();
-  const auto consider = [&](std::size_t v, double way) {
-    if (way <= reach || way <= worst.way) return;
-    worst.way = way;
+  const auto consider = [&](std::size_t v, double length) {
+    if (length <= reach || length <= worst.length) return;
+    worst.length = length;
     at = v;
   };
   // A point beside the axis is as far from it as it lies lower.
   for (std::size_t v = 0; v < vertices_.size(); ++v) {
-    if (ways[v] > 0) consider(v, ways[v] + vertices_[v].clearance - floor_);
+    if (lengths[v] > 0) consider(v, lengths[v] + vertices_[v].clearance - floor_);
   }
   for (const auto& link : links_) {
-    if (ways[link.high] == 0 || ways[link.low] == kFar || ways[link.high] == kFar) continue;
-    const double meeting = (ways[link.high] + link.length - ways[link.low]) / 2;
+    if (lengths[link.high] == 0 || lengths[link.low] == kFar || lengths[link.high] == kFar) continue;
+    const double meeting = (lengths[link.high] + link.length - lengths[link.low]) / 2;
     const double climb = (vertices_[link.high].clearance - vertices_[link.low].clearance) / link.length;
-    consider(link.low, ways[link.low] + meeting + vertices_[link.low].clearance + meeting * climb - floor_);
+    consider(link.low,
+             lengths[link.low] + meeting + vertices_[link.low].clearance + meeting * climb - floor_);
   }
   if (at < vertices_.size()) {
     worst.where = vertices_[at].point;
-    worst.cause = cause_at(at, ways);
+    worst.cause = cause_at(at, lengths);
   }
   return worst;
 }

@@ -1,8 +1,8 @@
 // What a ring and the next one inside it leave, by the medial axis: exact criterion, causes, and the widest step that
 // leaves nothing.
 //
-// A point p inside the ring at level d is cleared by it where clearance(p) <= d + R. Any other way uphill from p leads
-// to the axis and along it to the next ring at d + s, so p is cleared by that where the way is no longer than R. The
+// A point p inside the ring at level d is cleared by it where clearance(p) <= d + R. Any other path uphill from p leads
+// to the axis and along it to the next ring at d + s, so p is cleared by that where that path is no longer than R. The
 // worst points are those of clearance d + R on every rising branch of the axis, its local minima (necks), and
 // branches that never reach d + s (centres, ridges). In a corner of angle alpha the clearance rises by sin(alpha / 2)
 // per mm of axis, so that (s - R) / sin(alpha / 2) <= R: the published kappa (CPO-kappa eq. 6). The published rule
@@ -28,7 +28,7 @@ const char* name_of(RestCause cause);
 struct Rest {
   RestCause cause = RestCause::kNone;
   Vec2 where;
-  double way = 0;  ///< mm; the longest way to the next ring, infinite where none leads there
+  double length = 0;  ///< mm of the longest path to the next ring; infinite where none leads there
 };
 
 /// The axis inside one ring, between level + radius and level + 2 radius.
@@ -58,8 +58,8 @@ class RingBand {
     double length = 0;
   };
   void find_summits();
-  std::vector<double> ways_to(double level) const;
-  RestCause cause_at(std::size_t vertex, const std::vector<double>& ways) const;
+  std::vector<double> lengths_to(double level) const;
+  RestCause cause_at(std::size_t vertex, const std::vector<double>& lengths) const;
 
   double floor_ = 0;  ///< level + radius, and a little: rests thinner than that do not count
   double level_ = 0;

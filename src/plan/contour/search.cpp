@@ -25,7 +25,7 @@ struct Trial {
 /// The first few serve large pockets, all of them small ones.
 constexpr Trial kTrials[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 0.15}, {0.8, 0.15},
                              {0.95, 0.0},  {0.9, 0.0},  {1.0, 0.0},  {0.85, 0.0},  {0.75, 0.15}};
-/// Work allowed, in vertices of flexible ways: over all trials, and in one tree of rings. Rings that surround more
+/// Work allowed, in vertices of flexible paths: over all trials, and in one tree of rings. Rings that surround more
 /// stay as they are; only their links and what they surround is pulled taut.
 constexpr double kMostVerticesInAll = 800;
 constexpr double kMostFlexible = 800;
@@ -35,9 +35,9 @@ constexpr std::size_t kMostEdges = 60000;
 constexpr double kLargeStep = 0.98;
 /// mm by which passes that stay clear more than just so: above the margin of the proof.
 constexpr double kSpareMargin = 0.002;
-/// Flexible ways have about this many vertices per radius of length.
+/// Flexible paths have about this many vertices per radius of length.
 constexpr double kVerticesPerRadius = 1.7;
-/// Share of the radius by which flexible ways may stray from the rings they start as.
+/// Share of the radius by which flexible paths may stray from the rings they start as.
 constexpr double kChord = 0.004;
 /// Rounds after which plans are compared, and further rounds of the best.
 constexpr int kHeats = 3;
@@ -45,8 +45,8 @@ constexpr int kFinalRounds = 3;
 /// Plans that stay to the end of the heats, and how much slower than the fastest they may be to be finished, too.
 constexpr std::size_t kFinalists = 2;
 constexpr double kAsGood = 1.01;
-/// A plan that leaves a film has to be this much faster than one that does not.
-constexpr double kFilmHandicap = 1.005;
+/// A plan that leaves a residual has to be this much faster than one that does not.
+constexpr double kResidualHandicap = 1.005;
 /// mm. How far a lift crosses, for comparing with staying down.
 constexpr double kAcross = 10;
 
@@ -78,9 +78,9 @@ void in_parallel(std::size_t count, const Work& work) {
 /// One component's contest.
 class Search {
  public:
-  Search(const ContourOptions& options, const HopHeights& heights, const LegalArea& legal, double radius,
+  Search(const ContourOptions& options, const RetractHeights& heights, const LegalArea& legal, double radius,
          const Box& where, bool bare)
-      : options_(options), legal_(legal), hop_(options.machine, options.feed, heights) {
+      : options_(options), legal_(legal), retract_(options.machine, options.feed, heights) {
     job_.bare = bare;
     job_.radius = radius;
     job_.legal = &legal;
@@ -90,25 +90,25 @@ class Search {
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
 
-  struct Contestant {
+  struct Candidate {
     std::vector<Pass> passes;
     double turn_cost = 0;
   };
 
-  void enter(const std::vector<Contestant>& contestants) {
-    std::vector<std::optional<Entry>> entries(contestants.size());
-    in_parallel(contestants.size(), [&](std::size_t i) { entries[i] = entry_of(contestants[i]); });
+  void enter(const std::vector<Candidate>& candidates) {
+    std::vector<std::optional<Entry>> entries(candidates.size());
+    in_parallel(candidates.size(), [&](std::size_t i) { entries[i] = entry_of(candidates[i]); });
     for (auto& entry : entries) entries_.push_back(*std::move(entry));
   }
 
   struct Winner {
-    std::vector<Path> ways;
-    double film = 0;  ///< mm
+    std::vector<Path> paths;
+    double residual = 0;  ///< mm
     double time = std::numeric_limits<double>::infinity();
   };
 
   /// After every round of all the slower half retires; the fastest runs to the end, and others that are as good as
-  /// it. No ways when none is proven to clear everything.
+  /// it. No paths when none is proven to clear everything.
   Winner winner() {
     if (entries_.empty()) return {};
     std::size_t running = entries_.size();
@@ -126,7 +126,7 @@ class Search {
     const auto best = std::min_element(finished.begin(), finished.end(),
                                        [](const Winner& a, const Winner& b) { return a.time < b.time; });
     Winner winner = std::move(*best);
-    for (std::size_t i = finished.size(); i < entries_.size() && winner.ways.empty(); ++i)
+    for (std::size_t i = finished.size(); i < entries_.size() && winner.paths.empty(); ++i)
       winner = finish(entries_[i]);
     return winner;
   }
@@ -137,40 +137,40 @@ class Search {
     double time = 0;
   };
 
-  Entry entry_of(const Contestant& contestant) const {
+  Entry entry_of(const Candidate& candidate) const {
     throw_if_cancelled(options_.cancel);
     const double v = options_.feed.mm_per_s();
     TightenJob job = job_;
-    job.turn_cost = contestant.turn_cost * v * v / options_.machine.acceleration;
+    job.turn_cost = candidate.turn_cost * v * v / options_.machine.acceleration;
     SkeletonOptions skeleton;
     skeleton.chord = kChord * job_.radius;
     if (!options_.outside_in) skeleton.begin = options_.start;
     skeleton.flexible = kMostFlexible / kVerticesPerRadius * job_.radius * options_.effort;
-    skeleton.hop = hop_.time(kAcross) * options_.feed.mm_per_s();
+    skeleton.retract_cost = retract_.time(kAcross) * options_.feed.mm_per_s();
     skeleton.legal = [&](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
-    return {Tightener(skeleton_of(contestant.passes, skeleton), job), 0};
+    return {Tightener(skeleton_of(candidate.passes, skeleton), job), 0};
   }
 
   void run_heat(Entry& entry) const {
     throw_if_cancelled(options_.cancel);
     entry.tightener.pull(1);
-    entry.time = hop_.time_of(paths_of(entry.tightener.skeleton()), kAcross);
+    entry.time = retract_.time_of(paths_of(entry.tightener.skeleton()), kAcross);
   }
 
-  /// No ways when they are not proven to clear everything.
+  /// No paths when they are not proven to clear everything.
   Winner finish(Entry& entry) const {
     throw_if_cancelled(options_.cancel);
     entry.tightener.pull(kFinalRounds);
     if (!entry.tightener.finish()) return {};
-    auto ways = paths_of(entry.tightener.skeleton());
-    const double film = entry.tightener.film(),
-                 time = hop_.time_of(ways, kAcross) * (film > 0 ? kFilmHandicap : 1);
-    return {std::move(ways), film, time};
+    auto paths = paths_of(entry.tightener.skeleton());
+    const double residual = entry.tightener.residual(),
+                 time = retract_.time_of(paths, kAcross) * (residual > 0 ? kResidualHandicap : 1);
+    return {std::move(paths), residual, time};
   }
 
   const ContourOptions& options_;
   const LegalArea& legal_;
-  Hop hop_;
+  RetractLink retract_;
   TightenJob job_;
   std::vector<Entry> entries_;
 };
@@ -183,7 +183,7 @@ double vertices_of(const std::vector<Pass>& passes, double radius) {
   return length_of_inner / radius * kVerticesPerRadius;
 }
 
-void replace_component(LayerPasses& layer, int component, const std::vector<Path>& ways) {
+void replace_component(LayerPasses& layer, int component, const std::vector<Path>& paths) {
   std::vector<Pass> kept;
   std::vector<int> number(layer.passes.size(), -1);
   for (std::size_t i = 0; i < layer.passes.size(); ++i) {
@@ -192,9 +192,9 @@ void replace_component(LayerPasses& layer, int component, const std::vector<Path
     kept.push_back(std::move(layer.passes[i]));
     if (kept.back().parent >= 0) kept.back().parent = number[static_cast<std::size_t>(kept.back().parent)];
   }
-  for (const auto& way : ways) {
+  for (const auto& path : paths) {
     Pass pass;
-    pass.path = way;
+    pass.path = path;
     pass.component = component;
     pass.reversible = false;
     kept.push_back(std::move(pass));
@@ -224,25 +224,25 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer
     };
     variants[k] = ring_passes(domains, own, tol);
   });
-  double film = 0;
+  double residual = 0;
   int components = 0;
   for (const auto& pass : result.passes) components = std::max(components, pass.component + 1);
   for (int component = 0; component < components; ++component) {
     Box where;
     for (const auto& pass : component_of(result.passes, component, false)) where.add(box(pass.path));
     if (where.empty()) continue;
-    Search search(options, hop_heights(layer), legal, job.radius, where, layer.bare);
-    std::vector<Search::Contestant> contestants;
+    Search search(options, retract_heights(layer), legal, job.radius, where, layer.bare);
+    std::vector<Search::Candidate> candidates;
     for (std::size_t k = 0; k < trials; ++k) {
       auto own = component_of(variants[k], component, !options.wall_on_right);
-      if (!own.empty()) contestants.push_back({std::move(own), kTrials[k].turn_cost});
+      if (!own.empty()) candidates.push_back({std::move(own), kTrials[k].turn_cost});
     }
-    search.enter(contestants);
+    search.enter(candidates);
     const auto winner = search.winner();
-    film = std::max(film, winner.ways.empty() ? result.film : winner.film);
-    if (!winner.ways.empty()) replace_component(result, component, winner.ways);
+    residual = std::max(residual, winner.paths.empty() ? result.residual : winner.residual);
+    if (!winner.paths.empty()) replace_component(result, component, winner.paths);
   }
-  result.film = film;
+  result.residual = residual;
 }
 
 }  // namespace clearcut::plan::contour

@@ -1,4 +1,4 @@
-// Contours by formula, from lengths and angles alone: the papers' own way, kept apart from the geometric offsets so that
+// Contours by formula, from lengths and angles alone: the papers' own method, kept apart from the geometric offsets so that
 // each can be held against the other.
 //
 // Source and symbols (CPO-kappa eq. 2, alg. 2 and 3; CPO-rho appendix B):

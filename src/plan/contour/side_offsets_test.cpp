@@ -1,4 +1,4 @@
-// Two ways to the next contour that share nothing: the papers' bookkeeping of lengths and angles, and the geometric
+// Two methods to find the next contour that share nothing: the papers' bookkeeping of lengths and angles, and the geometric
 // offsets of the kernel.
 //
 // Convex outlines, with and without arcs: both must agree in every side, arc and corner, down to the centre, through

@@ -133,33 +133,33 @@ class SkeletonBuilder {
 
   void add_leg(std::size_t root) {
     Leg leg;
-    std::vector<int> way;
+    std::vector<int> vertices;
     leg.lifted = skeleton_.legs.empty() || !may_stay_down(root);
-    if (!leg.lifted) way.push_back(last_);
+    if (!leg.lifted) vertices.push_back(last_);
     leg.ring = static_cast<int>(skeleton_.rings.size());
     skeleton_.rings.push_back(passes_[root].path);
-    if (!flexible_[root].empty()) spiral_out(flexible_[root].front(), way);
-    const Vec2 from = way.empty() ? passes_[root].path.front().from : at(way.back());
-    way.push_back(add_point(place_on(passes_[root].path, from).point, leg.ring));
+    if (!flexible_[root].empty()) spiral_out(flexible_[root].front(), vertices);
+    const Vec2 from = vertices.empty() ? passes_[root].path.front().from : at(vertices.back());
+    vertices.push_back(add_point(place_on(passes_[root].path, from).point, leg.ring));
     for (std::size_t k = 1; k < flexible_[root].size(); ++k)
       leg.detours.push_back(ring_detour(root, k, leg.ring));
-    last_ = way.back();
-    leg.way_in = std::move(way);
+    last_ = vertices.back();
+    leg.path_in = std::move(vertices);
     skeleton_.legs.push_back(std::move(leg));
   }
 
   bool may_stay_down(std::size_t root) const {
     const Vec2 entry = entry_of(root, at(last_));
-    return distance(entry, at(last_)) <= options_.hop && options_.legal(at(last_), entry);
+    return distance(entry, at(last_)) <= options_.retract_cost && options_.legal(at(last_), entry);
   }
 
   std::vector<int> ring_detour(std::size_t root, std::size_t k, int ring) {
     const std::size_t child = flexible_[root][k];
-    const auto gate = place_on(passes_[root].path, nearest_to_ring(child, passes_[root].path));
-    std::vector<int> way{add_point(gate.point, ring)};
-    detour(child, way);
-    way.push_back(way.front());
-    return way;
+    const auto entrance = place_on(passes_[root].path, nearest_to_ring(child, passes_[root].path));
+    std::vector<int> vertices{add_point(entrance.point, ring)};
+    detour(child, vertices);
+    vertices.push_back(vertices.front());
+    return vertices;
   }
 
   /// A point of the pass that is nearest to the ring, among its vertices.
@@ -176,13 +176,13 @@ class SkeletonBuilder {
     return best;
   }
 
-  void walk_open(std::size_t i, std::vector<int>& way) {
+  void walk_open(std::size_t i, std::vector<int>& vertices) {
     auto points = polygon_of(passes_[i].path, options_.chord);
-    const Vec2 toward = way.empty() ? Vec2{} : at(way.back());
-    const bool turn = way.empty() ? passes_[i].parent >= 0 && ends_away_from_parent(i)
-                                  : distance(points.back(), toward) < distance(points.front(), toward);
+    const Vec2 toward = vertices.empty() ? Vec2{} : at(vertices.back());
+    const bool turn = vertices.empty() ? passes_[i].parent >= 0 && ends_away_from_parent(i)
+                                       : distance(points.back(), toward) < distance(points.front(), toward);
     if (turn) std::reverse(points.begin(), points.end());
-    for (const Vec2 p : points) way.push_back(add_point(p));
+    for (const Vec2 p : points) vertices.push_back(add_point(p));
   }
 
   bool ends_away_from_parent(std::size_t i) const {
@@ -192,11 +192,11 @@ class SkeletonBuilder {
   }
 
   /// Everything inside pass i, then pass i itself.
-  void spiral_out(std::size_t i, std::vector<int>& way) {
-    if (!children_[i].empty()) spiral_out(children_[i].front(), way);
-    if (!passes_[i].closed) return walk_open(i, way);
+  void spiral_out(std::size_t i, std::vector<int>& vertices) {
+    if (!children_[i].empty()) spiral_out(children_[i].front(), vertices);
+    if (!passes_[i].closed) return walk_open(i, vertices);
     const auto& ring = passes_[i].path;
-    go_round(i, place_on(ring, way.empty() ? beginning_of(ring) : at(way.back())), way);
+    go_round(i, place_on(ring, vertices.empty() ? beginning_of(ring) : at(vertices.back())), vertices);
   }
 
   /// Where the innermost ring begins.
@@ -205,18 +205,18 @@ class SkeletonBuilder {
   }
 
   /// Into pass i and all it surrounds, innermost first, and back to where it was entered.
-  void detour(std::size_t i, std::vector<int>& way) {
-    if (!passes_[i].closed) return walk_open(i, way);
-    const auto gate = place_on(passes_[i].path, at(way.back()));
+  void detour(std::size_t i, std::vector<int>& vertices) {
+    if (!passes_[i].closed) return walk_open(i, vertices);
+    const auto entrance = place_on(passes_[i].path, at(vertices.back()));
     if (!children_[i].empty()) {
-      way.push_back(add_point(gate.point));
-      detour(children_[i].front(), way);
+      vertices.push_back(add_point(entrance.point));
+      detour(children_[i].front(), vertices);
     }
-    go_round(i, gate, way);
+    go_round(i, entrance, vertices);
   }
 
   /// Once round ring i from `start`, visiting its children but the first on the way.
-  void go_round(std::size_t i, const RingPlace& start, std::vector<int>& way) {
+  void go_round(std::size_t i, const RingPlace& start, std::vector<int>& vertices) {
     const auto& ring = passes_[i].path;
     std::vector<std::pair<RingPlace, std::size_t>> stops;
     for (std::size_t k = 1; k < children_[i].size(); ++k) {
@@ -228,21 +228,21 @@ class SkeletonBuilder {
     };
     std::sort(stops.begin(), stops.end(),
               [&](const auto& a, const auto& b) { return ahead(a.first) < ahead(b.first); });
-    way.push_back(add_point(start.point));
+    vertices.push_back(add_point(start.point));
     RingPlace from = start;
     for (const auto& [stop, child] : stops) {
-      if (ahead(stop) > ahead(from)) follow(ring_part(ring, from, stop), way);
-      detour(child, way);
-      way.push_back(add_point(stop.point));
+      if (ahead(stop) > ahead(from)) follow(ring_part(ring, from, stop), vertices);
+      detour(child, vertices);
+      vertices.push_back(add_point(stop.point));
       from = stop;
     }
-    follow(ring_part(ring, from, start), way);
+    follow(ring_part(ring, from, start), vertices);
   }
 
-  void follow(const Path& path, std::vector<int>& way) {
+  void follow(const Path& path, std::vector<int>& vertices) {
     std::vector<Vec2> points;
     for (const auto& edge : path) append_flattened(edge, options_.chord, points);
-    for (const Vec2 p : points) way.push_back(add_point(p));
+    for (const Vec2 p : points) vertices.push_back(add_point(p));
   }
 
   const std::vector<Pass>& passes_;
@@ -254,10 +254,10 @@ class SkeletonBuilder {
   int last_ = -1;
 };
 
-void append_lines(const Skeleton& skeleton, const std::vector<int>& way, Path& path) {
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vec2 a = skeleton.points[static_cast<std::size_t>(way[i - 1])].at;
-    const Vec2 b = skeleton.points[static_cast<std::size_t>(way[i])].at;
+void append_lines(const Skeleton& skeleton, const std::vector<int>& vertices, Path& path) {
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    const Vec2 a = skeleton.points[static_cast<std::size_t>(vertices[i - 1])].at;
+    const Vec2 b = skeleton.points[static_cast<std::size_t>(vertices[i])].at;
     if (a != b) path.push_back(Edge::line(a, b));
   }
 }
@@ -268,13 +268,13 @@ void append_ring(const Skeleton& skeleton, const Leg& leg, Path& path) {
   const auto place = [&](int point) {
     return place_on(ring, skeleton.points[static_cast<std::size_t>(point)].at);
   };
-  const RingPlace start = place(leg.way_in.back());
+  const RingPlace start = place(leg.path_in.back());
   const auto ahead = [&](const RingPlace& p) {
     const double d = p.order() - start.order();
     return d < 0 ? d + static_cast<double>(ring.size()) : d;
   };
   std::vector<std::pair<RingPlace, const std::vector<int>*>> stops;
-  for (const auto& way : leg.detours) stops.emplace_back(place(way.front()), &way);
+  for (const auto& vertices : leg.detours) stops.emplace_back(place(vertices.front()), &vertices);
   std::sort(stops.begin(), stops.end(),
             [&](const auto& a, const auto& b) { return ahead(a.first) < ahead(b.first); });
   RingPlace from = start;
@@ -282,9 +282,9 @@ void append_ring(const Skeleton& skeleton, const Leg& leg, Path& path) {
     if (!part.empty() && !path.empty()) part.front().from = path.back().to;
     path.insert(path.end(), part.begin(), part.end());
   };
-  for (const auto& [stop, way] : stops) {
+  for (const auto& [stop, vertices] : stops) {
     if (ahead(stop) > ahead(from)) append(ring_part(ring, from, stop));
-    append_lines(skeleton, *way, path);
+    append_lines(skeleton, *vertices, path);
     from = stop;
   }
   append(ring_part(ring, from, start));
@@ -300,7 +300,7 @@ std::vector<Path> paths_of(const Skeleton& skeleton) {
   std::vector<Path> paths;
   for (const auto& leg : skeleton.legs) {
     if (leg.lifted || paths.empty()) paths.emplace_back();
-    append_lines(skeleton, leg.way_in, paths.back());
+    append_lines(skeleton, leg.path_in, paths.back());
     if (leg.ring >= 0) append_ring(skeleton, leg, paths.back());
   }
   return paths;

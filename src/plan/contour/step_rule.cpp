@@ -14,7 +14,7 @@ namespace {
 
 using Kind = StepRule::Kind;
 
-/// mm. Ways longer than the radius by less than this leave nothing that counts.
+/// mm. Paths longer than the radius by less than this leave nothing that counts.
 constexpr double kNoRest = 0.001;
 
 /// The published rule (CPO-rho eq. 8) has w = 1 mm, which makes no sense for cutters under 2 mm: w is at most R / 2.
@@ -131,7 +131,7 @@ Rest worst_rest(const Regions& allowed, const StepRule& rule, double radius, con
     const auto step_of = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
       const double step = std::max(step_after(ring, inside, rule, radius), radius);
       const Rest rest = RingBand(inside, ring.level, radius).worst(step, radius + kNoRest);
-      if (rest.way > worst.way) worst = rest;
+      if (rest.length > worst.length) worst = rest;
       return step;
     };
     ring_tree(Clearance(region, tol), region, radius, step_of, tol);

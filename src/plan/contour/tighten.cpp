@@ -15,18 +15,18 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. How much less than the radius the witnesses' limit is while ways are pulled, and at the end.
+/// mm. How much less than the radius the witnesses' limit is while paths are pulled, and at the end.
 constexpr double kPullMargin = 0.0005;
 constexpr double kWitnessMargin = 0.004;
 /// mm. How much less than the radius the exact check runs with: above the rounding of any program text.
 constexpr double kProvenMargin = 0.001;
 /// Radii with which the check runs in the first rounds, where only large holes count, and how many rounds that are.
-constexpr double kFirstLook = 1.01;
+constexpr double kFirstSample = 1.01;
 constexpr int kRoughRounds = 3;
 /// mm. Where strokes fit exactly side by side nothing is left for margins: there the limit and the radius of
 /// the check are this much more than the radius.
-constexpr double kFilmLimit = 0.0012;
-constexpr double kFilm = 0.0035;
+constexpr double kResidualLimit = 0.0012;
+constexpr double kResidual = 0.0035;
 /// Spacing of the witnesses at the beginning, as a share of the radius.
 constexpr double kSeedSpacing = 1.0;
 /// Vertices that lie nearer to both their neighbours are dropped, in shares of the spacing.
@@ -52,81 +52,82 @@ constexpr Pull kSettling{10, 0.02, 0.2, 2000};
 constexpr Pull kMending{10, 0.02, 0.5, 2e4, 0};
 
 Bands bands_of(Skeleton skeleton) {
-  Bands ways{std::move(skeleton), {}, {}, {}, 0};
-  for (const auto& ring : ways.skeleton.rings) ways.fixed.insert(ways.fixed.end(), ring.begin(), ring.end());
-  return ways;
+  Bands paths{std::move(skeleton), {}, {}, {}, 0};
+  for (const auto& ring : paths.skeleton.rings)
+    paths.fixed.insert(paths.fixed.end(), ring.begin(), ring.end());
+  return paths;
 }
 
 }  // namespace
 
 struct Tightener::Impl {
   Impl(Skeleton skeleton, TightenJob job)
-      : ways_(bands_of(std::move(skeleton))),
+      : paths_(bands_of(std::move(skeleton))),
         job_(std::move(job)),
-        minimiser_(ways_, job_),
+        minimiser_(paths_, job_),
         limit_(job_.radius - kPullMargin) {
-    prove_with(kFirstLook * job_.radius);
+    prove_with(kFirstSample * job_.radius);
     respace();
-    ways_.list();
-    if (ways_.bands.empty()) return;
+    paths_.list();
+    if (paths_.bands.empty()) return;
     seed_witnesses();
     seed_seams();
   }
 
   void pull(int rounds) {
     if (round_ >= kRoughRounds) prove_with(job_.radius - kProvenMargin);
-    for (int k = 0; k < rounds && !ways_.bands.empty(); ++k) {
+    for (int k = 0; k < rounds && !paths_.bands.empty(); ++k) {
       minimiser_.relax(round_++ == 0 ? kFirstPull : kLaterPull, limit_);
       const Cover now = cover();
       add_witnesses(now.holes(job_.matters), now);
       respace();
-      ways_.list();
+      paths_.list();
     }
   }
 
   bool finish() {
     // Still witnesses have done their work by now and would quarrel with the moving ones.
-    std::erase_if(ways_.witnesses, [](const Witness& w) { return !w.moving; });
+    std::erase_if(paths_.witnesses, [](const Witness& w) { return !w.moving; });
     limit_ = job_.radius - kWitnessMargin;
     prove_with(job_.radius - kProvenMargin);
     if (!mend(kMostStalled)) {
       if (job_.bare) return false;
-      limit_ = job_.radius + kFilmLimit;
-      prove_with(job_.radius + kFilm);
+      limit_ = job_.radius + kResidualLimit;
+      prove_with(job_.radius + kResidual);
       if (!mend(kMendingRounds)) return false;
     }
     if (!all_legal()) return false;
-    drop_needless_vertices(ways_, job_, proven_);
+    drop_needless_vertices(paths_, job_, proven_);
     return true;
   }
 
   void prove_with(double radius) {
     if (proven_ == radius) return;
     proven_ = radius;
-    auto rings = std::make_shared<Cover>(ways_.fixed, radius);
+    auto rings = std::make_shared<Cover>(paths_.fixed, radius);
     rings->keep_rim(job_.matters);
     by_rings_ = std::move(rings);
   }
 
-  double film() const { return std::max(0.0, proven_ - job_.radius); }
+  double residual() const { return std::max(0.0, proven_ - job_.radius); }
 
   bool mend(int most_stalled) {
     std::size_t before = std::numeric_limits<std::size_t>::max();
     int stalled = 0;
     for (int k = 0; k < kMendingRounds && stalled < most_stalled; ++k) {
-      if (!ways_.bands.empty()) minimiser_.relax(k < kSettlingRounds ? kSettling : kMending, limit_);
+      if (!paths_.bands.empty()) minimiser_.relax(k < kSettlingRounds ? kSettling : kMending, limit_);
       const Cover now = cover();
       const auto left = now.holes(job_.matters);
       if (left.empty()) return true;
-      if (ways_.bands.empty()) return false;
+      if (paths_.bands.empty()) return false;
       if (left.size() > kStalledAbove && 5 * left.size() > 4 * before) ++stalled;
       before = left.size();
       add_witnesses(left, now);
       if (left.size() <= kFewHoles) {
-        for (const Vec2 p : left) ways_.witnesses.push_back({p});
+        for (const Vec2 p : left) paths_.witnesses.push_back({p});
       }
       respace();
-      ways_.list();
+      paths_.list();
     }
     return false;
   }
@@ -138,20 +139,20 @@ struct Tightener::Impl {
     for (double y = job_.where.min.y; y <= job_.where.max.y; y += spacing * 0.866, odd = !odd) {
       for (double x = job_.where.min.x + (odd ? spacing / 2 : 0); x <= job_.where.max.x; x += spacing) {
         const Vec2 p{x, y};
-        if (!by_rings.holds(p) && job_.matters(p)) ways_.witnesses.push_back({p});
+        if (!by_rings.holds(p) && job_.matters(p)) paths_.witnesses.push_back({p});
       }
     }
-    for (const Vec2 p : by_rings.holes(job_.matters)) ways_.witnesses.push_back({p});
+    for (const Vec2 p : by_rings.holes(job_.matters)) paths_.witnesses.push_back({p});
   }
 
   /// Moving witnesses beside every band: they follow the seam between it and what runs there.
   void seed_seams() {
-    for (const auto& band : ways_.bands) {
-      const Vec2 a = ways_.at(band.a), b = ways_.at(band.b);
+    for (const auto& band : paths_.bands) {
+      const Vec2 a = paths_.at(band.a), b = paths_.at(band.b);
       if (distance(a, b) < 1e-6) continue;
       const Vec2 n = left_of(unit(b - a)) * limit_;
       for (const Vec2 p : {lerp(a, b, 0.5) + n, lerp(a, b, 0.5) - n}) {
-        if (job_.matters(p)) ways_.witnesses.push_back({p, true});
+        if (job_.matters(p)) paths_.witnesses.push_back({p, true});
       }
     }
   }
@@ -177,8 +178,8 @@ struct Tightener::Impl {
       reach.push_back(std::max(1e-4, kSameHole * size));
       by_witness.add(Box{p, p}.grown(reach.back()), static_cast<std::uint32_t>(added.size()));
       added.push_back(p);
-      ways_.witnesses.push_back({p, true});
-      if (size < 1e-3) ways_.witnesses.push_back({p, false});
+      paths_.witnesses.push_back({p, true});
+      if (size < 1e-3) paths_.witnesses.push_back({p, false});
     }
   }
 
@@ -220,9 +221,9 @@ struct Tightener::Impl {
 
   Cover cover() const {
     std::vector<Edge> edges;
-    for (const auto& band : ways_.bands) {
-      if (ways_.at(band.a) != ways_.at(band.b))
-        edges.push_back(Edge::line(ways_.at(band.a), ways_.at(band.b)));
+    for (const auto& band : paths_.bands) {
+      if (paths_.at(band.a) != paths_.at(band.b))
+        edges.push_back(Edge::line(paths_.at(band.a), paths_.at(band.b)));
     }
     return Cover(edges, by_rings_);
   }
@@ -230,17 +231,18 @@ struct Tightener::Impl {
   /// Splits long bands and drops vertices that crowd.
   void respace() {
     const double spacing = kBandSpacing * job_.radius;
-    ways_.moved += kCrowded * spacing;
-    ways_.for_ways([&](std::vector<int>& way) {
+    paths_.moved += kCrowded * spacing;
+    paths_.for_paths([&](std::vector<int>& path) {
       std::vector<int> even;
-      for (std::size_t i = 0; i < way.size(); ++i) {
-        const bool inner = i > 0 && i + 1 < way.size();
-        if (inner && crowded(ways_.point(even.back()), ways_.point(way[i]), ways_.point(way[i + 1]), spacing))
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        const bool inner = i > 0 && i + 1 < path.size();
+        if (inner &&
+            crowded(paths_.point(even.back()), paths_.point(path[i]), paths_.point(path[i + 1]), spacing))
           continue;
-        if (i > 0) split(even.back(), way[i], spacing, even);
-        even.push_back(way[i]);
+        if (i > 0) split(even.back(), path[i], spacing, even);
+        even.push_back(path[i]);
       }
-      way = std::move(even);
+      path = std::move(even);
     });
   }
 
@@ -250,22 +252,22 @@ struct Tightener::Impl {
     return reach < spacing && reach - distance(before, after) < 0.002 * spacing;
   }
 
-  void split(int from, int to, double spacing, std::vector<int>& way) {
-    const Vec2 a = ways_.point(from), b = ways_.point(to);
+  void split(int from, int to, double spacing, std::vector<int>& path) {
+    const Vec2 a = paths_.point(from), b = paths_.point(to);
     const int parts = static_cast<int>(distance(a, b) / spacing + 0.7);
     for (int k = 1; k < parts; ++k) {
-      way.push_back(static_cast<int>(ways_.skeleton.points.size()));
-      ways_.skeleton.points.push_back({lerp(a, b, static_cast<double>(k) / parts), -1});
+      path.push_back(static_cast<int>(paths_.skeleton.points.size()));
+      paths_.skeleton.points.push_back({lerp(a, b, static_cast<double>(k) / parts), -1});
     }
   }
 
   bool all_legal() const {
-    return std::all_of(ways_.bands.begin(), ways_.bands.end(), [&](const Band& band) {
-      return job_.legal->holds_line(ways_.at(band.a), ways_.at(band.b));
+    return std::all_of(paths_.bands.begin(), paths_.bands.end(), [&](const Band& band) {
+      return job_.legal->holds_line(paths_.at(band.a), paths_.at(band.b));
     });
   }
 
-  Bands ways_;
+  Bands paths_;
   TightenJob job_;
   BandMinimiser minimiser_;
   double limit_;       ///< distance at which witnesses begin to hold
@@ -288,12 +290,12 @@ bool Tightener::finish() {
   return impl_->finish();
 }
 
-double Tightener::film() const {
-  return impl_->film();
+double Tightener::residual() const {
+  return impl_->residual();
 }
 
 const Skeleton& Tightener::skeleton() const {
-  return impl_->ways_.skeleton;
+  return impl_->paths_.skeleton;
 }
 
 }  // namespace clearcut::plan::contour

@@ -1,4 +1,4 @@
-// Pulls the flexible ways of a skeleton taut without uncovering anything. Used by the planner alone.
+// Pulls the flexible paths of a skeleton taut without uncovering anything. Used by the planner alone.
 #pragma once
 
 #include <functional>
@@ -14,13 +14,13 @@ struct TightenJob {
   std::function<bool(Vec2)> matters;  ///< whether a place has to be cut
   Box where;                          ///< holds all places that matter
   const LegalArea* legal = nullptr;   ///< where the centre may be
-  double turn_cost = 0;               ///< mm of way that a right-angled corner is worth
-  bool bare = false;                  ///< not even a film may stay
+  double turn_cost = 0;               ///< mm of path that take as long as a right-angled corner costs
+  bool bare = false;                  ///< not even a residual may stay
 };
 
-/// Shortens the ways of a skeleton while everything that matters stays within the radius of a way or a ring.
+/// Shortens the paths of a skeleton while everything that matters stays within the radius of a path or a ring.
 ///
-/// Method  The ways are rubber bands, shortened by Newton steps; places that have to be cut (witnesses) hold
+/// Method  The paths are rubber bands, shortened by Newton steps; places that have to be cut (witnesses) hold
 /// the bands
 ///         near them. Some witnesses stand still, some keep to the middle between two bands. An exact check
 ///         (Cover::holes) after each round names what is left, and there new witnesses are set.
@@ -38,9 +38,9 @@ class Tightener {
   /// False when something stays; the skeleton is not to be used then.
   bool finish();
   const Skeleton& skeleton() const;
-  /// mm. How far from what is cut anything may be left: 0, or a film well under tol.uncut where strokes fit
+  /// mm. How far from what is cut anything may be left: 0, or a residual well under tol.uncut where strokes fit
   /// exactly side by side, as they do in pockets of round dimensions.
-  double film() const;
+  double residual() const;
 
  private:
   struct Impl;

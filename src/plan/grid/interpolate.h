@@ -9,7 +9,7 @@
 
 namespace clearcut::plan::grid {
 
-/// Points on the straight way, both ends included: max(2, ceil(3 distance / cell)) of them at regular steps
+/// Points on the straight path, both ends included: max(2, ceil(3 distance / cell)) of them at regular steps
 /// of the coordinate with the longer extent.
 std::vector<Vec2> interpolate_line(Vec2 from, Vec2 to, double cell);
 
@@ -31,7 +31,7 @@ std::vector<Vec2> interpolate_arc(const Edge& arc, double cell);
 std::vector<Square> activate(const std::vector<Vec2>& points, const SquareGrid& grid);
 /// The squares of a rectangle row by row from its lower left corner: round(length / cell) + 1 in a row.
 std::vector<Square> activate_rectangle(const DesignElement& rectangle, const SquareGrid& grid);
-/// The squares whose centre is within `reach` mm of the straight way, row by row.
+/// The squares whose centre is within `reach` mm of the straight path, row by row.
 std::vector<Square> activate_near(Vec2 from, Vec2 to, double reach, const SquareGrid& grid);
 
 /// The squares of any element. Cost O(squares), arcs O(radius / circle_step).

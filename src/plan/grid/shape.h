@@ -11,7 +11,7 @@ namespace clearcut::plan::grid {
 /// line. Absent for other kinds, and where the element is too short for the tool.
 std::optional<Edge> core_of(const DesignElement& element, double tool_radius);
 
-/// Everything within `reach` > 0 mm of the straight way; a disc when from == to.
+/// Everything within `reach` > 0 mm of the straight path; a disc when from == to.
 Region stadium(Vec2 from, Vec2 to, double reach);
 
 /// The material of an element, plan view. Lines and arcs must have a core; an arc's radius must exceed the

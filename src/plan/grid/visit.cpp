@@ -150,7 +150,7 @@ Vec2 entry(const ElementVisit& visit, std::size_t turned) {
   return turned == 0 ? visit.path.front().from : visit.path.back().to;
 }
 
-/// Turns visits round so that the ways between them add up to least: shortest path over both directions.
+/// Turns visits round so that the paths between them add up to least: shortest path over both directions.
 void choose_directions(std::vector<ElementVisit>& visits) {
   std::vector<std::array<std::size_t, 2>> before(visits.size());
   std::array<double, 2> cost{0, 0};

@@ -23,7 +23,7 @@ struct ElementVisit {
 };
 
 /// Elements of one tool follow each other, tools in the job's order; within an element and among the elements
-/// of a tool the solver decides, then each element's direction is chosen for the shortest way between them.
+/// of a tool the solver decides, then each element's direction is chosen for the shortest path between them.
 /// Sets GridPoint::visit.
 std::vector<ElementVisit> plan_visits(const ElementJob& job, PointTable& table, const VisitSolver& solve);
 

@@ -32,7 +32,7 @@ constexpr double kInsideEdge = 0.6;
 constexpr double kLegalPitch = 0.25;
 /// Radii. Ridges shorter than this are not followed.
 constexpr double kLeastRidge = 1;
-/// mm. What is mended overlaps by about this where not even a film may stay.
+/// mm. What is mended overlaps by about this where not even a residual may stay.
 constexpr double kBareMargin = 0.002;
 /// Work in all, in edges of turns: few steps are tried in large areas.
 constexpr double kMostEdgesInAll = 6000;
@@ -57,14 +57,14 @@ class SpiralPlanner {
         clearance_(region, tol),
         around_(around),
         legal_({legal}),
-        hop_(options.machine, options.feed, hop_heights(layer)) {
+        retract_(options.machine, options.feed, retract_heights(layer)) {
     job_.radius = layer.tool_radius;
     for (const auto& loops : around) {
       const auto edges = loops.edges();
       rim_.insert(rim_.end(), edges.begin(), edges.end());
     }
     job_.fixed = rim_;
-    if (layer.bare || !from_wall) job_.film = -kBareMargin / 2;
+    if (layer.bare || !from_wall) job_.residual = -kBareMargin / 2;
     job_.matters = [this](Vec2 p) { return around_.contains(p); };
     if (!from_wall) first_level_ = level_at_edge();
     job_.legal = [this](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
@@ -92,9 +92,9 @@ class SpiralPlanner {
     const double diameter = 2 * layer_.tool_radius;
     std::vector<double> found;
     const auto add = [&](double step) {
-      const double way = std::max(0.0, clearance_.max() - kMiddle * layer_.tool_radius - first_level_);
-      const double turns = std::ceil(way / step);
-      const double even = turns > 0 ? way / turns : step;
+      const double path = std::max(0.0, clearance_.max() - kMiddle * layer_.tool_radius - first_level_);
+      const double turns = std::ceil(path / step);
+      const double even = turns > 0 ? path / turns : step;
       for (const double s : {even, step}) {
         const bool known = std::any_of(found.begin(), found.end(),
                                        [&](double other) { return std::abs(s - other) < 0.005 * diameter; });
@@ -146,11 +146,11 @@ class SpiralPlanner {
       }
     }
     if (!mend(result.paths, job_)) return {};
-    result.time = hop_.time_of(result.paths, 2 * layer_.tool_radius);
+    result.time = retract_.time_of(result.paths, 2 * layer_.tool_radius);
     return result;
   }
 
-  /// Ways along the middle of what loops leave between them; what a few radii hold is left to the mending.
+  /// Paths along the middle of what loops leave between them; what a few radii hold is left to the mending.
   std::vector<Path> ridges(const RingNode& node) const {
     std::vector<Path> found;
     for (const auto& ridge : residual_paths(node, layer_.tool_radius - kBareMargin)) {
@@ -226,7 +226,7 @@ class SpiralPlanner {
     return {mirror(edge.from), mirror(edge.to), mirror(edge.center), turn};
   }
 
-  /// Rounds all corners of the ways but for their last laps, and sharpens again those where that leaves something.
+  /// Rounds all corners of the paths but for their last laps, and sharpens again those where that leaves something.
   void smooth(std::vector<Path>& paths, const std::vector<std::size_t>& kept) const {
     std::vector<Vec2> holes;
     const auto sharp = [&](Vec2 p) {
@@ -257,19 +257,19 @@ class SpiralPlanner {
   LegalArea around_;
   std::vector<Edge> rim_;
   LegalArea legal_;
-  Hop hop_;
+  RetractLink retract_;
   MendJob job_;
 };
 
-/// The ways of one legal area in the order in which they are cut: each after those inside it, nearest first, joined by
-/// legal ways where these are quicker than a lift.
+/// The paths of one legal area in the order in which they are cut: each after those inside it, nearest first, joined by
+/// legal paths where these are quicker than a lift.
 class Joiner {
  public:
   Joiner(Spirals spirals, const Region& legal, const Layer& layer, const SpiralOptions& options)
       : spirals_(std::move(spirals)),
         area_({legal}),
         routes_({legal}, area_),
-        hop_(options.machine, options.feed, hop_heights(layer)),
+        retract_(options.machine, options.feed, retract_heights(layer)),
         done_(spirals_.paths.size(), false) {}
 
   std::vector<Path> join() {
@@ -278,10 +278,11 @@ class Joiner {
       const auto next = nearest_ready(joined);
       Path path = begun_near(next, joined);
       done_[next] = true;
-      auto way = joined.empty() ? std::nullopt
-                                : hop_.way_at_depth(joined.back().back().to, path.front().from, routes_);
-      if (way) {
-        append(joined.back(), *way);
+      auto link = joined.empty()
+                      ? std::nullopt
+                      : retract_.link_at_depth(joined.back().back().to, path.front().from, routes_);
+      if (link) {
+        append(joined.back(), *link);
         append(joined.back(), path);
       } else {
         joined.push_back(std::move(path));
@@ -324,14 +325,14 @@ class Joiner {
   Spirals spirals_;
   LegalArea area_;
   LegalRoutes routes_;
-  Hop hop_;
+  RetractLink retract_;
   std::vector<bool> done_;
 };
 
-void add_passes(LayerPasses& result, std::vector<Path> ways, int component, int around, double offset) {
-  for (auto& way : ways) {
+void add_passes(LayerPasses& result, std::vector<Path> paths, int component, int around, double offset) {
+  for (auto& path : paths) {
     Pass pass;
-    pass.path = std::move(way);
+    pass.path = std::move(path);
     pass.parent = around;
     pass.component = component;
     pass.offset = offset;

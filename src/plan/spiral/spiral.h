@@ -15,7 +15,7 @@ struct SpiralOptions {
   std::optional<double> stepover;  ///< mm, greatest distance of turns; absent: the fastest found
   /// Turns have the wall on the right (climb milling for a clockwise spindle); false: on the left.
   bool wall_on_right = true;
-  /// What steps are judged by.
+  /// What steps are checked by.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
 };

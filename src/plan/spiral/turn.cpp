@@ -74,12 +74,13 @@ class RimPieces {
     add_joint(start, around.front().from, around.front().tangent_at(0));
     for (std::size_t i = 0; i < around.size(); ++i) {
       const Edge& edge = around[i];
-      if (i > 0 && way_ < fall_) add_joint(beside(around[i - 1], 1, way_), edge.from, edge.tangent_at(0));
-      const double left = (fall_ - way_) / edge.length();
+      if (i > 0 && travelled_ < fall_)
+        add_joint(beside(around[i - 1], 1, travelled_), edge.from, edge.tangent_at(0));
+      const double left = (fall_ - travelled_) / edge.length();
       if (left > 0) add_edge(left < 1 ? edge.part(0, left) : edge);
       if (left < 1) {
         pieces_.push_back({left > 0 ? edge.part(left, 1) : edge, true});
-        way_ += pieces_.back().edge.length();
+        travelled_ += pieces_.back().edge.length();
       }
     }
   }
@@ -88,20 +89,20 @@ class RimPieces {
   double fall() const { return fall_; }
 
  private:
-  double width_at(double way) const { return widest_ * std::max(0.0, 1 - way / fall_); }
+  double width_at(double travelled) const { return widest_ * std::max(0.0, 1 - travelled / fall_); }
 
   /// Where the disc about a place of the loop touches the rim: a little ahead, since the next discs are smaller.
   Vec2 towards_rim(Vec2 heading) const { return left_of(heading) * aside_ + heading * ahead_; }
 
   /// Left-hand arcs narrower than the band collapse to their centre.
-  Vec2 beside(const Edge& edge, double t, double way) const {
+  Vec2 beside(const Edge& edge, double t, double travelled) const {
     const double most = edge.turn == Turn::kCounterClockwise ? edge.radius() : widest_;
-    return edge.at(t) + towards_rim(edge.tangent_at(t)) * std::min(most, width_at(way));
+    return edge.at(t) + towards_rim(edge.tangent_at(t)) * std::min(most, width_at(travelled));
   }
 
   void add_edge(const Edge& edge) {
     const int count = edge.is_arc() ? static_cast<int>(std::ceil(std::abs(edge.sweep()) / kBandPiece)) : 1;
-    const double begin = way_, whole = edge.length();
+    const double begin = travelled_, whole = edge.length();
     const auto inner = [&](double t) { return beside(edge, t, begin + t * whole); };
     for (int i = 0; i < count; ++i) {
       const double t0 = static_cast<double>(i) / count, t1 = static_cast<double>(i + 1) / count;
@@ -109,12 +110,12 @@ class RimPieces {
       if (distance(a, b) < kJoined) continue;
       pieces_.push_back({edge.is_arc() ? through(a, inner((t0 + t1) / 2), b) : Edge::line(a, b), false});
     }
-    way_ += whole;
+    travelled_ += whole;
   }
 
   /// Round a corner of the loop that sticks out into the area, from `from` to where the next edge's piece begins.
   void add_joint(Vec2 from, Vec2 corner, Vec2 heading) {
-    const Vec2 to = corner + towards_rim(heading) * width_at(way_);
+    const Vec2 to = corner + towards_rim(heading) * width_at(travelled_);
     if (cross(from - corner, to - corner) < 0 && distance(from, to) > kJoined)
       pieces_.push_back({Edge::arc(from, to, corner, Turn::kClockwise), false});
   }
@@ -123,7 +124,7 @@ class RimPieces {
   double fall_;
   double ahead_;  ///< sine of the angle at which the rim falls
   double aside_;
-  double way_ = 0;
+  double travelled_ = 0;
   std::vector<RimPiece> pieces_;
 };
 
@@ -165,7 +166,7 @@ class RimWalk {
   struct Step {
     std::size_t piece = 0;
     Vec2 point;
-    double way = std::numeric_limits<double>::infinity();  ///< along the piece before
+    double travelled = std::numeric_limits<double>::infinity();  ///< along the piece before
     double left = 0;  ///< how far to the left the next piece turns there, sine
   };
 
@@ -176,14 +177,15 @@ class RimWalk {
     Step best;
     const auto consider = [&](std::size_t piece, Vec2 p) {
       const auto on = nearest(edge, p);
-      const double way = on.t * whole;
-      if (way < begin - kJoined) return;
+      const double travelled = on.t * whole;
+      if (travelled < begin - kJoined) return;
       const auto& other = pieces_[piece].edge;
       const double left = cross(edge.tangent_at(on.t), other.tangent_at(nearest(other, p).t));
-      const bool goes_on = whole - way < kJoined;
+      const bool goes_on = whole - travelled < kJoined;
       if (left < kNoTurn && !goes_on) return;
-      const bool later = way > best.way + kJoined || (way > best.way - kJoined && left <= best.left);
-      if (best.piece == 0 || !later) best = {piece, p, way, left};
+      const bool later =
+          travelled > best.travelled + kJoined || (travelled > best.travelled - kJoined && left <= best.left);
+      if (best.piece == 0 || !later) best = {piece, p, travelled, left};
     };
     for (const std::uint32_t i : index_.near(edge.box().grown(kGap))) {
       if (i <= at) continue;
@@ -198,31 +200,31 @@ class RimWalk {
 };
 
 /// The rest of a path after `way` mm, begun exactly at `start`.
-Path after(const Path& path, double way, Vec2 start) {
+Path after(const Path& path, double travelled, Vec2 start) {
   Path rest;
   for (const auto& edge : path) {
     const double own = edge.length();
-    if (way <= 0 || way < own - kFound) {
-      const Edge piece = way > kFound ? edge.part(way / own, 1) : edge;
+    if (travelled <= 0 || travelled < own - kFound) {
+      const Edge piece = travelled > kFound ? edge.part(travelled / own, 1) : edge;
       rest.push_back(rest.empty() ? between(piece, start, piece.to) : piece);
     }
-    way = std::max(0.0, way - own);
+    travelled = std::max(0.0, travelled - own);
   }
   return rest;
 }
 
 /// Way from the beginning of `path` to the place nearest to p.
-double way_to(const Path& path, Vec2 p) {
-  double way = 0, best_way = 0, best = std::numeric_limits<double>::infinity();
+double length_to(const Path& path, Vec2 p) {
+  double travelled = 0, best_travelled = 0, best = std::numeric_limits<double>::infinity();
   for (const auto& edge : path) {
     const auto near = nearest(edge, p);
     if (near.distance < best) {
       best = near.distance;
-      best_way = way + near.t * edge.length();
+      best_travelled = travelled + near.t * edge.length();
     }
-    way += edge.length();
+    travelled += edge.length();
   }
-  return best_way;
+  return best_travelled;
 }
 
 /// The remaining parts of an edge whose ends corners have taken away.
@@ -266,16 +268,16 @@ std::optional<Fillet> fillet(const Edge& before, const Edge& after, double radiu
 }
 
 /// The first `way` mm of a path.
-Path beginning(const Path& path, double way) {
+Path beginning(const Path& path, double travelled) {
   Path first;
   for (const auto& edge : path) {
     const double own = edge.length();
-    if (own >= way) {
-      if (way > 1e-6) first.push_back(own - way > 1e-6 ? edge.part(0, way / own) : edge);
+    if (own >= travelled) {
+      if (travelled > 1e-6) first.push_back(own - travelled > 1e-6 ? edge.part(0, travelled / own) : edge);
       break;
     }
     first.push_back(edge);
-    way -= own;
+    travelled -= own;
   }
   return first;
 }
@@ -316,9 +318,9 @@ Path spiral_turn(const Loop& loop, Vec2 start) {
   Path turn = RimWalk(pieces.take(), cell).to_loop(start);
   if (turn.empty()) return {};
   // Too early or too late: then something came between.
-  const double way = way_to(around, turn.back().to);
-  if (way < kEarliest * fall || way > fall + kLatest) return {};
-  const Path rest = after(around, way, turn.back().to);
+  const double travelled = length_to(around, turn.back().to);
+  if (travelled < kEarliest * fall || travelled > fall + kLatest) return {};
+  const Path rest = after(around, travelled, turn.back().to);
   turn.insert(turn.end(), rest.begin(), rest.end());
   return turn;
 }

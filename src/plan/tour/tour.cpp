@@ -9,10 +9,11 @@
 #include "base/error.h"
 #include "geometry/clearance.h"
 #include "geometry/line_path.h"
-#include "geometry/route/legal_ways.h"
+#include "geometry/route/legal_paths.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
 #include "plan/contour/step_rule.h"
+#include "plan/tour/lattice.h"
 
 namespace clearcut::plan::tour {
 namespace {
@@ -26,64 +27,11 @@ constexpr int kMendings = 40;
 constexpr double kProbes[] = {0.45, 0.95};
 constexpr int kProbeDirections = 12;
 
-using Points = std::vector<Vec2>;
-
 /// A single point stays, as a way of no length.
-Path way_through(const Points& points) {
+Path path_through(const Points& points) {
   Path path = line_path(points);
   if (path.empty() && !points.empty()) path.push_back(Edge::line(points.front(), points.front()));
   return path;
-}
-
-struct Lattice {
-  Vec2 corner;
-  double pitch = 0;
-  int columns = 0, rows = 0;
-
-  Vec2 at(int column, int row) const { return corner + Vec2{column * pitch, row * pitch}; }
-};
-
-int steps_in(double extent, double pitch) {
-  return static_cast<int>(std::floor(extent / pitch + 1e-9));
-}
-
-/// From the box's lower left corner, as published.
-Lattice published_lattice(const Box& box, double pitch) {
-  return {box.min, pitch, steps_in(box.width(), pitch) + 1, steps_in(box.height(), pitch) + 1};
-}
-
-/// Stretched down so that the wider side is met at both ends, in the middle of the other. Of a box far smaller than the
-/// pitch only the middle is met.
-Lattice fitted_lattice(const Box& box, double largest) {
-  const double wide = std::max(box.width(), box.height());
-  const bool stretched = wide > largest / 2;
-  Lattice lattice =
-      published_lattice(box, stretched ? wide / std::max(1.0, std::ceil(wide / largest - 1e-9)) : largest);
-  const auto centred = [&](double low, double extent, int count) {
-    return low + (extent - (count - 1) * lattice.pitch) / 2;
-  };
-  lattice.corner = {centred(box.min.x, box.width(), lattice.columns),
-                    centred(box.min.y, box.height(), lattice.rows)};
-  return lattice;
-}
-
-/// The same lattice with as many more columns and rows as it takes to fill `box`.
-Lattice filling(const Lattice& lattice, const Box& box) {
-  const int left = std::max(0, steps_in(lattice.corner.x - box.min.x, lattice.pitch));
-  const int below = std::max(0, steps_in(lattice.corner.y - box.min.y, lattice.pitch));
-  return {lattice.at(-left, -below), lattice.pitch,
-          steps_in(box.max.x - lattice.corner.x, lattice.pitch) + left + 1,
-          steps_in(box.max.y - lattice.corner.y, lattice.pitch) + below + 1};
-}
-
-Points points_in(const Lattice& lattice, const LegalArea& area) {
-  Points points;
-  for (int row = 0; row < lattice.rows; ++row) {
-    for (int column = 0; column < lattice.columns; ++column) {
-      if (area.holds(lattice.at(column, row))) points.push_back(lattice.at(column, row));
-    }
-  }
-  return points;
 }
 
 /// What the areas of a layer have in common.
@@ -103,7 +51,7 @@ struct Work {
 /// A way under construction in one legal area: points joined by straight legal moves.
 class Route {
  public:
-  explicit Route(const LegalWays& ways) : ways_(ways) {}
+  explicit Route(const LegalPaths& paths) : paths_(paths) {}
 
   const Points& points() const { return points_; }
 
@@ -111,7 +59,7 @@ class Route {
   bool follow(const Points& stops) {
     for (const Vec2 stop : stops) {
       if (!points_.empty()) {
-        const auto bends = ways_.bends(points_.back(), stop);
+        const auto bends = paths_.bends(points_.back(), stop);
         if (!bends) return false;
         points_.insert(points_.end(), bends->begin(), bends->end());
       }
@@ -131,20 +79,21 @@ class Route {
       least.emplace_back(extra(points_[i], p, points_[i + 1], beside), i);
     std::sort(least.begin(), least.end());
     std::size_t best = 0;
-    Points best_way;
+    Points best_path;
     double best_cost = std::numeric_limits<double>::infinity();
     for (const auto& [at_least, i] : least) {
       if (at_least >= best_cost) break;
       const Vec2 a = points_[i], b = points_[i + 1];
-      const Points way = detour(a, p, b, beside);
-      if (way.empty()) continue;
-      const double cost = length_through(a, way, b) - distance(a, b);
+      const Points path = detour(a, p, b, beside);
+      if (path.empty()) continue;
+      const double cost = length_through(a, path, b) - distance(a, b);
       if (cost >= best_cost) continue;
       best = i;
       best_cost = cost;
-      best_way = way;
+      best_path = path;
     }
-    points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(best) + 1, best_way.begin(), best_way.end());
+    points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(best) + 1, best_path.begin(),
+                   best_path.end());
   }
 
   Vec2 nearest_to(Vec2 p) const {
@@ -166,23 +115,23 @@ class Route {
   /// What comes between a and b then; empty where there is no way.
   Points detour(Vec2 a, Vec2 p, Vec2 b, bool beside) const {
     const Vec2 foot = a == b ? a : nearest_point(Edge::line(a, b), p);
-    const auto there = ways_.bends(beside ? foot : a, p), back = ways_.bends(p, beside ? foot : b);
+    const auto there = paths_.bends(beside ? foot : a, p), back = paths_.bends(p, beside ? foot : b);
     if (!there || !back) return {};
-    Points way;
-    if (beside) way.push_back(foot);
-    way.insert(way.end(), there->begin(), there->end());
-    way.push_back(p);
-    way.insert(way.end(), back->begin(), back->end());
-    if (beside) way.push_back(foot);
-    return way;
+    Points path;
+    if (beside) path.push_back(foot);
+    path.insert(path.end(), there->begin(), there->end());
+    path.push_back(p);
+    path.insert(path.end(), back->begin(), back->end());
+    if (beside) path.push_back(foot);
+    return path;
   }
-  static double length_through(Vec2 a, const Points& way, Vec2 b) {
-    double length = distance(a, way.front()) + distance(way.back(), b);
-    for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
+  static double length_through(Vec2 a, const Points& path, Vec2 b) {
+    double length = distance(a, path.front()) + distance(path.back(), b);
+    for (std::size_t i = 1; i < path.size(); ++i) length += distance(path[i - 1], path[i]);
     return length;
   }
 
-  const LegalWays& ways_;
+  const LegalPaths& paths_;
   Points points_;
 };
 
@@ -264,7 +213,7 @@ class GridChoice {
 class AreaPlanner {
  public:
   AreaPlanner(const ClearingComponent& component, const Work& work)
-      : legal_(component.legal), rest_(component.rest), work_(work), ways_({legal_}), route_(ways_) {}
+      : legal_(component.legal), rest_(component.rest), work_(work), paths_({legal_}), route_(paths_) {}
 
   /// The way through the grid and whatever else must be visited; empty when nothing must.
   Path plan() {
@@ -275,18 +224,18 @@ class AreaPlanner {
       if (left.empty()) break;
       mend(left, round >= kRerouted);
     }
-    return way_through(route_.points());
+    return path_through(route_.points());
   }
 
  private:
   Points grid() const {
     if (work_.options.published)
-      return points_in(published_lattice(legal_.box(), work_.pitch()), ways_.area());
+      return points_in(published_lattice(legal_.box(), work_.pitch()), paths_.area());
     const Regions inside = well_inside();
     const Lattice lattice = filling(fitted_lattice(box(inside.empty() ? rest_ : inside), work_.pitch()),
                                     box(rest_).grown(work_.radius()));
     const LegalArea rest(rest_);
-    GridChoice choice(lattice, ways_.area(), rest, work_.radius());
+    GridChoice choice(lattice, paths_.area(), rest, work_.radius());
     choice.choose(LegalArea(inside));
     return choice.points();
   }
@@ -311,9 +260,9 @@ class AreaPlanner {
     task.points = points;
     task.pitch = work_.pitch();
     task.layer = &work_.layer;
-    const LegalWays::Between between(ways_, points);
-    if (!ways_.all_straight())
-      task.way = [&](int a, int b) { return between.bends(a, b).value_or(Points{}); };
+    const LegalPaths::Between between(paths_, points);
+    if (!paths_.all_straight())
+      task.path = [&](int a, int b) { return between.bends(a, b).value_or(Points{}); };
     Points stops;
     for (const int i : points.size() > 1 ? work_.solve(task) : std::vector<int>{0})
       stops.push_back(points[i]);
@@ -324,12 +273,12 @@ class AreaPlanner {
   /// Places of the target that neither the walls' passes nor the way clear.
   Points holes() const {
     std::vector<Edge> edges = work_.walls;
-    for (const auto& edge : way_through(route_.points())) {
+    for (const auto& edge : path_through(route_.points())) {
       if (edge.from != edge.to) edges.push_back(edge);
     }
     if (edges.empty()) return {};
     const Cover cover(edges, work_.radius());
-    const auto matters = [&](Vec2 p) { return ways_.area().contains(p) && work_.target.contains(p); };
+    const auto matters = [&](Vec2 p) { return paths_.area().contains(p) && work_.target.contains(p); };
     Points found = cover.holes(matters);
     if (work_.pocket) return found;
     // Beside open sides a hole may be bounded by the target's own edge.
@@ -344,9 +293,9 @@ class AreaPlanner {
                    Points& found) const {
     std::vector<double> cuts{0, 1};
     const Box near = edge.box().grown(work_.radius());
-    for (const auto& way : swept) {
-      if (!way.box().overlaps(near)) continue;
-      for (const auto& side : rim_of(way)) {
+    for (const auto& path : swept) {
+      if (!path.box().overlaps(near)) continue;
+      for (const auto& side : rim_of(path)) {
         for (const Vec2 p : intersections(edge, side)) cuts.push_back(nearest(edge, p).t);
       }
     }
@@ -354,12 +303,12 @@ class AreaPlanner {
     for (std::size_t i = 1; i < cuts.size(); ++i) {
       if ((cuts[i] - cuts[i - 1]) * edge.length() < work_.tol.uncut / 10) continue;
       const Vec2 p = edge.at((cuts[i - 1] + cuts[i]) / 2);
-      if (ways_.area().contains(p) && !cover.holds(p, -work_.tol.uncut / 10)) found.push_back(p);
+      if (paths_.area().contains(p) && !cover.holds(p, -work_.tol.uncut / 10)) found.push_back(p);
     }
   }
 
   /// What bounds the sweep of an edge.
-  std::vector<Edge> rim_of(const Edge& way) const {
+  std::vector<Edge> rim_of(const Edge& path) const {
     const double radius = work_.radius();
     std::vector<Edge> rim;
     const auto add_circle = [&](Vec2 center, double r) {
@@ -367,16 +316,16 @@ class AreaPlanner {
       rim.push_back(Edge::arc(east, west, center, Turn::kCounterClockwise));
       rim.push_back(Edge::arc(west, east, center, Turn::kCounterClockwise));
     };
-    add_circle(way.from, radius);
-    add_circle(way.to, radius);
-    if (way.is_arc()) {
-      add_circle(way.center, way.radius() + radius);
-      if (way.radius() > radius) add_circle(way.center, way.radius() - radius);
+    add_circle(path.from, radius);
+    add_circle(path.to, radius);
+    if (path.is_arc()) {
+      add_circle(path.center, path.radius() + radius);
+      if (path.radius() > radius) add_circle(path.center, path.radius() - radius);
       return rim;
     }
-    const Vec2 across = left_of(way.tangent_at(0)) * radius;
-    rim.push_back(Edge::line(way.from + across, way.to + across));
-    rim.push_back(Edge::line(way.from - across, way.to - across));
+    const Vec2 across = left_of(path.tangent_at(0)) * radius;
+    rim.push_back(Edge::line(path.from + across, path.to + across));
+    rim.push_back(Edge::line(path.from - across, path.to - across));
     return rim;
   }
 
@@ -415,7 +364,7 @@ class AreaPlanner {
     }
     middle = middle / static_cast<double>(group.size());
     const auto serves = [&](Vec2 place) {
-      return ways_.area().holds(place) && std::all_of(group.begin(), group.end(), [&](Vec2 p) {
+      return paths_.area().holds(place) && std::all_of(group.begin(), group.end(), [&](Vec2 p) {
                return distance(p, place) <= radius - kReserve;
              });
     };
@@ -432,7 +381,7 @@ class AreaPlanner {
   const Region& legal_;
   const Regions& rest_;
   const Work& work_;
-  LegalWays ways_;
+  LegalPaths paths_;
   Route route_;
 };
 

@@ -13,13 +13,13 @@
 
 namespace clearcut::plan::tour {
 
-/// The bends of the shortest legal way between two points by index; empty when the straight move is legal.
-using WayFunction = std::function<std::vector<Vec2>(int from, int to)>;
+/// The bends of the shortest legal path between two points by index; empty when the straight move is legal.
+using PathFunction = std::function<std::vector<Vec2>(int from, int to)>;
 
 /// What the optimiser is asked: an open path through all points, with free ends.
 struct TourTask {
   std::vector<Vec2> points;
-  WayFunction way;  ///< may be called from several threads
+  PathFunction path;  ///< may be called from several threads
   const Layer* layer = nullptr;
   double pitch = 0;  ///< of the grid, mm
 };
@@ -44,7 +44,7 @@ TourGridOptions parse_tour_grid(const std::string& text);
 /// Grid    a square lattice stretched to fit the wider way of each connected legal area. Kept are its points
 ///         well inside and, nearer to walls, those that clear what neither others nor the walls' passes do.
 /// Shape   for each connected legal area an open pass through the grid in the solver's order, illegal moves
-///         replaced by their shortest legal way, and the rings along the walls that surround it; passes where
+///         replaced by their shortest legal path, and the rings along the walls that surround it; passes where
 ///         the cutter just fits. Empty where the cutter has no legal position.
 /// Error   nothing reachable of `target` is left: what the passes leave is found exactly and visited on the
 ///         way (unless published).

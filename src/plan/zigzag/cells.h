@@ -24,7 +24,7 @@ struct ZigzagCell {
 ///         strip runs as far as the strip's part of `rest` reaches, less what the disc at its end clears. So every
 ///         place of the line lies right above or below a point of `rest`, at most a radius away: where `rest` keeps a
 ///         radius from the boundary of the legal area, all lines are legal.
-/// Error   `radius` is taken 1 um less, so films stay below that.
+/// Error   `radius` is taken 1 um less, so residuals stay below that.
 /// Cost    O(edges * strips they cross).
 std::vector<ZigzagCell> zigzag_cells(const Region& rest, double radius, double widest_step);
 

@@ -60,9 +60,9 @@ class ZigzagPlanner {
         options_(options),
         area_({component.legal}),
         routes_({component.legal}, area_),
-        hop_(options.machine, options.feed, hop_heights(layer)) {}
+        retract_(options.machine, options.feed, retract_heights(layer)) {}
 
-  /// The ways of the cutter, one for each stretch without a lift.
+  /// The paths of the cutter, one for each stretch without a lift.
   std::vector<Path> plan() const {
     if (component_.rest.empty()) return {};
     auto drafts = drafts_of(directions());
@@ -71,11 +71,11 @@ class ZigzagPlanner {
     const bool large = component_.legal.edges().size() > kMostEdges;
     drafts.resize(std::min(drafts.size(), large ? 1 : kFinalists));
     for (const auto& draft : drafts) {
-      auto ways = ways_of(draft);
-      const double time = hop_.time_of(ways, 2 * layer_.tool_radius);
+      auto paths = paths_of(draft);
+      const double time = retract_.time_of(paths, 2 * layer_.tool_radius);
       if (time >= best_time) continue;
       best_time = time;
-      best = std::move(ways);
+      best = std::move(paths);
     }
     return best;
   }
@@ -126,22 +126,22 @@ class ZigzagPlanner {
     return drafts;
   }
 
-  /// Lines, the ways between them, and about one radius and two turns from each cell to the next.
+  /// Lines, the paths between them, and about one radius and two turns from each cell to the next.
   double estimate(const std::vector<ZigzagCell>& cells) const {
-    double way = 0, turns = 0;
+    double path = 0, turns = 0;
     for (const auto& cell : cells) {
-      way += layer_.tool_radius;
+      path += layer_.tool_radius;
       for (std::size_t i = 0; i < cell.lines.size(); ++i) {
         const auto& line = cell.lines[i];
-        way += line.right.x - line.left.x;
+        path += line.right.x - line.left.x;
         if (i == 0) continue;
         const auto& before = cell.lines[i - 1];
         const bool on_right = i % 2 == 1;
-        way += on_right ? distance(before.right, line.right) : distance(before.left, line.left);
+        path += on_right ? distance(before.right, line.right) : distance(before.left, line.left);
       }
       turns += 2 * static_cast<double>(cell.lines.size());
     }
-    return way / speed() + turns * speed() / options_.machine.acceleration;
+    return path / speed() + turns * speed() / options_.machine.acceleration;
   }
 
   /// Length of the lines of a cell that are cut with the material on the wrong side. Each line but the first, which is
@@ -158,46 +158,46 @@ class ZigzagPlanner {
     return wrong;
   }
 
-  std::vector<Path> ways_of(const Draft& draft) const {
+  std::vector<Path> paths_of(const Draft& draft) const {
     const auto original = [&](Vec2 p) { return clearcut::rotated(p, draft.angle); };
     OrderQuestion question;
     question.travel = [&](Vec2 from, Vec2 to) {
       const Vec2 a = original(from), b = original(to);
-      const auto way = hop_.way_at_depth(a, b, routes_);
-      return way ? length(*way) / speed() : hop_.time(distance(a, b));
+      const auto path = retract_.link_at_depth(a, b, routes_);
+      return path ? length(*path) / speed() : retract_.time(distance(a, b));
     };
-    question.far_travel = [&](Vec2 from, Vec2 to) { return hop_.time(distance(from, to)); };
+    question.far_travel = [&](Vec2 from, Vec2 to) { return retract_.time(distance(from, to)); };
     question.own = [&](const CellVisit& visit) {
       return kWrongSide * wrong_side_length(draft.cells[visit.cell], visit.variant) / speed();
     };
-    std::vector<Path> ways(1);
+    std::vector<Path> paths(1);
     std::optional<Vec2> at;
     for (const auto& visit : order_cells(draft.cells, question)) {
       for (const auto& line : cut_lines(draft.cells[visit.cell], visit.variant)) {
-        add_line(original(line.left), original(line.right), at, ways);
+        add_line(original(line.left), original(line.right), at, paths);
       }
     }
-    if (ways.back().empty()) ways.back() = way_to_wall(*at);
-    return ways;
+    if (paths.back().empty()) paths.back() = path_to_wall(*at);
+    return paths;
   }
 
-  void add_line(Vec2 from, Vec2 to, std::optional<Vec2>& at, std::vector<Path>& ways) const {
+  void add_line(Vec2 from, Vec2 to, std::optional<Vec2>& at, std::vector<Path>& paths) const {
     if (at && *at != from) {
-      const auto way = hop_.way_at_depth(*at, from, routes_);
-      if (!way) {
-        if (ways.back().empty()) ways.back() = way_to_wall(*at);
-        ways.emplace_back();
+      const auto path = retract_.link_at_depth(*at, from, routes_);
+      if (!path) {
+        if (paths.back().empty()) paths.back() = path_to_wall(*at);
+        paths.emplace_back();
       } else {
-        for (Edge edge : *way) {
+        for (Edge edge : *path) {
           edge.from = *at;
-          ways.back().push_back(edge);
+          paths.back().push_back(edge);
           at = edge.to;
         }
         from = *at;
       }
     }
     if (distance(from, to) > 1e-7) {
-      ways.back().push_back(Edge::line(from, to));
+      paths.back().push_back(Edge::line(from, to));
       at = to;
     } else {
       at = from;
@@ -205,7 +205,7 @@ class ZigzagPlanner {
   }
 
   /// A place that clears everything alone is reached on the way to the wall.
-  Path way_to_wall(Vec2 p) const {
+  Path path_to_wall(Vec2 p) const {
     Vec2 best = p;
     double best_distance = std::numeric_limits<double>::infinity();
     for (const auto& edge : component_.legal.edges()) {
@@ -222,7 +222,7 @@ class ZigzagPlanner {
   const ZigzagOptions& options_;
   LegalArea area_;
   LegalRoutes routes_;
-  Hop hop_;
+  RetractLink retract_;
 };
 
 }  // namespace
@@ -233,9 +233,9 @@ LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const 
   LayerPasses result = std::move(area.walls);
   result.strategy = "zigzag";
   for (std::size_t i = 0; i < area.components.size(); ++i) {
-    for (auto& way : ZigzagPlanner(area.components[i], layer, options).plan()) {
+    for (auto& path : ZigzagPlanner(area.components[i], layer, options).plan()) {
       Pass pass;
-      pass.path = std::move(way);
+      pass.path = std::move(path);
       pass.parent = area.components[i].outer_wall;
       pass.component = static_cast<int>(i);
       pass.offset = 2 * layer.tool_radius + layer.wall_stock;

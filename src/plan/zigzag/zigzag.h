@@ -17,7 +17,7 @@ struct ZigzagOptions {
   /// Lines on which the material lies right of the cutter are preferred (climb milling for a clockwise spindle);
   /// false: left.
   bool material_on_right = true;
-  /// What directions are judged by.
+  /// What directions are checked by.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
 };

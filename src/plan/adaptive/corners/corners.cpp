@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
@@ -17,8 +18,7 @@ constexpr double kNearest = 1e-3;
 constexpr double kNear = 1e-4;
 constexpr double kVisited = 2.5e-3;
 /// Tool radii. Walls that are not cut up to this near are not prepared; nor are arcs wider than this.
-constexpr double kPrepared = 1.2;
-/// Tool radii between looks for cusps.
+/// Tool radii between samples for cusps.
 constexpr double kCuspStep = 0.02;
 /// Factor between the distances at which a wall is looked at.
 constexpr double kFarther = 1.25;
@@ -42,7 +42,7 @@ constexpr double kCloseTo = 1.01;
 constexpr int kMostTries = 6;
 constexpr double kNotSoNear = 1.15;
 constexpr double kNearer = 0.8;
-/// Ends on the second wall from which a straight way back is tried where cusps stay; moves round a corner beyond which it is not.
+/// Ends on the second wall from which a straight path back is tried where cusps stay; moves round a corner beyond which it is not.
 constexpr int kMostStraight = 2;
 constexpr std::size_t kLong = 12;
 /// How near the first guess is.
@@ -51,7 +51,7 @@ constexpr double kGuessed = 1.04;
 constexpr double kMoreTurn = 0.02;
 /// Of the distance from the corner: a centre that was visited touches nothing, the next ones do.
 constexpr double kAhead = 0.05;
-/// Turns of a heading until the contact is at the limit.
+/// Turns of a heading until the engagement is at the limit.
 constexpr int kMostTurns = 5;
 /// An arc that comes no nearer than by this factor is none; nor a move along the wall.
 constexpr double kLeastGain = 0.97;
@@ -66,27 +66,27 @@ double angle_between(Vec2 u, Vec2 v) {
 class CornerCuts {
  public:
   /// From its `straight`-th end on the second wall it goes back to the first wall straight and on along that, over the cusps there.
-  CornerCuts(const Wall& wall, const Corner& corner, Ground& ground, double limit, int straight)
+  CornerCuts(const Wall& wall, const Corner& corner, RemainingStock& remaining, double limit, int straight)
       : wall_(wall),
-        ground_(ground),
-        radius_(ground.tool_radius()),
+        remaining_(remaining),
+        radius_(remaining.tool_radius()),
         s_(corner.place.s),
         turn_(corner.turn),
         limit_(limit),
         straight_(straight) {}
 
   /// The first wall is cut up to `a` before the corner, the second from `b` after it on.
-  std::optional<CornerRound> cuts(double a, double b, double film) {
+  std::optional<CornerRound> cuts(double a, double b, double residual) {
     cut_[0] = a;
     cut_[1] = b;
-    for (int i = 0; i < kMostArcs && left() > film; ++i) {
+    for (int i = 0; i < kMostArcs && left() > residual; ++i) {
       if (side_ == 0) go_along_first(i == 0 ? 1 : kEnoughAlong);
-      if (left() > film && !go_across()) return std::nullopt;
+      if (left() > residual && !go_across()) return std::nullopt;
     }
-    if (path_.empty() || left() > film) return std::nullopt;
-    if (may_end_on_first(film)) return CornerRound{std::move(path_), s_ - cut_[0], 0, aside()};
-    if (!go_to_second(film)) return std::nullopt;
-    return CornerRound{std::move(path_), s_ + cut_[1], film_before_};
+    if (path_.empty() || left() > residual) return std::nullopt;
+    if (may_end_on_first(residual)) return CornerRound{std::move(path_), s_ - cut_[0], 0, aside()};
+    if (!go_to_second(residual)) return std::nullopt;
+    return CornerRound{std::move(path_), s_ + cut_[1], residual_before_};
   }
 
   /// Whether it had to go along the first wall again at last.
@@ -105,22 +105,23 @@ class CornerCuts {
 
   void take(const Edge& edge) {
     if (distance(edge.from, edge.to) < kNear) return;
-    ground_.cut(edge);
+    remaining_.cut(edge);
     path_.push_back(edge);
   }
 
   /// Whether it keeps the limit; if so it is taken.
   bool take_within(const Edge& edge) {
-    if (!ground_.is_legal(edge) || ground_.length_within(edge, limit_ + kAbove) < edge.length()) return false;
+    if (!remaining_.is_legal(edge) || remaining_.length_within(edge, limit_ + kAbove) < edge.length())
+      return false;
     take(edge);
     return true;
   }
 
   bool ends_within(const Edge& edge) const {
-    return ground_.contact(edge.to, edge.tangent_at(1)) <= limit_ + kAim;
+    return remaining_.engagement(edge.to, edge.tangent_at(1)) <= limit_ + kAim;
   }
 
-  /// The least number of (0, most] at which the contact of an edge's end keeps the limit, where larger ones do; none when `most`
+  /// The least number of (0, most] at which the engagement of an edge's end keeps the limit, where larger ones do; none when `most`
   /// does not. Looked for near `guess` first.
   template <typename EdgeTo>
   std::optional<double> nearest_within(double most, double guess, const EdgeTo& edge_to) const {
@@ -151,7 +152,7 @@ class CornerCuts {
     const double to = nearest_within(from, 0, along).value_or(from);
     if (to > from * least - kNear) return;
     for (const Edge& edge : wall_.part(s_ - from, s_ - to)) {
-      const double within = ground_.length_within(edge, limit_ + kAbove);
+      const double within = remaining_.length_within(edge, limit_ + kAbove);
       if (within < edge.length()) {
         if (within > kNear) take(edge.part(0, within / edge.length()));
         cut_[0] -= within;
@@ -162,7 +163,7 @@ class CornerCuts {
     }
   }
 
-  /// A way to the other wall and how near it comes there.
+  /// A path to the other wall and how near it comes there.
   struct Crossing {
     Path path;
     double to = 0;
@@ -188,7 +189,7 @@ class CornerCuts {
     const double from = std::exchange(cut_[other], crossing.to);
     for (const Edge& edge : crossing.path) take(edge);
     side_ = other;
-    if (side_ == 0 && cusps_ == 0 && ground_.touches(at(0, (from + cut_[0]) / 2), kCusp)) cusps_ = from;
+    if (side_ == 0 && cusps_ == 0 && remaining_.touches(at(0, (from + cut_[0]) / 2), kCusp)) cusps_ = from;
     return true;
   }
 
@@ -204,8 +205,8 @@ class CornerCuts {
       const auto arc_to = [&](double x) { return arc_along(here(), heading, at(other, x)); };
       const double to = short_of * nearest_within(most, most * before.gain, arc_to).value_or(most);
       const Edge arc = arc_to(to);
-      if (to > most * kLeastGain || !ground_.is_legal(arc)) return std::nullopt;
-      const double within = ground_.length_within(arc, limit_ + kAbove);
+      if (to > most * kLeastGain || !remaining_.is_legal(arc)) return std::nullopt;
+      const double within = remaining_.length_within(arc, limit_ + kAbove);
       if (within >= arc.length()) {
         before = {to / short_of / most, (turn - first) / 2};
         return Crossing{{arc}, to};
@@ -232,7 +233,7 @@ class CornerCuts {
   /// None where it gains less than a factor of exp(least).
   std::optional<Crossing> spiral_across(double least) {
     const int other = 1 - side_;
-    if (cut_[other] >= kPrepared * radius_) return std::nullopt;
+    if (cut_[other] >= RadiusShares::kCornerReach * radius_) return std::nullopt;
     const Vec2 pole = at(other, cut_[other]);
     // A little nearer to the limit, in a little fewer arcs than the last one.
     int& arcs = spiral_arcs_[side_];
@@ -246,9 +247,9 @@ class CornerCuts {
       for (arcs = std::max(arcs, static_cast<int>(whole / kWidestSpiralTurn) + 1);
            arcs <= whole / kLeastSpiralTurn + 1; ++arcs) {
         Path path = arcs_of(spiral, to, whole, arcs);
-        const bool legal =
-            std::all_of(path.begin(), path.end(), [&](const Edge& edge) { return ground_.is_legal(edge); });
-        if (legal && ground_.keeps_limit(path, limit_ + kAbove, 0)) return Crossing{std::move(path), to};
+        const bool legal = std::all_of(path.begin(), path.end(),
+                                       [&](const Edge& edge) { return remaining_.is_legal(edge); });
+        if (legal && remaining_.keeps_limit(path, limit_ + kAbove, 0)) return Crossing{std::move(path), to};
       }
       arcs = 0;
     }
@@ -291,11 +292,11 @@ class CornerCuts {
   }
 
   /// At last, over what arcs left on the first wall between them; the next cut goes along the second.
-  bool go_to_second(double film) {
-    if (cusps_ > 0 && (cut_cusps_from_second(film) || cut_cusps())) side_ = 0;
+  bool go_to_second(double residual) {
+    if (cusps_ > 0 && (cut_cusps_from_second(residual) || cut_cusps())) side_ = 0;
     if (side_ == 1) return true;
     const Edge line = Edge::line(here(), at(1, cut_[1]));
-    if (ground_.is_legal(line)) return take_within(line);
+    if (remaining_.is_legal(line)) return take_within(line);
     // Between walls that curve into the area: along the wall again.
     for (const Edge& edge : wall_.part(s_ - cusps_, s_ - cut_[0])) take(edge);
     return take_within(Edge::line(here(), at(1, cut_[1])));
@@ -308,32 +309,33 @@ class CornerCuts {
     return std::all_of(cusps.begin(), cusps.end(), [&](const Edge& edge) { return take_within(edge); });
   }
 
-  /// The same from the second wall at once, if no more than the film stays on the first.
-  bool cut_cusps_from_second(double film) {
+  /// The same from the second wall at once, if no more than the residual that may stay does so on the first.
+  bool cut_cusps_from_second(double residual) {
     if (side_ == 0) return false;
-    const std::size_t before = ground_.cuts();
+    const std::size_t before = remaining_.cuts();
     if (!take_within(Edge::line(here(), at(0, cusps_)))) return false;
     const double step = kCuspStep * radius_;
     double x = kNearest;
-    while (x < cusps_ && !ground_.touches(at(0, x), film)) x = std::min(x * kFarther, x + step);
+    while (x < cusps_ && !remaining_.touches(at(0, x), residual)) x = std::min(x * kFarther, x + step);
     if (x >= cusps_) {
-      film_before_ = cusps_;
+      residual_before_ = cusps_;
       return true;
     }
     path_.pop_back();
-    ground_.forget_beyond(before);
+    remaining_.forget_beyond(before);
     return false;
   }
 
   /// Of a heading from along the wall to as little off it as the limit lets.
   double first_turn() const {
-    const Vec2 from = here(), along = into(side_, cut_[side_]), way = at(1 - side_, cut_[1 - side_]) - from;
-    const double seen = angle(along, way);
-    double turn = cut_[1 - side_] < kPrepared * radius_ ? std::max(0.0, seen - limit_) : 0.0;
+    const Vec2 from = here(), along = into(side_, cut_[side_]),
+               across = at(1 - side_, cut_[1 - side_]) - from;
+    const double seen = angle(along, across);
+    double turn = cut_[1 - side_] < RadiusShares::kCornerReach * radius_ ? std::max(0.0, seen - limit_) : 0.0;
     const double ahead = std::max(kNearest, kAhead * cut_[side_]);
     for (int i = 0; i < kMostTurns; ++i) {
       const Vec2 heading = turned(side_, along, turn);
-      const double excess = ground_.contact(from + heading * ahead, heading) - limit_ - kAim;
+      const double excess = remaining_.engagement(from + heading * ahead, heading) - limit_ - kAim;
       if (excess <= 0) break;
       turn += excess;
     }
@@ -344,8 +346,8 @@ class CornerCuts {
   double aside() const { return cut_[0] * std::sin(turn_); }
 
   /// Whether a cut along the second wall may begin on the first, and leave a wedge.
-  bool may_end_on_first(double film) const {
-    return side_ == 0 && cusps_ == 0 && aside() <= film - Walls::kWedge;
+  bool may_end_on_first(double residual) const {
+    return side_ == 0 && cusps_ == 0 && aside() <= residual - Walls::kWedge;
   }
 
   /// Thickness of what stays.
@@ -359,13 +361,13 @@ class CornerCuts {
   }
 
   const Wall& wall_;
-  Ground& ground_;
+  RemainingStock& remaining_;
   double radius_, s_, turn_, limit_;
   int straight_;
   double cut_[2] = {};
   int side_ = 0;
-  double cusps_ = 0;        ///< on the first wall up to there
-  double film_before_ = 0;  ///< what may stay at the corner does so on the first wall up to there
+  double cusps_ = 0;            ///< on the first wall up to there
+  double residual_before_ = 0;  ///< what may stay at the corner does so on the first wall up to there
   /// The last arc from a side.
   struct Crossed {
     double gain = 0;       ///< how near it came, over how near the other wall was cut
@@ -378,9 +380,10 @@ class CornerCuts {
 };
 
 /// Distance from the corner to the first centre on a wall that touches nothing.
-std::optional<double> first_visited(const Wall& wall, double s, double sign, const Ground& ground) {
-  for (double x = kNearest; x < kPrepared * ground.tool_radius(); x *= kFarther) {
-    if (!ground.touches(wall.at(s + sign * x), kVisited)) return x;
+std::optional<double> first_visited(const Wall& wall, double s, double sign,
+                                    const RemainingStock& remaining) {
+  for (double x = kNearest; x < RadiusShares::kCornerReach * remaining.tool_radius(); x *= kFarther) {
+    if (!remaining.touches(wall.at(s + sign * x), kVisited)) return x;
   }
   return std::nullopt;
 }
@@ -414,25 +417,26 @@ std::vector<WallPlace> places_of(const std::vector<Corner>& corners) {
   return places;
 }
 
-std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner, double from, Ground& ground,
-                                        double limit, double film) {
-  const std::size_t before = ground.cuts();
+std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner, double from,
+                                        RemainingStock& remaining, double limit, double residual) {
+  const std::size_t before = remaining.cuts();
   const Wall& wall = walls.wall(corner.place.wall);
-  const double second =
-      first_visited(wall, corner.place.s, 1, ground).value_or(kPrepared * ground.tool_radius());
+  const double second = first_visited(wall, corner.place.s, 1, remaining)
+                            .value_or(RadiusShares::kCornerReach * remaining.tool_radius());
   std::optional<CornerRound> best;
   for (int straight = 0; straight <= kMostStraight; ++straight) {
-    CornerCuts corner_cuts(wall, corner, ground, limit, straight);
-    auto found = corner_cuts.cuts(from, second, film);
-    ground.forget_beyond(before);
+    CornerCuts corner_cuts(wall, corner, remaining, limit, straight);
+    auto found = corner_cuts.cuts(from, second, residual);
+    remaining.forget_beyond(before);
     if (found && (!best || found->path.size() < best->path.size())) best = std::move(found);
     if ((straight == 0 && !corner_cuts.leaves_cusps()) || (best && best->path.size() > kLong)) break;
   }
   return best;
 }
 
-std::optional<double> prepared_before(const Walls& walls, const Corner& corner, const Ground& ground) {
-  return first_visited(walls.wall(corner.place.wall), corner.place.s, -1, ground);
+std::optional<double> prepared_before(const Walls& walls, const Corner& corner,
+                                      const RemainingStock& remaining) {
+  return first_visited(walls.wall(corner.place.wall), corner.place.s, -1, remaining);
 }
 
 }  // namespace clearcut::plan::adaptive

@@ -12,7 +12,7 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-constexpr double kFilm = 5e-3;
+constexpr double kResidual = 5e-3;
 
 /// A corner in the origin, both of its walls cut up to 0.6 radii before it, and all that is farther inside.
 struct Wedge {
@@ -25,10 +25,10 @@ struct Wedge {
             loop_from_points(std::vector<Vec2>{along * (-20 * tool_radius), {}, away * (20 * tool_radius)}),
             {})),
         walls(region, 0.06 * tool_radius, 1e-3),
-        ground({region}, tool_radius, std::nullopt) {
-    ground.cut(Edge::line(before(20 * radius), before(near())));
-    ground.cut(Edge::line(after(near()), after(20 * radius)));
-    for (double x = near(); x < 5 * radius; x += 0.5 * radius) ground.cut(Edge::line(before(x), after(x)));
+        remaining({region}, tool_radius, std::nullopt) {
+    remaining.cut(Edge::line(before(20 * radius), before(near())));
+    remaining.cut(Edge::line(after(near()), after(20 * radius)));
+    for (double x = near(); x < 5 * radius; x += 0.5 * radius) remaining.cut(Edge::line(before(x), after(x)));
   }
 
   double near() const { return 0.6 * radius; }
@@ -41,14 +41,14 @@ struct Wedge {
     });
   }
   std::optional<CornerRound> round(double limit) {
-    return round_corner(walls, corner(limit), near(), ground, limit, kFilm);
+    return round_corner(walls, corner(limit), near(), remaining, limit, kResidual);
   }
 
   double turn, radius;
   Vec2 along, away;
   Region region;
   Walls walls;
-  Ground ground;
+  RemainingStock remaining;
 };
 
 TEST(RoundCorner, GoesFromWallToWallWithinTheLimitAndLeavesNoMoreThanTheFilm) {
@@ -58,24 +58,24 @@ TEST(RoundCorner, GoesFromWallToWallWithinTheLimitAndLeavesNoMoreThanTheFilm) {
     Wedge wedge(random.between(std::max(1.0, limit + 0.1), 2.3), random.between(1, 6));
     SCOPED_TRACE(testing::Message() << "turn " << wedge.turn << " limit " << limit << " radius "
                                     << wedge.radius);
-    const std::size_t cuts = wedge.ground.cuts();
+    const std::size_t cuts = wedge.remaining.cuts();
     const auto round = wedge.round(limit);
     ASSERT_TRUE(round.has_value());
-    EXPECT_EQ(wedge.ground.cuts(), cuts) << "the ground stays as it is";
+    EXPECT_EQ(wedge.remaining.cuts(), cuts) << "the ground stays as it is";
     EXPECT_LT(distance(round->path.front().from, wedge.before(wedge.near())), 1e-3);
     EXPECT_LT(distance(round->path.back().to, wedge.walls.wall(0).at(round->end)), 1e-3);
     for (const Edge& edge : round->path) {
       for (int k = 1; k < 40; ++k) {
         const double t = k / 40.0;
-        EXPECT_TRUE(wedge.ground.legal().holds(edge.at(t)));
-        EXPECT_LT(wedge.ground.contact(edge.at(t), edge.tangent_at(t)), limit + 0.035);
+        EXPECT_TRUE(wedge.remaining.legal().holds(edge.at(t)));
+        EXPECT_LT(wedge.remaining.engagement(edge.at(t), edge.tangent_at(t)), limit + 0.035);
       }
-      wedge.ground.cut(edge);
+      wedge.remaining.cut(edge);
     }
-    wedge.ground.cut(Edge::line(round->path.back().to, wedge.after(wedge.near())));
+    wedge.remaining.cut(Edge::line(round->path.back().to, wedge.after(wedge.near())));
     for (double x = 0; x < wedge.near(); x += wedge.near() / 50) {
-      EXPECT_FALSE(wedge.ground.touches(wedge.before(x), 1.3 * kFilm)) << x;
-      EXPECT_FALSE(wedge.ground.touches(wedge.after(x), 1.3 * kFilm)) << x;
+      EXPECT_FALSE(wedge.remaining.touches(wedge.before(x), 1.3 * kResidual)) << x;
+      EXPECT_FALSE(wedge.remaining.touches(wedge.after(x), 1.3 * kResidual)) << x;
     }
   }
 }
@@ -91,11 +91,11 @@ TEST(RoundCorner, LeavesAWedgeThatTheWallsAllowUpToTheEndOfTheSecond) {
   Wedge wedge(kPi / 2, 5);
   const auto round = wedge.round(1.36);
   ASSERT_GT(round->wedge, 0);
-  EXPECT_LE(round->wedge, kFilm);
-  for (const Edge& edge : round->path) wedge.ground.cut(edge);
-  wedge.ground.cut(Edge::line(round->path.back().to, wedge.away * (20 * wedge.radius)));
+  EXPECT_LE(round->wedge, kResidual);
+  for (const Edge& edge : round->path) wedge.remaining.cut(edge);
+  wedge.remaining.cut(Edge::line(round->path.back().to, wedge.away * (20 * wedge.radius)));
   const auto bears = [&] {
-    wedge.walls.update(wedge.ground, wedge.region.box());
+    wedge.walls.update(wedge.remaining, wedge.region.box());
     return wedge.walls.touches_after({0, wedge.corner(1.36).place.s + 0.2 * wedge.radius}, 5 * wedge.radius);
   };
   EXPECT_TRUE(bears()) << "thicker than what may stay on walls";
@@ -105,8 +105,8 @@ TEST(RoundCorner, LeavesAWedgeThatTheWallsAllowUpToTheEndOfTheSecond) {
 
 TEST(RoundCorner, IsNoneWhereTheWallsAreFarFromCut) {
   Wedge wedge(kPi / 2, 5);
-  Ground whole({wedge.region}, wedge.radius, std::nullopt);
-  EXPECT_FALSE(round_corner(wedge.walls, wedge.corner(1.0), 3, whole, 1.0, kFilm).has_value());
+  RemainingStock whole({wedge.region}, wedge.radius, std::nullopt);
+  EXPECT_FALSE(round_corner(wedge.walls, wedge.corner(1.0), 3, whole, 1.0, kResidual).has_value());
 }
 
 }  // namespace

@@ -3,36 +3,41 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-// In tool radii:
-constexpr double kWallStep = 0.03;  // between looks along the wall
-constexpr double kLongest = 0.06;   // step off the wall
-constexpr double kFirst = 0.01;     // the first of them
-constexpr double kAir = 0.15;       // length without contact that ends a bite
-constexpr double kFarAir = 0.6;     // the same before it has begun
-constexpr double kRightTurn = 0.5;  // tightest turn to the right
-// mm:
-constexpr double kShortest = 4e-4;   // step
-constexpr double kPlace = 1e-4;      // error of a place on the wall
-constexpr double kTolerance = 2e-4;  // of fitted arcs
-// Radians:
-constexpr double kTurn = 0.16;       // most turn of a step that is not the shortest
-constexpr double kLeave = 1.9;       // most turn off the wall, and of the shortest steps
-constexpr double kTouch = 0.02;      // less contact is none
-constexpr double kAngle = 1e-3;      // error of a turn
-constexpr double kNearLimit = 5e-4;  // below the limit that is as good as at it
-constexpr double kGrow = 1.4;        // from one step to the next
+/// Tool radii between samples along the wall.
+constexpr double kWallStep = 0.03;
+/// Tool radii. Length of the moves off the wall: the first, the longest, and the factor from one to the next.
+constexpr double kFirst = 0.01;
+constexpr double kLongest = 0.06;
+constexpr double kGrow = 1.4;
+/// Tool radii of path without engagement that end a trochoidal step, once it cuts and before it does.
+constexpr double kAir = 0.15;
+constexpr double kFarAir = 0.6;
+/// Tool radii: the tightest turn to the right, towards the material.
+constexpr double kRightTurn = 0.5;
+/// mm: the shortest move off the wall.
+constexpr double kShortest = 4e-4;
+/// mm: error of a place on the wall, and of the arcs that are fitted to the moves.
+constexpr double kPlace = 1e-4;
+constexpr double kTolerance = 2e-4;
+/// Radians: most turn of a move that is not the shortest; most turn off the wall, and of the shortest moves.
+constexpr double kTurn = 0.16;
+constexpr double kLeave = 1.9;
+/// Radians: error of a turn; and how far below the limit the engagement is as good as at it.
+constexpr double kAngle = 1e-3;
+constexpr double kNearLimit = 5e-4;
+/// Moves of one trochoidal step, and changes between wall and open, after which it ends.
 constexpr int kMostSteps = 4000;
-/// Changes between wall and open after which a bite ends.
 constexpr int kMostRuns = 30;
 
 }  // namespace
 
-void Peeler::begin(double s, double until) {
+void TrochoidalSteps::begin(double s, double until) {
   s_ = s;
   until_ = until;
   path_.clear();
@@ -41,31 +46,31 @@ void Peeler::begin(double s, double until) {
   state_ = {wall_.at(s), wall_.heading(s)};
 }
 
-Path Peeler::bite(double s, double until) {
+Path TrochoidalSteps::trochoidal_step(double s, double until) {
   begin(s, until);
   return run(Next::kWall);
 }
 
-Path Peeler::bite_from_aside(Vec2 gate, double s) {
+Path TrochoidalSteps::trochoidal_step_from_aside(Vec2 approach_point, double s) {
   begin(s, s + 2 * wall_.length());
-  state_.point = gate;
+  state_.point = approach_point;
   return run(Next::kFree);
 }
 
-Path Peeler::run(Next next) {
+Path TrochoidalSteps::run(Next next) {
   for (int i = 0; i < kMostRuns && next != Next::kDone; ++i)
     next = next == Next::kWall ? along_wall() : freely();
   if (engaged_ <= 0) return {};
   return std::move(path_);
 }
 
-double Peeler::wall_contact(double s) const {
-  return ground_.contact(wall_.at(s), wall_.heading(s));
+double TrochoidalSteps::wall_engagement(double s) const {
+  return remaining_.engagement(wall_.at(s), wall_.heading(s));
 }
 
 /// Whether there is still something to be expected.
-bool Peeler::counts_air(double step, double contact) {
-  if (contact > kTouch) {
+bool TrochoidalSteps::counts_air(double step, double engagement) {
+  if (engagement > EngagementTolerance::kNone) {
     engaged_ += step;
     air_ = 0;
   } else {
@@ -74,16 +79,18 @@ bool Peeler::counts_air(double step, double contact) {
   return air_ <= (engaged_ > 0 ? kAir : kFarAir) * radius_;
 }
 
-Peeler::Next Peeler::along_wall() {
+TrochoidalSteps::Next TrochoidalSteps::along_wall() {
   const double first = s_;
   Next next = Next::kDone;
   while (s_ < until_) {
     const double to = std::min({s_ + kWallStep * radius_, std::max(wall_.edge_end(s_), s_ + kPlace), until_});
-    const auto contact = [&](double s) { return std::max(wall_contact(s - 1e-7), wall_contact(s + 1e-7)); };
-    const double ahead = contact(to);
+    const auto engagement = [&](double s) {
+      return std::max(wall_engagement(s - 1e-7), wall_engagement(s + 1e-7));
+    };
+    const double ahead = engagement(to);
     if (ahead > limit_) {
       double good = s_, bad = to;
-      while (bad - good > kPlace) (contact((good + bad) / 2) > limit_ ? bad : good) = (good + bad) / 2;
+      while (bad - good > kPlace) (engagement((good + bad) / 2) > limit_ ? bad : good) = (good + bad) / 2;
       if (good > s_) counts_air(good - s_, limit_);
       s_ = good;
       next = Next::kFree;
@@ -100,22 +107,22 @@ Peeler::Next Peeler::along_wall() {
   return next;
 }
 
-Peeler::State Peeler::stepped(double step, double turn) const {
+TrochoidalSteps::State TrochoidalSteps::stepped(double step, double turn) const {
   const Vec2 heading = rotated(state_.heading, turn);
   return {state_.point + heading * step, heading};
 }
 
-/// The least turn to the left between `least` and `most` with which the contact keeps the limit after a step.
-std::optional<double> Peeler::step_turn(double step, double least, double most) const {
+/// The least turn to the left between `least` and `most` with which the engagement keeps the limit after a step.
+std::optional<double> TrochoidalSteps::step_turn(double step, double least, double most) const {
   const auto excess = [&](double turn) {
     const State next = stepped(step, turn);
-    return ground_.contact(next.point, next.heading) - limit_;
+    return remaining_.engagement(next.point, next.heading) - limit_;
   };
   double above = excess(least);
   if (above <= 0) return least;
   double below = excess(most);
   if (below > 0) return std::nullopt;
-  // By the secant where that closes in, else by halves: the contact may jump.
+  // By the secant where that closes in, else by halves: the engagement may jump.
   bool halve = false;
   while (most - least > kAngle && below < -kNearLimit) {
     const double width = most - least;
@@ -129,19 +136,19 @@ std::optional<double> Peeler::step_turn(double step, double least, double most) 
   return most;
 }
 
-void Peeler::take(Vec2 p) {
+void TrochoidalSteps::take(Vec2 p) {
   if (run_.empty()) run_.push_back(state_.point);
   run_.push_back(p);
 }
 
-void Peeler::end_run() {
+void TrochoidalSteps::end_run() {
   if (run_.size() > 1) {
     for (const Edge& edge : fit_arcs(run_, kTolerance)) path_.push_back(edge);
   }
   run_.clear();
 }
 
-Peeler::Next Peeler::freely() {
+TrochoidalSteps::Next TrochoidalSteps::freely() {
   step_ = kFirst * radius_;
   bool first = true;
   for (int i = 0; i < kMostSteps; ++i) {
@@ -155,7 +162,7 @@ Peeler::Next Peeler::freely() {
     }
     const State next = stepped(step_, *turn);
     if (!is_legal(next.point)) return meet_wall(next.point);
-    const bool on = counts_air(step_, ground_.contact(next.point, next.heading));
+    const bool on = counts_air(step_, remaining_.engagement(next.point, next.heading));
     take(next.point);
     state_ = next;
     if (!on) break;
@@ -167,7 +174,7 @@ Peeler::Next Peeler::freely() {
 }
 
 /// To the wall at the place beside `outside`.
-Peeler::Next Peeler::meet_wall(Vec2 outside) {
+TrochoidalSteps::Next TrochoidalSteps::meet_wall(Vec2 outside) {
   double in = 0, out = 1;
   while ((out - in) * distance(state_.point, outside) > kPlace) {
     const double middle = (in + out) / 2;
@@ -179,7 +186,7 @@ Peeler::Next Peeler::meet_wall(Vec2 outside) {
   end_run();
   state_.point = met;
   if (hit.distance > 2 * kPlace) return Next::kDone;
-  // Not back to where the bite has been.
+  // Not back to where the trochoidal step has been.
   const double lap = std::ceil((s_ - kPlace - hit.s) / wall_.length()) * wall_.length();
   if (hit.s + lap >= until_ || hit.s + lap <= s_ + kPlace) return Next::kDone;
   s_ = hit.s + lap;

@@ -1,4 +1,4 @@
-// What stays when an area is cleared: films on walls, corners, narrow ends, rests.
+// The last steps of adaptive clearing: residuals on walls, corners, narrow ends, and rests that no cut has reached.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,15 @@
 
 namespace clearcut::plan::adaptive {
 
-/// The last stage of an adaptive pass: nothing that the cutter can reach stays.
+/// Cuts what clearing has left in one connected legal area, until nothing stays that the cutter can reach.
 class AdaptiveFinish {
  public:
   /// `legal`: where the centre may be; `area`: where cuts off the walls run, a little smaller. All is kept by reference.
-  AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
+  AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal, const Regions& area,
                  const Regions& target, double limit);
 
-  /// Along the walls within the limit, corners, by bites what walls still bear, what the check of the whole cover finds.
+  /// In this order: along the walls within the limit, round corners, by trochoidal steps what still stands along walls, and what
+  /// the exact check of the whole cover finds.
   /// `open`: something beside the target is free. Up to `most_rests` rests are cut one by one; false where that was not
   /// enough.
   bool run(bool open, int most_rests);
@@ -36,10 +37,10 @@ class AdaptiveFinish {
   bool stands_at(Vec2 corner) const;
   std::vector<WallStretch> unfinished() const;
   std::vector<WallStretch>::const_iterator nearest_stretch(const std::vector<WallStretch>& stretches) const;
-  bool peel(const WallStretch& stretch);
-  bool bite_from_aside(const WallPlace& place);
-  bool bite_from_aside(const WallStretch& stretch);
-  std::optional<Way> way_to_bite(const WallStretch& stretch);
+  bool cut_in_trochoidal_steps(const WallStretch& stretch);
+  bool trochoidal_step_from_aside(const WallPlace& place);
+  bool trochoidal_step_from_aside(const WallStretch& stretch);
+  std::optional<LinkPath> link_to_trochoidal_step(const WallStretch& stretch);
   void cut_stretch(const WallStretch& place);
   bool cut_rests(bool open, int most);
   std::vector<Vec2> rests(const Cover& cover, bool open) const;
@@ -49,12 +50,12 @@ class AdaptiveFinish {
   Vec2 nearest_legal(Vec2 p) const;
   bool cut_rest(Vec2 p);
   template <typename Cut>
-  bool from_gates_about(Vec2 p, const Cut& cut);
-  bool cut_straight(Vec2 gate, Vec2 p, double limit, const Way& way);
-  bool cut_round(Vec2 gate, Vec2 p, const Way& way);
+  bool from_approach_points_about(Vec2 p, const Cut& cut);
+  bool cut_straight(Vec2 approach_point, Vec2 p, double limit, const LinkPath& link);
+  bool cut_round(Vec2 approach_point, Vec2 p, const LinkPath& link);
   bool enter_rest(Vec2 p);
 
-  Ground& ground_;
+  RemainingStock& remaining_;
   ClearingPath& path_;
   const Region& legal_;
   const Regions& target_;

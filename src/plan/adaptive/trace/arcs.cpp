@@ -59,10 +59,10 @@ std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
 }  // namespace
 
 Edge tangent_arc(Vec2 from, Vec2 heading, Vec2 to) {
-  const Vec2 way = to - from, normal = left_of(heading);
-  const double aside = dot(normal, way);
+  const Vec2 chord = to - from, normal = left_of(heading);
+  const double aside = dot(normal, chord);
   if (std::abs(aside) < kAside) return Edge::line(from, to);
-  return Edge::arc(from, to, from + normal * (norm_squared(way) / (2 * aside)),
+  return Edge::arc(from, to, from + normal * (norm_squared(chord) / (2 * aside)),
                    aside > 0 ? Turn::kCounterClockwise : Turn::kClockwise);
 }
 

@@ -3,56 +3,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-// In tool radii:
-constexpr double kStep = 0.1;          // between looks along walls
-constexpr double kShortestArc = 0.02;  // that leads on
-constexpr double kAir = 0.3;           // length without contact that ends a cut
-constexpr double kLeastCut = 0.05;     // length in contact below which a cut is none
-constexpr double kLeastTurn = 0.02;    // tightest radius off a wall
-constexpr double kWidestTurn = 0.5;    // of the tightest turns allowed
-constexpr double kTightest = 0.1;      // turn where the contact rises
-constexpr double kEnoughWall = 0.03;   // advance along a wall for which no tighter turn is looked for
-constexpr double kBeforeStop = 1.2;    // a stop this far ahead is one that cuts end before
-constexpr double kNoMove = 0.02;       // along a wall, for which no move is made where that may be
-constexpr double kShortWall = 0.2;     // of wall that a cut ends before rather than follow
-constexpr double kThick = 0.5;         // before a stop: thicker material is cut like elsewhere
-constexpr double kLeastLead = 0.1;     // of an arc before it comes to the wall that it leads off, tried
+/// Tool radii. The tightest radius with which a cut leaves a wall, and the widest of the tightest turns allowed later on.
+constexpr double kLeastTurn = 0.02;
+constexpr double kWidestTurn = 0.5;
+/// Tool radii of advance along a wall for which no tighter turn off the wall is looked for.
+constexpr double kEnoughWall = 0.03;
+/// Tool radii along a wall. A departure moves back by up to as much to where an edge ends, which saves a move.
+constexpr double kNoMove = 0.02;
+/// Tool radii. Before a stop (a corner) thicker material than this is cut off the wall like elsewhere.
+constexpr double kThick = 0.5;
+/// Tool radii of an arc before it comes to the wall that it leads off, tried from the longest to the shortest by this step.
+constexpr double kLeastLead = 0.1;
 constexpr double kMostLead = 2.5;
-constexpr double kLeadStep = 0.05;    // at this pitch
-constexpr double kEndsAtWall = 0.05;  // arcs that end as near to a wall go on to it
-constexpr double kBentWall = 0.1;     // from a wall, within which a line may take its place
-// Single arcs from wall to wall: how far they may leave the wall before what they are after, and before the last place to leave it;
-// looked for at this pitch; what a cut costs beside its length, for the way to it and its moves.
+constexpr double kLeadStep = 0.05;
+/// Tool radii from a wall, within which one line or arc may take the place of several edges of it; and how much longer it may be.
+constexpr double kBentWall = 0.1;
+constexpr double kMostDetour = 1.1;
+/// Tool radii. Single arcs from wall to wall: how far they may leave the wall before the material they are after, and before
+/// the last place from which the wall can be left; the pitch at which they are looked for; and what a cut costs beside its
+/// length, for the link to it and its moves.
 constexpr double kBeforeMaterial = 0.3;
 constexpr double kFarthestAcross = 0.6;
 constexpr double kAcrossPitch = 0.16;
 constexpr double kCostOfCut = 1.1;
-// Radians:
-constexpr double kTouch = 0.02;      // less contact is none
-constexpr double kLeaveStep = 0.15;  // between looks at an arc off the wall
-constexpr int kLeastLeave = 4;       // looks that it takes at least to leave one wall and meet another
-constexpr double kLeaveTurn = 1.6;   // length of that look
-/// Of the stretch of wall in which the last place to leave it is.
+/// Radians of turn between samples along an arc off the wall, and how far it is sampled: a quarter turn. It takes at least
+/// kLeastLeave samples to leave one wall before another is met.
+constexpr double kLeaveStep = 0.15;
+constexpr double kLeaveTurn = 1.6;
+constexpr int kLeastLeave = 4;
+/// Bisections of the stretch of wall in which the last place to leave it lies.
 constexpr int kMostHalvings = 4;
 /// Factor between the curvature of an arc at the limit where it begins and that of one from wall to wall.
 constexpr double kTighterAcross = 1.1;
-/// Factor between turns tried where none wider leads on.
-constexpr double kTighter = 0.6;
-/// Length of an edge over that of those that it takes the place of.
-constexpr double kMostDetour = 1.1;
-/// Cosine between the direction of travel and a wall met, above which the cut goes on along the wall.
-constexpr double kSlide = 0.5;
-/// Length along a wall met over the distance from it.
-constexpr double kMeetSlope = 2;
-constexpr int kMostArcs = 20000;
 /// Changes between wall and open without cutting, after which a cut ends.
 constexpr int kMostIdle = 4;
-constexpr double kNowhere = -1e300;  // mm along a wall
+/// mm along a wall: no place found.
+constexpr double kNowhere = -1e300;
 
 /// From the first edge's beginning to the last one's end, with the heading that there is there if that is an arc's.
 Edge as_one(std::span<const Edge> edges) {
@@ -63,14 +55,15 @@ Edge as_one(std::span<const Edge> edges) {
 
 }  // namespace
 
-Tracer::Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, AlongWalls along)
-    : ground_(ground),
+Tracer::Tracer(RemainingStock& remaining, const Walls& walls, const Regions& area, double limit,
+               AlongWalls along)
+    : remaining_(remaining),
       walls_(walls),
-      aimer_(ground, area, limit),
-      radius_(ground.tool_radius()),
+      aimer_(remaining, area, limit),
+      radius_(remaining.tool_radius()),
       limit_(limit),
       along_(along),
-      step_(kStep * radius_) {}
+      step_(RadiusShares::kWallPitch * radius_) {}
 
 Path Tracer::cut_from(const WallPlace& start, double material_s, const CanBegin& can_begin) {
   path_.clear();
@@ -86,41 +79,41 @@ Path Tracer::cut_on(Vec2 from, Vec2 heading, double curvature) {
   path_.clear();
   engaged_ = 0;
   can_begin_ = {};
-  course_.point = from;
-  course_.heading = heading;
-  course_.curvature = curvature;
-  course_.contact = 0;
-  course_.tightest = kWidestTurn * radius_;
+  state_.point = from;
+  state_.heading = heading;
+  state_.curvature = curvature;
+  state_.engagement = 0;
+  state_.tightest = kWidestTurn * radius_;
   return run(Next::kTrace);
 }
 
 Path Tracer::run(Next next) {
   int idle = 0;
-  before_wall_ = {0, ground_.cuts()};
+  before_wall_ = {0, remaining_.cuts()};
   while (next != Next::kDone && idle < kMostIdle) {
     const double before = engaged_;
     const std::size_t moves = path_.size();
     const bool on_wall = next == Next::kWall;
     next = on_wall ? follow_wall() : trace();
-    idle = engaged_ > before + kLeastCut * radius_ ? 0 : idle + 1;
+    idle = engaged_ > before + RadiusShares::kLeastCut * radius_ ? 0 : idle + 1;
     if (on_wall && next == Next::kDone && path_.size() == moves) forget_beyond(before_wall_);
   }
-  if (path_.empty() && engaged_ < kLeastCut * radius_) return {};
+  if (path_.empty() && engaged_ < RadiusShares::kLeastCut * radius_) return {};
   return path_;
 }
 
 Tracer::Mark Tracer::mark() const {
-  return {path_.size(), ground_.cuts()};
+  return {path_.size(), remaining_.cuts()};
 }
 
 void Tracer::forget_beyond(const Mark& mark) {
   path_.resize(mark.moves);
-  ground_.forget_beyond(mark.cuts);
+  remaining_.forget_beyond(mark.cuts);
 }
 
-double Tracer::wall_contact(double s) const {
+double Tracer::wall_engagement(double s) const {
   const Wall& wall = walls_.wall(place_.wall);
-  return ground_.contact(wall.at(s), wall.heading(s));
+  return remaining_.engagement(wall.at(s), wall.heading(s));
 }
 
 Tracer::Next Tracer::follow_wall() {
@@ -130,14 +123,14 @@ Tracer::Next Tracer::follow_wall() {
   while (s - first < wall.length() * 0.999) {
     const double end = wall.edge_end(s), next = std::min(s + step_, std::max(s + step_ / 3, end));
     // The heading may change where an edge ends.
-    const double before = wall_contact(next - 1e-7),
-                 contact = next < end ? before : std::max(before, wall_contact(next + 1e-7));
-    if (contact > limit_ && walls_.to_stop({place_.wall, s}) < kBeforeStop * radius_ &&
-        !ground_.touches(wall.at(next), kThick * radius_))
+    const double before = wall_engagement(next - 1e-7),
+                 engagement = next < end ? before : std::max(before, wall_engagement(next + 1e-7));
+    if (engagement > limit_ && walls_.to_stop({place_.wall, s}) < RadiusShares::kCornerReach * radius_ &&
+        !remaining_.touches(wall.at(next), kThick * radius_))
       break;
-    if (contact > limit_) return depart(s, next);
-    if (contact > kTouch) engaged_ += next - s;
-    if (ground_.touches(wall.at(next), walls_.film({place_.wall, next}))) {
+    if (engagement > limit_) return depart(s, next);
+    if (engagement > EngagementTolerance::kNone) engaged_ += next - s;
+    if (remaining_.touches(wall.at(next), walls_.residual({place_.wall, next}))) {
       cut_until = next;
     } else if (next - cut_until > along_.air) {
       break;
@@ -153,17 +146,20 @@ double Tracer::end_of_cut(double cut_until) const {
   const Wall& wall = walls_.wall(place_.wall);
   const double over = cut_until + along_.overrun, end = wall.edge_end(cut_until);
   if (end >= over) return over;
-  const auto stands = [&](double s) { return ground_.touches(wall.at(s), walls_.film({place_.wall, s})); };
+  const auto stands = [&](double s) {
+    return remaining_.touches(wall.at(s), walls_.residual({place_.wall, s}));
+  };
   return stands(end) || stands((end + over) / 2) || stands(over) ? over : end;
 }
 
-/// Off the wall before `s_over`, as late and as gently as the contact allows.
+/// Leaves the wall between `s_clear`, where the engagement is within the limit, and `s_over`, where it is not: as late and with
+/// as wide a radius as the engagement allows.
 Tracer::Next Tracer::depart(double s_clear, double s_over) {
   const double first = place_.s;
   s_over = last_within(s_clear, s_over);
   const double natural = radius_ * (1 + std::cos(limit_)) / 2;
   double best = first, best_radius = 0;
-  for (double radius = natural; radius > kLeastTurn * radius_; radius *= kTighter) {
+  for (double radius = natural; radius > kLeastTurn * radius_; radius *= kTighterTurn) {
     const double s = latest_departure(s_clear, s_over, radius, best);
     if (s <= best) continue;
     best = s;
@@ -178,12 +174,13 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
   return Next::kDone;
 }
 
-/// The last place found at which the contact on the wall keeps the limit, from one that does to one that does not.
+/// By bisection: the last place along the wall at which the engagement keeps the limit, between one where it does and one
+/// where it does not.
 double Tracer::last_within(double s_clear, double s_over) const {
-  if (wall_contact(s_over) <= limit_ + kAboveLimit) return s_over;
+  if (wall_engagement(s_over) <= limit_ + EngagementTolerance::kExcess) return s_over;
   for (int i = 0; i < kMostHalvings; ++i) {
     const double middle = (s_clear + s_over) / 2;
-    (wall_contact(middle) <= limit_ + kAboveLimit ? s_clear : s_over) = middle;
+    (wall_engagement(middle) <= limit_ + EngagementTolerance::kExcess ? s_clear : s_over) = middle;
   }
   return s_clear;
 }
@@ -211,21 +208,21 @@ bool Tracer::can_leave(double s, double radius) {
   const Vec2 center = from + left_of(heading) * radius;
   const double off = aimer_.turn_off(radius);
   for (const double share : {0.15, 0.5, 1.0}) {
-    if (!ground_.legal().contains(center + rotated(from - center, share * off))) return false;
+    if (!remaining_.legal().contains(center + rotated(from - center, share * off))) return false;
   }
-  const auto at = [&](int look) { return center + rotated(from - center, look * kLeaveStep); };
-  int looks = 0;
-  while (looks * kLeaveStep < kLeaveTurn && (looks * kLeaveStep <= off || aimer_.is_inside(at(looks))))
-    ++looks;
-  if (looks <= kLeastLeave) return false;
-  const auto exceeds = [&](int look) {
-    return ground_.contact(at(look), rotated(heading, look * kLeaveStep)) > limit_;
+  const auto at = [&](int sample) { return center + rotated(from - center, sample * kLeaveStep); };
+  int samples = 0;
+  while (samples * kLeaveStep < kLeaveTurn && (samples * kLeaveStep <= off || aimer_.is_inside(at(samples))))
+    ++samples;
+  if (samples <= kLeastLeave) return false;
+  const auto exceeds = [&](int sample) {
+    return remaining_.engagement(at(sample), rotated(heading, sample * kLeaveStep)) > limit_;
   };
   // Where the last one failed the next one mostly fails, too.
-  if (critical_look_ < looks && exceeds(critical_look_)) return false;
-  for (int look = 0; look < looks; ++look) {
-    if (look == critical_look_ || !exceeds(look)) continue;
-    critical_look_ = look;
+  if (critical_sample_ < samples && exceeds(critical_sample_)) return false;
+  for (int sample = 0; sample < samples; ++sample) {
+    if (sample == critical_sample_ || !exceeds(sample)) continue;
+    critical_sample_ = sample;
     return false;
   }
   const Edge first = Edge::arc(from, center + rotated(from - center, off), center, Turn::kCounterClockwise);
@@ -235,10 +232,10 @@ bool Tracer::can_leave(double s, double radius) {
 /// Off the wall at s, where an arc of `radius` may: on one that is aimed, else on that and on from there.
 Tracer::Next Tracer::leave(double s, double radius) {
   if (first_departure_ == kNowhere) first_departure_ = s;
-  std::optional<WayOff> off;
+  std::optional<DepartureArc> off;
   if (path_.empty() && can_begin_) {
-    off = way_off(s, radius, 0);
-    const auto across = off ? way_across(*off) : std::nullopt;
+    off = departure_arc(s, radius, 0);
+    const auto across = off ? crossing_arc(*off) : std::nullopt;
     if (across && begin_beside(*across)) return on_from(*across);
     if (off && begin_beside(*off)) return on_from(*off);
   }
@@ -246,10 +243,10 @@ Tracer::Next Tracer::leave(double s, double radius) {
   place_.s = s;
   const double turn = aimer_.turn_off(radius);
   for (const double kink : {0.0, turn}) {
-    if (!off) off = way_off(s, radius, kink);
+    if (!off) off = departure_arc(s, radius, kink);
     const double within = off ? length_within(off->arc) : 0;
     if (off && within > off->least) {
-      course_ = off->from;
+      state_ = off->from;
       go(off->arc, within);
       return on_from(*off);
     }
@@ -257,31 +254,31 @@ Tracer::Next Tracer::leave(double s, double radius) {
   }
   const Wall& wall = walls_.wall(place_.wall);
   const Vec2 from = wall.at(s), heading = wall.heading(s), center = from + left_of(heading) * radius;
-  course_ = course_at(s, radius, 0);
-  course_.off_wall.reset();
-  course_.point = center + rotated(from - center, turn);
-  course_.heading = rotated(heading, turn);
-  course_.contact = ground_.contact(course_.point, course_.heading);
-  return append(Edge::arc(from, course_.point, center, Turn::kCounterClockwise)) ? Next::kTrace : Next::kDone;
+  state_ = state_at(s, radius, 0);
+  state_.off_wall.reset();
+  state_.point = center + rotated(from - center, turn);
+  state_.heading = rotated(heading, turn);
+  state_.engagement = remaining_.engagement(state_.point, state_.heading);
+  return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise)) ? Next::kTrace : Next::kDone;
 }
 
 /// On the wall at s, heading `kink` off it.
-Course Tracer::course_at(double s, double radius, double kink) const {
+CutterState Tracer::state_at(double s, double radius, double kink) const {
   const Wall& wall = walls_.wall(place_.wall);
   return {wall.at(s), rotated(wall.heading(s), kink),          1 / radius, limit_ - kink,
           radius,     std::min(radius, kWidestTurn * radius_), kink};
 }
 
 /// The arc aimed off the wall at s with a heading `kink` off it, up to the wall that it meets.
-std::optional<Tracer::WayOff> Tracer::way_off(double s, double radius, double kink) const {
-  const Course from = course_at(s, radius, kink);
-  const auto shot = aimer_.shoot(from);
-  if (!shot || !aimer_.leaves_wall(from, *shot)) return std::nullopt;
-  return up_to_wall(s, from, *shot);
+std::optional<Tracer::DepartureArc> Tracer::departure_arc(double s, double radius, double kink) const {
+  const CutterState from = state_at(s, radius, kink);
+  const auto candidate = aimer_.find_candidate(from);
+  if (!candidate || !aimer_.leaves_wall(from, *candidate)) return std::nullopt;
+  return up_to_wall(s, from, *candidate);
 }
 
 /// The best single arc to another wall that leaves this one where `off` does or before, if a cut loses little by it.
-std::optional<Tracer::WayOff> Tracer::way_across(const WayOff& off) const {
+std::optional<Tracer::DepartureArc> Tracer::crossing_arc(const DepartureArc& off) const {
   if (off.arc.turn != Turn::kCounterClockwise) return std::nullopt;
   // Arcs that keep the limit farther are tighter.
   double guess = kTighterAcross / off.arc.radius(), best_value = 0, best_s = 0;
@@ -289,11 +286,11 @@ std::optional<Tracer::WayOff> Tracer::way_across(const WayOff& off) const {
   std::optional<Crossing> best;
   const double first = std::max(material_s_ - kBeforeMaterial * radius_, off.s - kFarthestAcross * radius_);
   for (double s = off.s - kAcrossPitch * radius_; s > first; s -= kAcrossPitch * radius_) {
-    const Course from = course_at(s, off.from.usual, 0);
+    const CutterState from = state_at(s, off.from.usual, 0);
     const auto crossing = aimer_.across(from, guess);
-    if (!crossing || !aimer_.leaves_wall(from, crossing->shot)) continue;
-    guess = crossing->shot.curvature;
-    const double length = crossing->shot.length,
+    if (!crossing || !aimer_.leaves_wall(from, crossing->candidate)) continue;
+    guess = crossing->candidate.curvature;
+    const double length = crossing->candidate.length,
                  value = (length - crossing->lost) / (length + kCostOfCut * radius_);
     if (value < best_value) break;
     if (!crossing->loses_little()) continue;
@@ -302,62 +299,66 @@ std::optional<Tracer::WayOff> Tracer::way_across(const WayOff& off) const {
     best_s = s;
   }
   if (!best) return std::nullopt;
-  const Course from = course_at(best_s, off.from.usual, 0);
-  const auto shot = aimer_.surely_within(from, best->shot);
-  return shot ? std::optional(up_to_wall(best_s, from, *shot)) : std::nullopt;
+  const CutterState from = state_at(best_s, off.from.usual, 0);
+  const auto candidate = aimer_.surely_within(from, best->candidate);
+  return candidate ? std::optional(up_to_wall(best_s, from, *candidate)) : std::nullopt;
 }
 
-/// The shot off the wall at s, to end on the wall that it meets or comes near to where the cut goes on along that.
-Tracer::WayOff Tracer::up_to_wall(double s, const Course& from, Shot shot) const {
-  const double least = 2 * aimer_.length_off(from, shot), beyond = shot.length + kEndsAtWall * radius_,
-               inside = aimer_.length_inside(from, {shot.curvature, beyond, shot.kink});
-  if (inside < beyond) shot = {shot.curvature, inside, shot.kink, true};
-  WayOff off{s, from, edge_of(from, shot), least, std::nullopt};
-  if (!shot.meets_wall) return off;
-  const auto landing = landing_of(from, shot, shot.length);
-  if (!landing || !ground_.is_legal(landing->arc)) return off;
+/// The candidate off the wall at s as a departure arc. Where it meets another wall, or comes near to one, and the cut can go on
+/// along that, the arc is bent a little to end on it.
+Tracer::DepartureArc Tracer::up_to_wall(double s, const CutterState& from, CandidateArc candidate) const {
+  const double least = 2 * aimer_.length_off(from, candidate),
+               beyond = candidate.length + RadiusShares::kEndsAtWall * radius_,
+               inside = aimer_.length_inside(from, {candidate.curvature, beyond, candidate.kink});
+  if (inside < beyond) candidate = {candidate.curvature, inside, candidate.kink, true};
+  DepartureArc off{s, from, edge_of(from, candidate), least, std::nullopt};
+  if (!candidate.meets_wall) return off;
+  const auto landing = landing_of(from, candidate, candidate.length);
+  if (!landing || !remaining_.is_legal(landing->arc)) return off;
   off.arc = landing->arc;
   off.met = landing->place;
   return off;
 }
 
 /// With the arc off the wall, begun before it comes to the wall. Whether enough of it was taken.
-bool Tracer::begin_beside(const WayOff& off) {
+bool Tracer::begin_beside(const DepartureArc& off) {
   const Edge& from_wall = off.arc;
   if (from_wall.turn != Turn::kCounterClockwise) return false;
-  const auto gate = gate_before(off.s, from_wall);
-  if (!gate || !ground_.is_legal(Edge::arc(*gate, from_wall.from, from_wall.center, from_wall.turn)))
+  const auto approach_point = approach_point_before(off.s, from_wall);
+  if (!approach_point ||
+      !remaining_.is_legal(Edge::arc(*approach_point, from_wall.from, from_wall.center, from_wall.turn)))
     return false;
-  const Edge arc = Edge::arc(*gate, from_wall.to, from_wall.center, from_wall.turn);
+  const Edge arc = Edge::arc(*approach_point, from_wall.to, from_wall.center, from_wall.turn);
   const double lead = arc.length() - from_wall.length();
-  double within = ground_.length_within(arc, limit_ + kAboveLimit);
+  double within = remaining_.length_within(arc, limit_ + EngagementTolerance::kExcess);
   // Arcs that follow one that ends sooner are longer.
-  if (within < arc.length()) within = std::min(within, ground_.length_within(arc, limit_ + kAboveLimit / 2));
-  if (within < lead + off.least || !can_begin_(*gate)) return false;
+  if (within < arc.length())
+    within = std::min(within, remaining_.length_within(arc, limit_ + EngagementTolerance::kExcess / 2));
+  if (within < lead + off.least || !can_begin_(*approach_point)) return false;
   place_.s = off.s;
-  course_ = off.from;
+  state_ = off.from;
   go(arc, within);
-  course_.usual -= lead;
+  state_.usual -= lead;
   return true;
 }
 
 /// The last free place on its circle before the arc off the wall at s; none where more would stay on the wall than may.
-std::optional<Vec2> Tracer::gate_before(double s, const Edge& arc) const {
+std::optional<Vec2> Tracer::approach_point_before(double s, const Edge& arc) const {
   const double radius = arc.radius();
   const WallPlace material{place_.wall, std::min(material_s_, s)};
   const double follows = s - material.s, farthest = std::min(radius, kMostLead * radius_),
                stays = distance(arc.center, walls_.point(material)) - radius;
-  if (follows > radius / 2 || stays > walls_.film(material)) return std::nullopt;
+  if (follows > radius / 2 || stays > walls_.residual(material)) return std::nullopt;
   for (double lead = std::max(kLeastLead * radius_, follows / 2); lead < farthest;
        lead += kLeadStep * radius_) {
-    const Vec2 gate = arc.center + rotated(arc.from - arc.center, -lead / radius);
-    if (!ground_.touches(gate, Ground::kFree)) return gate;
+    const Vec2 approach_point = arc.center + rotated(arc.from - arc.center, -lead / radius);
+    if (!remaining_.touches(approach_point, RemainingStock::kFree)) return approach_point;
   }
   return std::nullopt;
 }
 
 /// After an arc off a wall: along the wall that it came to, or on.
-Tracer::Next Tracer::on_from(const WayOff& off) {
+Tracer::Next Tracer::on_from(const DepartureArc& off) {
   if (!off.met || path_.back().to != off.arc.to) return Next::kTrace;
   follow_from(*off.met);
   return Next::kWall;
@@ -369,7 +370,8 @@ void Tracer::follow_from(const WallPlace& place) {
   material_s_ = place.s;
 }
 
-/// Whether all of it was taken; what would exceed the limit is left out.
+/// Cuts along the wall from s_from to s_to, in as few moves as may stand for its edges, up to where the engagement would exceed
+/// the limit. Whether that was all of it.
 bool Tracer::append_wall(double s_from, double s_to) {
   if (s_to <= s_from) return true;
   if (path_.empty() && can_begin_ && !can_begin_(walls_.point({place_.wall, s_from}))) return false;
@@ -395,134 +397,15 @@ bool Tracer::append_as_one(std::span<const Edge> part, double s_from) {
     end += edge.length();
   }
   if (one.length() > kMostDetour * (end - s_from)) return false;
-  if (!ground_.is_legal(one) || !is_within(one)) return false;
+  if (!remaining_.is_legal(one) || !is_within(one)) return false;
   const Mark before = mark();
   take(one);
   for (double s = s_from; s < end; s += step_) {
     const WallPlace place{place_.wall, s};
-    if (!ground_.touches(walls_.point(place), walls_.film(place))) continue;
+    if (!remaining_.touches(walls_.point(place), walls_.residual(place))) continue;
     forget_beyond(before);
     return false;
   }
-  return true;
-}
-
-/// Whether all of it was taken; what would exceed the limit is left out.
-bool Tracer::append(const Edge& edge) {
-  const double length = distance(edge.from, edge.to) < kShortestMove ? 0 : edge.length();
-  if (length <= 0) return true;
-  const double within = ground_.length_within(edge, limit_ + kAboveLimit);
-  if (within < kShortestMove) return false;
-  take(within < length ? edge.part(0, within / length) : edge);
-  return within >= length;
-}
-
-void Tracer::take(Edge edge) {
-  if (!path_.empty()) edge.from = path_.back().to;  // the same point to rounding
-  ground_.cut(edge);
-  path_.push_back(edge);
-}
-
-bool Tracer::is_within(const Edge& edge) const {
-  return ground_.length_within(edge, limit_ + kAboveLimit) >= edge.length();
-}
-
-/// mm of an edge up to where its contact is too high; nothing leads on from a peak.
-double Tracer::length_within(const Edge& edge) const {
-  const double length = edge.length(), within = ground_.length_within(edge, limit_ + kAboveLimit),
-               t = within / length;
-  if (within >= length || ground_.contact(edge.at(t), edge.tangent_at(t)) <= limit_ + kAboveLimit)
-    return within;
-  return ground_.length_within(edge, limit_ + kAboveLimit / 2);
-}
-
-/// Takes so much of the edge.
-void Tracer::go(const Edge& edge, double within) {
-  const Edge part = within < edge.length() ? edge.part(0, within / edge.length()) : edge;
-  course_.point = part.to;
-  course_.heading = part.tangent_at(1);
-  course_.curvature = edge.is_arc() ? (edge.turn == Turn::kCounterClockwise ? 1 : -1) / edge.radius() : 0;
-  course_.contact = ground_.contact(course_.point, course_.heading);  // before it is cut
-  course_.usual = within;
-  course_.off_wall.reset();
-  take(part);
-}
-
-/// Takes the shot up to where its contact is too high; the length taken.
-double Tracer::go(const Shot& shot) {
-  const Edge edge = edge_of(course_, shot);
-  const double within = distance(edge.from, edge.to) < kShortestMove ? 0 : length_within(edge);
-  if (within < kShortestMove) return 0;
-  go(edge, within);
-  return within;
-}
-
-Tracer::Next Tracer::trace() {
-  air_ = 0;
-  for (int i = 0; i < kMostArcs; ++i) {
-    auto shot = aimer_.shoot(course_);
-    for (; !shot && course_.tightest > kTightest * radius_; shot = aimer_.shoot(course_))
-      course_.tightest *= kTighter;
-    if (!shot) return Next::kDone;
-    if (const auto across = aimer_.to_wall(course_, *shot)) shot = across;
-    const double beyond = shot->length + kEndsAtWall * radius_,
-                 inside = aimer_.length_inside(course_, {shot->curvature, beyond, shot->kink});
-    if (inside < beyond || shot->meets_wall) return meet_wall(*shot, inside);
-    double gone = go(*shot);
-    if (gone < kShortestArc * radius_ && gone < shot->length) {
-      const auto closely = aimer_.shoot_closely(course_, shot->curvature);
-      if (closely && aimer_.length_inside(course_, *closely) == closely->length) gone += go(*closely);
-    }
-    if (gone < kShortestArc * radius_ && gone < shot->length) return Next::kDone;
-    if (course_.contact > kTouch) {
-      engaged_ += gone;
-      air_ = 0;
-    } else if ((air_ += gone) > kAir * radius_) {
-      return Next::kDone;
-    }
-  }
-  return Next::kDone;
-}
-
-/// Runs up to the wall where the arc leaves the area, and on along it where it is met at a small angle.
-Tracer::Next Tracer::meet_wall(const Shot& shot, double inside) {
-  const auto landing = landing_of(course_, shot, inside);
-  if (landing && ground_.is_legal(landing->arc) && is_within(landing->arc)) {
-    take(landing->arc);
-    follow_from(landing->place);
-    return Next::kWall;
-  }
-  if (inside > kShortestMove) {
-    const double gone = go({shot.curvature, inside, shot.kink});
-    if (gone < inside) return gone < kShortestArc * radius_ ? Next::kDone : Next::kTrace;
-  }
-  return landing && step_to_wall(landing->place) ? Next::kWall : Next::kDone;
-}
-
-/// The shot, bent a little to end on the wall that it meets after `inside` mm; none where a cut would not go on along that.
-std::optional<Tracer::Landing> Tracer::landing_of(const Course& from, const Shot& shot, double inside) const {
-  const auto [end, heading] = after(from, shot, inside);
-  WallPlace met = walls_.nearest(end);
-  if (!leads_along(met, heading)) return std::nullopt;
-  met.s += kMeetSlope * distance(end, walls_.point(met));
-  return Landing{arc_to(from, shot.kink, walls_.point(met)), met};
-}
-
-/// Whether a cut that meets a wall with that heading goes on along it: it bears something there.
-bool Tracer::leads_along(const WallPlace& met, Vec2 heading) const {
-  if (dot(heading, walls_.wall(met.wall).heading(met.s)) < kSlide ||
-      !walls_.touches_after({met.wall, met.s + kShortWall * radius_}, radius_))
-    return false;
-  return met.wall != place_.wall || met.s >= place_.s + kLeastCut * radius_ || met.s <= place_.s - radius_;
-}
-
-/// Straight to a wall that the cut has come near to.
-bool Tracer::step_to_wall(const WallPlace& place) {
-  const Mark before = mark();
-  const Edge line = Edge::line(course_.point, walls_.point(place));
-  if (!ground_.is_legal(line) || !append(line)) return false;
-  follow_from(place);
-  before_wall_ = before;
   return true;
 }
 

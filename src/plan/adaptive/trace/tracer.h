@@ -1,4 +1,4 @@
-// Cuts that keep the engagement at its limit: the curve that the cutter's centre has to run on for that.
+// Traces single cuts: the curve on which the cutter's centre runs with the engagement at its limit.
 #pragma once
 
 #include <functional>
@@ -12,45 +12,46 @@ namespace clearcut::plan::adaptive {
 
 /// How cuts follow walls.
 struct AlongWalls {
-  double air = 0;      ///< mm without contact that end a cut
-  double overrun = 0;  ///< mm past the last contact
+  double air = 0;      ///< mm of wall without engagement after which a cut ends
+  double overrun = 0;  ///< mm that a cut runs on past the last place where it engaged
 };
 
 /// Traces cuts with the material on the right of the direction of travel.
 class Tracer {
  public:
-  /// `limit`: largest contact, radians. Cuts off the walls stay inside `area`. The tracer takes away what it
-  /// cuts from `ground`.
-  Tracer(Ground& ground, const Walls& walls, const Regions& area, double limit, AlongWalls along);
+  /// `limit`: largest engagement in radians. Off the walls the centre stays inside `area`. What is traced is taken away from
+  /// `remaining` at once. All is kept by reference.
+  Tracer(RemainingStock& remaining, const Walls& walls, const Regions& area, double limit, AlongWalls along);
 
-  /// One cut from a place on a wall: along the wall until the contact would exceed the limit, off it on an
-  /// arc, on with the contact at its limit, until the cutter meets a wall ahead or runs into the open.
-  /// Empty when nothing can be cut there within the limit. What it is after begins at `material_s`.
-  /// Where so little stays on the wall that it may, and `can_begin` agrees to the place, the cut begins beside the wall
-  /// with the arc that leads off it.
+  /// One cut that begins on a wall: along the wall until the engagement would exceed the limit, off it on an arc, and on with
+  /// the engagement at the limit until the cutter meets a wall ahead or runs into the open. Empty when nothing can be cut there
+  /// within the limit. `material_s`: mm along the wall where the material begins that the cut is for. Where what stays on the
+  /// wall is a residual that may stay, and `can_begin` accepts the place, the cut begins beside the wall with the arc that
+  /// leads off it.
   using CanBegin = std::function<bool(Vec2)>;
   Path cut_from(const WallPlace& start, double material_s, const CanBegin& can_begin = {});
-  /// The same from where the cutter already cuts.
+  /// One cut that begins off the walls, at `from` with a unit heading; `curvature` (1 / mm, > 0 to the left) is tried first.
   Path cut_on(Vec2 from, Vec2 heading, double curvature);
 
-  /// Where the last cut first left its wall.
+  /// mm along the wall where the last cut first left it.
   double first_departure() const { return first_departure_; }
 
  private:
   enum class Next { kDone, kTrace, kWall };
-  /// What was taken so far.
+  /// How much was cut at some moment, to get back to it.
   struct Mark {
     std::size_t moves = 0, cuts = 0;
   };
-  /// The arc off a wall at s, of which at least so much is to be taken, mm; and where it ends on a wall.
-  struct WayOff {
+  /// An arc off a wall at s (mm along it), from that state. It is of use if at least `least` mm of it can be cut. `met`: where
+  /// it ends on a wall.
+  struct DepartureArc {
     double s = 0;
-    Course from;
+    CutterState from;
     Edge arc;
     double least = 0;
     std::optional<WallPlace> met;
   };
-  /// The arc to a wall that a cut goes on along.
+  /// An arc that ends on a wall at a small angle; the cut goes on along the wall from there.
   struct Landing {
     Edge arc;
     WallPlace place;
@@ -61,38 +62,39 @@ class Tracer {
   void forget_beyond(const Mark& mark);
 
   Next follow_wall();
-  double wall_contact(double s) const;
+  double wall_engagement(double s) const;
   double end_of_cut(double cut_until) const;
   Next depart(double s_clear, double s_over);
   double last_within(double s_clear, double s_over) const;
   double latest_departure(double s_clear, double s_over, double radius, double least);
   bool can_leave(double s, double radius);
   Next leave(double s, double radius);
-  Course course_at(double s, double radius, double kink) const;
-  std::optional<WayOff> way_off(double s, double radius, double kink) const;
-  std::optional<WayOff> way_across(const WayOff& off) const;
-  WayOff up_to_wall(double s, const Course& from, Shot shot) const;
-  bool begin_beside(const WayOff& off);
-  std::optional<Vec2> gate_before(double s, const Edge& arc) const;
-  Next on_from(const WayOff& off);
+  CutterState state_at(double s, double radius, double kink) const;
+  std::optional<DepartureArc> departure_arc(double s, double radius, double kink) const;
+  std::optional<DepartureArc> crossing_arc(const DepartureArc& off) const;
+  DepartureArc up_to_wall(double s, const CutterState& from, CandidateArc candidate) const;
+  bool begin_beside(const DepartureArc& off);
+  std::optional<Vec2> approach_point_before(double s, const Edge& arc) const;
+  Next on_from(const DepartureArc& off);
   void follow_from(const WallPlace& place);
   bool append_wall(double s_from, double s_to);
   bool append_as_one(std::span<const Edge> part, double s_from);
 
   Next trace();
-  Next meet_wall(const Shot& shot, double inside);
-  std::optional<Landing> landing_of(const Course& from, const Shot& shot, double inside) const;
+  Next meet_wall(const CandidateArc& candidate, double inside);
+  std::optional<Landing> landing_of(const CutterState& from, const CandidateArc& candidate,
+                                    double inside) const;
   bool leads_along(const WallPlace& met, Vec2 heading) const;
   bool step_to_wall(const WallPlace& place);
 
   bool is_within(const Edge& edge) const;
   double length_within(const Edge& edge) const;
-  double go(const Shot& shot);
+  double go(const CandidateArc& candidate);
   void go(const Edge& edge, double within);
   bool append(const Edge& edge);
   void take(Edge edge);
 
-  Ground& ground_;
+  RemainingStock& remaining_;
   const Walls& walls_;
   ArcAimer aimer_;
   double radius_;
@@ -100,15 +102,16 @@ class Tracer {
   AlongWalls along_;
   double step_;
   Path path_;
-  double engaged_ = 0;  ///< mm of the cut in contact
-  double air_ = 0;      ///< mm since the last contact
-  Course course_;
+  double engaged_ = 0;  ///< mm of the cut so far in which the cutter engaged
+  double air_ = 0;      ///< mm since the cutter last engaged
+  CutterState state_;
   WallPlace place_;
   double material_s_ = 0;
   CanBegin can_begin_;
-  Mark before_wall_;  ///< before the wall that the cut follows, or the step to it
+  Mark before_wall_;  ///< as it was before the cut came to the wall that it follows
   double first_departure_ = 0;
-  int critical_look_ = 0;  ///< where an arc off the wall exceeded the limit last
+  int critical_sample_ =
+      0;  ///< sample at which the last rejected arc off the wall exceeded the limit: tried first
 };
 
 }  // namespace clearcut::plan::adaptive

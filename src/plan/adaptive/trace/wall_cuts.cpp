@@ -2,37 +2,40 @@
 
 #include <algorithm>
 
+#include "plan/adaptive/parameters.h"
+
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii. A cut begins no farther before the material that it is after, looked for at this pitch.
+/// Tool radii along the wall. A cut begins no farther before the material that it is after.
 constexpr double kLongestApproach = 1.5;
-constexpr double kPitch = 0.1;
 /// Tool radii. A start from which a cut advances less along the wall is given up.
 constexpr double kLeastAdvance = 0.03;
-/// Length along a wall of the last move onto it over the distance that it comes from.
-constexpr double kGateSlopes[] = {0, 2, 6, 16};
-constexpr double kLongestGate = 3;  // tool radii
-/// Tool radii from the end of a cut to a start that is led to at the cutting feed; mm, shortest lead.
+/// Approach points beside a wall: length along the wall of the last move onto it over the distance that it comes from, tried
+/// in this order; and how many tool radii along the wall such a point may be away.
+constexpr double kApproachSlopes[] = {0, 2, 6, 16};
+constexpr double kFarthestApproachPoint = 3;
+/// Tool radii. A start no farther from the end of the last cut is led to straight, at the cutting feed.
 constexpr double kStraightOn = 0.6;
+/// mm. Shorter leads are none.
 constexpr double kShortest = 1e-4;
 
 }  // namespace
 
-/// A free way to a gate, from where a short move leads to the first place of a cut.
+/// A clear link to an approach point, from where a short move leads to the first place of a cut.
 struct WallCuts::Approach {
-  Way way;
-  Path lead;  ///< at the cutting feed, through films
+  LinkPath link;
+  Path lead;  ///< at the cutting feed, through residuals
   WallPlace first;
 };
 
-WallCuts::WallCuts(Ground& ground, ClearingPath& path, Walls all, const Regions& area, double limit,
-                   AlongWalls along)
+WallCuts::WallCuts(RemainingStock& remaining, ClearingPath& path, Walls all, const Regions& area,
+                   double limit, AlongWalls along)
     : walls(std::move(all)),
-      tracer(ground, walls, area, limit, along),
-      ground_(ground),
+      tracer(remaining, walls, area, limit, along),
+      remaining_(remaining),
       path_(path),
-      radius_(ground.tool_radius()),
+      radius_(remaining.tool_radius()),
       limit_(limit) {}
 
 WallPlace WallCuts::nearest(const std::vector<WallPlace>& starts) const {
@@ -50,14 +53,14 @@ bool WallCuts::cut_from(const WallPlace& start) {
     if (outcome == Outcome::kNothingToCut) walls.give_up(start);
     return outcome == Outcome::kNothingToCut;
   }
-  path_.note_start(approach->way.empty() ? walls.point(approach->first) : approach->way.back().to);
+  path_.note_start(approach->link.empty() ? walls.point(approach->first) : approach->link.back().to);
   const Vec2 on_wall = walls.point(approach->first);
   const bool may_begin_beside = approach->lead.empty() && !path_.empty();
   const auto can_begin = [&](Vec2 p) {
     if (p == on_wall || !may_begin_beside) return p == on_wall;
-    auto way = path_.way_to(p, Ground::kFree);
-    if (way) approach->way = std::move(*way);
-    return way.has_value();
+    auto link = path_.link_to(p, RemainingStock::kFree);
+    if (link) approach->link = std::move(*link);
+    return link.has_value();
   };
   const Path cut = tracer.cut_from(approach->first, start.s, can_begin);
   if (cut.empty()) {
@@ -65,37 +68,38 @@ bool WallCuts::cut_from(const WallPlace& start) {
     return true;
   }
   Path whole = approach->lead;
-  for (const Edge& edge : approach->lead) ground_.cut(edge);
-  const Vec2 gate = whole.empty() ? approach->way.back().to : whole.back().to;
-  if (gate != cut.front().from) whole.push_back(Edge::line(gate, cut.front().from));
+  for (const Edge& edge : approach->lead) remaining_.cut(edge);
+  const Vec2 approach_point = whole.empty() ? approach->link.back().to : whole.back().to;
+  if (approach_point != cut.front().from) whole.push_back(Edge::line(approach_point, cut.front().from));
   whole.insert(whole.end(), cut.begin(), cut.end());
-  add(start, whole, approach->way);
+  add(start, whole, approach->link);
   return true;
 }
 
-/// From the wall where it bears nothing yet, or from beside it. Most cuts: only what is cut needs a way.
+/// A cut from a place on the wall where nothing stands, or from beside it. Most cuts are of this kind. The link to the place is
+/// only looked for once it is known that something can be cut from there.
 WallCuts::Outcome WallCuts::cut_from_clear_wall(const WallPlace& start) {
   const auto first = clear_place_before(start);
-  if (!first) return Outcome::kNoWay;
+  if (!first) return Outcome::kNoLink;
   const Vec2 on_wall = walls.point(*first);
   path_.note_start(on_wall);
-  std::optional<Way> way;
+  std::optional<LinkPath> link;
   bool asked = false;
   const auto can_begin = [&](Vec2 p) {
     if (path_.empty() && p != on_wall) return false;
     asked = true;
-    way = path_.way_to(p, Ground::kFree);
-    return way.has_value();
+    link = path_.link_to(p, RemainingStock::kFree);
+    return link.has_value();
   };
   const Path cut = tracer.cut_from(*first, start.s, can_begin);
-  if (cut.empty()) return asked && !way ? Outcome::kNoWay : Outcome::kNothingToCut;
-  add(start, cut, *way);
+  if (cut.empty()) return asked && !link ? Outcome::kNoLink : Outcome::kNothingToCut;
+  add(start, cut, *link);
   return Outcome::kCut;
 }
 
-void WallCuts::add(const WallPlace& start, const Path& cut, const Way& way) {
-  path_.append(cut, way);
-  walls.update(ground_, box(cut).grown(2 * radius_));
+void WallCuts::add(const WallPlace& start, const Path& cut, const LinkPath& link) {
+  path_.append(cut, link);
+  walls.update(remaining_, box(cut).grown(2 * radius_));
   if (!walls.is_start(start)) return;
   const bool advances = walls.advances(start, tracer.first_departure(), kLeastAdvance * radius_);
   stuck_ = advances ? 0 : stuck_ + 1;
@@ -107,11 +111,13 @@ void WallCuts::add(const WallPlace& start, const Path& cut, const Way& way) {
 std::optional<WallPlace> WallCuts::clear_place_before(const WallPlace& start) const {
   // Rather where an edge ends than just before it: that would be one more move.
   const WallPlace end{start.wall, walls.wall(start.wall).edge_end(start.s)};
-  if (end.s < start.s + kPitch * radius_ && !ground_.touches(walls.point(end), Ground::kFree)) return end;
+  if (end.s < start.s + RadiusShares::kWallPitch * radius_ &&
+      !remaining_.touches(walls.point(end), RemainingStock::kFree))
+    return end;
   const double farthest = farthest_before(start);
-  for (double back = 0; back < farthest; back += kPitch * radius_ / 2) {
+  for (double back = 0; back < farthest; back += RadiusShares::kWallPitch * radius_ / 2) {
     const WallPlace first{start.wall, start.s - back};
-    if (!ground_.touches(walls.point(first), Ground::kFree)) return first;
+    if (!remaining_.touches(walls.point(first), RemainingStock::kFree)) return first;
   }
   return std::nullopt;
 }
@@ -128,7 +134,7 @@ std::optional<WallCuts::Approach> WallCuts::approach_to(const WallPlace& start) 
     if (back * radius_ > farthest) break;
     if (const auto approach = approach_from_aside({start.wall, start.s - back * radius_})) return approach;
   }
-  return approach_through_films(start);
+  return approach_through_residuals(start);
 }
 
 /// From where the last cut ended at the cutting feed, where that is near.
@@ -137,48 +143,50 @@ std::optional<WallCuts::Approach> WallCuts::straight_on_to(const WallPlace& plac
   const Edge lead = Edge::line(path_.at(), walls.point(place));
   const double length = lead.length();
   if (length < kShortest || length > kStraightOn * radius_ ||
-      !ground_.legal().holds_line(lead.from, lead.to) || !is_within(lead))
+      !remaining_.legal().holds_line(lead.from, lead.to) || !is_within(lead))
     return std::nullopt;
   return Approach{{}, {lead}, place};
 }
 
-/// Over a gate beside the wall. Where no way leads to one it seldom leads to the others.
+/// Over an approach point beside the wall. Only the first clear one is tried: where no link leads to one, it seldom leads to
+/// the others.
 std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace& place) const {
   const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
   for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
-    for (const double slope : kGateSlopes) {
+    for (const double slope : kApproachSlopes) {
       const double aside = share * radius_;
-      if (share * slope > kLongestGate) continue;
-      const Vec2 gate = p - along * (slope * aside) + left_of(along) * aside;
-      if (!ground_.legal().holds_line(gate, p) || ground_.touches(gate, Ground::kFree) ||
-          !is_within(Edge::line(gate, p)))
+      if (share * slope > kFarthestApproachPoint) continue;
+      const Vec2 approach_point = p - along * (slope * aside) + left_of(along) * aside;
+      if (!remaining_.legal().holds_line(approach_point, p) ||
+          remaining_.touches(approach_point, RemainingStock::kFree) ||
+          !is_within(Edge::line(approach_point, p)))
         continue;
-      const auto way = path_.way_to(gate, Ground::kFree);
-      return way ? std::optional(Approach{*way, {}, place}) : std::nullopt;
+      const auto link = path_.link_to(approach_point, RemainingStock::kFree);
+      return link ? std::optional(Approach{*link, {}, place}) : std::nullopt;
     }
   }
   return std::nullopt;
 }
 
 /// Over what clearing left on the walls behind the start, within the limit.
-std::optional<WallCuts::Approach> WallCuts::approach_through_films(const WallPlace& start) const {
+std::optional<WallCuts::Approach> WallCuts::approach_through_residuals(const WallPlace& start) const {
   if (path_.empty()) return std::nullopt;
   const double farthest = farthest_before(start);
-  for (double back = 0; back < farthest; back += kPitch * radius_) {
+  for (double back = 0; back < farthest; back += RadiusShares::kWallPitch * radius_) {
     const WallPlace first{start.wall, start.s - back};
-    const double film = walls.film(first);
-    if (ground_.touches(walls.point(first), film)) continue;
-    const auto way = path_.way_to(walls.point(first), film);
-    if (!way) continue;
+    const double residual = walls.residual(first);
+    if (remaining_.touches(walls.point(first), residual)) continue;
+    const auto link = path_.link_to(walls.point(first), residual);
+    if (!link) continue;
     Approach approach{{}, {}, first};
     Vec2 at = path_.at();
-    for (const Leg& leg : *way) {
-      if (approach.lead.empty() && ground_.is_free(leg.edge(at), Ground::kFree)) {
-        approach.way.push_back(leg);
+    for (const LinkMove& move : *link) {
+      if (approach.lead.empty() && remaining_.is_free(move.edge(at), RemainingStock::kFree)) {
+        approach.link.push_back(move);
       } else {
-        approach.lead.push_back(leg.edge(at));
+        approach.lead.push_back(move.edge(at));
       }
-      at = leg.to;
+      at = move.to;
     }
     const auto within = [&](const Edge& edge) { return is_within(edge); };
     if (std::all_of(approach.lead.begin(), approach.lead.end(), within)) return approach;
@@ -186,11 +194,11 @@ std::optional<WallCuts::Approach> WallCuts::approach_through_films(const WallPla
   return std::nullopt;
 }
 
-/// Whether the contact keeps the limit on a move.
+/// Whether the engagement keeps the limit on a move.
 bool WallCuts::is_within(const Edge& edge) const {
   // Most moves that exceed it do at their end.
-  return ground_.contact(edge.to, edge.tangent_at(1)) <= limit_ &&
-         ground_.length_within(edge, limit_) >= edge.length();
+  return remaining_.engagement(edge.to, edge.tangent_at(1)) <= limit_ &&
+         remaining_.length_within(edge, limit_) >= edge.length();
 }
 
 }  // namespace clearcut::plan::adaptive

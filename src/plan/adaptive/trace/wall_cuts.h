@@ -13,8 +13,8 @@ namespace clearcut::plan::adaptive {
 /// Walls to cut along, and the cuts that begin there.
 class WallCuts {
  public:
-  /// Cuts off the walls stay inside `area`, their contact below `limit`.
-  WallCuts(Ground& ground, ClearingPath& path, Walls walls, const Regions& area, double limit,
+  /// Cuts off the walls stay inside `area`, their engagement below `limit`.
+  WallCuts(RemainingStock& remaining, ClearingPath& path, Walls walls, const Regions& area, double limit,
            AlongWalls along);
   WallCuts(const WallCuts&) = delete;
   WallCuts& operator=(const WallCuts&) = delete;
@@ -30,18 +30,18 @@ class WallCuts {
 
  private:
   struct Approach;
-  enum class Outcome { kCut, kNothingToCut, kNoWay };
+  enum class Outcome { kCut, kNothingToCut, kNoLink };
   Outcome cut_from_clear_wall(const WallPlace& start);
-  void add(const WallPlace& start, const Path& cut, const Way& way);
+  void add(const WallPlace& start, const Path& cut, const LinkPath& link);
   std::optional<WallPlace> clear_place_before(const WallPlace& start) const;
   double farthest_before(const WallPlace& start) const;
   std::optional<Approach> approach_to(const WallPlace& start) const;
   std::optional<Approach> straight_on_to(const WallPlace& place) const;
   std::optional<Approach> approach_from_aside(const WallPlace& place) const;
-  std::optional<Approach> approach_through_films(const WallPlace& start) const;
+  std::optional<Approach> approach_through_residuals(const WallPlace& start) const;
   bool is_within(const Edge& edge) const;
 
-  Ground& ground_;
+  RemainingStock& remaining_;
   ClearingPath& path_;
   double radius_;
   double limit_;

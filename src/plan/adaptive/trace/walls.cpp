@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plan/adaptive/parameters.h"
+
 namespace clearcut::plan::adaptive {
 namespace {
 
@@ -67,12 +69,12 @@ Wall::Hit Wall::nearest(Vec2 p) const {
   return best;
 }
 
-Walls::Walls(const Region& front, const Region& legal, double pitch, double film) {
-  add(front.outer(), legal, pitch, film);
-  for (const Loop& island : front.islands()) add(island, legal, pitch, film);
+Walls::Walls(const Region& front, const Region& legal, double pitch, double residual) {
+  add(front.outer(), legal, pitch, residual);
+  for (const Loop& island : front.islands()) add(island, legal, pitch, residual);
 }
 
-void Walls::add(const Loop& loop, const Region& legal, double pitch, double film) {
+void Walls::add(const Loop& loop, const Region& legal, double pitch, double residual) {
   walls_.emplace_back(loop);
   const double length = walls_.back().length();
   Marks marks;
@@ -80,7 +82,7 @@ void Walls::add(const Loop& loop, const Region& legal, double pitch, double film
   marks.pitch = length / count;
   for (int i = 0; i < count; ++i) {
     marks.points.push_back(walls_.back().at(i * marks.pitch));
-    marks.films.push_back(film + kWallShare * legal.boundary_distance(marks.points.back()));
+    marks.residuals.push_back(residual + kWallShare * legal.boundary_distance(marks.points.back()));
   }
   marks.touching.assign(marks.points.size(), 1);
   marks.touched.resize(marks.points.size());
@@ -94,8 +96,8 @@ std::size_t Walls::mark_at(const WallPlace& place) const {
   return static_cast<std::size_t>((std::lround(place.s / marks.pitch) % count + count) % count);
 }
 
-double Walls::film(const WallPlace& place) const {
-  return marks_[place.wall].films[mark_at(place)];
+double Walls::residual(const WallPlace& place) const {
+  return marks_[place.wall].residuals[mark_at(place)];
 }
 
 double Walls::to_nearest(const std::vector<WallPlace>& others, const WallPlace& place, double sense,
@@ -132,15 +134,15 @@ WallPlace Walls::nearest(Vec2 p) const {
   return place;
 }
 
-void Walls::update(const Ground& ground, const Box& where) {
+void Walls::update(const RemainingStock& remaining, const Box& where) {
   for (std::size_t w = 0; w < marks_.size(); ++w) {
     Marks& marks = marks_[w];
     for (std::size_t i = 0; i < marks.points.size(); ++i) {
       if (marks.touching[i] != 1 || !where.contains(marks.points[i])) continue;
-      if (marks.touched[i] && !ground.is_removed(*marks.touched[i])) continue;
+      if (marks.touched[i] && !remaining.is_removed(*marks.touched[i])) continue;
       // What touches the wall goes last: only a cutter at the mark takes it.
       const Vec2 outwards = -left_of(walls_[w].heading(static_cast<double>(i) * marks.pitch));
-      marks.touched[i] = ground.touched(marks.points[i], marks.films[i], outwards);
+      marks.touched[i] = remaining.touched(marks.points[i], marks.residuals[i], outwards);
       marks.touching[i] = marks.touched[i] ? 1 : 0;
     }
   }
@@ -215,13 +217,13 @@ void Walls::leave_out(const Around& around) {
   }
 }
 
-void Walls::leave_wedge(const WallPlace& place, double film) {
+void Walls::leave_wedge(const WallPlace& place, double residual) {
   const double length = walls_[place.wall].edge_end(place.s) - place.s;
   Marks& marks = marks_[place.wall];
   for (std::size_t i = 0; i < marks.points.size(); ++i) {
     const double along = to_nearest({place}, {place.wall, static_cast<double>(i) * marks.pitch}, -1);
     if (along >= length) continue;
-    marks.films[i] = std::max(marks.films[i], film * (1 - along / length) + kWedge);
+    marks.residuals[i] = std::max(marks.residuals[i], residual * (1 - along / length) + kWedge);
     marks.touched[i].reset();
   }
 }
@@ -233,11 +235,10 @@ bool Walls::is_alone(const WallPlace& place, const std::vector<WallPlace>& place
 
 namespace {
 
-/// mm. Thinner films are left.
-constexpr double kFinished = 6e-3;
+/// mm. Thinner residuals are left.
 
-void add_unfinished(const Walls& walls, std::size_t index, double pitch, double gap, const Ground& ground,
-                    std::vector<WallStretch>& out) {
+void add_unfinished(const Walls& walls, std::size_t index, double pitch, double gap,
+                    const RemainingStock& remaining, std::vector<WallStretch>& out) {
   const Wall& wall = walls.wall(index);
   const int count = std::max(8, static_cast<int>(std::ceil(wall.length() / pitch)));
   const double step = wall.length() / count;
@@ -246,11 +247,13 @@ void add_unfinished(const Walls& walls, std::size_t index, double pitch, double 
   double end = 0;
   for (const Edge& edge : wall.loop()) {
     end += edge.length();
-    if (ground.touches(edge.to, kFinished)) bears[static_cast<std::size_t>(end / step) % bears.size()] = 1;
+    if (remaining.touches(edge.to, ResidualLimits::kFinishedWall))
+      bears[static_cast<std::size_t>(end / step) % bears.size()] = 1;
   }
   std::vector<int> bearing;
   for (int i = 0; i < count; ++i) {
-    if (bears[static_cast<std::size_t>(i)] || ground.touches(wall.at(i * step), kFinished))
+    if (bears[static_cast<std::size_t>(i)] ||
+        remaining.touches(wall.at(i * step), ResidualLimits::kFinishedWall))
       bearing.push_back(i);
   }
   if (bearing.empty()) return;
@@ -280,14 +283,14 @@ void add_unfinished(const Walls& walls, std::size_t index, double pitch, double 
 }  // namespace
 
 std::vector<WallStretch> unfinished_walls(const Walls& walls, double pitch, double gap,
-                                          const Ground& ground) {
+                                          const RemainingStock& remaining) {
   std::vector<WallStretch> stretches;
-  for (std::size_t i = 0; i < walls.count(); ++i) add_unfinished(walls, i, pitch, gap, ground, stretches);
+  for (std::size_t i = 0; i < walls.count(); ++i) add_unfinished(walls, i, pitch, gap, remaining, stretches);
   return stretches;
 }
 
 std::optional<WallStretch> bearing_part(const Walls& walls, const WallStretch& stretch, double pitch,
-                                        double film, const Ground& ground) {
+                                        double residual, const RemainingStock& remaining) {
   constexpr double kPlace = 1e-4;
   const Wall& wall = walls.wall(stretch.wall);
   std::vector<double> places{stretch.from};
@@ -295,7 +298,7 @@ std::optional<WallStretch> bearing_part(const Walls& walls, const WallStretch& s
     const double s = places.back();
     places.push_back(std::min({s + pitch, stretch.to, std::max(wall.edge_end(s), s + kPlace)}));
   }
-  const auto bears = [&](double s) { return ground.touches(wall.at(s), film); };
+  const auto bears = [&](double s) { return remaining.touches(wall.at(s), residual); };
   const auto border = [&](double clear, double bearing) {
     while (std::abs(bearing - clear) > kPlace)
       (bears((clear + bearing) / 2) ? bearing : clear) = (clear + bearing) / 2;

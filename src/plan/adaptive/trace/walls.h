@@ -1,4 +1,5 @@
-// The walls of a layer as ways for the cutter's centre, and which stretches of them still touch material.
+// The boundaries of an area for the cutter's centre ("walls": there the cutter touches the part), and the stretches of them
+// along which the cutter would still touch material.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,8 @@
 
 namespace clearcut::plan::adaptive {
 
-/// A closed loop walked by length.
+/// A closed loop on which places are given by s: mm along it from its beginning, in its direction. s may be negative or more
+/// than the length: it goes round again.
 class Wall {
  public:
   explicit Wall(Loop loop);
@@ -18,11 +20,11 @@ class Wall {
   double length() const { return ends_.back(); }
   Vec2 at(double s) const;
   Vec2 heading(double s) const;
-  /// Where the edge that holds s ends, > s.
+  /// mm along the wall to the end of the edge that holds s; > s.
   double edge_end(double s) const;
-  /// The edges between s0 < s1 (s1 - s0 below the loop's length).
+  /// The part from s0 to s1, with s0 < s1 and less than once round.
   Path part(double s0, double s1) const;
-  /// Nearest place: its length and distance.
+  /// The place nearest to a point: s, and the distance in mm.
   struct Hit {
     double s = 0;
     double distance = 0;
@@ -44,59 +46,62 @@ class Wall {
   std::vector<double> ends_;  ///< length at the end of each edge
 };
 
-/// A place on a wall.
+/// A place on one of several walls: s is mm along it.
 struct WallPlace {
   std::size_t wall = 0;
   double s = 0;
   friend bool operator==(const WallPlace&, const WallPlace&) = default;
 };
 
-/// All walls with marks where a cutter on them would still touch material.
+/// All walls of an area, with marks at a fixed pitch that say whether a cutter on them still touches material.
 class Walls {
  public:
-  /// The walls of `front` with a mark every `pitch` mm or less. Material thinner than `film` mm does not
-  /// count, nor some more where the walls of `legal` are farther off: there a wall pass follows.
-  Walls(const Region& front, const Region& legal, double pitch, double film);
-  /// All walls of `legal`; material of up to `film` mm stays.
-  Walls(const Region& legal, double pitch, double film) : Walls(legal, legal, pitch, film) {}
+  /// The walls of `front` with a mark every `pitch` mm or less. Material thinner than `residual` mm does not count; where
+  /// `front` keeps off the walls of `legal`, to which a wall pass is cut later, somewhat thicker material does not, either.
+  Walls(const Region& front, const Region& legal, double pitch, double residual);
+  /// All walls of `legal`; material of up to `residual` mm stays.
+  Walls(const Region& legal, double pitch, double residual) : Walls(legal, legal, pitch, residual) {}
 
   const Wall& wall(std::size_t i) const { return walls_[i]; }
-  /// Cuts end on the wall before these places instead of leaving it there, and none begins before and ends after one.
+  /// Sets the stops (corners that are cut by a step of their own): a cut ends on the wall before a stop, and none begins
+  /// before a stop and ends after it.
   void set_stops(std::vector<WallPlace> stops) { stops_ = std::move(stops); }
   /// mm along the wall to the next stop, and from the last one.
   double to_stop(const WallPlace& place) const { return to_nearest(stops_, place, 1); }
   double from_stop(const WallPlace& place) const { return to_nearest(stops_, place, -1); }
   Vec2 point(const WallPlace& place) const { return walls_[place.wall].at(place.s); }
   std::size_t count() const { return walls_.size(); }
-  double film(const WallPlace& place) const;
+  /// mm. How thick a residual may stay at a place.
+  double residual(const WallPlace& place) const;
   /// Whether a mark on the next `reach` mm touches material.
   bool touches_after(const WallPlace& place, double reach) const;
   /// The nearest place on all walls.
   WallPlace nearest(Vec2 p) const;
-  /// Looks again at the marks within `where`.
-  void update(const Ground& ground, const Box& where);
-  /// The last clear mark before each stretch that touches material.
+  /// Asks the remaining stock again about the marks within `where` that were not clear.
+  void update(const RemainingStock& remaining, const Box& where);
+  /// The starts: the last clear mark before each stretch that touches material.
   std::vector<WallPlace> starts() const;
-  /// A place on each wall that touches material all along.
+  /// One place on each wall that touches material all along and so has no start.
   std::vector<WallPlace> anywhere() const;
-  /// Whether the place, one of starts() before, still is one.
+  /// Whether a place that starts() gave earlier still is a start.
   bool is_start(const WallPlace& place) const;
-  /// Notes that a cut left the wall at s and its start as it was; whether that is more than `least` mm farther than those
-  /// before from there.
+  /// Notes that a cut from a start left the wall at s while the start stays one. True if that is more than `least` mm farther
+  /// than earlier cuts from that start got.
   bool advances(const WallPlace& start, double s, double least);
-  /// Gives up to `count` marks after a start up: nothing more can be cut from there.
+  /// Marks up to `count` marks after a start as given up: nothing can be cut from there now.
   void give_up(const WallPlace& place, int count = 1);
-  /// Leaves what is within so many mm along the wall before and after a place to a later stage.
+  /// A stretch of wall about a place, from `before` mm before it to `after` mm after it, that is left to a later step.
   struct Around {
     WallPlace place;
     double before = 0;
     double after = 0;
   };
   void leave_out(const Around& around);
-  /// Up to the end of the edge that begins at a place a wedge may stay that is `film` mm thick at the place, and kWedge more.
-  void leave_wedge(const WallPlace& place, double film);
-  static constexpr double kWedge = 5e-4;  // mm
-  /// Whether no other of `places` is nearer along the wall than `least` mm.
+  /// Allows a wedge to stay from a place to the end of its edge: `residual` mm thick at the place and nothing at the end, and
+  /// kWedge mm more everywhere.
+  void leave_wedge(const WallPlace& place, double residual);
+  static constexpr double kWedge = 5e-4;
+  /// Whether no other one of `places` is nearer than `least` mm along the wall.
   bool is_alone(const WallPlace& place, const std::vector<WallPlace>& places, double least) const;
 
  private:
@@ -106,12 +111,12 @@ class Walls {
   struct Marks {
     double pitch = 1;
     std::vector<Vec2> points;
-    std::vector<double> films;
+    std::vector<double> residuals;
     std::vector<char> touching;
     std::vector<std::optional<Vec2>> touched;  ///< material that each mark touched when it was looked at
     std::vector<double> left_at;               ///< where the last cut from each mark left the wall
   };
-  void add(const Loop& loop, const Region& legal, double pitch, double film);
+  void add(const Loop& loop, const Region& legal, double pitch, double residual);
   std::size_t mark_at(const WallPlace& place) const;
 
   std::vector<Wall> walls_;
@@ -126,13 +131,14 @@ struct WallStretch {
   double to = 0;
 };
 
-/// The stretches of the walls that still bear material, each ready to be run along. Stretches nearer to each other
-/// than `gap` mm are one.
-std::vector<WallStretch> unfinished_walls(const Walls& walls, double pitch, double gap, const Ground& ground);
+/// The stretches of the walls along which material still stands, each ready to be run along. The walls are sampled every
+/// `pitch` mm; stretches nearer to each other than `gap` mm are one.
+std::vector<WallStretch> unfinished_walls(const Walls& walls, double pitch, double gap,
+                                          const RemainingStock& remaining);
 
-/// What of a stretch bears material thicker than `film` mm, looked at every `pitch` mm and in corners: from a place just
-/// before the first to one just after the last; none where nothing does. Cost O(length / pitch) looks.
+/// The part of a stretch along which material thicker than `residual` mm stands, sampled every `pitch` mm and in corners: from
+/// just before the first such place to just after the last; none where nothing stands. Cost O(length / pitch) queries.
 std::optional<WallStretch> bearing_part(const Walls& walls, const WallStretch& stretch, double pitch,
-                                        double film, const Ground& ground);
+                                        double residual, const RemainingStock& remaining);
 
 }  // namespace clearcut::plan::adaptive

@@ -1,5 +1,5 @@
-// Shortest legal ways: legal, symmetric, no longer than any other way through the same corners.
-#include "geometry/route/legal_ways.h"
+// Shortest legal paths: legal, symmetric, no longer than any other way through the same corners.
+#include "geometry/route/legal_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -43,22 +43,22 @@ Regions random_area(Random& random) {
   return area;
 }
 
-TEST(LegalWays, StraightWhereNothingIsInTheWay) {
-  const LegalWays ways({rectangle(0, 0, 10, 10)});
-  EXPECT_TRUE(ways.all_straight());
-  EXPECT_EQ(ways.bends({1, 1}, {9, 8}), std::vector<Vec2>{});
+TEST(LegalPaths, StraightWhereNothingIsInTheWay) {
+  const LegalPaths paths({rectangle(0, 0, 10, 10)});
+  EXPECT_TRUE(paths.all_straight());
+  EXPECT_EQ(paths.bends({1, 1}, {9, 8}), std::vector<Vec2>{});
 }
 
-TEST(LegalWays, RoundTheCornerOfABar) {
-  const LegalWays ways(subtract({rectangle(0, 0, 20, 10)}, {rectangle(9, -1, 11, 6)}, {}));
-  const auto bends = ways.bends({2, 5}, {18, 5});
+TEST(LegalPaths, RoundTheCornerOfABar) {
+  const LegalPaths paths(subtract({rectangle(0, 0, 20, 10)}, {rectangle(9, -1, 11, 6)}, {}));
+  const auto bends = paths.bends({2, 5}, {18, 5});
   ASSERT_TRUE(bends);
   EXPECT_NEAR(length_of({2, 5}, *bends, {18, 5}), 2 + 2 * std::hypot(7, 1), 1e-3);
 }
 
-TEST(LegalWays, RoundADiscWithinHalfAPercentOfTheArc) {
-  const LegalWays ways(subtract({rectangle(-50, -50, 50, 50)}, {disc({0, 0}, 10)}, {}));
-  const auto bends = ways.bends({-30, 0}, {30, 0});
+TEST(LegalPaths, RoundADiscWithinHalfAPercentOfTheArc) {
+  const LegalPaths paths(subtract({rectangle(-50, -50, 50, 50)}, {disc({0, 0}, 10)}, {}));
+  const auto bends = paths.bends({-30, 0}, {30, 0});
   ASSERT_TRUE(bends);
   const double tangent = std::sqrt(30.0 * 30 - 100), turned = kPi - 2 * std::acos(10.0 / 30);
   const double shortest = 2 * tangent + 10 * turned;
@@ -66,19 +66,19 @@ TEST(LegalWays, RoundADiscWithinHalfAPercentOfTheArc) {
   EXPECT_LE(length_of({-30, 0}, *bends, {30, 0}), 1.005 * shortest);
 }
 
-TEST(LegalWays, NoneBetweenSeparateAreas) {
-  const LegalWays ways({rectangle(0, 0, 10, 10), rectangle(20, 0, 30, 10)});
-  EXPECT_FALSE(ways.bends({5, 5}, {25, 5}));
+TEST(LegalPaths, NoneBetweenSeparateAreas) {
+  const LegalPaths paths({rectangle(0, 0, 10, 10), rectangle(20, 0, 30, 10)});
+  EXPECT_FALSE(paths.bends({5, 5}, {25, 5}));
 }
 
-TEST(LegalWays, EveryMoveOfEveryWayIsLegalAndTheTriangleInequalityHolds) {
+TEST(LegalPaths, EveryMoveOfEveryWayIsLegalAndTheTriangleInequalityHolds) {
   // What is not seen here: whether a shorter way exists that touches no corner of the graph; that none does is
   // the theorem the graph stands on.
   Random random(7);
   int bent = 0;
   for (int i = 0; i < 60; ++i) {
     const Regions area = random_area(random);
-    const LegalWays ways({area.front()});
+    const LegalPaths paths({area.front()});
     std::vector<Vec2> points;
     while (points.size() < 8) {
       const Vec2 p{random.between(0, 100), random.between(0, 100)};
@@ -87,17 +87,17 @@ TEST(LegalWays, EveryMoveOfEveryWayIsLegalAndTheTriangleInequalityHolds) {
     std::vector<std::vector<double>> length(8, std::vector<double>(8, 0));
     for (std::size_t a = 0; a < 8; ++a) {
       for (std::size_t b = 0; b < 8; ++b) {
-        const auto bends = ways.bends(points[a], points[b]);
+        const auto bends = paths.bends(points[a], points[b]);
         ASSERT_TRUE(bends);
         bent += bends->empty() ? 0 : 1;
         Vec2 at = points[a];
         for (const Vec2 p : *bends) {
-          EXPECT_TRUE(ways.area().holds_line(at, p));
+          EXPECT_TRUE(paths.area().holds_line(at, p));
           at = p;
         }
-        EXPECT_TRUE(ways.area().holds_line(at, points[b]));
+        EXPECT_TRUE(paths.area().holds_line(at, points[b]));
         length[a][b] = length_of(points[a], *bends, points[b]);
-        auto back = ways.bends(points[b], points[a]);
+        auto back = paths.bends(points[b], points[a]);
         std::reverse(back->begin(), back->end());
         EXPECT_EQ(*back, *bends);
       }

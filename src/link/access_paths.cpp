@@ -1,4 +1,4 @@
-#include "link/ways_in.h"
+#include "link/access_paths.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@ namespace {
 
 /// mm. A cutter may be this much wider than a predrilled hole.
 constexpr double kHoleSlack = 0.001;
-/// Seconds. Longer ways in round corners are left to cutters that may not plunge.
-constexpr double kLongestWayIn = 5;
-/// Places on the rim of cleared ground that are looked at.
+/// Seconds. Longer paths in round corners are left to cutters that may not plunge.
+constexpr double kLongestAccess = 5;
+/// Places on the rim of cleared stock that are looked at.
 constexpr std::size_t kMostPlaces = 32;
 /// Places on a ring that are looked at for one to begin at.
 constexpr std::size_t kMostStarts = 8;
@@ -24,19 +24,19 @@ std::array<Vec2, 4> places_beside(const Box& stock, double apart, Vec2 p) {
 
 }  // namespace
 
-bool WaysIn::is_clear(std::size_t item, Vec2 a, Vec2 b) const {
+bool AccessPaths::is_clear(std::size_t item, Vec2 a, Vec2 b) const {
   return layer(item).legal().holds_line(a, b) &&
          progress_.clear_above(work_.items()[item].layer, Edge::line(a, b).box());
 }
 
-bool WaysIn::in_air(Vec2 p) const {
+bool AccessPaths::in_air(Vec2 p) const {
   if (options_.stock && options_.stock->distance_to(p) >= options_.tool_radius) return true;
   return std::any_of(options_.predrilled.begin(), options_.predrilled.end(), [&](const PredrilledHole& hole) {
     return distance(p, hole.center) + options_.tool_radius <= hole.diameter / 2 + kHoleSlack;
   });
 }
 
-std::optional<PassStart> WaysIn::start_before_air(std::size_t item) const {
+std::optional<PassStart> AccessPaths::start_before_air(std::size_t item) const {
   const Path& path = work_.pass(item).path;
   for (std::size_t i = 0; i < path.size(); ++i) {
     for (const double t : {0.5, 0.0}) {
@@ -47,7 +47,7 @@ std::optional<PassStart> WaysIn::start_before_air(std::size_t item) const {
   return std::nullopt;
 }
 
-std::optional<PassStart> WaysIn::start_before_cleared(std::size_t item) const {
+std::optional<PassStart> AccessPaths::start_before_cleared(std::size_t item) const {
   const Path& path = work_.pass(item).path;
   const std::size_t step = path.size() / kMostStarts + 1;
   for (std::size_t i = 0; i < path.size(); i += step) {
@@ -57,11 +57,11 @@ std::optional<PassStart> WaysIn::start_before_cleared(std::size_t item) const {
   return std::nullopt;
 }
 
-std::optional<PassStart> WaysIn::start_on_way_in(const PassStart& start, std::size_t item) const {
-  const auto way = to(start.point, item);
-  if (!way) return std::nullopt;
+std::optional<PassStart> AccessPaths::start_on_access_path(const PassStart& start, std::size_t item) const {
+  const auto path = to(start.point, item);
+  if (!path) return std::nullopt;
   const Path& ring = work_.pass(item).path;
-  for (const Edge& edge : *way) {
+  for (const Edge& edge : *path) {
     std::optional<PassStart> first;
     double nearest_t = 1;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -78,7 +78,7 @@ std::optional<PassStart> WaysIn::start_on_way_in(const PassStart& start, std::si
 }
 
 /// The nearest predrilled hole from which a straight legal move leads to p.
-std::optional<Vec2> WaysIn::hole_before(Vec2 p, std::size_t item) const {
+std::optional<Vec2> AccessPaths::hole_before(Vec2 p, std::size_t item) const {
   std::optional<Vec2> best;
   for (const PredrilledHole& hole : options_.predrilled) {
     if (!in_air(hole.center) || (best && distance(p, hole.center) >= distance(p, *best))) continue;
@@ -87,7 +87,7 @@ std::optional<Vec2> WaysIn::hole_before(Vec2 p, std::size_t item) const {
   return best;
 }
 
-std::optional<Vec2> WaysIn::air_before(Vec2 p, std::size_t item) const {
+std::optional<Vec2> AccessPaths::air_before(Vec2 p, std::size_t item) const {
   if (in_air(p)) return p;
   if (const auto hole = hole_before(p, item)) return hole;
   if (!options_.stock || !layer(item).open()) return std::nullopt;
@@ -99,7 +99,7 @@ std::optional<Vec2> WaysIn::air_before(Vec2 p, std::size_t item) const {
   return best;
 }
 
-std::optional<Vec2> WaysIn::cleared_before(Vec2 p, std::size_t item) const {
+std::optional<Vec2> AccessPaths::cleared_before(Vec2 p, std::size_t item) const {
   if (!options_.may_plunge || !layer(item).open()) return std::nullopt;
   std::vector<Vec2> places;
   for (const Region& region : layer(item).touching()) {
@@ -116,21 +116,21 @@ std::optional<Vec2> WaysIn::cleared_before(Vec2 p, std::size_t item) const {
 }
 
 /// Round corners from a place in the air, from where that way leaves the air for the last time.
-std::optional<Path> WaysIn::way_round(Vec2 from, Vec2 to, std::size_t item) const {
+std::optional<Path> AccessPaths::path_round(Vec2 from, Vec2 to, std::size_t item) const {
   const LayerWork& where = layer(item);
   if (!where.legal().holds(from)) return std::nullopt;
-  auto way = where.routes().between(from, to);
-  if (!way || way->empty()) return std::nullopt;
-  while (way->size() > 1 && in_air(way->front().to)) way->erase(way->begin());
+  auto path = where.routes().between(from, to);
+  if (!path || path->empty()) return std::nullopt;
+  while (path->size() > 1 && in_air(path->front().to)) path->erase(path->begin());
   const auto is_free = [&](const Edge& edge) {
     return (edge.is_arc() || where.legal().holds_line(edge.from, edge.to)) &&
            progress_.clear_above(work_.items()[item].layer, edge.box());
   };
-  if (!std::all_of(way->begin(), way->end(), is_free)) return std::nullopt;
-  return way;
+  if (!std::all_of(path->begin(), path->end(), is_free)) return std::nullopt;
+  return path;
 }
 
-std::optional<Path> WaysIn::to(Vec2 p, std::size_t item) const {
+std::optional<Path> AccessPaths::to(Vec2 p, std::size_t item) const {
   if (const auto air = air_before(p, item)) return *air == p ? Path{} : Path{Edge::line(*air, p)};
   if (const auto beside = cleared_before(p, item))
     return *beside == p ? Path{} : Path{Edge::line(*beside, p)};
@@ -143,13 +143,14 @@ std::optional<Path> WaysIn::to(Vec2 p, std::size_t item) const {
     for (const Vec2 out : places_beside(*options_.stock, apart, p)) outs.push_back(out);
   }
   std::optional<Path> best;
-  double longest = options_.may_plunge ? kLongestWayIn * options_.lead_feed.value_or(options_.feed).mm_per_s()
-                                       : std::numeric_limits<double>::infinity();
+  double longest = options_.may_plunge
+                       ? kLongestAccess * options_.lead_feed.value_or(options_.feed).mm_per_s()
+                       : std::numeric_limits<double>::infinity();
   for (const Vec2 out : outs) {
-    auto way = way_round(out, p, item);
-    if (!way || length(*way) >= longest) continue;
-    longest = length(*way);
-    best = std::move(way);
+    auto path = path_round(out, p, item);
+    if (!path || length(*path) >= longest) continue;
+    longest = length(*path);
+    best = std::move(path);
   }
   return best;
 }

@@ -1,4 +1,4 @@
-#include "geometry/route/legal_ways.h"
+#include "geometry/route/legal_paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +21,12 @@ constexpr int kMostTangents = 512;
 /// Share of a length that sums of lengths may be off by, and much more.
 constexpr double kRounding = 1e-12;
 
-/// The answer of `look`, asked for once.
-template <typename Look>
-bool remembered(std::atomic<signed char>& known, Look&& look) {
+/// The answer of `ask`, asked for once.
+template <typename Ask>
+bool remembered(std::atomic<signed char>& known, Ask&& ask) {
   signed char answer = known.load(std::memory_order_relaxed);
   if (answer == 0) {
-    answer = look() ? 1 : -1;
+    answer = ask() ? 1 : -1;
     known.store(answer, std::memory_order_relaxed);
   }
   return answer > 0;
@@ -43,7 +43,7 @@ bool ordered(Vec2 a, Vec2 b) {
 
 }  // namespace
 
-LegalWays::LegalWays(const Regions& legal) : area_(legal) {
+LegalPaths::LegalPaths(const Regions& legal) : area_(legal) {
   for (const auto& region : legal) {
     add_corners(region.outer());
     for (const auto& island : region.islands()) add_corners(island);
@@ -54,7 +54,7 @@ LegalWays::LegalWays(const Regions& legal) : area_(legal) {
 }
 
 /// The area lies on the left of its boundary, so what turns right sticks out into it.
-void LegalWays::add_corners(const Loop& loop) {
+void LegalPaths::add_corners(const Loop& loop) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Edge& edge = loop[i];
     const Edge& next = loop[i + 1 == loop.size() ? 0 : i + 1];
@@ -66,7 +66,7 @@ void LegalWays::add_corners(const Loop& loop) {
 }
 
 /// Where neighbouring tangents of the arc meet.
-void LegalWays::add_wrap(const Edge& arc) {
+void LegalPaths::add_wrap(const Edge& arc) {
   const double sweep = std::abs(arc.sweep()), radius = arc.radius();
   const double step = Radians::of_degrees(kWrapDegrees).radians();
   for (int count = std::max(1, static_cast<int>(std::ceil(sweep / step))); count <= kMostTangents;
@@ -85,13 +85,13 @@ void LegalWays::add_wrap(const Edge& arc) {
   }
 }
 
-bool LegalWays::joined(std::size_t i, std::size_t j) const {
+bool LegalPaths::joined(std::size_t i, std::size_t j) const {
   if (i > j) std::swap(i, j);
-  const auto look = [&] { return area_.holds_line(corners_[i], corners_[j]); };
-  return seen_ ? remembered(seen_[i * corners_.size() + j], look) : look();
+  const auto ask = [&] { return area_.holds_line(corners_[i], corners_[j]); };
+  return seen_ ? remembered(seen_[i * corners_.size() + j], ask) : ask();
 }
 
-std::vector<std::size_t> LegalWays::corners_within(Vec2 a, Vec2 b, double reach) const {
+std::vector<std::size_t> LegalPaths::corners_within(Vec2 a, Vec2 b, double reach) const {
   std::vector<std::size_t> found;
   const Vec2 middle = lerp(a, b, 0.5);
   for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -104,7 +104,7 @@ std::vector<std::size_t> LegalWays::corners_within(Vec2 a, Vec2 b, double reach)
 
 /// Dijkstra over the corners inside the ellipse of all points whose way to a and b sums to `reach`; a and b are
 /// known not to see each other.
-std::optional<std::vector<Vec2>> LegalWays::way_within(const End& a, const End& b, double reach) const {
+std::optional<std::vector<Vec2>> LegalPaths::path_within(const End& a, const End& b, double reach) const {
   const auto corners = corners_within(a.point, b.point, reach);
   const std::size_t count = corners.size();
   constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -150,7 +150,7 @@ std::optional<std::vector<Vec2>> LegalWays::way_within(const End& a, const End& 
   return bends;
 }
 
-std::optional<std::vector<Vec2>> LegalWays::bends_between(const End& a, const End& b) const {
+std::optional<std::vector<Vec2>> LegalPaths::bends_between(const End& a, const End& b) const {
   if (area_.holds_line(a.point, b.point)) return std::vector<Vec2>{};
   if (!ordered(a.point, b.point)) {
     auto back = bends_between(b, a);
@@ -159,35 +159,35 @@ std::optional<std::vector<Vec2>> LegalWays::bends_between(const End& a, const En
   }
   for (double reach = 1.5 * distance(a.point, b.point);; reach *= 2) {
     const bool all = corners_within(a.point, b.point, reach).size() == corners_.size();
-    auto way = way_within(a, b, all ? std::numeric_limits<double>::infinity() : reach);
-    if (way || all) return way;
+    auto path = path_within(a, b, all ? std::numeric_limits<double>::infinity() : reach);
+    if (path || all) return path;
   }
 }
 
-std::optional<std::vector<Vec2>> LegalWays::bends(Vec2 a, Vec2 b) const {
+std::optional<std::vector<Vec2>> LegalPaths::bends(Vec2 a, Vec2 b) const {
   const auto end = [&](Vec2 p) {
     return End{p, [this, p](std::size_t corner) { return area_.holds_line(p, corners_[corner]); }};
   };
   return bends_between(end(a), end(b));
 }
 
-LegalWays::Between::Between(const LegalWays& ways, const std::vector<Vec2>& places)
-    : ways_(ways), places_(places) {
-  const std::size_t pairs = places.size() * ways.corners_.size();
+LegalPaths::Between::Between(const LegalPaths& paths, const std::vector<Vec2>& places)
+    : paths_(paths), places_(places) {
+  const std::size_t pairs = places.size() * paths.corners_.size();
   if (pairs <= kMostSights) seen_ = std::make_unique<std::atomic<signed char>[]>(pairs);
 }
 
-bool LegalWays::Between::sees(std::size_t place, std::size_t corner) const {
-  const auto look = [&] { return ways_.area_.holds_line(places_[place], ways_.corners_[corner]); };
-  return seen_ ? remembered(seen_[place * ways_.corners_.size() + corner], look) : look();
+bool LegalPaths::Between::sees(std::size_t place, std::size_t corner) const {
+  const auto ask = [&] { return paths_.area_.holds_line(places_[place], paths_.corners_[corner]); };
+  return seen_ ? remembered(seen_[place * paths_.corners_.size() + corner], ask) : ask();
 }
 
-std::optional<std::vector<Vec2>> LegalWays::Between::bends(int a, int b) const {
+std::optional<std::vector<Vec2>> LegalPaths::Between::bends(int a, int b) const {
   const auto end = [&](int i) {
     const auto place = static_cast<std::size_t>(i);
     return End{places_[place], [this, place](std::size_t corner) { return sees(place, corner); }};
   };
-  return ways_.bends_between(end(a), end(b));
+  return paths_.bends_between(end(a), end(b));
 }
 
 }  // namespace clearcut::inline geometry

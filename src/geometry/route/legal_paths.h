@@ -1,4 +1,4 @@
-// Shortest ways of a cutter's centre inside its legal area, round corners and islands.
+// Shortest paths of a cutter's centre inside its legal area, round corners and islands.
 #pragma once
 
 #include <atomic>
@@ -13,38 +13,38 @@ namespace clearcut::inline geometry {
 
 /// The visibility graph of a legal area, looked into only where a question needs it.
 ///
-/// A shortest way bends at corners that stick out into the area and along arcs that do. Such arcs are wrapped
-/// in tangents of at most kWrap, so that ways pass outside of them: 0.4 % longer at most than along the arc
+/// A shortest path bends at corners that stick out into the area and along arcs that do. Such arcs are wrapped
+/// in tangents of at most kWrap, so that paths pass outside of them: 0.4 % longer at most than along the arc
 /// itself.
 /// Safe to ask from several threads; the answers depend on nothing but the question.
-class LegalWays {
+class LegalPaths {
  public:
-  explicit LegalWays(const Regions& legal);
+  explicit LegalPaths(const Regions& legal);
 
   const LegalArea& area() const { return area_; }
 
   /// Whether nothing sticks out into the area, so that every straight move is legal (in one connected area).
   bool all_straight() const { return corners_.empty(); }
 
-  /// The bends of the shortest legal way from a to b, both of which must be legal; empty when the straight
-  /// move is legal, absent when the area does not join them. The way back has the same bends in reverse.
-  /// Cost: one look at the straight move where that is legal; else O(k^2) such looks, k the number of bends
-  /// inside the smallest ellipse about a and b that contains the way (at most twice its size).
+  /// The bends of the shortest legal path from a to b, both of which must be legal; empty when the straight
+  /// move is legal, absent when the area does not join them. The path from b to a has the same bends in reverse.
+  /// Cost: one check of the straight move where that is legal; else O(k^2) such checks, k the number of bends
+  /// inside the smallest ellipse about a and b that contains the path (at most twice its size).
   std::optional<std::vector<Vec2>> bends(Vec2 a, Vec2 b) const;
 
   /// The same for places that are asked about again and again: which corners each of them sees is remembered.
-  /// `ways` and `places` must outlive it. Safe to ask from several threads.
+  /// `paths` and `places` must outlive it. Safe to ask from several threads.
   class Between {
    public:
-    Between(const LegalWays& ways, const std::vector<Vec2>& places);
+    Between(const LegalPaths& paths, const std::vector<Vec2>& places);
     std::optional<std::vector<Vec2>> bends(int a, int b) const;
 
    private:
     bool sees(std::size_t place, std::size_t corner) const;
 
-    const LegalWays& ways_;
+    const LegalPaths& paths_;
     const std::vector<Vec2>& places_;
-    std::unique_ptr<std::atomic<signed char>[]> seen_;  ///< by place and corner, as LegalWays::seen_
+    std::unique_ptr<std::atomic<signed char>[]> seen_;  ///< by place and corner, as LegalPaths::seen_
   };
 
   /// Largest angle of an arc between two neighbouring tangents, degrees.
@@ -56,14 +56,14 @@ class LegalWays {
   /// Whether corners i and j see each other; remembered.
   bool joined(std::size_t i, std::size_t j) const;
   std::vector<std::size_t> corners_within(Vec2 a, Vec2 b, double reach) const;
-  /// Whether a corner is seen from one of the ends of a way.
+  /// Whether a corner is seen from one of the ends of a path.
   using Sight = std::function<bool(std::size_t corner)>;
   struct End {
     Vec2 point;
     Sight sees;
   };
   std::optional<std::vector<Vec2>> bends_between(const End& a, const End& b) const;
-  std::optional<std::vector<Vec2>> way_within(const End& a, const End& b, double reach) const;
+  std::optional<std::vector<Vec2>> path_within(const End& a, const End& b, double reach) const;
 
   LegalArea area_;
   std::vector<Vec2> corners_;

@@ -1,0 +1,64 @@
+// Parameters that several steps of adaptive clearing share. What tunes one step alone stands beside that step.
+#pragma once
+
+namespace clearcut::plan::adaptive {
+
+/// Radians of engagement, beside the limit that was asked for. Paths are found by sampling the engagement, so they
+/// need room on both sides of the limit.
+struct EngagementTolerance {
+  /// Taken off the limit before planning: what rounding in the program, arcs fitted to traced curves and sampling may
+  /// add. Larger: thinner cuts and a longer path; smaller: the certificate finds places above the limit.
+  static constexpr double kMargin = 0.003;
+  /// By which single moves may exceed the limit (1.4 degrees; the certificate allows 2). Larger: longer arcs and so
+  /// fewer moves; smaller: arcs end earlier at every small peak.
+  static constexpr double kExcess = 0.025;
+  /// The same on spirals and on arcs from wall to wall, which stay above the limit for longer than a peak does.
+  static constexpr double kLongExcess = 0.015;
+  /// By which the engagement may rise between two samples without being looked at more closely; arcs with a kink are
+  /// aimed as much above the limit, because they swing about it. Larger: fewer samples, higher peaks.
+  static constexpr double kPeak = 0.008;
+  /// Less engagement than this counts as none: it is what rounding leaves along a wall that is already cut.
+  static constexpr double kNone = 0.02;
+};
+
+/// mm. How thick a residual (material left where a pass has been) may be. Each is a small multiple of what clear
+/// links may graze or of what the wall passes leave, and all are below the 0.01 mm at which a certificate speaks of
+/// uncut material.
+struct ResidualLimits {
+  /// What clear links may graze. Larger: more links at depth instead of retracts; smaller: fewer marks on walls.
+  static constexpr double kLink = 1e-3;
+  /// What may stand where the cutter goes straight down: less than links graze, for it comes down on it with its face.
+  static constexpr double kPlunge = kLink / 2;
+  /// Where trochoidal steps end: less than links to the next step may graze (kCornerLink), so that it can be reached.
+  static constexpr double kTrochoidal = 2 * kLink;
+  /// On walls. Larger: fewer cuts along walls; smaller: every scallop between fitted arcs would be cut once more.
+  static constexpr double kWall = 1.5e-3;
+  /// What links to corners may graze: both walls of a corner bear up to kWall.
+  static constexpr double kCornerLink = 2 * kWall;
+  /// A wall that bears less is finished.
+  static constexpr double kFinishedWall = 2 * kCornerLink;
+  /// In corners: the arcs between the walls end when this is left. Each halving costs one or two arcs a corner.
+  static constexpr double kCorner = 5.5e-3;
+  /// What the check of the cover finds and is thinner stays.
+  static constexpr double kRest = 6.5e-3;
+};
+
+/// Shares of the cutter's radius: lengths that scale with the cutter.
+struct RadiusShares {
+  /// Between samples along walls. What stands between two is at most pitch^2 / 8 of the radius thick. Smaller: walls
+  /// are sampled more often, planning time grows as its inverse.
+  static constexpr double kWallPitch = 0.1;
+  /// Of path without engagement that ends a cut: three samples. Larger: cuts run on over gaps instead of a link.
+  static constexpr double kAir = 0.3;
+  /// A cut that engages for a shorter length is none.
+  static constexpr double kLeastCut = kWallPitch / 2;
+  /// An arc that ends as near to a wall goes on to it.
+  static constexpr double kEndsAtWall = kLeastCut;
+  /// Beside a corner: as far the arcs between its walls reach, and the outline for clearing follows the wall.
+  static constexpr double kCornerReach = 1.2;
+};
+
+/// Factor from one radius of turn that was tried without success to the next, smaller one.
+inline constexpr double kTighterTurn = 0.6;
+
+}  // namespace clearcut::plan::adaptive

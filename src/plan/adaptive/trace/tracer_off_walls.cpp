@@ -1,0 +1,149 @@
+// The part of Tracer that runs away from walls: arcs at the limit, one after the other, and where they meet a wall.
+#include <cmath>
+
+#include "plan/adaptive/parameters.h"
+#include "plan/adaptive/trace/tracer.h"
+
+namespace clearcut::plan::adaptive {
+namespace {
+
+/// Tool radii. Shorter arcs do not lead on.
+constexpr double kShortestArc = 0.02;
+/// Tool radii. The smallest radius of turn that is tried where the engagement rises whatever the cutter does.
+constexpr double kTightest = 0.1;
+/// Tool radii of wall that still bears something, for which a cut does not end before the wall but follows it.
+constexpr double kShortWall = 0.2;
+/// Cosine of the angle between the direction of travel and a wall that is met; above it the cut goes on along the wall.
+constexpr double kSlide = 0.5;
+/// Length along the wall over the distance from it of the last move onto a wall: 2 is an angle of 27 degrees.
+constexpr double kMeetSlope = 2;
+/// Arcs of one cut: a bound that no cut comes near to.
+constexpr int kMostArcs = 20000;
+
+}  // namespace
+
+/// Cuts the edge up to where the engagement would exceed the limit. Whether that was all of it.
+bool Tracer::append(const Edge& edge) {
+  const double length = distance(edge.from, edge.to) < kShortestMove ? 0 : edge.length();
+  if (length <= 0) return true;
+  const double within = remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess);
+  if (within < kShortestMove) return false;
+  take(within < length ? edge.part(0, within / length) : edge);
+  return within >= length;
+}
+
+void Tracer::take(Edge edge) {
+  if (!path_.empty()) edge.from = path_.back().to;  // the same point to rounding
+  remaining_.cut(edge);
+  path_.push_back(edge);
+}
+
+bool Tracer::is_within(const Edge& edge) const {
+  return remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess) >= edge.length();
+}
+
+/// mm of an edge up to where its engagement is too high. Where it jumps there, the edge is ended earlier, because no arc leads
+/// on from a peak.
+double Tracer::length_within(const Edge& edge) const {
+  const double length = edge.length(),
+               within = remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess),
+               t = within / length;
+  if (within >= length ||
+      remaining_.engagement(edge.at(t), edge.tangent_at(t)) <= limit_ + EngagementTolerance::kExcess)
+    return within;
+  return remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess / 2);
+}
+
+/// Cuts the first `within` mm of the edge and updates the cutter state.
+void Tracer::go(const Edge& edge, double within) {
+  const Edge part = within < edge.length() ? edge.part(0, within / edge.length()) : edge;
+  state_.point = part.to;
+  state_.heading = part.tangent_at(1);
+  state_.curvature = edge.is_arc() ? (edge.turn == Turn::kCounterClockwise ? 1 : -1) / edge.radius() : 0;
+  state_.engagement = remaining_.engagement(state_.point, state_.heading);  // before it is cut
+  state_.usual = within;
+  state_.off_wall.reset();
+  take(part);
+}
+
+/// Cuts the candidate up to where its engagement is too high. Returns the mm that were cut.
+double Tracer::go(const CandidateArc& candidate) {
+  const Edge edge = edge_of(state_, candidate);
+  const double within = distance(edge.from, edge.to) < kShortestMove ? 0 : length_within(edge);
+  if (within < kShortestMove) return 0;
+  go(edge, within);
+  return within;
+}
+
+Tracer::Next Tracer::trace() {
+  air_ = 0;
+  for (int i = 0; i < kMostArcs; ++i) {
+    auto candidate = aimer_.find_candidate(state_);
+    for (; !candidate && state_.tightest > kTightest * radius_; candidate = aimer_.find_candidate(state_))
+      state_.tightest *= kTighterTurn;
+    if (!candidate) return Next::kDone;
+    if (const auto across = aimer_.to_wall(state_, *candidate)) candidate = across;
+    const double beyond = candidate->length + RadiusShares::kEndsAtWall * radius_,
+                 inside = aimer_.length_inside(state_, {candidate->curvature, beyond, candidate->kink});
+    if (inside < beyond || candidate->meets_wall) return meet_wall(*candidate, inside);
+    double gone = go(*candidate);
+    if (gone < kShortestArc * radius_ && gone < candidate->length) {
+      const auto closely = aimer_.find_candidate_closely(state_, candidate->curvature);
+      if (closely && aimer_.length_inside(state_, *closely) == closely->length) gone += go(*closely);
+    }
+    if (gone < kShortestArc * radius_ && gone < candidate->length) return Next::kDone;
+    if (state_.engagement > EngagementTolerance::kNone) {
+      engaged_ += gone;
+      air_ = 0;
+    } else if ((air_ += gone) > RadiusShares::kAir * radius_) {
+      return Next::kDone;
+    }
+  }
+  return Next::kDone;
+}
+
+/// Runs up to the wall where the arc leaves the area, and on along it where it is met at a small angle.
+Tracer::Next Tracer::meet_wall(const CandidateArc& candidate, double inside) {
+  const auto landing = landing_of(state_, candidate, inside);
+  if (landing && remaining_.is_legal(landing->arc) && is_within(landing->arc)) {
+    take(landing->arc);
+    follow_from(landing->place);
+    return Next::kWall;
+  }
+  if (inside > kShortestMove) {
+    const double gone = go({candidate.curvature, inside, candidate.kink});
+    if (gone < inside) return gone < kShortestArc * radius_ ? Next::kDone : Next::kTrace;
+  }
+  return landing && step_to_wall(landing->place) ? Next::kWall : Next::kDone;
+}
+
+/// The candidate, bent a little to end on the wall that it meets after `inside` mm; none where a cut would not go on along that.
+std::optional<Tracer::Landing> Tracer::landing_of(const CutterState& from, const CandidateArc& candidate,
+                                                  double inside) const {
+  const auto [end, heading] = after(from, candidate, inside);
+  WallPlace met = walls_.nearest(end);
+  if (!leads_along(met, heading)) return std::nullopt;
+  met.s += kMeetSlope * distance(end, walls_.point(met));
+  return Landing{arc_to(from, candidate.kink, walls_.point(met)), met};
+}
+
+/// Whether a cut that meets a wall with that heading goes on along it: it bears something there.
+bool Tracer::leads_along(const WallPlace& met, Vec2 heading) const {
+  if (dot(heading, walls_.wall(met.wall).heading(met.s)) < kSlide ||
+      !walls_.touches_after({met.wall, met.s + kShortWall * radius_}, radius_))
+    return false;
+  return met.wall != place_.wall || met.s >= place_.s + RadiusShares::kLeastCut * radius_ ||
+         met.s <= place_.s - radius_;
+}
+
+/// Straight to a wall that the cut has come near to.
+bool Tracer::step_to_wall(const WallPlace& place) {
+  const Mark before = mark();
+  const Edge line = Edge::line(state_.point, walls_.point(place));
+  if (!remaining_.is_legal(line) || !append(line)) return false;
+  follow_from(place);
+  before_wall_ = before;
+  return true;
+}
+
+}  // namespace clearcut::plan::adaptive
