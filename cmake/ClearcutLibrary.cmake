@@ -20,7 +20,7 @@ function(clearcut_add_library)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
     $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   # What the archive calls. Headers of other packages are not among ours, so users need none of their include folders.
-  target_link_libraries(clearcut_library PRIVATE fmt::fmt PkgConfig::polyclipping TBB::tbb pugixml::pugixml
+  target_link_libraries(clearcut_library PRIVATE fmt::fmt OpenSSL::Crypto PkgConfig::polyclipping TBB::tbb pugixml::pugixml
     PkgConfig::tomlplusplus)
 endfunction()
 
