@@ -235,7 +235,7 @@ std::string star(const std::string& layer, int count, bool bulging, Random& rand
   return text;
 }
 
-/// Right: the program is clean, whatever the outline, side and cutter; with tabs where all sides are straight. Cannot see: whether the kerf is the right one,
+/// Right: the program is clean, whatever the outline, side and cutter; with tabs outside where all sides are straight. Cannot see: whether the kerf is the right one,
 /// which the plate above shows.
 TEST(Profiles, RandomOutlinesAreClean) {
   Random random(7);
@@ -244,17 +244,17 @@ TEST(Profiles, RandomOutlinesAreClean) {
     const bool inside = i % 3 == 0;
     const std::string text = dxf(star(inside ? "INSIDE_D4" : "PROFILE_D4", 5 + i % 12, i % 4 == 0, random));
     const Part part = read::read_part_text(text, "star.dxf", asking());
-    auto options = with_mill("endmill:" + std::to_string(1 + i % 6), i % 4);
+    auto options = with_mill("endmill:" + std::to_string(1 + i % 6), inside ? 0 : i % 4);
     options.tabs.width = 2;
     try {
       const auto result = plan_part(part, options);
       EXPECT_TRUE(result.findings.all.clean) << i << ": " << faults_of(result.findings);
-      held += i % 4 > 0 ? 1 : 0;
+      held += options.tabs.count > 0 ? 1 : 0;
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr("tabs of 2 mm fit")) << i;
     }
   }
-  EXPECT_GT(held, 15);
+  EXPECT_GT(held, 10);
 }
 
 TEST(Tabs, AreRefusedWhereTheyDoNotFit) {

@@ -175,7 +175,9 @@ class TabPlacer {
     const double half = half_gap() + kBeforeTab;
     const Stretch on = stretch(middle, half);
     const Edge& edge = cut_.line[on.edge];
-    if (on.from < 0 || on.to > edge.length()) return false;
+    // The kerf along the next side must not run into it.
+    const double clear = 2 * radius_;
+    if (on.from < clear || on.to > edge.length() - clear) return false;
     if (edge.is_arc() && edge.radius() < 2 * half) return false;
     return std::all_of(chosen.begin(), chosen.end(), [&](double other) {
       const double apart = std::abs(other - middle);
@@ -236,10 +238,10 @@ std::optional<Feature> split_at_tabs(Feature& feature, double radius, Part& part
   feature.through = false;
   const Tolerances& tol = options.tol;
   for (const double place : placer.places()) {
-    below.target = subtract(below.target,
-                            placer.across(place, placer.half_gap() + kBeforeTab, (kBand + 1) * radius), tol);
+    below.target =
+        subtract(below.target, placer.across(place, placer.half_gap() + kBeforeTab, kBand * radius), tol);
     below.allowed =
-        subtract(below.allowed, placer.across(place, options.tabs.width / 2, (kBand + 1) * radius), tol);
+        subtract(below.allowed, placer.across(place, options.tabs.width / 2, kBand * radius), tol);
   }
   below.profile->tabs = std::move(tabs);
   return below;
