@@ -187,6 +187,7 @@ read::gcode::Program read_back(const std::string& program, const Toolpath& plann
   read::gcode::ReadControllerOptions reading;
   reading.dialect = read::gcode::dialect_named(plan.post.dialect);
   reading.home_z = home_z(plan.machine);
+  reading.safe_z = plan.part.top_z();
   for (const Section& section : planned.sections) {
     const bool same = !reading.hand_tools.empty() && reading.hand_tools.back() == section.tool_number;
     if (section.tool_number > 0 && !same) reading.hand_tools.push_back(section.tool_number);

@@ -15,10 +15,17 @@ using Json = nlohmann::ordered_json;
 using testing::HasSubstr;
 using testing::Not;
 
-const CertificateInfo kInfo{"1.2.3", 18446744073709551615ULL, "abc", "def", "endmill:10", "small mill", {}};
+CertificateInfo info() {
+  CertificateInfo info;
+  info.version = "1.2.3";
+  info.seed = 18446744073709551615ULL;
+  info.command = "plan";
+  info.machine.name = "small mill";
+  return info;
+}
 
 Json certificate(const Findings& findings) {
-  return Json::parse(certificate_json(sample::part(), findings, kInfo));
+  return Json::parse(certificate_json(sample::part(), findings, info()));
 }
 
 std::vector<std::string> keys_of(const Json& json) {
@@ -42,8 +49,8 @@ TEST(Certificate, HasEveryPromisedFieldForTheWholeEachFeatureAndEachLayer) {
                 testing::IsSupersetOf({"max_deg", "mean_deg", "over_limit_mm", "histogram"}));
     EXPECT_EQ(figures.at("engagement").at("histogram").size(), 18u);
   }
-  EXPECT_THAT(keys_of(json),
-              testing::IsSupersetOf({"version", "seed", "inputs", "program", "question", "verdict", "conditions", "seal"}));
+  EXPECT_THAT(keys_of(json), testing::IsSupersetOf({"version", "seed", "inputs", "program", "question",
+                                                    "verdict", "conditions", "seal"}));
 }
 
 TEST(Certificate, FiguresAreTheFindings) {
@@ -86,8 +93,8 @@ TEST(Certificate, IsTheSameTextEachTimeWithoutSummationNoise) {
   Findings findings = sample::findings();
   findings.all.feed_mm = 0.1 + 0.2;
   findings.all.rapid_mm = -1e-12;
-  const std::string text = certificate_json(sample::part(), findings, kInfo);
-  EXPECT_EQ(text, certificate_json(sample::part(), findings, kInfo));
+  const std::string text = certificate_json(sample::part(), findings, info());
+  EXPECT_EQ(text, certificate_json(sample::part(), findings, info()));
   EXPECT_THAT(text, HasSubstr("\"feed_mm\": 0.3,"));
   EXPECT_THAT(text, HasSubstr("\"rapid_mm\": 0.0,"));
 }
@@ -97,7 +104,7 @@ TEST(Certificate, NamesThatAreNotUtf8DoNotBreakIt) {
   part.name =
       "a\xff"
       "b\n\"";
-  const Json json = Json::parse(certificate_json(part, sample::findings(), kInfo));
+  const Json json = Json::parse(certificate_json(part, sample::findings(), info()));
   EXPECT_EQ(json["part"],
             "a\xef\xbf\xbd"
             "b\n\"");
@@ -108,12 +115,12 @@ TEST(Certificate, ListsTheStrategiesConsideredForAFeature) {
   findings.features.resize(2);
   findings.features[0].workingstep = 0;
   findings.features[1].workingstep = 1;
-  CertificateInfo info = kInfo;
-  info.contests = {
+  CertificateInfo shown = info();
+  shown.contests = {
       {"pocket",
        1,
        {{"zigzag", "", Outcome::kKept, 12.5, 200, 0}, {"spiral", "0.5", Outcome::kCannotWin, 0, 0, 14}}}};
-  const auto json = nlohmann::json::parse(certificate_json(Part{}, findings, info));
+  const auto json = nlohmann::json::parse(certificate_json(Part{}, findings, shown));
   EXPECT_FALSE(json["features"][0].contains("strategy"));
   const auto& feature = json["features"][1];
   EXPECT_EQ(feature["strategy"], "zigzag");

@@ -34,7 +34,8 @@ class CoverageProof {
       : question_(question),
         tol_(tol),
         fine_(fine),
-        widest_(fine ? tol.uncut / kFineShare : std::max(tol.uncut - question.path_tolerance, tol.uncut / 2)),
+        widest_(fine ? tol.uncut / kFineShare
+                     : std::max(widest_left(tol) - question.path_tolerance, widest_left(tol) / 2)),
         slack_(widest_ / 2),
         target_(*question.target),
         legal_(*question.part, question.z, question.radius + question.allowance,
@@ -423,7 +424,8 @@ class CoverageProof {
 Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol) {
   if (question.flat > tol.uncut) {
     Coverage coverage = CoverageProof(question, tol, false).run();
-    const bool left = coverage.thickness_mm + question.path_tolerance > tol.uncut && coverage.uncut_mm2 > 0;
+    const bool left =
+        coverage.thickness_mm + question.path_tolerance > widest_left(tol) && coverage.uncut_mm2 > 0;
     if (left)
       coverage.uncut_mm2 = std::max(coverage.uncut_mm2, CoverageProof(question, tol, true).run().uncut_mm2);
     coverage.path_tolerance_mm = question.path_tolerance;

@@ -31,7 +31,7 @@ struct CoverageQuestion {
 
 struct Coverage {
   bool reachable = false;  ///< whether a legal centre reaches any of the target
-  /// Upper bound of the reachable area left; 0 where nothing is wider than tol.uncut, and without films under it on walls.
+  /// Upper bound of the reachable area left; 0 where nothing is wider than widest_left(), and without films under it on walls.
   double uncut_mm2 = 0;
   /// Upper bound of the width of anything reachable that is left: of the widest disc that it holds, against a wall its
   /// thickness, and of the height of what is left under the tip.
@@ -42,6 +42,12 @@ struct Coverage {
   double unreachable_mm2 = 0;
   double target_mm2 = 0;
 };
+
+/// mm; the widest that may stay within reach. Planners leave films of up to tol.uncut beside what they cut; between two such the
+/// width is more, and half as much again is allowed.
+inline double widest_left(const Tolerances& tol) {
+  return 1.5 * tol.uncut;
+}
 
 /// Target points that a legal centre reaches, minus the swept discs; docs/verification.md.
 ///

@@ -206,7 +206,7 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
   std::vector<Fault> faults = faults_of_steps(feature, work, tol);
   const LevelCoverage& worst = worst_level(work);
   const Coverage& left = worst.coverage;
-  if (left.thickness_mm > tol.uncut) {
+  if (left.thickness_mm > widest_left(tol)) {
     const Place place{left.worst.value_or(middle), worst.z, 0};
     faults.push_back({FaultKind::kUncut, feature.name, place, left.thickness_mm,
                       feature.name + ": " + trimmed(left.uncut_mm2, 4) +
