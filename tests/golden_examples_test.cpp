@@ -101,7 +101,8 @@ Toolpath checked_program(const Case& c, bool inch) {
   const std::string program = pipeline::plan_part(part, options).program;
   const std::string wanted = golden(c, inch, program);
   EXPECT_EQ(test_support::first_difference(program, wanted), "");
-  const pipeline::CheckResult judged = pipeline::check_program(part, wanted, "golden", options);
+  const pipeline::CheckResult judged =
+      pipeline::check_program(part, wanted, "golden", options, read::gcode::dialect_named(c.dialect));
   EXPECT_TRUE(judged.findings.all.clean)
       << (judged.findings.faults.empty() ? "" : judged.findings.faults[0].text);
   expect_accepted(c.dialect, wanted);

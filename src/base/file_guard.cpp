@@ -69,14 +69,27 @@ void forget_input(const std::string& path) {
   if (inputs) std::erase_if(*inputs, [&](const std::string& input) { return is_same_file(input, path); });
 }
 
+namespace {
+
+/// Where writing to `path` would end up: links followed, whether or not there is a file yet.
+fs::path target_of(const std::string& path) {
+  std::error_code error;
+  fs::path place = fs::absolute(path, error);
+  for (int links = 0; links < 40 && fs::is_symlink(place, error); ++links) {
+    const fs::path to = fs::read_symlink(place, error);
+    place = to.is_absolute() ? to : place.parent_path() / to;
+  }
+  return fs::weakly_canonical(place, error);
+}
+
+}  // namespace
+
 bool is_same_file(const std::string& a, const std::string& b) {
   if (is_standard_output(a) || is_standard_output(b)) return is_standard_output(a) && is_standard_output(b);
   if (is_device(a) || is_device(b)) return false;
   std::error_code error;
   if (fs::equivalent(a, b, error) && !error) return true;
-  const auto first = fs::weakly_canonical(fs::absolute(a, error), error);
-  const auto second = fs::weakly_canonical(fs::absolute(b, error), error);
-  return !error && first == second;
+  return target_of(a) == target_of(b);
 }
 
 void check_outputs(const std::vector<std::string>& outputs) {

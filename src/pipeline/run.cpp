@@ -365,13 +365,33 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   return result;
 }
 
+namespace {
+
+/// Numbers of the tools in the order of work, for controls whose programs cannot name them.
+std::vector<int> tools_in_order(const Part& part, const resolve::PlanOptions& options) {
+  std::vector<int> numbers;
+  const Part prepared = resolve::prepare(part, options);
+  for (const Workingstep& step : prepared.workplan) {
+    const int number = tool_of(prepared, step).number;
+    if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
+  }
+  return numbers;
+}
+
+}  // namespace
+
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
                           const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect) {
   read::gcode::ReadControllerOptions reading;
   reading.dialect = dialect;
   reading.home_z = home_z(options.machine);
   reading.safe_z = part.top_z();
+  if (dialect == read::gcode::Dialect::kMarlin) reading.hand_tools = tools_in_order(part, options);
   auto read = read::gcode::read_gcode(program, program_name, reading);
+  if (reading.hand_tools.size() > 1)
+    read.conditions.push_back(
+        {"tool-by-hand", "the tools are put in by hand in the order of the part's work, one at each pause",
+         0});
   CheckResult result;
   const ResolvedPlan plan =
       resolve::resolve(part, numbered_by(read.toolpath, options), strategies_of(options));
