@@ -22,7 +22,7 @@ using test_support::run_clearcut;
 using test_support::ScratchFolder;
 using ::testing::HasSubstr;
 
-const fs::path kFolder = fs::path(__FILE__).parent_path() / "mistakes";
+const fs::path kFolder = fs::path(CLEARCUT_SOURCE_DIR) / "tests/mistakes";
 
 struct Mistake {
   std::string name, call, job, says;
