@@ -194,7 +194,7 @@ TEST(NotMachined, AMissingDepthIsAFaultByName) {
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_EQ(result.out.substr(0, result.out.find('\n')), "NOT MACHINED: POCKET2");
   const std::string program = read_file(folder.path("out.ngc"));
-  EXPECT_THAT(program, HasSubstr("(CERTIFICATE: FAULTS FOUND)"));
+  EXPECT_THAT(program, HasSubstr("(CERTIFICATE: FAULTY)"));
   EXPECT_THAT(program, HasSubstr("(NOT MACHINED: POCKET2)"));
   EXPECT_THAT(read_file(folder.path("c.json")), HasSubstr("POCKET2 is not machined: "));
   const auto verified = run_clearcut({"verify", folder.path("out.ngc"), "--part", part});

@@ -26,17 +26,24 @@ bool is_corner(const JudgedMove& before, const JudgedMove& after) {
          turn_between(*before.move, *after.move) > kSmoothTurn;
 }
 
+/// mm. How far along a move from the corner a straight line leaves its path by no more than half of the tolerance.
+double straight_along(const Edge& path, double tolerance) {
+  return path.is_arc() ? 2 * std::sqrt(path.radius() * tolerance) : path.length();
+}
+
 }  // namespace
 
 std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, const JudgedMove& after,
                                                   double tolerance) {
   if (tolerance <= 0 || !is_corner(before, after)) return std::nullopt;
   const Move &a = *before.move, &b = *after.move;
-  // The circle that touches both legs and passes the corner at the tolerance; no leg gives more than its half.
+  // The circle that touches both legs and passes the corner at the tolerance; no leg gives more than its half. On arcs the two
+  // lines that stand for it start so near that nothing of them is farther from the path than the control may go.
   const double half = (kPi - turn_between(a, b)) / 2;
   const double legs = std::min(a.path.length(), b.path.length()) / 2;
   const double sine = std::max(std::sin(half), 1e-6);
-  const double along = std::min(legs, tolerance * std::cos(half) / std::max(1 - sine, 1e-9));
+  const double straight = std::min(straight_along(a.path, tolerance), straight_along(b.path, tolerance));
+  const double along = std::min({legs, straight, tolerance * std::cos(half) / std::max(1 - sine, 1e-9)});
   if (along <= kSamePlace) return std::nullopt;
   const double ta = 1 - along / a.path.length(), tb = along / b.path.length();
   const Vec2 leave = a.path.at(ta), join = b.path.at(tb), corner = a.path.to;

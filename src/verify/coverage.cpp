@@ -24,6 +24,8 @@ constexpr double kAreaCells = 64;
 constexpr double kFineShare = 50;
 /// mm.
 constexpr double kRounding = 1e-9;
+/// mm. A point so much farther from the nearest legal centre than the cutter reaches is out of reach.
+constexpr double kBeyondReach = 1e-6;
 /// The area of unreachable corners is counted in cells of R / kCornerCells.
 constexpr double kCornerCells = 48;
 
@@ -37,6 +39,7 @@ class CoverageProof {
         widest_(fine ? tol.uncut / kFineShare
                      : std::max(widest_left(tol) - question.path_tolerance, widest_left(tol) / 2)),
         slack_(widest_ / 2),
+        followed_(fine ? tol.uncut : widest_),
         target_(*question.target),
         legal_(*question.part, question.z, question.radius + question.allowance,
                target_.box().grown(question.radius), tol),
@@ -157,10 +160,25 @@ class CoverageProof {
   }
 
   /// Upper bound of the widest disc of material with its middle in the cell, whose points lie within `thickness` of what was
-  /// cut: it reaches neither over what was cut nor over the edge of the target.
+  /// cut: it reaches neither over what was cut, nor over the edge of the target, nor to where no centre reaches.
   double width_of(const Cell& cell, double thickness) const {
     const double beside = target_.nearest(cell.center, thickness + cell.reach()).distance + cell.reach();
-    return 2 * std::min(thickness, beside);
+    const double beyond =
+        cell.legality == Legality::kAll ? kInfinite : to_unreachable(cell.center) + cell.reach();
+    return 2 * std::min({thickness, beside, beyond});
+  }
+
+  /// Upper bound of the distance from p to the nearest point that no legal centre reaches: straight away from the nearest legal
+  /// centre as far as that one reaches, where no other reaches it. Infinite where another does, or p itself is legal.
+  double to_unreachable(Vec2 p) const {
+    const double reach = question_.flat + kBeyondReach;
+    const EdgeTree::Hit hit = legal_.boundary().nearest(p);
+    if (hit.edge < 0 || hit.distance < kBeyondReach || legal_.contains(p)) return kInfinite;
+    if (hit.distance >= reach) return 0;
+    const Vec2 from = nearest_point(legal_.boundary().edges()[hit.edge], p);
+    const Vec2 out = from + unit(p - from) * reach;
+    const double least = legal_.boundary().nearest(out).distance;
+    return least > question_.flat && !legal_.contains(out) ? distance(p, out) : kInfinite;
   }
 
   bool covered_by_one(const Cell& cell, Range from, Range& out) {
@@ -245,12 +263,12 @@ class CoverageProof {
 
   bool program_follows(Range legals) {
     double most = 0;
-    for (int k = legals.begin; k < legals.end && most <= tol_.uncut; ++k) {
+    for (int k = legals.begin; k < legals.end && most <= followed_; ++k) {
       double& deviation = deviation_[legals_[k]];
       if (deviation < 0) deviation = deviation_of_program(legal_.boundary().edges()[legals_[k]]);
       most = std::max(most, deviation);
     }
-    if (most > tol_.uncut) return false;
+    if (most > followed_) return false;
     result_.thickness_mm = std::max(result_.thickness_mm, most);
     return true;
   }
@@ -406,6 +424,8 @@ class CoverageProof {
   const bool fine_;
   const double widest_;  ///< mm; what is left no wider than this is no fault
   const double slack_;   ///< mm; so far outside a swath nothing is wider
+  const double
+      followed_;  ///< mm; a program that keeps as near to the boundary of the legal area leaves no more in corners
   EdgeTree target_;
   LegalCenters legal_;
   std::vector<double> deviation_;  ///< of the program from each edge of the legal boundary; -1: not asked yet

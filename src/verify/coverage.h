@@ -46,7 +46,7 @@ struct Coverage {
 /// mm; the widest that may stay within reach. Planners leave films of up to tol.uncut beside what they cut; between two such the
 /// width is more, and half as much again is allowed.
 inline double widest_left(const Tolerances& tol) {
-  return 1.5 * tol.uncut;
+  return tol.uncut;
 }
 
 /// Target points that a legal centre reaches, minus the swept discs; docs/verification.md.
