@@ -18,8 +18,9 @@ constexpr double kRounding = 1e-3;
 constexpr double kHeightSlack = 5.5e-3;
 /// Tangent of 45 degrees: steeper moves count as plunges.
 constexpr double kPlungeSlope = 1;
-/// Degrees. Engagement within this of its limit keeps it: what the places of measurement are apart may hide as much.
-constexpr double kDegreeSlack = 1;
+/// Degrees. Engagement within this of its limit keeps it: arcs fitted to a path of constant engagement swing about it by more
+/// than one degree, and what the places of measurement are apart may hide half a degree.
+constexpr double kDegreeSlack = 2;
 
 Place end_of(const JudgedMove& judged) {
   return {judged.move->path.to, judged.move->z_to, judged.move->line};
