@@ -90,6 +90,28 @@ TEST(VerifyPrograms, LabelsThatLieChangeNoVerdict) {
   EXPECT_TRUE(verify::verify_program(result.part, lying, {}).all.clean);
 }
 
+/// A section that calls itself the work of another workingstep is held to the stepdown of the place where it cuts.
+TEST(VerifyPrograms, LabelsDoNotChooseTheStepdown) {
+  const pipeline::PlanResult result = planned(4);
+  Part part = result.part;
+  Workingstep deep = part.workplan.front();
+  deep.name = "DEEP";
+  deep.operation.stepdown = 50;
+  deep.feature = static_cast<int>(part.features.size());
+  Feature elsewhere = part.features.front();
+  elsewhere.target = {Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{500, 500}, {520, 500}, {520, 520}, {500, 520}}), {})};
+  part.features.push_back(elsewhere);
+  part.workplan.front().operation.stepdown = 1;
+  part.workplan.push_back(deep);
+  Toolpath lying = result.toolpath;
+  for (Section& section : lying.sections) {
+    section.label = "DEEP";
+    section.workingstep = 1;
+  }
+  EXPECT_TRUE(has(verify::verify_program(part, lying, {}), FaultKind::kTooDeep));
+}
+
 TEST(VerifyPrograms, ALevelLeftOutOfTheTextIsFound) {
   const pipeline::PlanResult result = planned(4);
   std::vector<std::string> lines = lines_of(result.program);

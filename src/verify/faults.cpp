@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 
 #include "base/format.h"
+#include "verify/attribution.h"
 #include "verify/state_faults.h"
 
 namespace clearcut::verify {
@@ -32,7 +34,11 @@ std::string name_of_work(const Part& part, int workingstep) {
 
 class FaultFinder {
  public:
-  FaultFinder(const Part& part, const VerifyOptions& options) : part_(part), options_(options) {}
+  FaultFinder(const Part& part, const VerifyOptions& options)
+      : part_(part), options_(options), attribution_(part) {
+    for (const Workingstep& step : part.workplan)
+      least_stepdown_ = std::min(least_stepdown_, step.operation.stepdown.value_or(least_stepdown_));
+  }
 
   std::optional<Fault> gouge(const JudgedMove& judged) const {
     if (!judged.gouge || judged.gouge->depth <= options_.tol.gouge) return std::nullopt;
@@ -53,8 +59,8 @@ class FaultFinder {
   }
 
   std::optional<Fault> depth(const JudgedMove& judged) const {
-    if (judged.workingstep < 0) return std::nullopt;
-    const std::optional<double> stepdown = part_.workplan[judged.workingstep].operation.stepdown;
+    if (judged.load.axial_mm <= least_stepdown_ + kStepdownSlack) return std::nullopt;
+    const std::optional<double> stepdown = attribution_.stepdown_at(judged);
     if (!stepdown || judged.load.axial_mm <= *stepdown + kStepdownSlack) return std::nullopt;
     return fault(
         FaultKind::kTooDeep, judged, judged.load.axial_at, judged.load.axial_mm,
@@ -101,6 +107,9 @@ class FaultFinder {
 
   const Part& part_;
   const VerifyOptions& options_;
+  Attribution attribution_;
+  double least_stepdown_ =
+      std::numeric_limits<double>::infinity();  ///< mm; no pass that takes less is too deep
 };
 
 /// One fault for each run of successive guilty moves of one workingstep.
