@@ -52,7 +52,7 @@ std::optional<double> Attribution::stepdown_at(const JudgedMove& judged) const {
   std::optional<double> of_tool, of_any;
   for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
     const std::optional<double> stepdown = part_.workplan[i].operation.stepdown;
-    if (!stepdown || !fits(judged, middle, i)) continue;
+    if (!stepdown || !fits(judged, middle, i, judged.radius())) continue;
     of_any = std::max(of_any.value_or(0), *stepdown);
     if (has_tool(judged, i)) of_tool = std::max(of_tool.value_or(0), *stepdown);
   }
@@ -65,14 +65,14 @@ bool Attribution::has_tool(const JudgedMove& judged, int workingstep) const {
          &part_.tools[index] == judged.tool;
 }
 
-bool Attribution::fits(const JudgedMove& judged, Vec2 p, int workingstep) const {
+bool Attribution::fits(const JudgedMove& judged, Vec2 p, int workingstep, double beside) const {
   const int index = part_.workplan[workingstep].feature;
   const Feature& feature = part_.features[index];
   const double z = judged.low_z();
   if (z < feature.floor_z - kHeightSlack || z >= feature.top_z - 1e-6) return false;
   const EdgeTree& outline = outlines_[index];
   // Over open sides and at thin ends the centre runs beside the target.
-  return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + kTouch).edge >= 0;
+  return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + beside + kTouch).edge >= 0;
 }
 
 }  // namespace clearcut::verify

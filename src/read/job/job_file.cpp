@@ -226,6 +226,7 @@ void read_plan_section(DataSection section, JobFile& job) {
     section.fail_at("engagement", "must be at most 360 degrees");
   job.objective = section.text("objective");
   job.time_s = section.positive("time");
+  job.accept = section.texts("accept");
   if (const auto seed = count(section, "seed", 2e9)) job.seed = static_cast<std::uint64_t>(*seed);
   section.refuse_unknown();
 }

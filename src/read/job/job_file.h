@@ -86,6 +86,7 @@ struct JobFile {
   std::optional<std::string> objective;
   std::optional<double> time_s;
   std::optional<std::uint64_t> seed;
+  std::vector<std::string> accept;  ///< conditions that hold at the machine, by name
   Sources sources;  ///< of the keys of [plan], [machine] and [output], and of its machine file
 };
 
