@@ -28,6 +28,13 @@ void peck_down(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int li
 
 }  // namespace
 
+void CycleWords::scale(double factor) {
+  for (auto* word : {&z, &r, &peck}) {
+    if (*word) **word *= factor;
+  }
+  level *= factor;
+}
+
 bool is_drill_cycle(int code) {
   return code == 730 || code == 740 || (code >= 810 && code <= 860 && code % 10 == 0) || code == 890;
 }

@@ -16,6 +16,8 @@ struct CycleWords {
   std::optional<double> peck;  ///< Q word
   double dwell = 0;            ///< s
   double level = 0;            ///< where the tool was before the first block, as the program counts
+
+  void scale(double factor);
 };
 
 /// One hole along the axis `across`; places absolute, mm.
