@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/part.h"
 #include "model/move.h"
+#include "model/part.h"
 #include "verify/checked_move.h"
 #include "verify/edge_tree.h"
 

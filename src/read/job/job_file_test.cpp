@@ -109,7 +109,8 @@ TEST_F(Job, MachineToolsLibraryAndOutput) {
   const JobFile read = job(
       kPart +
       "[machine]\nfile = \"mill.toml\"\nacceleration = 250\n[tools]\nlibrary = \"tools.toml\"\nuse = [2]\n"
-      "[plan]\nobjective = \"turns\"\nseed = 7\naccept = [\"g55\"]\nengagement = 80\n[output]\nprogram = \"out.ngc\"\npost = "
+      "[plan]\nobjective = \"turns\"\nseed = 7\naccept = [\"g55\"]\nengagement = 80\n[output]\nprogram = "
+      "\"out.ngc\"\npost = "
       "\"grbl\"\n");
   EXPECT_EQ(read.machine.name, "mill");
   EXPECT_DOUBLE_EQ(read.machine.rapid.mm_per_min(), 3000);
