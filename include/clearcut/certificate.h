@@ -1,7 +1,7 @@
 // Certificates as JSON that was read back: their schema, their seal, and where two of them differ.
 #pragma once
 
-#include "base/digest.h"
+#include "base/files/digest.h"
 #include "report/certificate_question.h"
 #include "report/certificate_schema.h"
 

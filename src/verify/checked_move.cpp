@@ -5,7 +5,7 @@
 #include <span>
 
 #include "kinematics/kinematics.h"
-#include "verify/edge_tree.h"
+#include "verify/part/edge_tree.h"
 
 namespace clearcut::verify {
 namespace {
