@@ -1,7 +1,7 @@
 // Certificates that were read back: their schema, their seal, and where two of them differ.
 #pragma once
 
-#include "base/digest.h"
+#include "base/files/digest.h"
 #include "report/certificate_check.h"
 
 namespace clearcut {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/file.h"
+#include "base/files/file.h"
 #include "report/certificate.h"
 #include "report/certificate_question.h"
 #include "report/motion_text.h"

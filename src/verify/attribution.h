@@ -7,7 +7,7 @@
 #include "model/move.h"
 #include "model/part.h"
 #include "verify/checked_move.h"
-#include "verify/edge_tree.h"
+#include "verify/part/edge_tree.h"
 
 namespace clearcut::verify {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "verify/coverage.h"
-#include "verify/gouge.h"
-#include "verify/legal_centers.h"
+#include "verify/coverage/coverage.h"
+#include "verify/faults/gouge.h"
+#include "verify/part/legal_centers.h"
 #include "verify/test_program.h"
 
 namespace clearcut::verify {

@@ -6,13 +6,13 @@
 #include <unordered_set>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "read/common/outline_roles.h"
 #include "read/common/text.h"
+#include "read/repair/crossings/nesting.h"
 #include "read/repair/mends.h"
-#include "read/repair/nesting.h"
 #include "stock/kerf.h"
 #include "stock/stacking.h"
 

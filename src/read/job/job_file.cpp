@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/format.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/job/machine_file.h"

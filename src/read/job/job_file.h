@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "model/machine.h"
-#include "model/origin.h"
+#include "model/options/origin.h"
+#include "model/options/shop_options.h"
 #include "model/part.h"
-#include "model/shop_options.h"
 #include "read/read_options.h"
 #include "read/tools/tool_library.h"
 

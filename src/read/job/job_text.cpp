@@ -1,7 +1,7 @@
 // The commented job that `init` writes.
 #include <fmt/format.h>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "read/job/job_file.h"
 
 namespace clearcut::read {

@@ -1,0 +1,14 @@
+// Fewer corners for paths that are pulled taut. Used by the planner alone.
+#pragma once
+
+#include "plan/contour/skeleton/bands.h"
+#include "plan/contour/skeleton/tighten.h"
+
+namespace clearcut::plan::contour {
+
+/// Drops every vertex of the paths that coverage can do without: fewer corners, shorter paths. All that was within
+/// `radius` mm of a path or ring stays so.
+/// Cost  O(vertices * (edges near)^2).
+void drop_needless_vertices(Bands& paths, const TightenJob& job, double radius);
+
+}  // namespace clearcut::plan::contour
