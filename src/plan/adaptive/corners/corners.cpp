@@ -342,8 +342,9 @@ class CornerCuts {
   double first_turn() const {
     const Vec2 from = here(), along = into(side_, cut_[side_]),
                across = at(1 - side_, cut_[1 - side_]) - from;
-    const double seen = angle(along, across);
-    double turn = cut_[1 - side_] < RadiusShares::kCornerReach * radius_ ? std::max(0.0, seen - limit_) : 0.0;
+    const double between = angle(along, across);
+    double turn =
+        cut_[1 - side_] < RadiusShares::kCornerReach * radius_ ? std::max(0.0, between - limit_) : 0.0;
     const double ahead = std::max(kNearest, kAhead * cut_[side_]);
     for (int i = 0; i < kMostTurns; ++i) {
       const Vec2 heading = turned(side_, along, turn);
