@@ -13,7 +13,7 @@ namespace clearcut::plan::zigzag {
 
 struct ZigzagOptions {
   std::optional<Radians> angle;  ///< of the lines to the x axis; absent: the fastest one found
-  /// Mm, greatest distance between lines; absent: the widest that leaves nothing.
+  /// mm, greatest distance between lines; absent: the widest that leaves nothing.
   std::optional<double> stepover;
   /// Lines with the material on the right of the cutter are preferred (climb milling for a clockwise
   /// spindle); false: on the left.

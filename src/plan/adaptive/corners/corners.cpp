@@ -380,7 +380,7 @@ class CornerCuts {
   double cut_[2] = {};
   int side_ = 0;
   double cusps_ = 0;  ///< mm from the corner: the first wall has cusps up to there; 0: none
-  /// Mm from the corner: the residual in the corner touches the first wall up to there.
+  /// mm from the corner: the residual in the corner touches the first wall up to there.
   double residual_before_ = 0;
   /// The last arc from each side.
   struct Crossed {
