@@ -1,4 +1,4 @@
-// Proof that everything a cutter can reach was cut.
+// Proves that everything a cutter can reach was cut.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace clearcut::verify {
 
-/// A stretch of a program that cuts at the depth in question: the tip at or below it all along.
+/// A part of a program that cuts at the height in question: the tip is at or below it everywhere.
 struct Swath {
   Edge path;  ///< a point for a plunge
   double radius = 0;
