@@ -86,7 +86,7 @@ using LayerHeights = std::vector<double>;
 /// All moves, and the layers of each workingstep.
 struct JudgedProgram {
   std::vector<JudgedMove> moves;
-  std::vector<LayerHeights> layers;  ///< index: workingstep
+  std::vector<LayerHeights> layers;  ///< for each workingstep
 };
 
 /// Lists the moves of `toolpath` with their tools, times, workingstep and layer. The workingstep is found by

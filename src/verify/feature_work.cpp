@@ -99,7 +99,7 @@ double liberty_at(double z, const Box& target, const std::vector<JudgedMove>& mo
   return most;
 }
 
-/// mm; how far above the level the highest level move lies that counts for it.
+/// mm; how far above the level the highest level move lies that is taken to have cut it.
 double height_above(double level, const Box& target, const std::vector<JudgedMove>& moves,
                     const Tolerances& tol) {
   double most = 0;

@@ -75,7 +75,7 @@ class FinishedPart {
     double floor = 0;
     double top = 0;
     double slope = 0;
-    bool single = true;  ///< one region: its edges have it on the left, and not on the right
+    bool single = true;  ///< whether it is one region: its edges then have it on their left only
   };
 
   void add_feature(const Feature& feature, int index);

@@ -18,8 +18,8 @@ namespace {
 constexpr double kThinnestChip = 0.002;
 /// Share of the tangential force that presses on the wall.
 constexpr double kNormalShare = 0.5;
-constexpr double kLargestDeflection = 0.02;  // mm
-constexpr double kThickestWall = 20;         // mm
+constexpr double kLargestDeflection = 0.02;  // mm; walls that bend less are not reported
+constexpr double kThickestWall = 20;         // mm; thicker walls are not considered
 constexpr std::size_t kMostWalls = 3000;
 
 double width_of_cut(const stock::CutterEngagement& contact, double radius) {

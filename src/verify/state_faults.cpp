@@ -25,7 +25,7 @@ Place end_of(const JudgedMove& judged) {
   return {judged.move->path.to, judged.move->z_to, judged.move->line};
 }
 
-/// Drills and reamers go down at their cutting feed.
+/// Whether the tool is a drill or reamer, which goes down at its cutting feed.
 bool makes_holes(const Tool& tool) {
   return tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
 }

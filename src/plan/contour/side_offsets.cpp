@@ -60,7 +60,8 @@ class Stepper {
 
   /// mm that a step takes from the straight length at a corner; negative where it adds to it.
   double taken_at(const Side& corner) const {
-    if (is_reflex(corner) && (rounded_ || corner.radius > 0)) return 0;  // the arc grows
+    if (is_reflex(corner) && (rounded_ || corner.radius > 0))
+      return 0;  // the arc about the corner grows, the sides keep their length
     return std::max(0.0, step_ - corner.radius) * cot_half(corner.angle);
   }
 

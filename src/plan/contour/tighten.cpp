@@ -15,7 +15,8 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. The witnesses' limit is less than the radius by this while paths are shortened, and at the end.
+/// mm. The witnesses' limit is less than the radius by kPullMargin while paths are shortened, by
+/// kWitnessMargin at the end.
 constexpr double kPullMargin = 0.0005;
 constexpr double kWitnessMargin = 0.004;
 /// mm. The exact check runs with a radius smaller by this, which is more than any program's rounding.

@@ -1,6 +1,6 @@
 // The interpolators of the grid model: which squares of the grid an element occupies ("activates", in the
 // paper).
-// // Source: the grid paper, section II; docs/grid.md lists the departures.
+// Source: the grid paper, section II; docs/grid.md lists the departures.
 #pragma once
 
 #include <array>

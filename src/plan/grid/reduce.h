@@ -1,5 +1,5 @@
 // The reductions of the grid model: which of an element's squares the cutter has to visit.
-// // Sources: the grid paper, section III (EPSA, LCERA, RPERA); Tour section 3.3.4. See docs/grid.md.
+// Sources: the grid paper, section III (EPSA, LCERA, RPERA); Tour section 3.3.4. See docs/grid.md.
 #pragma once
 
 #include <cstddef>

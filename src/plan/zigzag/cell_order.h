@@ -22,7 +22,7 @@ std::vector<ZigzagLine> cut_lines(const ZigzagCell& cell, int variant);
 struct OrderQuestion {
   /// Cost of going from the end of one cell to the beginning of the next.
   std::function<double(Vec2 from, Vec2 to)> travel;
-  /// The same or less, quicker to compute: for points far apart.
+  /// An upper bound of that cost that is quicker to compute, for points far apart.
   std::function<double(Vec2 from, Vec2 to)> far_travel;
   /// Cost that depends only on how the cell is cut.
   std::function<double(const CellVisit&)> own;

@@ -21,27 +21,24 @@ constexpr double kVisited = 2.5e-3;
 constexpr double kCuspStep = 0.02;
 /// Factor between the distances from the corner at which a wall is sampled.
 constexpr double kFarther = 1.25;
-/// mm. Arcs shorter than kShortArc are replaced by lines. Cusps up to kCusp may stay on the wall between two
-/// arcs.
+/// mm. Arcs shorter than kShortArc become lines. Cusps up to kCusp may stay on the wall between arcs.
 constexpr double kShortArc = 0.0025;
 constexpr double kCusp = 2e-3;
 /// Radians. Arcs are aimed this much above the limit; an excess up to kAbove is accepted.
 constexpr double kAim = 0.012;
 constexpr double kAbove = 0.02;
 constexpr int kMostArcs = 400;
-/// The gain of an arc is the log of how much nearer to the corner it ends. From kGoodGain on an arc is good
-/// enough; so is one that has kArcShare of the gain that a spiral would have.
+/// The gain of an arc is the log of how much nearer to the corner it ends. At kGoodGain an arc is
+/// good enough; so is one that has kArcShare of the gain that a spiral would have.
 constexpr double kGoodGain = 0.7;
 constexpr double kArcShare = 0.45;
-/// Radians. A spiral's engagement is below the limit by the first of these margins that works; its arcs turn
-/// by at most kWidestSpiralTurn and at least kLeastSpiralTurn.
+/// Radians. Margins to the limit on spirals, tried in this order; greatest and least turn of their arcs.
 constexpr double kMargins[] = {0, 0.05, 0.12};
 constexpr double kWidestSpiralTurn = 0.8;
 constexpr double kLeastSpiralTurn = 0.3;
 /// Two distances within this factor are taken for equal.
 constexpr double kCloseTo = 1.01;
-/// Number of tries for one arc, and the factors applied to its end when the arc, or its end alone, exceeds
-/// the limit.
+/// Tries for one arc; factors applied to its end when the arc, or its end alone, exceeds the limit.
 constexpr int kMostTries = 6;
 constexpr double kNotSoNear = 1.15;
 constexpr double kNearer = 0.8;
@@ -53,13 +50,11 @@ constexpr std::size_t kLong = 12;
 constexpr double kGuessed = 1.04;
 /// Radians by which the turn off the wall grows in the first tries.
 constexpr double kMoreTurn = 0.02;
-/// Share of the distance from the corner: a centre that was visited touches nothing, centres this much
-/// farther on do.
+/// Share of the distance from the corner: where a centre touches nothing, centres this much farther on do.
 constexpr double kAhead = 0.05;
 /// Number of turns of a heading until the engagement is at the limit.
 constexpr int kMostTurns = 5;
-/// Arcs that come nearer by less than kLeastGain, and moves along the wall by less than kEnoughAlong, are not
-/// made.
+/// Arcs that come nearer by less than kLeastGain, and moves along the wall by less than the other, are left out.
 constexpr double kLeastGain = 0.97;
 constexpr double kEnoughAlong = 0.8;
 
@@ -68,12 +63,10 @@ double angle_between(Vec2 u, Vec2 v) {
   return std::atan2(cross(u, v), dot(u, v));
 }
 
-/// Builds the path round one corner. Distances are mm from the corner, along its first wall (side 0) or its
-/// second (side 1).
+/// Builds the path round one corner. Distances: mm from the corner along its first (0) or second wall (1).
 class CornerCuts {
  public:
-  /// After the `straight`-th end on the second wall the path goes straight back to the first wall and along
-  /// it, over the cusps there.
+  /// After the `straight`-th end on the second wall the path goes straight back to the first, over the cusps.
   CornerCuts(const Wall& wall, const Corner& corner, RemainingStock& remaining, double limit, int straight)
       : wall_(wall),
         remaining_(remaining),
@@ -83,8 +76,7 @@ class CornerCuts {
         limit_(limit),
         straight_(straight) {}
 
-  /// The path, if the first wall is cut up to `a` mm before the corner and the second from `b` mm after it.
-  /// Ends when at most `residual` mm stay.
+  /// The path from `a` mm before the corner to `b` mm after it, until at most `residual` mm stay.
   std::optional<CornerRound> cuts(double a, double b, double residual) {
     cut_[0] = a;
     cut_[1] = b;

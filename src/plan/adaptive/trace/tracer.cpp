@@ -237,7 +237,7 @@ bool Tracer::can_leave(double s, double radius) {
   return is_within(first);
 }
 
-/// Leaves the wall at s, where an arc of `radius` mm can: on an aimed arc, else on that one.
+/// Leaves the wall at s, from where an arc of `radius` mm keeps the limit: on an aimed arc, else on that arc.
 Tracer::Next Tracer::leave(double s, double radius) {
   if (first_departure_ == kNowhere) first_departure_ = s;
   std::optional<DepartureArc> off;
