@@ -1,5 +1,5 @@
-// The judge: what a program does to a part. Shares distances to lines and arcs with the planner, and nothing
-// else.
+// Checks what a program does to a part. Shares with the planner the distances to lines and arcs, the remaining
+// stock with its engagement (stock/material.h) and the times of moves, and nothing else.
 #pragma once
 
 #include <functional>

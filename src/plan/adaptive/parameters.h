@@ -34,9 +34,9 @@ struct ResidualLimits {
   static constexpr double kTrochoidal = 2 * kLink;
   /// On walls. Larger: fewer cuts along walls; smaller: every scallop between fitted arcs would be cut once more.
   static constexpr double kWall = 1.5e-3;
-  /// What links to corners may graze: both walls of a corner bear up to kWall.
+  /// What links to corners may graze: both walls of a corner may have up to kWall.
   static constexpr double kCornerLink = 2 * kWall;
-  /// A wall that touches less is finished.
+  /// A wall with thinner residuals is finished.
   static constexpr double kFinishedWall = 2 * kCornerLink;
   /// In corners: the arcs between the walls end when this is left. Each halving costs one or two arcs a corner.
   static constexpr double kCorner = 5.5e-3;
