@@ -6,9 +6,10 @@
 namespace clearcut::verify {
 namespace {
 
-/// Radians. Turns below it are rounding of smooth joins: what is cut off them is thousandths of a move's length.
+/// Radians. Smaller turns come from rounding of smooth joins: what is cut off there is thousandths of a
+/// move's length.
 constexpr double kSmoothTurn = 0.01;
-/// mm.
+/// mm. Points nearer than this are equal.
 constexpr double kSamePlace = 1e-6;
 
 bool may_round(const JudgedMove& judged) {
@@ -37,8 +38,8 @@ std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, cons
                                                   double tolerance) {
   if (tolerance <= 0 || !is_corner(before, after)) return std::nullopt;
   const Move &a = *before.move, &b = *after.move;
-  // The circle that touches both legs and passes the corner at the tolerance; no leg gives more than its half. On arcs the two
-  // lines that stand for it start so near that nothing of them is farther from the path than the control may go.
+  // The circle that touches both moves and passes the corner at the tolerance. It takes at most half of a move. On arcs the
+  // two lines that stand for it start so near that no point of them is farther from the path than the control may go.
   const double half = (kPi - turn_between(a, b)) / 2;
   const double legs = std::min(a.path.length(), b.path.length()) / 2;
   const double sine = std::max(std::sin(half), 1e-6);

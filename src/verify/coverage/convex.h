@@ -1,4 +1,4 @@
-// Small convex polygons: the cells of the coverage proof.
+// Small convex polygons, the cells of the proof of coverage.
 #pragma once
 
 #include <array>
@@ -8,15 +8,15 @@
 
 namespace clearcut::verify {
 
-/// A convex polygon of few vertices, counter-clockwise; a value without allocation. May have shrunk to a line
-/// or a point; empty when size() == 0.
+/// A convex polygon of few vertices, counter-clockwise, without allocation. It may have shrunk to a line or a
+/// point, and is empty if size() == 0.
 class ConvexPolygon {
  public:
   static constexpr int kCapacity = 64;
 
   ConvexPolygon() = default;
   static ConvexPolygon square(Vec2 center, double half);
-  /// Convex hull; of more than 48 points their bounding box.
+  /// Convex hull of the points; of more than 48 points their bounding box.
   static ConvexPolygon hull(std::span<Vec2> points);
 
   int size() const { return count_; }
@@ -27,7 +27,7 @@ class ConvexPolygon {
   /// The part where dot(normal, p) >= offset.
   ConvexPolygon clipped(Vec2 normal, double offset) const;
   double farthest_from(Vec2 p) const;
-  /// 0 inside.
+  /// Distance from p; 0 inside.
   double nearest_to(Vec2 p) const;
 
  private:

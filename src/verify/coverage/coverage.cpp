@@ -12,17 +12,18 @@ namespace clearcut::verify {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-/// A cell with more outline edges than this is not worth a hull; it is split.
+/// Cells with more outline edges than this are divided instead of computing a convex hull.
 constexpr int kHullEdges = 12;
-/// Swaths tried on one cell, nearest first.
+/// Number of swaths that are tried on one cell, the nearest first.
 constexpr int kSwathsTried = 12;
-/// Cells left over before the smallest size doubles: bounds the work on programs that leave much uncut.
+/// Number of undecided smallest cells after which the smallest size doubles, so that programs which leave
+/// much take no longer.
 constexpr int kLeavesPerSize = 4000;
-/// Where more is left elsewhere, what is left is measured in cells of R / kAreaCells.
+/// If more is left elsewhere, what is left is measured in cells of R / kAreaCells.
 constexpr double kAreaCells = 64;
-/// Where something is left its area is measured with films down to this share of the tolerance.
+/// If something is left, its area is measured with residuals down to this fraction of the tolerance.
 constexpr double kFineShare = 50;
-/// mm.
+/// mm, for rounding of coordinates.
 constexpr double kRounding = 1e-9;
 /// mm. A point so much farther from the nearest legal centre than the cutter reaches is out of reach.
 constexpr double kBeyondReach = 1e-6;
@@ -31,7 +32,7 @@ constexpr double kCornerCells = 48;
 
 class CoverageProof {
  public:
-  /// A fine proof counts what is left to a fraction of the tolerance, for its area.
+  /// `fine`: counts residuals down to a fraction of the tolerance, to measure the area of what is left.
   CoverageProof(const CoverageQuestion& question, const Tolerances& tol, bool fine)
       : question_(question),
         tol_(tol),
@@ -86,12 +87,12 @@ class CoverageProof {
     int begin = 0, end = 0;
     bool empty() const { return begin == end; }
   };
-  /// What is near a cell, as ranges of the stacks below.
+  /// What lies near a cell, as ranges of the stacks below.
   struct Near {
     Range swaths, outline, legals;
   };
   struct NearSwath {
-    double excess;  ///< of the cell's centre over the swath
+    double excess;  ///< mm; how far the cell's centre lies outside the swath
     int index;
   };
 
@@ -111,8 +112,8 @@ class CoverageProof {
     legals_.resize(marks[2]);
   }
 
-  /// Whether a legal centre reaches any of the target. Where the legal area has no boundary near, all of the target
-  /// is legal or nothing.
+  /// Whether a legal centre reaches some of the target. If the legal area has no boundary nearby, either all
+  /// of the target is legal or nothing.
   bool any_within_reach() const {
     const std::vector<Edge>& legal = legal_.boundary().edges();
     if (legal.empty()) return legal_.contains(target_.edges().front().at(0.5));
@@ -130,7 +131,7 @@ class CoverageProof {
     return found;
   }
 
-  /// Decides a cell if it can; otherwise fills `near` for its quarters.
+  /// Decides a cell if possible; else fills `near` for its quarters.
   bool settle(Cell& cell, const Near& parents, Near& near) {
     if (covered_by_one(cell, parents.swaths, near.swaths)) return true;
     if (beside_target(cell, parents.outline, near.outline)) return true;
@@ -146,21 +147,22 @@ class CoverageProof {
     return cell.half <= question_.flat / 4 && settle_uncut(cell, part, near, within_reach);
   }
 
-  /// Stops at a cell that is not cut, or at one of the smallest; `part` holds what may be left of it.
+  /// Decides a cell that is not cut, or one of the smallest; `part` contains what may be left of it.
   bool settle_uncut(const Cell& cell, const ConvexPolygon& part, const Near& near, bool within_reach) {
     const bool smallest = 2 * cell.half <= smallest_cell();
     const double excess = excess_at(cell.center), thickness = excess + cell.reach();
     const double width = width_of(cell, thickness);
     if (width <= widest_) return count_width(width);
-    // Where more is left elsewhere only the area is still asked for.
+    // If more is left elsewhere, only the area matters.
     const bool minor = width <= worst_width_ && cell.half <= question_.flat / kAreaCells;
     const bool all_left = near.swaths.empty() && within_reach && cell.reach() <= 0.05 * excess;
     if (!smallest && !minor && !all_left) return false;
     return count_uncut(cell, part, width);
   }
 
-  /// Upper bound of the widest disc of material with its middle in the cell, whose points lie within `thickness` of what was
-  /// cut: it reaches neither over what was cut, nor over the edge of the target, nor to where no centre reaches.
+  /// mm; upper bound of the widest disc of material centred in the cell, if no point of the cell is farther
+  /// than `thickness` from what was cut: the disc reaches neither into what was cut, nor over the edge of the
+  /// target, nor to where no legal centre reaches.
   double width_of(const Cell& cell, double thickness) const {
     const double beside = target_.nearest(cell.center, thickness + cell.reach()).distance + cell.reach();
     const double beyond =
@@ -206,7 +208,7 @@ class CoverageProof {
     return !cell.on_outline && target_.winding(cell.center) == 0;
   }
 
-  /// A convex polygon that holds the cell's part of the target.
+  /// A convex polygon that contains the cell's part of the target.
   ConvexPolygon part_in_target(const Cell& cell, Range outline) {
     const ConvexPolygon square = ConvexPolygon::square(cell.center, cell.half);
     if (!cell.on_outline || outline.end - outline.begin > kHullEdges) return square;
@@ -221,7 +223,7 @@ class CoverageProof {
     return ConvexPolygon::hull(extremes_);
   }
 
-  /// Takes swath by swath off the polygon; true when the rest lies in one.
+  /// Removes swath after swath from the polygon; true if what remains lies in one.
   bool take_covered(ConvexPolygon& rest, Range near) {
     if (near.end - near.begin > 8 * kSwathsTried) return false;
     std::sort(swaths_.begin() + near.begin, swaths_.begin() + near.end,
@@ -241,8 +243,8 @@ class CoverageProof {
     return false;
   }
 
-  /// Lists the legal area's boundary within the cutter's reach of the cell; true when all of `part` is within
-  /// reach.
+  /// Lists the boundary of the legal area within the cutter's reach of the cell. True if all of `part` is
+  /// within reach.
   bool list_legals(Cell& cell, const ConvexPolygon& part, Range from, Range& out) {
     out.begin = end(legals_);
     double least = kInfinite;
@@ -273,7 +275,8 @@ class CoverageProof {
     return true;
   }
 
-  /// Upper bound of how far any point of the curve lies from the nearest path (more for smaller cutters).
+  /// mm; upper bound of how far any point of the curve lies from the nearest path; greater for smaller
+  /// cutters.
   double deviation_of_program(const Edge& curve) const {
     const bool point = curve.from == curve.to;
     const Vec2 middle = point ? curve.from : curve.at(0.5);
@@ -294,7 +297,7 @@ class CoverageProof {
     return first > tol_.uncut ? first : std::max(first, deviation_of_program(curve.part(0.5, 1)));
   }
 
-  /// How far p lies outside everything that was swept, mm; negative inside.
+  /// mm; how far p lies outside everything that was swept; negative inside.
   double excess_at(Vec2 p) const {
     double least = kInfinite;
     for (const auto& [radius, tree] : trees_) least = std::min(least, tree.nearest(p).distance - radius);
@@ -302,12 +305,12 @@ class CoverageProof {
     return std::min(least, std::hypot(box.width(), box.height()));
   }
 
-  /// Small enough to tell what a cutter reaches from what it almost does.
+  /// mm; a cell small enough to distinguish what a cutter reaches from what it nearly reaches.
   double smallest_cell() const {
     return std::min(question_.flat / 4, tol_.uncut / 8 * std::exp2(leaves_ / kLeavesPerSize));
   }
 
-  /// What lies no farther than `excess` outside a swath is no wider than twice that.
+  /// Records that what lies at most `excess` mm outside a swath is at most twice as wide.
   bool count_covered(double excess) { return count_width(2 * excess); }
 
   bool count_width(double width) {
@@ -348,7 +351,8 @@ class CoverageProof {
     return found;
   }
 
-  /// Whether all of `part` lies in what is to be left on one wall: within the allowance, or inside where it leans.
+  /// Whether all of `part` lies in what is to be left on one wall: within the allowance, or inside a wall
+  /// with draft.
   bool all_in_film(const Cell& cell, const ConvexPolygon& part) const {
     const double greatest = question_.allowance + question_.part->greatest_lean();
     const std::vector<Wall>& walls = question_.part->walls();
@@ -375,7 +379,8 @@ class CoverageProof {
     });
   }
 
-  /// Adds what no centre reaches of a cell that the program is known to have cut as far as it can.
+  /// Adds the part of a cell that no centre reaches; the program is known to have cut the rest as far as
+  /// possible.
   bool count_corner(Cell cell, Near near) {
     const int marks[] = {end(outline_), end(legals_)};
     if (!settle_corner(cell, near)) {
@@ -403,8 +408,8 @@ class CoverageProof {
     return true;
   }
 
-  /// Narrows the list to the edges that may be nearest to a point of the cell; returns the distance of the
-  /// centre.
+  /// Keeps of the list the edges that may be nearest to a point of the cell; returns the distance of the
+  /// cell's centre.
   double keep_nearest_legals(const Cell& cell, Range& legals) {
     double least = kInfinite;
     const auto apart = [&](int k) { return distance(legal_.boundary().edges()[legals_[k]], cell.center); };
@@ -422,15 +427,16 @@ class CoverageProof {
   const CoverageQuestion& question_;
   const Tolerances& tol_;
   const bool fine_;
-  const double widest_;  ///< mm; what is left no wider than this is no fault
-  const double slack_;   ///< mm; so far outside a swath nothing is wider
-  const double
-      followed_;  ///< mm; a program that keeps as near to the boundary of the legal area leaves no more in corners
+  const double widest_;  ///< mm; what is left up to this width is no fault
+  const double slack_;   ///< mm; what lies at most this far outside a swath is not too wide
+  /// mm; a program that keeps as near to the boundary of the legal area leaves nothing thicker in corners.
+  const double followed_;
   EdgeTree target_;
   LegalCenters legal_;
-  std::vector<double> deviation_;  ///< of the program from each edge of the legal boundary; -1: not asked yet
-  std::vector<std::pair<double, EdgeTree>> trees_;  ///< paths by radius
-  // Stacks of what is near the cells from the root to the one in hand.
+  /// mm; of the program from each edge of the legal boundary; -1: not computed yet.
+  std::vector<double> deviation_;
+  std::vector<std::pair<double, EdgeTree>> trees_;  ///< for each tool radius: the paths cut with it
+  // Stacks of what lies near the cells from the whole target down to the current one.
   std::vector<NearSwath> swaths_;
   std::vector<int> outline_, legals_;
   std::vector<Vec2> extremes_;

@@ -16,11 +16,12 @@ namespace {
 
 using Tasks = std::vector<std::function<void()>>;
 
-/// Arcs are cut into swaths below this sweep: less than half a turn.
+/// Radians. Arcs are divided into swaths of at most this sweep, less than half a turn.
 constexpr double kSwathSweep = 2.0;
 
-/// Runs independent tasks on up to `threads` threads; each writes only what is its own. Rethrows the first
-/// exception in task order. No task is begun any more once `cancel` asks to stop: then it throws Cancelled.
+/// Runs independent tasks on up to `threads` threads; none writes what another one uses. Rethrows the first
+/// exception in the order of tasks. Once `cancel` asks to stop no task is begun any more, and it throws
+/// Cancelled.
 void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
   std::vector<std::exception_ptr> thrown(tasks.size());
   std::atomic<std::size_t> next{0};
@@ -45,7 +46,7 @@ void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
   throw_if_cancelled(cancel);
 }
 
-/// Adds the parts of a feed move whose tip is at or below z, as wide as they are at `level`.
+/// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`.
 void append_swaths(const JudgedMove& judged, double z, double level, std::vector<Swath>& out) {
   const Move& move = *judged.move;
   const double tip = move.is_vertical() ? judged.low_z() : std::max(move.z_from, move.z_to);
@@ -65,7 +66,7 @@ void append_swaths(const JudgedMove& judged, double z, double level, std::vector
   }
 }
 
-/// Feed moves near the target whose tips count for a level at or below z.
+/// Whether a feed move comes near the target with its tip at or below z.
 bool counts_at(const JudgedMove& judged, double z, const Box& target, const Tolerances& tol) {
   if (!judged.feeds() || !judged.tool || judged.low_z() > z) return false;
   const Move& move = *judged.move;
@@ -73,8 +74,8 @@ bool counts_at(const JudgedMove& judged, double z, const Box& target, const Tole
   return path.grown(judged.radius() + 2 * tol.uncut).overlaps(target);
 }
 
-/// What feed moves sweep of a level, as far as tips that miss it by `tol.uncut` count for it. Those that come within 2
-/// tol.uncut of the target: what a swath almost reaches is thin.
+/// What feed moves sweep at a level. Tips up to tol.uncut above it count. Only moves within 2 tol.uncut of
+/// the target count, because what farther ones leave is thick.
 std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<JudgedMove>& moves,
                              const Tolerances& tol) {
   const double z = level + tol.uncut;
@@ -85,7 +86,8 @@ std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<
   return swaths;
 }
 
-/// The most that the control may leave the paths of those moves: it rounds corners, or takes another arc.
+/// mm; how far the control may leave the paths of these moves at most: it rounds corners, or runs another
+/// arc.
 double liberty_at(double z, const Box& target, const std::vector<JudgedMove>& moves, const Tolerances& tol) {
   double most = 0;
   for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -97,7 +99,7 @@ double liberty_at(double z, const Box& target, const std::vector<JudgedMove>& mo
   return most;
 }
 
-/// How far above the level the highest level move stands that counts for it.
+/// mm; how far above the level the highest level move lies that is taken to have cut it.
 double height_above(double level, const Box& target, const std::vector<JudgedMove>& moves,
                     const Tolerances& tol) {
   double most = 0;
@@ -135,7 +137,7 @@ class WorkJudge {
   void add_layers(FeatureWork& work) const {
     for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
       const Workingstep& step = part_.workplan[i];
-      // What leaves stock on the walls for a later step makes no steps in them.
+      // Steps that leave stock on walls for a later one make no scallops.
       if (step.feature != work.feature || step.operation.allowance_side > work.allowance_side) continue;
       for (const double z : program_.layers[i]) {
         if (z > work.floor.z + options_.tol.uncut) work.layers.push_back({z, false, {}});

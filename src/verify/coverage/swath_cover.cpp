@@ -19,7 +19,7 @@ double sign_of(const Edge& arc) {
 bool in_sector(std::span<const Vec2> points, const Edge& arc) {
   const Vec2 from = arc.from - arc.center, to = arc.to - arc.center;
   const double sign = sign_of(arc);
-  if (sign * cross(from, to) < 0) return false;  // more than half a turn: swaths are cut before
+  if (sign * cross(from, to) < 0) return false;  // more than half a turn, which divided swaths never have
   return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
     const Vec2 v = p - arc.center;
     return sign * cross(from, v) >= 0 && sign * cross(v, to) >= 0;
@@ -34,8 +34,8 @@ double excess_over_arc(const ConvexPolygon& cell, const Edge& arc) {
   return std::min(by_ends, by_ring);
 }
 
-/// Cuts the strip beside a line off the cell, if the cell lies beside the line and beyond one side of the
-/// strip only.
+/// Removes the strip beside a line from the cell, if the cell lies beside the line and reaches beyond one
+/// side of the strip only.
 ConvexPolygon rest_after_line(const ConvexPolygon& cell, const Edge& line, double radius) {
   const double length = std::sqrt(norm_squared(line.to - line.from));
   const Vec2 d = (line.to - line.from) / length, n = left_of(d);
@@ -52,8 +52,8 @@ ConvexPolygon rest_after_line(const ConvexPolygon& cell, const Edge& line, doubl
   return cell;
 }
 
-/// The same for the ring beside an arc. What lies beyond the outer circle lies beyond a chord of it; what
-/// lies inside the inner circle lies behind a tangent of it.
+/// The same for the ring beside an arc. What lies outside the outer circle is cut off by a chord of it, what
+/// lies inside the inner circle by a tangent.
 ConvexPolygon rest_after_arc(const ConvexPolygon& cell, const Edge& arc, double radius) {
   if (!in_sector(cell.points(), arc)) return cell;
   const double ring = arc.radius();
@@ -84,8 +84,8 @@ double distance_to_chord(const Edge& edge, Vec2 p) {
   return distance(Edge::line(edge.from, edge.to), p);
 }
 
-/// How far the points of an arc of less than half a turn lie from the circle of another: most at its ends, or
-/// where it is nearest to or farthest from that circle's centre.
+/// mm; greatest distance of the points of an arc of less than half a turn from the circle of another arc. It
+/// is reached at an end, or at the point nearest to or farthest from that circle's centre.
 double deviation_from_circle(const Edge& arc, const Edge& circle) {
   const Vec2 between = arc.center - circle.center;
   const double apart = std::sqrt(norm_squared(between)), radius = arc.radius(), r = circle.radius();
@@ -110,7 +110,7 @@ double deviation_from_arc(const Edge& curve, const Edge& path) {
   const double r = path.radius(), bow = sagitta(curve);
   const double far = std::max(distance(curve.from, path.center), distance(curve.to, path.center)) + bow;
   const double near = distance_to_chord(curve, path.center) - bow;
-  // The bow may leave the sector by no more than itself.
+  // The curve leaves the sector by at most its own sagitta.
   return std::max(far - r, r - near) + bow;
 }
 
@@ -118,7 +118,7 @@ double deviation_from_arc(const Edge& curve, const Edge& path) {
 
 double excess_over(const ConvexPolygon& cell, const Swath& swath) {
   if (swath.path.is_arc()) return excess_over_arc(cell, swath.path) - swath.radius;
-  // The distance to a segment is convex: greatest at a corner.
+  // The distance to a line is convex, so it is greatest at a corner.
   double most = 0;
   for (const Vec2 p : cell.points()) most = std::max(most, distance(swath.path, p));
   return most - swath.radius;
@@ -150,13 +150,13 @@ void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out
     out.push_back(part.from);
     out.push_back(part.to);
     if (!edge.is_arc() || part.from == part.to) continue;
-    // Where the tangents at the ends of each half meet: the half lies inside that triangle.
+    // Each half of the arc lies inside the triangle of its ends and the point where the tangents there meet.
     for (const Edge& half : {part.part(0, 0.5), part.part(0.5, 1)}) {
       const double quarter = std::tan(half.sweep() / 4);
       if (half.from == half.to || std::abs(half.sweep()) > 2.5) continue;
       const Vec2 middle = half.at(0.5), chord = (half.from + half.to) / 2.0;
       out.push_back(half.from);
-      // Sagitta times 2 / (1 - tan^2(sweep / 4)) is the height of the tangents' meeting point.
+      // That point's height over the chord is the sagitta times 2 / (1 - tan^2(sweep / 4)).
       out.push_back(chord + (middle - chord) * (2 / (1 - quarter * quarter)));
     }
   }

@@ -14,12 +14,12 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Chips thinner than this rub: the specific force is not followed further.
+/// mm. Thinner chips rub: the specific force is that of this thickness.
 constexpr double kThinnestChip = 0.002;
-/// Of the tangential force, the part that presses on the wall.
+/// Share of the tangential force that presses on the wall.
 constexpr double kNormalShare = 0.5;
-constexpr double kLargestDeflection = 0.02;  // mm
-constexpr double kThickestWall = 20;         // mm
+constexpr double kLargestDeflection = 0.02;  // mm; walls that bend less are not reported
+constexpr double kThickestWall = 20;         // mm; thicker walls are not considered
 constexpr std::size_t kMostWalls = 3000;
 
 double width_of_cut(const stock::CutterEngagement& contact, double radius) {
@@ -29,12 +29,12 @@ double width_of_cut(const stock::CutterEngagement& contact, double radius) {
   return std::max(0.0, width);
 }
 
-/// Cantilever plate of breadth = height: 4 F h^2 / (E t^3).
+/// Of a cantilever plate as broad as high: 4 F h^2 / (E t^3).
 double deflection_of(double thickness, double height, double force, double elasticity) {
   return 4 * force * height * height / (elasticity * thickness * thickness * thickness);
 }
 
-/// mm from the middle of a wall through the solid to the next wall, and how high both stand together.
+/// mm from the middle of a wall through the solid to the next wall, and the height over which both stand.
 ThinWall behind(const Wall& wall, const std::vector<Wall>& walls) {
   const Vec2 p = wall.edge.at(0.5);
   const Vec2 inwards = -left_of(wall.edge.tangent_at(0.5));

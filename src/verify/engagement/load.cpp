@@ -10,21 +10,22 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Material thinner than this, beside or below the cutter, is rounding of printed coordinates.
+/// mm. Thinner material, beside or below the cutter, comes from rounding of printed coordinates.
 constexpr double kFilm = 1e-3;
-/// mm. Depth of cut is that of material this far inside the cutter's circle: slivers that an earlier cutter
-/// left on a wall stand higher, and bear nothing.
+/// mm. Depth of cut is measured this far inside the cutter's circle, because slivers that an earlier cutter
+/// left on a wall are higher, but give no load.
 constexpr double kSliver = 0.05;
-/// mm. Longest step between places where contact is measured.
+/// mm. Greatest distance between samples of the engagement.
 constexpr double kLongestStep = 0.25;
 
-/// mm down for each mm of advance. Less is no entry but a pass that is not quite level: 0.17 degrees.
+/// mm down for each mm of advance. A move that descends less is not an entry but a pass that is not quite
+/// level: 0.17 degrees.
 constexpr double kEntrySlope = 3e-3;
-/// mm down for each mm of advance. Steeper ways are judged like plunges.
+/// mm down for each mm of advance. Steeper moves are checked as plunges.
 constexpr double kAsPlunge = 1;
-/// mm. A level move this near to the ramps before it runs over them.
+/// mm. A level move this near to the ramps before it lies on them.
 constexpr double kOverRamp = 0.01;
-/// Cosine of the change of direction below which two moves join smoothly: 6 degrees.
+/// Cosine of 6 degrees: with a smaller change of direction two moves join smoothly.
 constexpr double kSmooth = 0.995;
 
 double degrees(double radians) {
@@ -66,14 +67,14 @@ class LoadMeter {
     const double length = move.length(), radius = judged.radius();
     const int steps = steps_of(length, radius);
     for (int i = 0; i < steps; ++i) measure_at(judged, (i + 0.5) / steps, length / steps);
-    // Just after the start and at the end: corners are where a cutter is loaded most. Runs of short moves
-    // that go smoothly on have none.
+    // Just after the start and at the end, too, because engagement is greatest at corners. Moves that
+    // continue smoothly have no corner.
     if (!goes_smoothly_on(move)) measure_at(judged, std::min(0.01 / length, 0.25 / steps), 0);
     if (steps > 1) measure_at(judged, 1, 0);
     if (judged.slope() >= kAsPlunge) find_plunge_contact(judged, move.path.to);
   }
 
-  /// A level move over the ramp just run clears what the ramp left: it still belongs to the entry.
+  /// A level move along the ramp just cut removes what the ramp left: it still belongs to the entry.
   void follow_entry(const JudgedMove& judged) {
     const Move& move = *judged.move;
     in_entry_ = false;
@@ -132,14 +133,15 @@ class LoadMeter {
     }
   }
 
-  /// 1: the material is on the climb side, 0: on the other; a slot is half of each.
+  /// 1 if the material is on the climb side, 0 if on the other, 1/2 in a slot.
   static double climb_share(const stock::CutterEngagement& contact, bool clockwise) {
     const double difference = clockwise ? contact.right - contact.left : contact.left - contact.right;
     if (std::abs(difference) < 0.01 * contact.angle) return 0.5;
     return difference > 0 ? 1 : 0;
   }
 
-  /// Height of the material before the cutter, well inside what it takes away; here, and the greatest of the move.
+  /// mm; height of the material before the cutter, well inside what it removes, at this sample; updates the
+  /// greatest of the move.
   double measure_axial(JudgedMove& judged, Vec2 center, double heading, double z,
                        const stock::AngleSet& contact) {
     const double inside = judged.radius() - kSliver;
@@ -189,7 +191,7 @@ class LoadMeter {
       judged.load.plunge_contact = Place{center, z, judged.move->line};
   }
 
-  /// Whether the disc holds material above z, wherever in it.
+  /// Whether material above z lies anywhere in the disc.
   bool touches(Vec2 center, double radius, double z) const {
     return material_.in_reach(Edge::line(center, center), radius, z + kFilm).has_value();
   }
@@ -197,7 +199,7 @@ class LoadMeter {
   void measure_rapid(JudgedMove& judged) {
     const Move& move = *judged.move;
     const double radius = judged.radius() - kFilm;
-    // A rapid straight up or down meets most where it is lowest.
+    // A vertical rapid touches most where it is lowest.
     if (move.is_vertical()) {
       if (touches(move.path.from, radius, judged.low_z()))
         report_rapid(judged, move.path.from, judged.low_z());
@@ -223,12 +225,12 @@ class LoadMeter {
 
   stock::Material& material_;
   const LoadOptions& options_;
-  const Move* before_ = nullptr;    ///< the feed move before the one in hand
-  std::vector<const Move*> ramps_;  ///< of the entry being run
+  const Move* before_ = nullptr;    ///< the last feed move before the current one
+  std::vector<const Move*> ramps_;  ///< of the entry that is being run
   bool in_entry_ = false;
 };
 
-/// Below every floor.
+/// mm; a height below every floor.
 double bottom_of(const Part& part) {
   double bottom = part.top_z();
   for (const Feature& feature : part.features) bottom = std::min(bottom, feature.floor_z);

@@ -13,17 +13,18 @@ namespace clearcut::verify {
 
 struct LoadOptions {
   Tolerances tol;
-  std::optional<double> limit_deg;       ///< engagement above this is counted apart
-  std::optional<WorkMaterial> material;  ///< of the work; none: no forces
-  std::stop_token cancel;                ///< looked at before each move
+  std::optional<double> limit_deg;       ///< greater engagement is counted separately
+  std::optional<WorkMaterial> material;  ///< absent: no forces are computed
+  std::stop_token cancel;                ///< asked before each move
 };
 
 /// Runs the program through the stock, move by move, and fills every move's `load`.
 ///
-/// Contact is measured at the middle of steps of at most R/10 and 0.25 mm, and on both sides of corners, on a
-/// circle kFilm smaller than the cutter, so that grazing a wall that is already cut is no contact. Engagement
-/// counts moves that change Z by less than they advance, but for entries: ways down of 0.17 degrees and more, and level moves
-/// over the ramps just run. Rapids and plunges are judged by the whole area of their cutter.
+/// Engagement is measured at the middle of steps of at most R/10 and 0.25 mm, and on both sides of corners,
+/// with a circle smaller than the cutter by kFilm, so that touching a wall that is already cut does not
+/// count. It counts on moves that change z by less than they advance, except on entries: moves that go down
+/// at 0.17 degrees or more, and level moves over such ramps. Rapids and plunges are checked with the whole
+/// area of their cutter.
 ///
 /// Cost    O(length / step * moves near).
 void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options);

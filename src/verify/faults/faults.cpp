@@ -13,8 +13,8 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. How much deeper than the stepdown a pass may be before it counts as too deep: two heights rounded by
-/// the coarsest controller (0.0001 inch), and far below what a cutter notices.
+/// mm by which a pass may be deeper than the stepdown: two heights rounded by the coarsest controller (0.0001
+/// inch), far below what a cutter notices.
 constexpr double kStepdownSlack = 5.5e-3;
 
 std::string mm(double value) {
@@ -112,7 +112,7 @@ class FaultFinder {
       std::numeric_limits<double>::infinity();  ///< mm; no pass that takes less is too deep
 };
 
-/// One fault for each run of successive guilty moves of one workingstep.
+/// Adds one fault for each run of successive moves of one workingstep with that fault.
 void collect(const std::vector<JudgedMove>& moves, const MoveJudge& judge, std::vector<Fault>& out) {
   std::optional<Fault> run;
   int run_length = 0, workingstep = -1;
@@ -134,7 +134,7 @@ void collect(const std::vector<JudgedMove>& moves, const MoveJudge& judge, std::
   finish();
 }
 
-/// Steps that layers leave on a leaning wall, square to it.
+/// Faults of the steps that layers leave on a wall with draft, measured square to the wall.
 std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
   const auto scallop = scallop_of(feature, work);
   if (!scallop || !work.scallop || scallop->height_mm <= *work.scallop + tol.uncut) return {};
@@ -148,7 +148,7 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
                " is allowed."}};
 }
 
-/// What breaks things first comes first.
+/// The order of faults by severity: what breaks things first comes first.
 constexpr FaultKind kBySeverity[] = {
     FaultKind::kRapidInMaterial,  FaultKind::kGouge,          FaultKind::kMissingTab,
     FaultKind::kTabHeight,        FaultKind::kToolLength,     FaultKind::kSpindleOff,

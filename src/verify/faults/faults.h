@@ -1,4 +1,4 @@
-// Turns what was measured into faults with a sentence each.
+// Turns measurements into faults, each with a sentence.
 #pragma once
 
 #include <vector>
@@ -10,22 +10,23 @@
 
 namespace clearcut::verify {
 
-/// A fault of one move, with the place and whose work it is in its sentence.
+/// A fault of one move; its sentence names the place and the workingstep.
 Fault fault_of(const Part& part, FaultKind kind, const JudgedMove& judged, const Place& place, double size,
                const std::string& what);
 
-/// Faults of single moves: gouges, rapids in material, plunges, too deep passes, travel, missing feeds and
-/// tools, and what the control holds wrong while they cut. Successive moves with the same fault give one fault at the worst of them.
+/// Faults of single moves: gouges, rapids in material, plunges, passes that are too deep, travel, missing
+/// feeds and tools, and wrong states of the control. Successive moves with the same fault give one fault, at
+/// the worst of them.
 std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
                                    const VerifyOptions& options);
 
-/// The level at which most is left, of leaning walls; the floor of others.
+/// The level at which most is left, under walls with draft; the floor otherwise.
 const LevelCoverage& worst_level(const FeatureWork& work);
 
-/// Material left in a feature, nothing cut at all, or steps on a leaning wall that are too high.
+/// Material left in a feature, nothing cut at all, or steps on a wall with draft that are too high.
 std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& work, const Tolerances& tol);
 
-/// The kinds that break things first, then by size.
+/// Sorts by what breaks first, then by size.
 void sort_worst_first(std::vector<Fault>& faults);
 
 }  // namespace clearcut::verify

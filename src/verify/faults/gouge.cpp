@@ -6,15 +6,14 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. What the lean of a wall may change over a piece of a sloping move.
+/// mm. The distance of a wall with draft from its outline may change by this over a piece of a sloping move.
 constexpr double kLeanError = 1e-4;
 
 double edge_distance(const Edge& path, const Edge& wall) {
   return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
 }
 
-/// A place on the path where the distance to the wall is least, by sections of the path; places are for
-/// people.
+/// The point of the path nearest to the wall, found by dividing the path: good enough for messages.
 Vec2 nearest_place(const Edge& path, const Edge& wall) {
   if (path.from == path.to) return path.from;
   double best_t = 0, best = std::numeric_limits<double>::infinity(), low = 0, high = 1;
@@ -34,7 +33,7 @@ class LevelJudge {
   LevelJudge(const FinishedPart& part, double radius, double slack)
       : part_(part), radius_(radius), slack_(slack) {}
 
-  /// Deepest gouge of a path whose tip is at z all along.
+  /// The deepest gouge of a path whose tip is at z all along.
   std::optional<Gouge> judge(const Edge& path, double z, bool free_start) {
     worst_.reset();
     worst_wall_ = nullptr;
@@ -66,7 +65,7 @@ class LevelJudge {
     worst_wall_ = &wall;
   }
 
-  /// From what stands of a wall at this height; `apart`: from its outline.
+  /// mm; distance from the wall at this height; `apart`: from its outline.
   double apart_from(const Edge& path, double apart, double z, const Wall& wall) const {
     if (wall.slope <= 0) return apart;
     if (wall.flat_from || wall.flat_to) return part_.apart(wall, z, path);
@@ -90,7 +89,8 @@ class LevelJudge {
   const FinishedPart& part_;
   double radius_, slack_;
   std::optional<Gouge> worst_;
-  const Wall* worst_wall_ = nullptr;  ///< that worst_ cuts into; null when the centre itself is inside
+  /// The wall that worst_ cuts into; null if the centre itself is inside the part.
+  const Wall* worst_wall_ = nullptr;
 };
 
 class MoveJudge {
@@ -104,7 +104,8 @@ class MoveJudge {
     const double span = std::abs(z_to - z_from);
     const std::optional<Gouge> found = level_.judge(path, low, free_start);
     if (!found) return;
-    // Leaning walls are nearer at the lowest tip than on the way there: look closer before saying so.
+    // Walls with draft are nearer at the lowest tip than at earlier ones, so the piece is divided before it
+    // is reported.
     const bool may_lean = part_.greatest_lean() > 0 && span > kLeanError && path.from != path.to;
     if (may_lean && path.length() > kLeanError) {
       const Vec2 middle = path.at(0.5);
@@ -131,7 +132,7 @@ std::vector<double> cuts_at_heights(const FinishedPart& part, const Move& move, 
   std::vector<double> cuts{0, 1};
   const double dz = move.z_to - move.z_from;
   for (const double height : part.heights()) {
-    // Half a slack below: the piece above then ends where that floor still counts as reached.
+    // Half a slack lower, so that the piece above ends where that floor still counts as reached.
     const double t = (height - slack / 2 - move.z_from) / dz;
     if (t > 0 && t < 1) cuts.push_back(t);
   }

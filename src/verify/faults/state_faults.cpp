@@ -12,21 +12,21 @@
 namespace clearcut::verify {
 namespace {
 
-/// Share by which a feed or speed may exceed its limit: rounding to whole rpm and to printed feeds.
+/// Share by which a feed or speed may exceed its limit, for rounding to whole rpm and to printed feeds.
 constexpr double kRounding = 1e-3;
-/// mm. Heights rounded by the coarsest controller (0.0001 inch).
+/// mm, for heights rounded by the coarsest controller (0.0001 inch).
 constexpr double kHeightSlack = 5.5e-3;
 /// Tangent of 45 degrees: steeper moves count as plunges.
 constexpr double kPlungeSlope = 1;
-/// Degrees. Engagement within this of its limit keeps it: arcs fitted to a path of constant engagement swing about it by more
-/// than one degree, and what the places of measurement are apart may hide half a degree.
+/// Degrees by which the engagement may exceed its limit: arcs fitted to a path of constant engagement swing about it by more
+/// than one degree, and the distance of the samples may hide half a degree.
 constexpr double kDegreeSlack = 2;
 
 Place end_of(const JudgedMove& judged) {
   return {judged.move->path.to, judged.move->z_to, judged.move->line};
 }
 
-/// Drills and reamers run down at their cutting feed.
+/// Whether the tool is a drill or reamer, which goes down at its cutting feed.
 bool makes_holes(const Tool& tool) {
   return tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
 }
@@ -145,7 +145,7 @@ class StateJudge {
     return std::find(options_.accepted.begin(), options_.accepted.end(), name) != options_.accepted.end();
   }
 
-  /// Tools that a changer puts in: nobody measures them in the spindle.
+  /// The tools that a changer puts in, whose length nobody can measure in the spindle.
   static std::set<int> changer_tools(const VerifyOptions& options) {
     std::set<int> tools;
     if (!options.control) return tools;
@@ -155,7 +155,7 @@ class StateJudge {
     return tools;
   }
 
-  /// From the first move on under a tool length, doing without one is a mistake.
+  /// Finds the first move with a tool length; from it on, cutting without one is a fault.
   void find_lengths(const JudgedProgram& program) {
     for (const JudgedMove& judged : program.moves) {
       if (!judged.control) continue;
@@ -170,7 +170,7 @@ class StateJudge {
     return options_.needs_tool_length ? !changed_by_changer_.empty() : changed_by_changer_.size() > 1;
   }
 
-  /// First cuts after each start of the spindle that come before the machine's time is over.
+  /// Finds the first cuts after starts of the spindle that come sooner than the machine needs.
   void find_short_waits(const JudgedProgram& program) {
     const double needed = options_.machine.spindle_wait_s;
     if (!options_.control || needed <= 0) return;
@@ -200,7 +200,7 @@ class StateJudge {
            part_.tools[static_cast<std::size_t>(index)].number == judged.tool->number;
   }
 
-  /// As the operations of the tool say; clockwise where there is none.
+  /// Whether some operation of the tool turns this way; clockwise if it has none.
   bool may_turn(const JudgedMove& judged, bool clockwise) const {
     bool any = false;
     for (const Workingstep& step : part_.workplan) {
@@ -211,7 +211,7 @@ class StateJudge {
     return !any && clockwise;
   }
 
-  /// Tangent of the steepest entry that any operation of the tool states, or of the usual one.
+  /// Tangent of the steepest entry angle that an operation of the tool states, at least the default.
   double steepest_of(const JudgedMove& judged) const {
     double steepest = kSteepestEntry;
     for (const Workingstep& step : part_.workplan) {
@@ -221,7 +221,7 @@ class StateJudge {
     return steepest;
   }
 
-  /// The plunge feed that the tool's operations state, the highest.
+  /// mm/min; the highest plunge feed that operations of the tool state.
   std::optional<double> plunge_feed_of(const JudgedMove& judged) const {
     std::optional<double> most;
     for (const Workingstep& step : part_.workplan) {

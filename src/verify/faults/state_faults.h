@@ -1,4 +1,5 @@
-// What the control and the tool may not be asked to do while a move cuts: tool length, spindle, entries, depth.
+// Checks what the control and the tool must not be asked to do while a move cuts: tool length, spindle,
+// entries, depth.
 #pragma once
 
 #include <functional>
@@ -11,14 +12,16 @@
 
 namespace clearcut::verify {
 
-/// What one move is found guilty of, as far as one kind of fault is asked.
+/// Returns the fault of one move with respect to one rule, if it has one.
 using MoveJudge = std::function<std::optional<Fault>(const JudgedMove&)>;
 
-/// One judge for each rule. They keep references to all arguments. Only moves that take material away are judged.
+/// One function for each rule. They keep references to all arguments. Only moves that remove material have
+/// faults.
 std::vector<MoveJudge> state_judges(const Part& part, const JudgedProgram& program,
                                     const VerifyOptions& options);
 
-/// Steepest way into material of a cutter that may not plunge, where its operation states no angle: tangent of 15 degrees.
+/// Tangent of 15 degrees: the steepest entry of a cutter that must not plunge, if its operation states no
+/// angle.
 inline constexpr double kSteepestEntry = 0.2679;
 
 }  // namespace clearcut::verify

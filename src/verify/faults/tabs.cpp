@@ -9,10 +9,10 @@
 namespace clearcut::verify {
 namespace {
 
-/// Places on a sloping move that are looked at, besides the nearest.
+/// Number of points tested on a sloping move, besides the nearest one.
 constexpr int kPlaces = 64;
 
-/// The lowest a cutter's tip came while the cutter covered a place.
+/// The lowest tip of a cutter while it covered a place.
 struct Lowest {
   double z = std::numeric_limits<double>::infinity();
   int line = 0;

@@ -8,8 +8,9 @@
 
 namespace clearcut::verify {
 
-/// One fault for each tab that is cut away, or whose middle stands lower or higher than asked by more than tol.uncut. What is cut
-/// from its sides is a gouge, what stands beside it is uncut: others find that. Cost O(tabs * moves).
+/// One fault for each tab that is cut away, or whose middle is lower or higher than asked for by more than
+/// tol.uncut. What is cut from its sides is a gouge and what stands beside it is uncut, which other checks
+/// find. Cost O(tabs * moves).
 std::vector<Fault> faults_of_tabs(const Part& part, const JudgedProgram& program, const Tolerances& tol);
 
 }  // namespace clearcut::verify

@@ -1,4 +1,4 @@
-// Finds the edges near a place: a hierarchy of boxes over edges in the order given.
+// Finds the edges near a place, by a tree of boxes over edges in the given order.
 #pragma once
 
 #include <limits>
@@ -8,15 +8,15 @@
 
 namespace clearcut::verify {
 
-/// Edges with a tree of boxes, eight to a box. Outlines and programs run from neighbour to neighbour, so that
-/// boxes over consecutive edges are small without sorting. Edges may be points (from == to).
+/// Edges with a tree of boxes, eight to a box. Edges of outlines and programs follow each other, so that
+/// boxes over successive edges are small without sorting. Edges may be points (from == to).
 ///
 /// Cost    build O(n); a search O(log n + found) for such edges.
 class EdgeTree {
  public:
   EdgeTree() = default;
   explicit EdgeTree(std::vector<Edge> edges);
-  /// All boundaries of the regions.
+  /// The boundaries of all regions.
   explicit EdgeTree(const Regions& regions);
 
   const std::vector<Edge>& edges() const { return edges_; }
@@ -40,7 +40,7 @@ class EdgeTree {
     int edge = -1;  ///< -1: none within the limit
     double distance = std::numeric_limits<double>::infinity();
   };
-  /// The nearest edge at a distance below `limit` for which accept(index) holds.
+  /// The nearest edge, at a distance below `limit`, for which accept(index) is true.
   template <typename Accept>
   Hit nearest(Vec2 p, double limit, Accept accept) const {
     Hit best{-1, limit};
@@ -57,7 +57,7 @@ class EdgeTree {
     return nearest(p, limit, [](int) { return true; });
   }
 
-  /// Winding number around p of all edges, taken as closed loops.
+  /// Winding number around p of all edges, which have to form closed loops.
   int winding(Vec2 p) const;
 
  private:
@@ -88,7 +88,7 @@ class EdgeTree {
   }
 
   std::vector<Edge> edges_;
-  std::vector<std::vector<Box>> levels_;  ///< [0]: one box an edge; each next: one a run of kFan
+  std::vector<std::vector<Box>> levels_;  ///< [0]: one box for each edge; above that one for each kFan boxes
   Box root_;
 };
 

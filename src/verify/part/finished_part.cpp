@@ -85,7 +85,7 @@ bool FinishedPart::is_inside(int feature, Vec2 p) const {
   return own != shapes_.end() && holds(*own, p);
 }
 
-/// Height of the part at p as far as this feature, which holds p, is asked.
+/// mm; height of the part at p, which this feature holds, if there were no other feature.
 double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   if (shape.slope <= 0) return shape.floor;
   const double far = (shape.top - shape.floor) * shape.slope;
@@ -93,7 +93,8 @@ double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   return std::max(shape.floor, shape.top - d / shape.slope);
 }
 
-/// Beyond a flat end, the lean that puts p as far from the wall as it is from that end.
+/// Beyond an end that is cut off square: the distance inside the outline that puts p as far from the wall as
+/// from that end.
 double FinishedPart::lean_inside(const Wall& wall, double z, Vec2 p) const {
   const double lean = wall.lean(z);
   if (!wall.flat_from && !wall.flat_to) return lean;
@@ -132,8 +133,8 @@ double FinishedPart::height(Vec2 p) const {
   return height;
 }
 
-/// Height near a piece of the outline of shape `own`; leaning walls are taken as upright, they are walls of
-/// their own.
+/// mm; height near a piece of the outline of shape `own`. Walls with draft are taken as upright, because they
+/// are added as walls of their own.
 double FinishedPart::height_beside(Vec2 p, int own, bool inside_own) const {
   double height = top_z_;
   for (int i = 0; i < static_cast<int>(shapes_.size()); ++i) {
@@ -190,7 +191,7 @@ void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
 }
 
 void FinishedPart::add_leaning_wall(const Edge& piece, const Shape& shape, double left, double right) {
-  // Beside the stock nothing leans, and its own sides are upright.
+  // Beside the stock there are no walls with draft, and the stock's own sides are upright.
   if (left == kNothing && right == kNothing) return;
   if (left == kNothing) return walls_.push_back({piece, left, right, shape.feature});
   const double upright = std::min(right, shape.floor);

@@ -1,4 +1,4 @@
-// The part as it should come out: floors at their heights, and the walls between them.
+// The finished part: floors at their heights, and the walls between them.
 #pragma once
 
 #include <functional>
@@ -10,32 +10,34 @@
 
 namespace clearcut::verify {
 
-/// A stretch of wall that stands between two floors: free on the left of `edge` above z_low, solid on its
-/// right below z_high. Nothing else bounds where a cutter may be.
+/// A piece of wall between two floors: left of `edge` it is free above z_low, right of it solid below z_high.
+/// Nothing else bounds where a cutter may be.
 struct Wall {
   Edge edge;
-  double z_low = 0;   ///< floor at the foot of the wall
+  double z_low = 0;   ///< height of the floor at its foot
   double z_high = 0;  ///< height of what stands behind it
   int feature = -1;   ///< whose outline it is; -1: the edge of the stock
-  double top_z = 0;   ///< leaning walls: height at which the wall is at `edge`
-  double slope = 0;   ///< tan of the angle it leans; at height z it stands (top_z - z) * slope inside `edge`
-  bool flat_from = false;  ///< leaning walls: the side of the stock cuts what leans off square at this end
+  double top_z = 0;   ///< of walls with draft: height at which the wall is at `edge`
+  double slope = 0;   ///< tangent of the draft; at height z the wall is (top_z - z) * slope inside `edge`
+  /// Of walls with draft: at this end the side of the stock cuts the wall off square.
+  bool flat_from = false;
   bool flat_to = false;
 
   bool stands_at(double z) const { return z_low <= z && z < z_high; }
   double lean(double z) const { return slope > 0 ? std::max(0.0, top_z - z) * slope : 0.0; }
-  /// What leans at height z as it shows at the flat ends: lines from or to the outline, free on their left.
+  /// The ends of the wall at height z where the stock's side cuts it off: lines from or to the outline, free
+  /// on their left.
   std::vector<Edge> flat_ends(double z) const;
 };
 
-/// Height of the part over the plan: the lowest floor of the features that allow the cutter at a place, else
-/// the top; nothing beside the stock. The walls are found by cutting all outlines at each other and asking
-/// for the height on both sides of every piece; walls that features share count once, edges between touching
-/// pockets vanish.
+/// Height of the part over the plan view: the lowest floor of the features that allow the cutter at a place,
+/// else the top; nothing beside the stock. Walls are found by cutting all outlines at each other and
+/// computing the height on both sides of every piece. Walls that features share count once; edges between
+/// touching pockets vanish.
 ///
-/// Cost    build O(n log n + crossings); a question O(features * log n).
-/// Error   walls thinner than 2 * kProbe are not seen. Where a deeper feature cuts into the leaning wall
-///         of another, that wall is taken to stand there too.
+/// Cost    build O(n log n + crossings); a query O(features * log n).
+/// Error   Walls thinner than 2 * kProbe are not found. Where a deeper feature cuts into a wall with draft of
+///         another feature, that wall is taken to stand there, too.
 class FinishedPart {
  public:
   explicit FinishedPart(const Part& part);
@@ -45,15 +47,15 @@ class FinishedPart {
   const EdgeTree& wall_tree() const { return tree_; }
   /// All heights of floors and tops, ascending.
   const std::vector<double>& heights() const { return heights_; }
-  /// Greatest lean of any wall at any height, mm.
+  /// mm; the greatest distance of a wall with draft from its outline, at any height.
   double greatest_lean() const { return greatest_lean_; }
 
-  /// How far a wall at height z stands inside its outline for a cutter at p: leaning walls only do so towards
-  /// the feature they bound.
+  /// mm; how far a wall at height z stands inside its outline for a cutter at p. Walls with draft do so only
+  /// towards the feature that they bound.
   double lean(const Wall& wall, double z, Vec2 p) const {
     return wall.slope > 0 && z < wall.top_z && is_inside(wall.feature, p) ? lean_inside(wall, z, p) : 0.0;
   }
-  /// Distance of a path (or place, from == to) from what stands of a wall at height z.
+  /// mm; distance from a path (or point, from == to) to a wall at height z.
   double apart(const Wall& wall, double z, const Edge& path) const;
   /// Whether p lies within the outline of a feature.
   bool is_inside(int feature, Vec2 p) const;
@@ -62,7 +64,7 @@ class FinishedPart {
   /// Whether a point at height z is outside the finished part.
   bool is_free(Vec2 p, double z) const { return z >= top_z_ || height(p) <= z; }
 
-  /// mm. How far beside an edge the height is asked for.
+  /// mm. The height on both sides of an edge is computed this far beside it.
   static constexpr double kProbe = 1e-5;
 
  private:
@@ -73,7 +75,7 @@ class FinishedPart {
     double floor = 0;
     double top = 0;
     double slope = 0;
-    bool single = true;  ///< one region: its edges have it on the left and not on the right
+    bool single = true;  ///< whether it is one region: its edges then have it on their left only
   };
 
   void add_feature(const Feature& feature, int index);

@@ -8,33 +8,33 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Two walls end in one corner when their ends are this near.
+/// mm. Two walls whose ends are this near form a corner.
 constexpr double kCorner = 1e-6;
-/// mm. Rounding of parallel curves: nearer than reach by this is not nearer.
+/// mm, for rounding of parallel curves: a wall nearer than reach by less than this is not too near.
 constexpr double kRounding = 1e-7;
-/// mm. A stretch where a cutter fits only with the allowance for fit must be this long to count as a slot, or
-/// this far from all legal places; less is the tip of a sharp corner.
+/// mm. A curve on which the cutter fits only within the fit tolerance is a slot if it is this long, or this
+/// far from all legal places; else it is the tip of a sharp corner.
 constexpr double kSlot = 0.1;
 
-/// By how much a cutter may be wider than where it goes, as shares of the fit tolerance.
+/// By how much the cutter may be wider than the place it goes, as shares of the fit tolerance.
 struct Allowances {
   double slot;   ///< how far it may come into the far wall while it runs along the near one
-  double hole;   ///< the same where all that is left is shorter than kSlot
-  double point;  ///< how far it may come into all walls around a place
+  double hole;   ///< the same if all that is left is shorter than kSlot
+  double point;  ///< how far it may come into all walls around a point
 };
-/// What is asked of every program is less than a planner may do, who may see walls by rounded or simplified
-/// edges. Where nothing fits by that, all of it is asked that fits at all.
+/// The verifier asks for less than the tolerance allows, because a planner may see walls with rounded or
+/// simplified edges. Where nothing fits by the first row, the next ones are tried.
 constexpr Allowances kAllowances[] = {{1, 0.75, 0.5}, {1.7, 1.7, 0.85}, {1.9, 1.9, 0.95}};
 
-/// Walls before and after a curve's own that are tried first.
+/// Number of walls before and after a curve's own that are tested first.
 constexpr int kNeighbours = 3;
 
-/// Times the middle of what is left of a curve is probed before all walls near are asked.
+/// How many times the middle of what is left of a curve is tested before all near walls are.
 constexpr int kProbes = 12;
 
 using Interval = TrimmedCurve::Interval;
 
-/// What of `part` lies in none of the intervals, which ascend.
+/// What of `part` lies in none of the intervals, which are ascending.
 std::vector<Interval> outside(const std::vector<Interval>& intervals, Interval part) {
   std::vector<Interval> rest;
   for (const Interval& i : intervals) {
@@ -82,7 +82,7 @@ void LegalCenters::add_wall_curves(const std::vector<int>& walls) {
   }
 }
 
-/// Arcs about the ends of walls where the part's corner points into the free area.
+/// Adds arcs about the ends of walls where a corner of the part points into the free area.
 void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
   std::vector<std::pair<Vec2, int>> starts;
   for (const int i : walls) starts.emplace_back(part_.walls()[i].edge.from, i);
@@ -110,7 +110,7 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
   }
 }
 
-/// Beside the flat ends of leaning walls.
+/// Adds curves beside the ends of walls with draft that the stock's side cuts off.
 void LegalCenters::add_end_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     for (const Edge& end : part_.walls()[i].flat_ends(z_)) {
@@ -148,7 +148,8 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
   }
 }
 
-/// A hole just as wide as the cutter leaves a few micrometres of each wall's curve, and nothing else near them.
+/// A hole just as wide as the cutter leaves some micrometres of each wall's curve, and nothing else near
+/// them.
 void LegalCenters::add_tight_places() {
   const EdgeTree known(found_);
   for (const auto& [piece, wall] : tight_) {
@@ -171,7 +172,7 @@ TrimmedCurve LegalCenters::legal_parts(const Edge& curve, int wall, double allow
        ++i) {
     cut_by_wall(left, part_.walls()[i], upright);
   }
-  // While the middle of what is left is too near to a wall, that wall takes much of it.
+  // A wall that is too near to the middle of what is left takes much of it, so that few walls decide.
   for (int round = 0; round < kProbes && !left.empty(); ++round) {
     const auto stands = [&](int i) { return part_.walls()[i].stands_at(z_); };
     const auto hit = part_.wall_tree().nearest(left.middle(), upright, stands);
@@ -194,7 +195,7 @@ void LegalCenters::cut_by_wall(TrimmedCurve& left, const Wall& wall, double upri
   left.keep([&](Vec2 p) { return distance(wall.edge, p) >= upright + part_.lean(wall, z_, p); });
 }
 
-/// Least over all walls of distance - reach, as far as it is negative; 0 otherwise.
+/// mm; the least distance - reach over all walls, if it is negative; else 0.
 double LegalCenters::clearance_over_reach(Vec2 p) const {
   double least = 0;
   const double far = reach_ + part_.greatest_lean();

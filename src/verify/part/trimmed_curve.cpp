@@ -15,7 +15,7 @@ double length_of(Vec2 a) {
   return std::sqrt(norm_squared(a));
 }
 
-/// Curves that together hold the outline of all points within d of an edge.
+/// Curves that together contain the outline of all points within d of an edge.
 std::vector<Edge> outline_within(const Edge& edge, double d) {
   std::vector<Edge> out = circle(edge.from, d);
   for (const Edge& half : circle(edge.to, d)) out.push_back(half);
@@ -79,7 +79,7 @@ void TrimmedCurve::add_cuts(const Edge& wall, double d) {
   }
 }
 
-/// A line meets the points within d of another in one interval.
+/// A line meets the points within d of another line in one interval.
 void TrimmedCurve::add_line_cuts(const Edge& wall, double d) {
   const Vec2 u = (curve_.to - curve_.from) / length_, v = wall.to - wall.from;
   const double wall_length = length_of(v);
@@ -94,7 +94,7 @@ void TrimmedCurve::add_line_cuts(const Edge& wall, double d) {
     const double half = std::sqrt((d - aside) * (d + aside));
     add(along - half, along + half);
   }
-  // Where the line passes beside the wall at d on either side.
+  // Where the line is at distance d beside the wall, on either side.
   const double across = cross(v, u) / wall_length, start = cross(v, curve_.from - wall.from) / wall_length;
   for (const double side : {d, -d}) {
     if (std::abs(across) < 1e-14) break;
@@ -106,12 +106,12 @@ void TrimmedCurve::add_line_cuts(const Edge& wall, double d) {
   cuts_.push_back(high);
 }
 
-/// Where the arc meets the circles about the wall's ends and the lines beside it. Half angles come from their
-/// tangents: on an arc of kilometres a cosine says nothing about micrometres.
+/// Adds where the arc meets the circles about the wall's ends and the lines beside it. Half angles are
+/// computed from their tangents, because on an arc of kilometres a cosine cannot resolve micrometres.
 void TrimmedCurve::add_arc_cuts(const Edge& wall, double d) {
   const Vec2 start = curve_.from - curve_.center;
-  // The two directions from the arc's centre that make an angle with v, by the squares of sine and cosine of
-  // its half (to a common factor).
+  // The two directions from the arc's centre at an angle to v, given by the squares of sine and cosine of
+  // half that angle, up to a common factor.
   const auto add = [&](Vec2 v, double sine_squared, double cosine_squared) {
     if (sine_squared < 0 || cosine_squared < 0) return;
     const double middle = std::atan2(cross(start, v), dot(start, v));

@@ -1,4 +1,4 @@
-// A curve from which stretches near walls are cut away.
+// A curve from which the parts near walls are cut away.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace clearcut::verify {
 
-/// What is left of an edge, as ascending disjoint intervals of its parameter. Lengths and angles that every
-/// cut needs are kept.
+/// What is left of an edge, as ascending disjoint intervals of its parameter. Keeps lengths and angles that
+/// every cut needs.
 class TrimmedCurve {
  public:
   using Interval = std::pair<double, double>;
@@ -28,9 +28,10 @@ class TrimmedCurve {
   Vec2 middle() const { return middle_; }
   double half() const { return half_; }
 
-  /// Adds a place where legality may change: all where the curve is d from `wall`, and perhaps more.
+  /// Adds the parameters where legality may change: all at which the curve is at distance d from `wall`, and
+  /// perhaps others.
   void add_cuts(const Edge& wall, double d);
-  /// Splits what is left at the cuts added, and keeps the pieces for whose middle is_legal(point) holds.
+  /// Divides what is left at these parameters, and keeps the pieces for whose middle is_legal(point) is true.
   template <typename IsLegal>
   void keep(IsLegal is_legal);
 
@@ -75,11 +76,11 @@ void TrimmedCurve::keep(IsLegal is_legal) {
   find_middle();
 }
 
-/// The curve at d on the left of an edge; none if an arc has no curve there, a point (a line with from == to)
-/// at its centre if the radius left is within `fit` of 0.
+/// The curve at distance d on the left of an edge. Nothing if an arc has no such curve; a point (a line with
+/// from == to) at its centre if the radius left is within `fit` of 0.
 std::vector<Edge> parallel(const Edge& edge, double d, double fit);
 
-/// Two half circles.
+/// The circle as two half circles.
 std::vector<Edge> circle(Vec2 center, double radius);
 
 }  // namespace clearcut::verify

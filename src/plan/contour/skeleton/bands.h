@@ -1,4 +1,4 @@
-// The paths of a skeleton as rubber bands, and what holds them. Used by the planner alone.
+// The flexible paths of a skeleton as elastic bands, and the points that hold them: what tightening works on.
 #pragma once
 
 #include <cstdint>
@@ -8,37 +8,37 @@
 
 namespace clearcut::plan::contour {
 
-/// Spacing of the vertices of bands, as a share of the radius.
+/// Distance between the vertices of bands, as a share of the tool radius.
 constexpr double kBandSpacing = 0.6;
 
-/// A straight piece between neighbouring vertices of a flexible path.
+/// A straight piece between two successive vertices of a flexible path; indices of points.
 struct Band {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 };
 
-/// A place that has to be cut: it holds the band that is nearest to it.
+/// A point that has to be cleared. It keeps the band nearest to it within the cutter's reach.
 struct Witness {
   Vec2 p;
-  bool moving = false;  ///< keeps to the middle between the bands on both sides of it
-  double near =
-      1e300;  ///< distance of the nearest band when last looked at, and how far bands had moved by then
-  double when = 0;
+  bool moving = false;  ///< it is kept in the middle between the bands on both sides of it
+  double near = 1e300;  ///< mm; distance to the nearest band when it was last computed
+  double when = 0;      ///< mm; Bands::moved at that time
 };
 
+/// A skeleton whose flexible paths are being shortened.
 struct Bands {
   Skeleton skeleton;
-  std::vector<Edge> fixed;  ///< the skeleton's rings
-  std::vector<Band> bands;  ///< of all flexible paths, one path after the other
+  std::vector<Edge> fixed;  ///< the edges of the rings that stay as they are
+  std::vector<Band> bands;  ///< the pieces of all flexible paths, one path after the other
   std::vector<Witness> witnesses;
-  double moved = 0;  ///< mm; no band has moved farther since the beginning
+  double moved = 0;  ///< mm; no band has moved farther than this since the beginning
 
   Vec2& at(std::uint32_t i) { return skeleton.points[i].at; }
   Vec2 at(std::uint32_t i) const { return skeleton.points[i].at; }
   Vec2 point(int i) const { return skeleton.points[static_cast<std::size_t>(i)].at; }
   bool on_ring(std::uint32_t i) const { return skeleton.points[i].ring >= 0; }
 
-  /// Calls f(path) for every flexible path, in the order of `bands`.
+  /// Calls f(path) for every flexible path, in the order in which `bands` lists their pieces.
   template <typename F>
   void for_paths(F&& f) {
     for (auto& leg : skeleton.legs) {
@@ -47,7 +47,7 @@ struct Bands {
     }
   }
 
-  /// Sets `bands` to the pieces of the paths as they are now.
+  /// Lists the pieces of all paths, as they are now, in `bands`.
   void list() {
     bands.clear();
     for_paths([&](const std::vector<int>& path) {

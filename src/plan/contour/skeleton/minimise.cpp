@@ -1,14 +1,15 @@
 // Symbols of the minimisation (an augmented Lagrangian with Newton steps):
 //
 //   v_i       vertices of the paths                       unknown
-//   w         witnesses: places that have to be cut      given, more after each exact check
+//   w         witnesses: points that have to be cleared  given, more after each exact check
 //   d(w)      distance from w to the nearest band (straight piece between neighbouring vertices)
 //   lambda_w  force with which w holds its band          multiplier
 //   rho       stiffness of that hold                     1 / mm
 //
 //   minimise  sum |v_i - v_(i+1)| + kEven / 2 sum |v_i - v_(i+1)|^2 / spacing   subject to   d(w) <= limit
 //
-// Along one way the Hessian couples neighbours only, so that a Newton step is one block-tridiagonal solve.
+// Along one path the Hessian couples successive vertices only, so that a Newton step is one block-tridiagonal
+// solve.
 #include "plan/contour/skeleton/minimise.h"
 
 #include <algorithm>
@@ -22,11 +23,11 @@ namespace {
 
 /// Weight of the springs that keep vertices evenly spaced.
 constexpr double kEven = 0.02;
-/// Share of the radius below which lengths are smoothed, so that vertices may meet.
+/// Share of the radius. Lengths below this are smoothed, so that vertices may meet.
 constexpr double kSoft = 0.01;
 /// Damping of the Newton step, 1 / radius.
 constexpr double kDamping = 0.02;
-/// Stiffness of every last step, 1 / radius.
+/// Stiffness of the witnesses in the last step, 1 / radius.
 constexpr double kStiffest = 2e4;
 
 /// A symmetric 2 x 2 matrix.
@@ -68,14 +69,15 @@ Vec2 nearest_on_ring(const Path& ring, Vec2 p, Vec2* tangent = nullptr) {
   return best;
 }
 
-/// A band as it lies now, ready for questions.
+/// A band at its present place, with what distances to it are computed from.
 struct Segment {
   Vec2 a;
   Vec2 d;
-  double inverse = 0;  ///< 1 / squared length; 0 for none
+  double inverse = 0;  ///< 1 / squared length, 1 / mm^2; 0 if it has none
 };
 
-/// A witness near the limit with the bands that may hold it while nothing moves farther than the skin.
+/// A witness near the limit, and its part of the list of bands that may become its nearest until the next
+/// listing.
 struct Active {
   std::uint32_t witness = 0;
   std::uint32_t first = 0;
@@ -93,7 +95,7 @@ struct BandMinimiser::Impl {
     fixed_in_.build(grid_.count());
   }
 
-  /// Newton steps, at first wide and soft, at last small and stiff.
+  /// See BandMinimiser::relax.
   void relax(const Pull& pull, double limit) {
     limit_ = limit;
     skin_ = 0.1 * job_.radius;
@@ -114,7 +116,7 @@ struct BandMinimiser::Impl {
     paths_.for_paths([&](const std::vector<int>& path) { solve(path); });
     const double longest = longest_move();
     for (std::size_t i = 0; i < before_.size(); ++i) {
-      // Each for itself: one that is thrown far must not hold up all others.
+      // Each move is limited on its own, so that one long move does not hold up the others.
       const double far = norm(move_[i]);
       paths_.skeleton.points[i].at = before_[i] + move_[i] * (far > reach ? reach / far : 1);
     }
@@ -130,7 +132,7 @@ struct BandMinimiser::Impl {
     return std::sqrt(most);
   }
 
-  /// Gradient and Hessian of the augmented Lagrangian, per vertex and per band.
+  /// Computes gradient and Hessian of the augmented Lagrangian, by vertex and by band.
   void assemble() {
     gradient_.assign(paths_.skeleton.points.size(), {});
     diagonal_.assign(paths_.skeleton.points.size(), {kDamping / job_.radius, 0, kDamping / job_.radius});
@@ -157,8 +159,8 @@ struct BandMinimiser::Impl {
     coupling_[i] += h * -1;
   }
 
-  /// turn_cost * (1 - cosine of the turn) at every vertex, with a bound of its curvature in place of the
-  /// Hessian.
+  /// Adds turn_cost * (1 - cosine of the turn) at every vertex, with an upper bound of its curvature instead
+  /// of its Hessian.
   void add_turns(const std::vector<int>& path) {
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
       const auto before = static_cast<std::uint32_t>(path[i - 1]), here = static_cast<std::uint32_t>(path[i]);
@@ -180,12 +182,12 @@ struct BandMinimiser::Impl {
 
   static constexpr std::uint32_t kFixed = std::numeric_limits<std::uint32_t>::max();
 
-  /// The place of a band, or of a fixed edge, that is nearest to a witness.
+  /// The point of a band, or of a fixed edge, that is nearest to a witness.
   struct Hold {
     std::uint32_t band = kFixed;
     double t = 0;
     double distance = std::numeric_limits<double>::infinity();
-    Vec2 away;  ///< unit, from there to the witness
+    Vec2 away;  ///< unit vector from that point to the witness
   };
 
   void add_hold(const Active& active) {
@@ -195,8 +197,8 @@ struct BandMinimiser::Impl {
     if (!witness.moving) return hold_band(hold, 1.0);
     const Hold other = opposite_hold(active, witness.p, hold);
     if (!std::isfinite(other.distance)) return hold_band(hold, 1.0);
-    // To where both are equally far: along n1 - n2, in which direction each distance changes at the same
-    // rate.
+    // The witness moves to where both are equally far: along n1 - n2, the direction in which both distances
+    // change at the same rate.
     const double rate = 1 - dot(hold.away, other.away);
     const double gap = other.distance - hold.distance;
     const double step = std::min(gap, 0.2 * job_.radius);
@@ -208,8 +210,8 @@ struct BandMinimiser::Impl {
     }
   }
 
-  /// Adds the force with which a witness at `hold.distance` holds a band; `share` is how far the distance
-  /// changes with the band.
+  /// Adds the force with which a witness at `hold.distance` pulls a band; `share`: change of the distance per
+  /// mm that the band moves.
   void hold_band(const Hold& hold, double share) {
     const double force = stiffness_ * (hold.distance - limit_) * share;
     if (force <= 0 || hold.distance < 1e-9 || hold.band == kFixed) return;
@@ -226,7 +228,7 @@ struct BandMinimiser::Impl {
     coupling_[hold.band] += h * (s * t);
   }
 
-  /// From the place of band `i` that is nearest to p, to p.
+  /// The vector to p from the point of band `i` that is nearest to p; `t` is the parameter of that point.
   Vec2 offset_from_band(std::uint32_t i, Vec2 p, double& t) const {
     const Segment& band = segments_[i];
     const Vec2 s = p - band.a;
@@ -256,7 +258,7 @@ struct BandMinimiser::Impl {
     return best;
   }
 
-  /// The nearest hold on the other side of p, fixed edges included.
+  /// The nearest hold on the opposite side of p, fixed edges included.
   Hold opposite_hold(const Active& active, Vec2 p, const Hold& nearest) const {
     Hold best;
     Vec2 best_offset;
@@ -286,7 +288,7 @@ struct BandMinimiser::Impl {
     return best;
   }
 
-  /// Newton step of the free vertices of one way, by block elimination from its first to its last.
+  /// Newton step for the free vertices of one path, by block elimination from its first to its last.
   void solve(const std::vector<int>& path) {
     const std::size_t n = path.size();
     if (n == 0) return;
@@ -336,7 +338,7 @@ struct BandMinimiser::Impl {
     }
   }
 
-  /// Bands that have left the legal area go back to where they were.
+  /// Moves bands that have left the legal area back to where they were.
   void undo_illegal() {
     for (std::size_t i = 0; i < paths_.bands.size(); ++i) {
       const Band band = paths_.bands[i];
@@ -357,7 +359,7 @@ struct BandMinimiser::Impl {
     }
   }
 
-  /// Witnesses near the limit. Those well inside sleep until bands may have moved away from them.
+  /// Lists witnesses near the limit. Those well inside are skipped until bands may have moved away from them.
   void list_active() {
     active_.clear();
     candidates_.clear();
@@ -417,7 +419,7 @@ struct BandMinimiser::Impl {
 
   Bands& paths_;
   const TightenJob& job_;
-  double limit_ = 0;  ///< distance at which witnesses begin to hold
+  double limit_ = 0;  ///< mm; witnesses pull bands that are farther away
   double skin_ = 0;
   double stiffness_ = 0;
   double tension_ = 1;
@@ -430,7 +432,7 @@ struct BandMinimiser::Impl {
   CellGrid grid_;
   CellLists bands_in_, fixed_in_;
   std::vector<Segment> segments_;
-  std::vector<char> safe_;  ///< of each band: it cannot leave the legal area before the next listing
+  std::vector<char> safe_;  ///< for each band: whether it cannot leave the legal area before the next listing
 };
 
 BandMinimiser::BandMinimiser(Bands& paths, const TightenJob& job)

@@ -6,7 +6,7 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// One way after the other, from its first vertex to its last.
+/// Drops vertices of one path after the other, each from its first vertex to its last.
 class Polish {
  public:
   Polish(Bands& paths, const TightenJob& job, double radius) : paths_(paths), job_(job), radius_(radius) {}
@@ -26,7 +26,7 @@ class Polish {
   }
 
  private:
-  /// All edges while vertices are dropped: those in use, and where they lie.
+  /// All edges while vertices are dropped, which of them are in use, and an index of where they lie.
   struct EdgesInUse {
     explicit EdgesInUse(double cell) : index(cell) {}
     std::vector<Edge> edges;
@@ -42,7 +42,7 @@ class Polish {
     }
   };
 
-  /// `edge` is the number of the path's first edge; the others follow it.
+  /// `edge`: the number of the path's first edge; the others follow it.
   void polish(std::vector<int>& path, std::uint32_t edge, EdgesInUse& state) const {
     std::vector<int> kept;
     std::uint32_t arriving = edge;
@@ -59,7 +59,7 @@ class Polish {
     path = std::move(kept);
   }
 
-  /// Whether one straight edge in place of two neighbouring ones still clears all that they clear.
+  /// Whether one straight edge in place of two successive ones clears all that they clear.
   bool may_drop(std::uint32_t arriving, std::uint32_t leaving, const EdgesInUse& state) const {
     const Edge first = state.edges[arriving], second = state.edges[leaving];
     if (first.from == first.to || second.from == second.to) return true;

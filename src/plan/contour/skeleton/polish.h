@@ -1,4 +1,4 @@
-// Fewer corners for paths that are pulled taut. Used by the planner alone.
+// Removes corners from shortened paths.
 #pragma once
 
 #include "plan/contour/skeleton/bands.h"
@@ -6,8 +6,8 @@
 
 namespace clearcut::plan::contour {
 
-/// Drops every vertex of the paths that coverage can do without: fewer corners, shorter paths. All that was within
-/// `radius` mm of a path or ring stays so.
+/// Drops every vertex of the paths without which the same area is cleared: fewer corners, shorter paths.
+/// Everything within `radius` mm of a path or ring stays so.
 /// Cost  O(vertices * (edges near)^2).
 void drop_needless_vertices(Bands& paths, const TightenJob& job, double radius);
 

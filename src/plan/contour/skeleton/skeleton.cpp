@@ -26,7 +26,7 @@ RingPlace place_on(const Path& ring, Vec2 p) {
   return best;
 }
 
-/// The part of a ring from one place to another in its sense; all round when they are the same.
+/// The part of a ring from one place to another in its direction; the whole ring if they are the same.
 Path ring_part(const Path& ring, const RingPlace& from, const RingPlace& to) {
   Path part;
   const auto add = [&](const Edge& e, double t0, double t1) {
@@ -95,7 +95,7 @@ class SkeletonBuilder {
            (passes_[i].parent < 0 || weight_[i] - length(passes_[i].path) > options_.flexible);
   }
 
-  /// Where the ways inside pass i would be entered, coming from p.
+  /// The point at which the paths inside pass i would be entered from p.
   Vec2 entry_of(std::size_t i, Vec2 p) const {
     while (!flexible_[i].empty()) i = flexible_[i].front();
     if (passes_[i].closed) return place_on(passes_[i].path, p).point;
@@ -117,7 +117,7 @@ class SkeletonBuilder {
     return best;
   }
 
-  /// Rings that stay, inside-out: each a leg of its own.
+  /// Adds the rings that stay as they are, from the inside out, each with a leg of its own.
   void add_tree(std::size_t root) {
     std::vector<std::size_t> outside_in, open{root};
     while (!open.empty()) {
@@ -134,8 +134,8 @@ class SkeletonBuilder {
   void add_leg(std::size_t root) {
     Leg leg;
     std::vector<int> vertices;
-    leg.lifted = skeleton_.legs.empty() || !may_stay_down(root);
-    if (!leg.lifted) vertices.push_back(last_);
+    leg.retracted = skeleton_.legs.empty() || !may_stay_down(root);
+    if (!leg.retracted) vertices.push_back(last_);
     leg.ring = static_cast<int>(skeleton_.rings.size());
     skeleton_.rings.push_back(passes_[root].path);
     if (!flexible_[root].empty()) spiral_out(flexible_[root].front(), vertices);
@@ -162,7 +162,7 @@ class SkeletonBuilder {
     return vertices;
   }
 
-  /// A point of the pass that is nearest to the ring, among its vertices.
+  /// The vertex of the pass that is nearest to the ring.
   Vec2 nearest_to_ring(std::size_t pass, const Path& ring) const {
     Vec2 best;
     double best_distance = kInfinity;
@@ -191,7 +191,7 @@ class SkeletonBuilder {
            place_on(ring, passes_[i].path.back().to).distance;
   }
 
-  /// Everything inside pass i, then pass i itself.
+  /// Adds everything inside pass i, then pass i itself.
   void spiral_out(std::size_t i, std::vector<int>& vertices) {
     if (!children_[i].empty()) spiral_out(children_[i].front(), vertices);
     if (!passes_[i].closed) return walk_open(i, vertices);
@@ -204,7 +204,7 @@ class SkeletonBuilder {
     return options_.begin ? place_on(ring, *options_.begin).point : ring.front().from;
   }
 
-  /// Into pass i and all it surrounds, innermost first, and back to where it was entered.
+  /// Adds a path into pass i and all passes inside it, innermost first, and back to where it was entered.
   void detour(std::size_t i, std::vector<int>& vertices) {
     if (!passes_[i].closed) return walk_open(i, vertices);
     const auto entrance = place_on(passes_[i].path, at(vertices.back()));
@@ -215,7 +215,7 @@ class SkeletonBuilder {
     go_round(i, entrance, vertices);
   }
 
-  /// Once round ring i from `start`, visiting its children but the first on the way.
+  /// Adds ring i once round from `start`, with detours to all its children but the first.
   void go_round(std::size_t i, const RingPlace& start, std::vector<int>& vertices) {
     const auto& ring = passes_[i].path;
     std::vector<std::pair<RingPlace, std::size_t>> stops;
@@ -247,9 +247,10 @@ class SkeletonBuilder {
 
   const std::vector<Pass>& passes_;
   const SkeletonOptions& options_;
-  std::vector<std::vector<std::size_t>> children_;  ///< heaviest first
-  std::vector<std::vector<std::size_t>> flexible_;  ///< those of them that do not stay as they are
-  std::vector<double> weight_;                      ///< length of the pass and all inside it
+  /// The child with the greatest length of path inside it first.
+  std::vector<std::vector<std::size_t>> children_;
+  std::vector<std::vector<std::size_t>> flexible_;  ///< those of them that may be changed
+  std::vector<double> weight_;                      ///< mm; length of the pass and of all passes inside it
   Skeleton skeleton_;
   int last_ = -1;
 };
@@ -262,7 +263,8 @@ void append_lines(const Skeleton& skeleton, const std::vector<int>& vertices, Pa
   }
 }
 
-/// The ring from the leg's last point once round, with its detours in the order in which it meets them.
+/// Adds the ring once round from the leg's last point, with the leg's detours in the order in which it meets
+/// them.
 void append_ring(const Skeleton& skeleton, const Leg& leg, Path& path) {
   const Path& ring = skeleton.rings[static_cast<std::size_t>(leg.ring)];
   const auto place = [&](int point) {
@@ -299,7 +301,7 @@ Skeleton skeleton_of(const std::vector<Pass>& passes, const SkeletonOptions& opt
 std::vector<Path> paths_of(const Skeleton& skeleton) {
   std::vector<Path> paths;
   for (const auto& leg : skeleton.legs) {
-    if (leg.lifted || paths.empty()) paths.emplace_back();
+    if (leg.retracted || paths.empty()) paths.emplace_back();
     append_lines(skeleton, leg.path_in, paths.back());
     if (leg.ring >= 0) append_ring(skeleton, leg, paths.back());
   }

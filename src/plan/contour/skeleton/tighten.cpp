@@ -15,40 +15,44 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. How much less than the radius the witnesses' limit is while paths are pulled, and at the end.
+/// mm. The witnesses' limit is less than the radius by kPullMargin while paths are shortened, by
+/// kWitnessMargin at the end.
 constexpr double kPullMargin = 0.0005;
 constexpr double kWitnessMargin = 0.004;
-/// mm. How much less than the radius the exact check runs with: above the rounding of any program text.
+/// mm. The exact check runs with a radius smaller by this, which is more than any program's rounding.
 constexpr double kProvenMargin = 0.001;
-/// Radii with which the check runs in the first rounds, where only large holes count, and how many rounds that are.
+/// In the first kRoughRounds rounds the check runs with the radius times kFirstSample, so that only large
+/// holes count.
 constexpr double kFirstSample = 1.01;
 constexpr int kRoughRounds = 3;
-/// mm. Where strokes fit exactly side by side nothing is left for margins: there the limit and the radius of
-/// the check are this much more than the radius.
+/// mm. Where passes fit exactly side by side there is no room for margins: the limit and the radius of the
+/// check are greater than the radius by these.
 constexpr double kResidualLimit = 0.0012;
 constexpr double kResidual = 0.0035;
-/// Spacing of the witnesses at the beginning, as a share of the radius.
+/// Distance between the first witnesses, as a share of the radius.
 constexpr double kSeedSpacing = 1.0;
-/// Vertices that lie nearer to both their neighbours are dropped, in shares of the spacing.
+/// A vertex nearer than this to both its neighbours is dropped; share of the vertices' distance.
 constexpr double kCrowded = 0.3;
-/// Holes are taken to be at most this large, as a share of the radius; larger ones count as several.
+/// Greatest size of a hole as a share of the radius; larger ones count as several.
 constexpr double kHoleSize = 2.0;
-/// Rim vertices this near to the middle of a hole, in shares of its size, belong to it.
+/// Rim vertices this near to the middle of a hole belong to it; share of the hole's size.
 constexpr double kSameHole = 0.6;
-/// Rounds after the last pull in which the exact check has to find nothing left; with tension in the first of
-/// them.
+/// Number of rounds at the end in which the exact check has to find nothing; bands shorten in the first
+/// kSettlingRounds of them.
 constexpr int kSettlingRounds = 4;
 constexpr int kMendingRounds = 14;
-/// Rounds that close fewer than a fifth of many holes show that there is no room to close them.
+/// If more than kStalledAbove holes are left and kMostStalled rounds close fewer than a fifth of them, there
+/// is no room to close them.
 constexpr int kMostStalled = 2;
 constexpr std::size_t kStalledAbove = 20;
-/// So few are closed from all their corners: long thin ones would shrink by a share a round only.
+/// Up to this many holes get a witness at every corner, because long thin holes would shrink slowly
+/// otherwise.
 constexpr std::size_t kFewHoles = 20;
 
 constexpr Pull kFirstPull{22, 0.3, 0.03, 2};
 constexpr Pull kLaterPull{10, 0.1, 0.03, 100};
 constexpr Pull kSettling{10, 0.02, 0.2, 2000};
-/// Without tension nothing slides away while the last holes are closed.
+/// Without tension, so that nothing opens while the last holes are closed.
 constexpr Pull kMending{10, 0.02, 0.5, 2e4, 0};
 
 Bands bands_of(Skeleton skeleton) {
@@ -86,7 +90,7 @@ struct Tightener::Impl {
   }
 
   bool finish() {
-    // Still witnesses have done their work by now and would quarrel with the moving ones.
+    // Witnesses that stand still are no longer needed and would work against the moving ones.
     std::erase_if(paths_.witnesses, [](const Witness& w) { return !w.moving; });
     limit_ = job_.radius - kWitnessMargin;
     prove_with(job_.radius - kProvenMargin);
@@ -145,7 +149,7 @@ struct Tightener::Impl {
     for (const Vec2 p : by_rings.holes(job_.matters)) paths_.witnesses.push_back({p});
   }
 
-  /// Moving witnesses beside every band: they follow the seam between it and what runs there.
+  /// Sets moving witnesses on both sides of every band, where its swept area borders on that of others.
   void seed_seams() {
     for (const auto& band : paths_.bands) {
       const Vec2 a = paths_.at(band.a), b = paths_.at(band.b);
@@ -157,13 +161,13 @@ struct Tightener::Impl {
     }
   }
 
-  /// One witness in the depth of every hole: its rim is as near as can be to the limit.
+  /// Sets one witness in the middle of every hole, because the rim is already at the limit.
   void add_witnesses(const std::vector<Vec2>& rim, const Cover& now) {
     if (rim.empty()) return;
     BoxIndex by_place(kHoleSize * job_.radius), by_witness(kHoleSize * job_.radius);
     for (std::uint32_t i = 0; i < rim.size(); ++i) by_place.add({rim[i], rim[i]}, i);
     std::vector<Vec2> added;
-    std::vector<double> reach;  // of the holes that the added ones stand in
+    std::vector<double> reach;  // size of the holes in which the added ones lie
     for (const Vec2 start : rim) {
       const auto holes_near = by_witness.near({start, start});
       if (std::any_of(holes_near.begin(), holes_near.end(),
@@ -183,8 +187,8 @@ struct Tightener::Impl {
     }
   }
 
-  /// The middle between a rim vertex and the farthest other one that sees it across the hole; size 0 if there
-  /// is none.
+  /// The middle between a rim vertex and the farthest other one in the same hole; `size` is 0 if there is
+  /// none.
   Vec2 across_hole(Vec2 start, const std::vector<Vec2>& rim, const BoxIndex& by_place, const Cover& now,
                    double& size) const {
     const auto open = [&](Vec2 a, Vec2 b) {
@@ -200,7 +204,7 @@ struct Tightener::Impl {
     return middle;
   }
 
-  /// Climbs from p to where the bands are farthest, by shorter and shorter steps.
+  /// Moves from p, by shorter and shorter steps, to where bands are farthest away.
   Vec2 deepest_near(Vec2 p, const Cover& now) const {
     double depth = now.distance_to(p);
     for (double step = 0.05 * job_.radius; step > 1e-3 * job_.radius;) {
@@ -228,7 +232,7 @@ struct Tightener::Impl {
     return Cover(edges, by_rings_);
   }
 
-  /// Splits long bands and drops vertices that crowd.
+  /// Splits long bands and drops vertices that are too close.
   void respace() {
     const double spacing = kBandSpacing * job_.radius;
     paths_.moved += kCrowded * spacing;
@@ -270,8 +274,8 @@ struct Tightener::Impl {
   Bands paths_;
   TightenJob job_;
   BandMinimiser minimiser_;
-  double limit_;       ///< distance at which witnesses begin to hold
-  double proven_ = 0;  ///< radius of the exact check
+  double limit_;       ///< mm; witnesses pull bands that are farther away
+  double proven_ = 0;  ///< mm; radius of the exact check
   std::shared_ptr<const Cover> by_rings_;
   int round_ = 0;
 };

@@ -1,4 +1,4 @@
-// Pulls the flexible paths of a skeleton taut without uncovering anything. Used by the planner alone.
+// Shortens the flexible paths of a skeleton without leaving anything that they cleared.
 #pragma once
 
 #include <functional>
@@ -9,21 +9,22 @@
 
 namespace clearcut::plan::contour {
 
+/// What the paths have to clear, and where they may run.
 struct TightenJob {
   double radius = 0;                  ///< of the cutter, mm
-  std::function<bool(Vec2)> matters;  ///< whether a place has to be cut
-  Box where;                          ///< holds all places that matter
+  std::function<bool(Vec2)> matters;  ///< whether a place has to be cleared
+  Box where;                          ///< a box around all places that have to be cleared
   const LegalArea* legal = nullptr;   ///< where the centre may be
-  double turn_cost = 0;               ///< mm of path that take as long as a right-angled corner costs
-  bool bare = false;                  ///< not even a residual may stay
+  double turn_cost = 0;               ///< mm of path that take as long as a corner of a right angle costs
+  bool bare = false;                  ///< not even a thin residual may stay
 };
 
-/// Shortens the paths of a skeleton while everything that matters stays within the radius of a path or a ring.
+/// Shortens the paths of a skeleton while everything that matters stays within the tool radius of a path or a
+/// ring.
 ///
-/// Method  The paths are rubber bands, shortened by Newton steps; places that have to be cut (witnesses) hold
-/// the bands
-///         near them. Some witnesses stand still, some keep to the middle between two bands. An exact check
-///         (Cover::holes) after each round names what is left, and there new witnesses are set.
+/// Method  The paths are elastic bands that Newton steps shorten. Witnesses, points that have to be cleared,
+///         hold the bands near them; some stand still, some stay in the middle between two bands. After each
+///         round an exact check (Cover::holes) finds what is left, and new witnesses are set there.
 /// Cost    O(rounds * iterations * (vertices + witnesses near the limit)).
 class Tightener {
  public:
@@ -32,13 +33,13 @@ class Tightener {
   Tightener(Tightener&&) noexcept;
   Tightener& operator=(Tightener&&) noexcept;
 
-  /// A few rounds: enough to compare one skeleton with another.
+  /// Makes a number of rounds; a few are enough to compare one skeleton with another.
   void pull(int rounds);
-  /// Rounds with ever stiffer bands until the check finds nothing left; then drops needless vertices.
-  /// False when something stays; the skeleton is not to be used then.
+  /// Makes rounds with stiffer and stiffer witnesses until the check finds nothing left, then drops needless
+  /// vertices. False if something stays; the skeleton must not be used then.
   bool finish();
   const Skeleton& skeleton() const;
-  /// mm. How far from what is cut anything may be left: 0, or a residual well under tol.uncut where strokes fit
+  /// mm; how far from what is cut something may stay. 0, or a residual well below tol.uncut where passes fit
   /// exactly side by side, as they do in pockets of round dimensions.
   double residual() const;
 
