@@ -26,6 +26,12 @@ bool is_corner(const JudgedMove& before, const JudgedMove& after) {
          turn_between(*before.move, *after.move) > kSmoothTurn;
 }
 
+/// The piece of a leg bent to end elsewhere: an arc stays as curved as it was. Its chord would cut off more than any control
+/// that keeps the tolerance.
+Edge bent(const Edge& leg, Vec2 from, Vec2 to) {
+  return leg.is_arc() ? Edge::from_bulge(from, to, std::tan(leg.sweep() / 4)) : Edge::line(from, to);
+}
+
 }  // namespace
 
 std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, const JudgedMove& after,
@@ -45,9 +51,9 @@ std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, cons
   const Vec2 inside = corner + unit(inward) * std::min(tolerance, norm(inward));
   const double za = std::lerp(a.z_from, a.z_to, ta), zb = std::lerp(b.z_from, b.z_to, tb);
   Move first = a, second = b;
-  first.path = Edge::line(leave, inside);
+  first.path = bent(a.path.part(ta, 1), leave, inside);
   first.z_from = za, first.z_to = a.z_to;
-  second.path = Edge::line(inside, join);
+  second.path = bent(b.path.part(0, tb), inside, join);
   second.z_from = a.z_to, second.z_to = zb;
   return std::array<Move, 2>{first, second};
 }
