@@ -440,6 +440,23 @@ Path circle_from(double angle, double radius) {
   return {Edge::arc(a, -a, {}, Turn::kClockwise), Edge::arc(-a, a, {}, Turn::kClockwise)};
 }
 
+TEST(HeightMap, BoxesOfCurvedFacesEndWithTheSolid) {
+  read::SolidModel solid;
+  solid.plan = {{0, 0}, {40, 20}};
+  solid.z_bottom = -5;
+  read::SolidFace face;
+  face.number = 1;
+  face.surface = "free surface";
+  face.facing = read::Facing::kMixed;
+  face.plan = {{10, -0.03}, {20, 8}};
+  solid.faces = {face};
+  const read::HeightMap map(solid, "bulge", {});
+  ASSERT_EQ(map.cells().size(), 1u);
+  const Box where = box(map.cells()[0].area);
+  EXPECT_EQ(where.min.y, 0);
+  EXPECT_EQ(where.max.y, 8);
+}
+
 /// Plates of 200 x 200 mm over each other, each with a hole of the same size but for rounding, whose circle begins
 /// elsewhere: flattened, the circles cross thousands of times.
 read::SolidModel stack_of_plates(int plates) {

@@ -110,6 +110,46 @@ double height_above(double level, const Box& target, const std::vector<JudgedMov
   return most;
 }
 
+/// What one step of a feature is to reach: no other goes as deep with a smaller cutter and leaves no more on the walls.
+struct FinestWork {
+  double radius = 0;
+  double flat = 0;  ///< radius of its flat end
+  double allowance_side = 0;
+};
+
+bool covers(const FinestWork& a, const FinestWork& b) {
+  return a.radius <= b.radius && a.allowance_side <= b.allowance_side;
+}
+
+/// Of the steps that go down to z: what leaves stock on the floor does not reach it. Mostly one, the last.
+std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, double z,
+                                     const Tolerances& tol) {
+  std::vector<FinestWork> finest;
+  for (const Workingstep& step : part.workplan) {
+    const Operation& operation = step.operation;
+    const double lowest = part.features[work.feature].floor_z + operation.allowance_floor;
+    const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());
+    if (step.feature != work.feature || lowest > z + tol.gouge) continue;
+    const Tool tool = known ? part.tools[operation.tool] : Tool{};
+    const FinestWork own{tool.radius(), flat_radius_of(tool), operation.allowance_side};
+    if (std::any_of(finest.begin(), finest.end(),
+                    [&](const FinestWork& other) { return covers(other, own); }))
+      continue;
+    std::erase_if(finest, [&](const FinestWork& other) { return covers(own, other); });
+    finest.push_back(own);
+  }
+  return finest;
+}
+
+/// What two steps leave of what each of them reaches: the worse of the two; out of reach is what neither reaches.
+Coverage both(const Coverage& a, const Coverage& b) {
+  Coverage worse = a.thickness_mm >= b.thickness_mm ? a : b;
+  worse.reachable = a.reachable || b.reachable;
+  worse.uncut_mm2 = std::max(a.uncut_mm2, b.uncut_mm2);
+  worse.unreachable_mm2 = std::min(a.unreachable_mm2, b.unreachable_mm2);
+  return worse;
+}
+
 class WorkJudge {
  public:
   WorkJudge(const Part& part, const FinishedPart& finished, const JudgedProgram& program,
@@ -124,14 +164,19 @@ class WorkJudge {
     question.part = &finished_;
     question.target = &feature.target;
     question.z = level.z + tol.gouge;
-    question.radius = work.smallest_radius;
-    question.flat = work.smallest_flat;
-    question.allowance = work.allowance_side;
     question.swaths = swaths_at(level.z, box(feature.target), program_.moves, tol);
     question.path_tolerance = liberty_at(level.z + tol.uncut, box(feature.target), program_.moves, tol);
     question.above = height_above(level.z, box(feature.target), program_.moves, tol);
     level.any_cut = !question.swaths.empty();
-    level.coverage = coverage_of(question, tol);
+    bool first = true;
+    for (const FinestWork& finest : finest_works(part_, work, level.z, tol)) {
+      question.radius = finest.radius;
+      question.flat = finest.flat;
+      question.allowance = finest.allowance_side;
+      const Coverage one = coverage_of(question, tol);
+      level.coverage = first ? one : both(level.coverage, one);
+      first = false;
+    }
   }
 
   void add_layers(FeatureWork& work) const {
