@@ -291,10 +291,10 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
   const Part part = read::read_part_text(
       dxf(rectangle("POCKET_D2", 0, 0, 40, 30) + rectangle("POCKET_D2", 50, 0, 90, 30)), "two.dxf", asking());
   const auto result = plan_part(part, with_mill("endmill:10"));
-  ASSERT_EQ(result.conditions.size(), 2u);
-  EXPECT_EQ(result.conditions[0].name, "out-of-reach");
-  EXPECT_THAT(result.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
-  EXPECT_THAT(result.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
+  ASSERT_EQ(result.findings.conditions.size(), 2u);
+  EXPECT_EQ(result.findings.conditions[0].name, "out-of-reach");
+  EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
+  EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
 }
 
 /// A comb of slots whose sides wave: thousands of short edges, none of which a wide cutter comes into.
@@ -323,8 +323,8 @@ TEST(OutOfReach, IsFoundInASecondOnOutlinesOfThousandsOfEdges) {
   const std::clock_t begin = std::clock();
   const auto result = plan_part(part, options);
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 4) << "s of the processor";
-  ASSERT_EQ(result.conditions.size(), 1u);
-  EXPECT_THAT(result.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));
+  ASSERT_EQ(result.findings.conditions.size(), 1u);
+  EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));
 }
 
 }  // namespace

@@ -344,6 +344,12 @@ std::size_t candidates_in(const std::vector<ChoiceStep>& steps) {
   return count;
 }
 
+/// What no cutter reaches is a condition until it is accepted: the part is not all that was asked for.
+void add_out_of_reach(const Part& part, const ResolvedPlan& plan, Findings& findings) {
+  for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
+  accept_conditions(findings, plan.accept);
+}
+
 }  // namespace
 
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
@@ -371,10 +377,8 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     certify(result, toolpath, plan);
     meter.add();
   } while (retry_unclean(choice, result));
+  add_out_of_reach(result.part, plan, result.findings);
   sign(result, toolpath, plan);
-  result.conditions = out_of_reach(result.part, result.findings, plan.tol);
-  for (const Condition& one : result.conditions)
-    result.part.diagnostics.warn(result.part.source_file, "condition '" + one.name + "': " + one.text);
   report_notes(choice, works, plan, result.part);
   result.contours = contours_of(toolpath);
   result.contests = choice.contests();
@@ -417,7 +421,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   number_sections(result.toolpath, result.part);
   result.findings =
       judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan);
-  result.conditions = result.findings.conditions;
+  add_out_of_reach(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }
