@@ -297,6 +297,25 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
   EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
 }
 
+TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
+  // A slot of 2 mm beside a square: most of it is too narrow for the cutter.
+  const std::string slot = dxf("0\nLWPOLYLINE\n8\nPOCKET_D2\n90\n8\n70\n1\n" + [] {
+    std::string points;
+    for (const Vec2 p : {Vec2{0, 0}, {10, 0}, {10, 4}, {40, 4}, {40, 6}, {10, 6}, {10, 10}, {0, 10}})
+      points += "10\n" + std::to_string(p.x) + "\n20\n" + std::to_string(p.y) + "\n";
+    return points;
+  }());
+  const Part part = read::read_part_text(slot, "slot.dxf", asking());
+  resolve::PlanOptions options = with_mill("endmill:4");
+  const auto result = plan_part(part, options);
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kConditional);
+  EXPECT_THAT(result.program, HasSubstr("CONDITIONS: OUT-OF-REACH"));
+  options.accept = {"out-of-reach"};
+  EXPECT_EQ(verdict_of(plan_part(part, options).findings), Verdict::kClean);
+  const Part square = read::read_part_text(dxf(rectangle("POCKET_D2", 0, 0, 60, 40)), "square.dxf", asking());
+  EXPECT_EQ(verdict_of(plan_part(square, with_mill("endmill:10")).findings), Verdict::kClean);
+}
+
 /// A comb of slots whose sides wave: thousands of short edges, none of which a wide cutter comes into.
 Part waved_comb() {
   constexpr int kTeeth = 30, kWaves = 40;

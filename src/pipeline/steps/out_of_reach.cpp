@@ -62,7 +62,8 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
                              " mm2 has " + trimmed(fits, 2) + " mm"
                        : "; no cutter of 0.1 mm or more reaches it";
     }
-    conditions.push_back({"out-of-reach", text, 0});
+    const bool little = left <= std::max(kShare * whole, kCorners);
+    conditions.push_back({"out-of-reach", text, 0, little ? "no more than 2 % or 1 mm2" : ""});
   }
   return conditions;
 }
