@@ -8,7 +8,7 @@
 #include "geometry/boolean.h"
 #include "order/lattice.h"
 #include "order/solve.h"
-#include "pipeline/tour_solver.h"
+#include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
 #include "resolve/prepare.h"
 #include "studies/fishhead.h"

@@ -5,11 +5,11 @@
 #include <array>
 #include <chrono>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/clearance.h"
 #include "order/solve.h"
 #include "pipeline/certify.h"
-#include "pipeline/strategies.h"
+#include "pipeline/selection/strategies.h"
 #include "plan/common/layers.h"
 #include "plan/grid/check.h"
 #include "plan/grid/shape.h"

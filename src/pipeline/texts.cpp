@@ -1,6 +1,6 @@
 #include "pipeline/texts.h"
 
-#include "base/digest.h"
+#include "base/files/digest.h"
 #include "base/version.h"
 #include "report/certificate.h"
 #include "report/contest_table.h"

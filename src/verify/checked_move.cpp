@@ -5,15 +5,13 @@
 #include <span>
 
 #include "kinematics/kinematics.h"
-#include "verify/edge_tree.h"
+#include "verify/attribution.h"
 
 namespace clearcut::verify {
 namespace {
 
 /// mm. Heights that differ by less belong to one layer.
 constexpr double kSameLayer = 1e-3;
-/// mm. A move may leave the feature's range of heights by this and still belong to the feature.
-constexpr double kHeightSlack = 0.05;
 
 const Tool* tool_of(const Part& part, int number) {
   for (const Tool& tool : part.tools) {
@@ -22,62 +20,6 @@ const Tool* tool_of(const Part& part, int number) {
   // A program without tool words, for a part with one tool.
   return number <= 0 && part.tools.size() == 1 ? &part.tools.front() : nullptr;
 }
-
-/// Finds the workingstep to which a feed move belongs.
-class Attribution {
- public:
-  explicit Attribution(const Part& part) : part_(part) {
-    for (const Feature& feature : part.features) {
-      std::vector<Edge> edges;
-      for (const Region& region : feature.target) {
-        for (const Edge& edge : region.edges()) edges.push_back(edge);
-      }
-      outlines_.emplace_back(std::move(edges));
-    }
-  }
-
-  /// The workingstep of a whole section: by its number, else by the name of the workingstep or the feature.
-  int by_section(const Section& section) const {
-    const int count = static_cast<int>(part_.workplan.size());
-    if (section.workingstep >= 0 && section.workingstep < count) return section.workingstep;
-    if (section.label.empty()) return -1;
-    for (int i = 0; i < count; ++i) {
-      const Workingstep& step = part_.workplan[i];
-      if (section.label == step.name || section.label == part_.features[step.feature].name) return i;
-    }
-    return -1;
-  }
-
-  int by_place(const JudgedMove& judged, int previous) const {
-    const Vec2 middle = judged.move->is_vertical() ? judged.move->path.from : judged.move->path.at(0.5);
-    if (previous >= 0 && fits(judged, middle, previous)) return previous;
-    int found = -1;
-    for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
-      if (fits(judged, middle, i) && (found < 0 || has_tool(judged, i))) found = i;
-    }
-    return found;
-  }
-
- private:
-  bool has_tool(const JudgedMove& judged, int workingstep) const {
-    const int index = part_.workplan[workingstep].operation.tool;
-    return judged.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
-           &part_.tools[index] == judged.tool;
-  }
-
-  bool fits(const JudgedMove& judged, Vec2 p, int workingstep) const {
-    const int index = part_.workplan[workingstep].feature;
-    const Feature& feature = part_.features[index];
-    const double z = judged.low_z();
-    if (z < feature.floor_z - kHeightSlack || z >= feature.top_z - 1e-6) return false;
-    const EdgeTree& outline = outlines_[index];
-    // At open sides and narrow ends the centre runs beside the target.
-    return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + 1e-3).edge >= 0;
-  }
-
-  const Part& part_;
-  std::vector<EdgeTree> outlines_;
-};
 
 void attribute(const Part& part, const Toolpath& toolpath, std::vector<JudgedMove>& moves) {
   const Attribution attribution(part);

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "model/control.h"
-#include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/part.h"
-#include "verify/gouge.h"
+#include "model/results/findings.h"
+#include "verify/faults/gouge.h"
 
 namespace clearcut::verify {
 

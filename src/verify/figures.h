@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "model/findings.h"
+#include "model/results/findings.h"
 #include "verify/checked_move.h"
 
 namespace clearcut::verify {

@@ -5,15 +5,15 @@
 
 #include "verify/blend.h"
 #include "verify/checked_move.h"
-#include "verify/coverage.h"
-#include "verify/faults.h"
-#include "verify/feature_work.h"
+#include "verify/coverage/coverage.h"
+#include "verify/coverage/feature_work.h"
+#include "verify/engagement/forces.h"
+#include "verify/engagement/load.h"
+#include "verify/faults/faults.h"
+#include "verify/faults/gouge.h"
+#include "verify/faults/tabs.h"
 #include "verify/figures.h"
-#include "verify/finished_part.h"
-#include "verify/forces.h"
-#include "verify/gouge.h"
-#include "verify/load.h"
-#include "verify/tabs.h"
+#include "verify/part/finished_part.h"
 
 namespace clearcut::verify {
 namespace {

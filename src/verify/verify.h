@@ -10,10 +10,10 @@
 
 #include "base/tolerances.h"
 #include "model/control.h"
-#include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 #include "model/work_material.h"
 
 namespace clearcut::verify {

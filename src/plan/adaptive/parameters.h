@@ -39,9 +39,9 @@ struct ResidualLimits {
   /// A wall with thinner residuals is finished.
   static constexpr double kFinishedWall = 2 * kCornerLink;
   /// In corners: the arcs between the walls end when this is left. Each halving costs one or two arcs a corner.
-  static constexpr double kCorner = 5.5e-3;
-  /// What the check of the cover finds and is thinner stays.
-  static constexpr double kRest = 6.5e-3;
+  static constexpr double kCorner = 3.7e-3;
+  /// What the check of the cover finds and lies no farther from what is cut stays: between two cuts it is twice as wide.
+  static constexpr double kRest = 4.7e-3;
 };
 
 /// Shares of the cutter's radius: lengths that scale with the cutter.

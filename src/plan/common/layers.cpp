@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "stock/at_depth.h"
 

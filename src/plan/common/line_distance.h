@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "model/stepover.h"
+#include "model/options/stepover.h"
 
 namespace clearcut::plan {
 

@@ -10,8 +10,8 @@
 #include "base/progress.h"
 #include "base/work_budget.h"
 #include "plan/common/retract_link.h"
-#include "plan/contour/skeleton.h"
-#include "plan/contour/tighten.h"
+#include "plan/contour/skeleton/skeleton.h"
+#include "plan/contour/skeleton/tighten.h"
 
 namespace clearcut::plan::contour {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "plan/grid/interpolate.h"
 #include "plan/grid/reduce.h"
 #include "plan/grid/shape.h"
