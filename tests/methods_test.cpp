@@ -126,9 +126,13 @@ TEST(Methods, ToolTableNamesTheFastestAndWhatDoesNotFit) {
 }
 
 TEST(Methods, ReproducedTablesDifferOnlyWhereTheirOutlinesAreNotPrinted) {
-  for (const char* table : {"coefficients", "overlaps", "triangle", "rho-triangle"}) {
-    EXPECT_THAT(run_clearcut({"reproduce", table}).out, Not(HasSubstr("(differs)"))) << table;
+  for (const char* table : {"coefficients", "overlaps", "triangle", "captions", "grid"}) {
+    const std::string out = run_clearcut({"reproduce", table}).out;
+    EXPECT_THAT(out, Not(HasSubstr("(differs)"))) << table;
+    EXPECT_THAT(out, ContainsRegex("printed cells: .* 0 differ")) << table;
   }
+  EXPECT_THAT(run_clearcut({"reproduce", "coefficients"}).out, HasSubstr("63 printed cells: 63 agree"));
+  EXPECT_THAT(run_clearcut({"reproduce", "overlaps"}).out, HasSubstr("54 printed cells: 54 agree"));
   const std::string overlaps = run_clearcut({"reproduce", "overlaps"}).out;
   EXPECT_THAT(overlaps,
               ContainsRegex("R = 5 mm, printed +0.09 +0.26 +0.42 +0.57 +0.71 +0.82 +0.91 +0.96 +1.00"));
@@ -136,8 +140,29 @@ TEST(Methods, ReproducedTablesDifferOnlyWhereTheirOutlinesAreNotPrinted) {
               ContainsRegex("R = 40 mm, ours +0.08 +0.24 +0.40 +0.56 +0.72 +0.80 +0.96 +0.96 +1.04"));
   EXPECT_THAT(overlaps,
               ContainsRegex("R = 50 mm, ours +0.10 +0.30 +0.40 +0.50 +0.70 +0.80 +0.90 +0.90 +1.00"));
-  EXPECT_THAT(run_clearcut({"reproduce", "scallop"}).out, ContainsRegex("0.50 +0.48 +0.500 +14"));
+  EXPECT_THAT(run_clearcut({"reproduce", "scallop"}).out, ContainsRegex("0.50 +0.48 +0.48 +0.500 +14"));
   EXPECT_THAT(run_clearcut({"reproduce", "lengths"}).out, HasSubstr("the shapes are ours"));
+}
+
+TEST(Methods, TablesAreListedWithWhatTheyCost) {
+  const auto list = run_clearcut({"reproduce", "--list"});
+  EXPECT_EQ(list.exit_code, 0);
+  EXPECT_THAT(list.out, ContainsRegex("coefficients +CPO-rho table 2 +0.1"));
+  EXPECT_THAT(list.out, ContainsRegex("genetic [*] +Tour tables 6.2"));
+  EXPECT_EQ(run_clearcut({"reproduce", "nonsense"}).exit_code, 2);
+}
+
+TEST(Methods, ReproducedTablesAreWrittenForProgramsAndBrowsers) {
+  const ScratchFolder folder;
+  const auto result = run_clearcut({"reproduce", "coefficients", "lengths", "--json", folder.path("t.json"),
+                                    "--html", folder.path("t.html")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string json = read_file(folder.path("t.json")), page = read_file(folder.path("t.html"));
+  EXPECT_THAT(json, HasSubstr("\"printed\": \"0.543\""));
+  EXPECT_THAT(json, HasSubstr("\"agreement\": \"explained\""));
+  EXPECT_THAT(page, HasSubstr("<td class=\"agrees\" title=\"printed 0.543\">0.543</td>"));
+  EXPECT_THAT(page, HasSubstr("class=\"explained\""));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
 }
 
 TEST(Methods, CompareShowsWhatEveryRivalAdds) {
