@@ -1,4 +1,4 @@
-// Compares every #include in src/ with src/dependencies.txt.
+// Compares every #include in src/ with src/dependencies.txt, and holds the programs in apps/ to the library's own headers.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -48,6 +48,49 @@ TEST(Dependencies, EveryIncludeIsAllowed) {
     }
   }
   EXPECT_GT(checked, 50);
+}
+
+/// The command is a user of the library like any other: <clearcut/...>, and its own files by their bare names. The program
+/// that knows the CAD kernel stands behind the reader of solids and speaks its language.
+TEST(Dependencies, ProgramsIncludeTheLibraryAlone) {
+  const std::regex include("^\\s*#include [<\"]([a-z0-9_]+)/([a-z_0-9/]+\\.h)[>\"]");
+  int checked = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CLEARCUT_SOURCE_DIR) / "apps")) {
+    const auto extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp") continue;
+    const bool solids = entry.path().parent_path().filename() == "solids";
+    std::ifstream file(entry.path());
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+      ++number;
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      const bool header_of_system = !fs::exists(kSource / match[1].str()) && match[1] != "studies";
+      if (header_of_system && match[1] != "clearcut") continue;
+      ++checked;
+      EXPECT_TRUE(match[1] == "clearcut" || (solids && (match[1] == "base" || match[1] == "read")))
+          << entry.path() << ":" << number << ": include <clearcut/...> instead of " << match[1] << "/"
+          << match[2];
+    }
+  }
+  EXPECT_GT(checked, 20);
+}
+
+/// What is installed brings no header of research and none of another package.
+TEST(Dependencies, PublicHeadersIncludeOursAlone) {
+  const std::regex include("^\\s*#include ([<\"])([^>\"]+)[>\"]");
+  int checked = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CLEARCUT_SOURCE_DIR) / "include")) {
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      ++checked;
+      EXPECT_EQ(match[1], "\"") << entry.path() << ": " << line;
+      EXPECT_NE(match[2].str().substr(0, 8), "studies/") << entry.path() << ": " << line;
+    }
+  }
+  EXPECT_GT(checked, 20);
 }
 
 }  // namespace

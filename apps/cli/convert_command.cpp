@@ -1,24 +1,24 @@
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
+#include <clearcut/plan.h>
+
 #include <filesystem>
 #include <memory>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "commands.h"
 #include "output.h"
 #include "plan_arguments.h"
-#include "post/part/outline_writer.h"
-#include "post/part/stepnc_writer.h"
-#include "resolve/prepare.h"
 
 namespace clearcut::cli {
 namespace {
 
 std::string converted(Part& part, const PlanArguments& arguments, const std::string& output) {
   const auto extension = std::filesystem::path(output).extension();
-  if (extension == ".json") return post::write_outline_json(part);
+  if (extension == ".json") return write_outline_json(part);
   if (extension == ".p21" || extension == ".stpnc") {
-    part = resolve::with_tools(std::move(part), arguments.options());
-    return post::write_stepnc(part);
+    part = with_tools(std::move(part), arguments.options());
+    return write_stepnc(part);
   }
   throw InputError(output, "the kind of file is unknown; name it .json (outline) or .p21 (STEP-NC)");
 }
@@ -34,7 +34,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", *output, "File to write: .json or .p21")->required();
   command->callback([state, output, &exit_code] {
     Part part = state->read();
-    write_files({{*output, converted(part, *state, *output)}});
+    write_outputs({{*output, converted(part, *state, *output)}});
     print(part.diagnostics, true);
     exit_code = kClean;
   });
@@ -48,7 +48,7 @@ void add_init_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", *output, "Job to write (default: standard output)");
   command->callback([state, output, &exit_code] {
     const std::string path = output->empty() ? "-" : *output;
-    write_files({{path, read::job_text(state->read(), state->input(), state->solid())}});
+    write_outputs({{path, job_text(state->read(), state->input(), state->solid())}});
     exit_code = kClean;
   });
 }

@@ -1,19 +1,15 @@
+#include <clearcut/elements.h>
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/report.h>
+
 #include <array>
 #include <map>
 #include <memory>
 #include <utility>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "base/version.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/elements.h"
-#include "read/elements/element_options.h"
-#include "read/elements/read_elements.h"
-#include "report/certificate.h"
-#include "report/picture/grid_picture.h"
-#include "report/table.h"
 
 namespace clearcut::cli {
 namespace {
@@ -29,8 +25,8 @@ constexpr std::array<std::pair<const char*, const char*>, 5> kElementOptions{
 struct ElementsCommand {
   std::string input;
   std::map<std::string, std::vector<std::string>> typed;  ///< by kind
-  std::vector<read::ElementOption> elements;              ///< the same in the order they were typed
-  read::ElementDefaults defaults;
+  std::vector<ElementOption> elements;                    ///< the same in the order they were typed
+  ElementDefaults defaults;
   std::vector<std::string> tools;
   bool strict = false;
   std::string output;
@@ -40,7 +36,7 @@ struct ElementsCommand {
   bool print_points = false;
   bool table = false;
   bool quiet = false;
-  resolve::PlanOptions options;
+  PlanOptions options;
 };
 
 /// What decides the job, whether it comes from a file or was typed.
@@ -55,62 +51,50 @@ std::string input_text(const ElementsCommand& command) {
 ElementJob job_of(const ElementsCommand& command) {
   if (!command.input.empty() && !command.elements.empty())
     throw InputError("elements", "takes a job file or elements as options, not both");
-  if (!command.input.empty()) return read::read_elements(command.input);
-  read::ElementDefaults defaults = command.defaults;
-  for (const auto& tool : command.tools) defaults.tools.push_back(resolve::parse_tool(tool));
+  if (!command.input.empty()) return read_elements(command.input);
+  ElementDefaults defaults = command.defaults;
+  for (const auto& tool : command.tools) defaults.tools.push_back(parse_tool(tool));
   if (command.strict) defaults.middle_row = MiddleRow::kStrict;
-  return read::elements_of_options(command.elements, defaults);
-}
-
-report::CertificateInfo certificate_info(const ElementsCommand& command, const std::string& program) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = command.options.seed;
-  info.input_hash = content_hash(input_text(command));
-  info.program_hash = content_hash(program);
-  info.machine = command.options.machine.name;
-  return info;
+  return elements_of_options(command.elements, defaults);
 }
 
 std::vector<OutputFile> output_files(const ElementsCommand& command, const ElementJob& job,
-                                     const pipeline::ElementsResult& result) {
+                                     const ElementsResult& result) {
   const auto& plan = result.plan;
   std::vector<OutputFile> files{{command.output, plan.program}};
   if (!command.certificate.empty())
-    files.push_back({command.certificate, report::certificate_json(plan.part, plan.findings,
-                                                                   certificate_info(command, plan.program))});
-  if (!command.svg.empty())
-    files.push_back({command.svg, report::grid_picture(job, result.points, plan.toolpath)});
-  if (!command.points.empty()) files.push_back({command.points, report::points_csv(job, result.points)});
+    files.push_back({command.certificate, write_certificate(plan, command.options, input_text(command))});
+  if (!command.svg.empty()) files.push_back({command.svg, grid_picture(job, result.points, plan.toolpath)});
+  if (!command.points.empty()) files.push_back({command.points, points_csv(job, result.points)});
   return files;
 }
 
 int run(const ElementsCommand& command) {
   if (command.table) {
-    print_line(report::plain(pipeline::grid_reduction_table()));
+    print_line(plain(grid_reduction_table()));
     return kClean;
   }
   if ((command.input.empty() && command.elements.empty()) || command.output.empty())
     throw InputError("elements",
                      "needs a job or elements and a program to write: clearcut elements JOB.toml -o OUT.ngc");
   const ElementJob job = job_of(command);
-  const pipeline::ElementsResult result = pipeline::plan_elements(job, command.options);
-  write_files(output_files(command, job, result));
+  const ElementsResult result = plan_elements(job, command.options);
+  write_outputs(output_files(command, job, result));
   if (!command.quiet) {
     print(result.plan.part.diagnostics, true);
-    if (command.print_points) print_line(report::plain(report::points_table(job, result.points)));
+    if (command.print_points) print_line(plain(points_table(job, result.points)));
     if (command.output != "-") {
-      print_line(report::plain(pipeline::element_table(result)));
-      print_line(report::table(result.plan.part, result.plan.findings));
+      print_line(plain(element_table(result)));
+      print_line(write_table(result.plan));
     }
   }
   return result.plan.findings.all.clean ? kClean : kFault;
 }
 
 /// Elements are numbered in the order they were typed, whatever their kinds.
-std::vector<read::ElementOption> in_typed_order(const CLI::App& command, const ElementsCommand& state) {
+std::vector<ElementOption> in_typed_order(const CLI::App& command, const ElementsCommand& state) {
   std::map<std::string, std::size_t> taken;
-  std::vector<read::ElementOption> elements;
+  std::vector<ElementOption> elements;
   for (const CLI::Option* option : command.parse_order()) {
     const std::string kind = option->get_single_name();
     const auto typed = state.typed.find(kind);

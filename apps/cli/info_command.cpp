@@ -1,12 +1,12 @@
+#include <clearcut/plan.h>
+#include <clearcut/text.h>
 #include <fmt/format.h>
 
 #include <memory>
 
-#include "base/format.h"
 #include "commands.h"
 #include "output.h"
 #include "plan_arguments.h"
-#include "resolve/prepare.h"
 
 namespace clearcut::cli {
 namespace {
@@ -34,7 +34,7 @@ void print_feature(const Feature& feature, const Tolerances& tol) {
   print_line(fmt::format("    z {} to {}, {}, area {} mm2", trimmed(feature.top_z, 3),
                          trimmed(feature.floor_z, 3), extent(box(feature.target)),
                          trimmed(area(feature.target), 2)));
-  const double fits = resolve::largest_fitting_diameter(feature, tol);
+  const double fits = largest_fitting_diameter(feature, tol);
   print_line(fmt::format("    {}, largest cutter {}", shape(feature),
                          fits > kOpenReach ? "any (open)" : trimmed(fits, 3) + " mm"));
 }

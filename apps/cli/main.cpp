@@ -1,10 +1,11 @@
 // clearcut: the command. Parses, calls the pipeline, prints.
+#include <clearcut/error.h>
+#include <clearcut/version.h>
+
 #include <cstdio>
 #include <exception>
 #include <string>
 
-#include "base/error.h"
-#include "base/version.h"
 #include "commands.h"
 
 namespace {

@@ -1,5 +1,7 @@
 #include "output.h"
 
+#include <clearcut/error.h>
+
 #include <cstdio>
 
 namespace clearcut::cli {
@@ -31,6 +33,17 @@ void print(const Diagnostics& diagnostics, bool verbose) {
 void print_line(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+}
+
+void write_outputs(const std::vector<OutputFile>& files) {
+  std::vector<OutputFile> named, printed;
+  for (const auto& file : files) (file.path == "-" ? printed : named).push_back(file);
+  write_files(named);
+  for (const auto& file : printed) {
+    const std::size_t written = std::fwrite(file.content.data(), 1, file.content.size(), stdout);
+    if (written != file.content.size() || std::fflush(stdout) != 0)
+      throw InputError("standard output", "cannot be written; check that it has room");
+  }
 }
 
 }  // namespace clearcut::cli

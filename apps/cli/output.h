@@ -1,14 +1,19 @@
 // What the commands print and write.
 #pragma once
 
-#include <string>
+#include <clearcut/error.h>
+#include <clearcut/file.h>
 
-#include "base/diagnostics.h"
+#include <string>
+#include <vector>
 
 namespace clearcut::cli {
 
 /// Diagnostics as lines on standard error: "repair: where: what". Notes only when `verbose`.
 void print(const Diagnostics& diagnostics, bool verbose);
 void print_line(const std::string& text);
+
+/// All of the files or (InputError) none; those named "-" go to standard output, last.
+void write_outputs(const std::vector<OutputFile>& files);
 
 }  // namespace clearcut::cli

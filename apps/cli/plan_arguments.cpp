@@ -1,14 +1,13 @@
 #include "plan_arguments.h"
 
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
+#include <clearcut/verify.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-
-#include "base/error.h"
-#include "base/file.h"
-#include "read/gcode/gcode.h"
-#include "read/job/machine_file.h"
-#include "read/tools/tool_library.h"
 
 namespace clearcut::cli {
 namespace {
@@ -141,7 +140,7 @@ void PlanArguments::add_post_options(CLI::App& command) {
       ->check(CLI::NonNegativeNumber);
 }
 
-PostOptions PlanArguments::post(const read::JobOutput& job) const {
+PostOptions PlanArguments::post(const JobOutput& job) const {
   PostOptions post;
   post.dialect = post_.value_or(job.post.value_or("linuxcnc"));
   post.inch = inch_ || job.inch.value_or(false);
@@ -188,7 +187,7 @@ void PlanArguments::add_shop_options(CLI::App& command) {
   command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm");
 }
 
-ShopOptions PlanArguments::shop(const read::JobFile& job) const {
+ShopOptions PlanArguments::shop(const JobFile& job) const {
   ShopOptions own = shop_;
   own.lead_feed = feed_of(lead_feed_);
   own.link_feed = feed_of(link_feed_);
@@ -196,16 +195,16 @@ ShopOptions PlanArguments::shop(const read::JobFile& job) const {
   return own.or_else(job.shop);
 }
 
-std::optional<Toolpath> PlanArguments::earlier(const read::JobFile& job, const Machine& machine) const {
+std::optional<Toolpath> PlanArguments::earlier(const JobFile& job, const Machine& machine) const {
   const std::optional<std::string> file = after_      ? after_
                                           : job.after ? std::optional(job.after->string())
                                                       : std::nullopt;
   if (!file) return std::nullopt;
-  return read::gcode::read_gcode(read_file(*file), *file, home_z(machine)).toolpath;
+  return read_program(read_file(*file), *file, home_z(machine)).toolpath;
 }
 
 Part PlanArguments::read() const {
-  read::ReadOptions options;
+  ReadOptions options;
   options.unit = unit_;
   options.layers = layers_;
   options.top = top_;
@@ -213,27 +212,27 @@ Part PlanArguments::read() const {
   options.solid = solid_;
   for (const Tool& tool : tools())
     if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
-  Part part = read::read_part(input_, options);
+  Part part = read_part(input_, options);
   if (clearance_z_) part.clearance_z = clearance_z_;
   return part;
 }
 
-std::optional<read::JobFile> PlanArguments::job() const {
+std::optional<JobFile> PlanArguments::job() const {
   if (std::filesystem::path(input_).extension() != ".toml") return std::nullopt;
-  return read::read_job(input_);
+  return read_job(input_);
 }
 
 std::vector<Tool> PlanArguments::tools() const {
   std::vector<Tool> tools;
   if (tool_library_) {
-    for (const auto& entry : read::read_tool_library(*tool_library_, {}).tools) tools.push_back(entry.tool);
+    for (const auto& entry : read_tool_library(*tool_library_, {}).tools) tools.push_back(entry.tool);
   }
-  for (const auto& text : tools_) tools.push_back(resolve::parse_tool(text));
+  for (const auto& text : tools_) tools.push_back(parse_tool(text));
   return tools;
 }
 
-Machine PlanArguments::machine(const std::optional<read::JobFile>& job) const {
-  Machine machine = machine_file_ ? read::read_machine(*machine_file_) : job ? job->machine : Machine{};
+Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
+  Machine machine = machine_file_ ? read_machine(*machine_file_) : job ? job->machine : Machine{};
   if (acceleration_) machine.acceleration = *acceleration_;
   if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
   if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
@@ -241,10 +240,10 @@ Machine PlanArguments::machine(const std::optional<read::JobFile>& job) const {
 }
 
 /// The command line goes before the job, the job before the defaults.
-resolve::PlanOptions PlanArguments::options() const {
+PlanOptions PlanArguments::options() const {
   const auto from_job = job();
-  const read::JobFile given = from_job.value_or(read::JobFile{});
-  resolve::PlanOptions options;
+  const JobFile given = from_job.value_or(JobFile{});
+  PlanOptions options;
   options.tools = tools();
   options.machine = machine(from_job);
   options.strategy = strategy_.value_or(given.plan.strategy.value_or("auto"));
@@ -261,7 +260,7 @@ resolve::PlanOptions PlanArguments::options() const {
   options.scallop = scallop_;
   options.shop = shop(given);
   options.earlier = earlier(given, options.machine);
-  for (const auto& text : predrilled_) options.predrilled.push_back(resolve::parse_predrilled(text));
+  for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
   options.direction = named(kDirections, direction_, "--direction");
   options.outside_in = named(kOrders, order_, "--order").value_or(false);
   if (start_) options.start = point_of(*start_, "--start");
@@ -275,7 +274,7 @@ resolve::PlanOptions PlanArguments::options() const {
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));
   options.threads = threads_;
-  resolve::check(options);
+  check_options(options);
   return options;
 }
 

@@ -1,16 +1,15 @@
 // The options that plan, compare and verify share, as the user types them.
 #pragma once
 
+#include <clearcut/part.h>
+#include <clearcut/plan.h>
+
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "read/job/job_file.h"
-#include "read/read_part.h"
-#include "resolve/plan_options.h"
 
 namespace clearcut::cli {
 
@@ -24,20 +23,20 @@ class PlanArguments {
   void add_cutting_options(CLI::App& command);
 
   Part read() const;
-  resolve::PlanOptions options() const;
+  PlanOptions options() const;
   const std::string& input() const { return input_; }
-  const read::SolidOptions& solid() const { return solid_; }
+  const SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
-  std::optional<read::JobFile> job() const;
+  std::optional<JobFile> job() const;
 
  private:
   std::vector<Tool> tools() const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
-  PostOptions post(const read::JobOutput& job) const;
-  Machine machine(const std::optional<read::JobFile>& job) const;
-  ShopOptions shop(const read::JobFile& job) const;
-  std::optional<Toolpath> earlier(const read::JobFile& job, const Machine& machine) const;
+  PostOptions post(const JobOutput& job) const;
+  Machine machine(const std::optional<JobFile>& job) const;
+  ShopOptions shop(const JobFile& job) const;
+  std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
 
   std::string input_;
   std::vector<std::string> tools_;
@@ -45,7 +44,7 @@ class PlanArguments {
   std::vector<std::string> layers_;
   std::optional<double> top_;
   std::optional<double> depth_;
-  read::SolidOptions solid_;
+  SolidOptions solid_;
   std::optional<std::string> tool_library_;
   std::optional<std::string> machine_file_;
   std::optional<std::string> strategy_;

@@ -1,19 +1,14 @@
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/plan.h>
+#include <clearcut/report.h>
+
 #include <filesystem>
 #include <memory>
 
-#include "base/error.h"
-#include "base/file.h"
-#include "base/version.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/run.h"
 #include "plan_arguments.h"
-#include "report/certificate.h"
-#include "report/contest_table.h"
-#include "report/picture/svg.h"
-#include "report/result.h"
-#include "report/table.h"
-#include "report/viewer/html.h"
 
 namespace clearcut::cli {
 namespace {
@@ -28,34 +23,17 @@ struct PlanCommand {
   bool quiet = false;
 };
 
-report::CertificateInfo certificate_info(const PlanCommand& command, const resolve::PlanOptions& options,
-                                         const pipeline::PlanResult& result) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = options.seed;
-  info.input_hash = content_hash(read_file(command.arguments.input()));
-  info.program_hash = content_hash(result.program);
-  info.contests = result.contests;
-  info.machine = options.machine.name;
-  return info;
-}
-
-std::vector<OutputFile> output_files(const PlanCommand& command, const resolve::PlanOptions& options,
-                                     const pipeline::PlanResult& result) {
+std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
+                                     const PlanResult& result) {
   std::vector<OutputFile> files{{command.output, result.program}};
   const auto add = [&](const std::string& path, auto&& content) {
     if (!path.empty()) files.push_back({path, content()});
   };
-  add(command.certificate, [&] {
-    return report::certificate_json(result.part, result.findings, certificate_info(command, options, result));
-  });
-  add(command.svg, [&] { return report::svg(result.part, result.toolpath, result.findings, {}); });
-  add(command.html, [&] {
-    return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
-  });
-  add(command.result, [&] {
-    return report::result_file(result.toolpath, {result.part.name, result.contours});
-  });
+  add(command.certificate,
+      [&] { return write_certificate(result, options, read_file(command.arguments.input())); });
+  add(command.svg, [&] { return write_picture(result); });
+  add(command.html, [&] { return write_page(result, options); });
+  add(command.result, [&] { return write_segments(result); });
   return files;
 }
 
@@ -64,7 +42,7 @@ std::string in_folder_of(const std::string& job_file, const std::string& name) {
 }
 
 /// Files that the command line leaves open are written where the job says.
-void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
+void take_outputs_from(const JobFile& job, PlanCommand& command) {
   const auto take = [&](std::string& path, const std::optional<std::string>& from_job) {
     if (path.empty() && from_job) path = in_folder_of(job.file, *from_job);
   };
@@ -78,14 +56,14 @@ void take_outputs_from(const read::JobFile& job, PlanCommand& command) {
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
-  const resolve::PlanOptions options = command.arguments.options();
-  const pipeline::PlanResult result = pipeline::plan_part(command.arguments.read(), options);
-  write_files(output_files(command, options, result));
+  const PlanOptions options = command.arguments.options();
+  const PlanResult result = plan_part(command.arguments.read(), options);
+  write_outputs(output_files(command, options, result));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
-      if (options.strategy == "auto") print_line(report::plain(report::contest_table(result.contests)));
-      print_line(report::table(result.part, result.findings));
+      if (options.strategy == "auto") print_line(write_contest_table(result));
+      print_line(write_table(result));
     }
   }
   return result.findings.all.clean ? kClean : kFault;

@@ -1,3 +1,6 @@
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/studies.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -5,11 +8,8 @@
 #include <filesystem>
 #include <memory>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "commands.h"
 #include "output.h"
-#include "studies/genetic_study.h"
 
 namespace clearcut::cli {
 namespace {
@@ -34,7 +34,7 @@ auto saver(const StudyCommand& command, const studies::GeneticStudy& study) {
                                           const std::function<std::vector<studies::StudyRow>()>& rows) {
     if (shows) std::fprintf(stderr, "\r%d of %d runs%s", done, total, done == total ? "\n" : "");
     if (command.csv.empty() || command.csv == "-" || Clock::now() - *saved < kEvery) return;
-    write_files({{command.csv, studies::study_csv(study, command.options, rows())}});
+    write_outputs({{command.csv, studies::study_csv(study, command.options, rows())}});
     *saved = Clock::now();
   };
 }
@@ -48,10 +48,9 @@ void run(StudyCommand& command) {
   std::vector<OutputFile> files;
   if (!command.csv.empty()) files.push_back({command.csv, studies::study_csv(study, command.options, rows)});
   if (!command.svg.empty()) files.push_back({command.svg, studies::study_svg(study, rows)});
-  write_files(files);
+  write_outputs(files);
   const auto table = studies::study_table(study, rows);
-  if (!command.quiet && command.csv != "-")
-    print_line(command.as_markdown ? report::markdown(table) : report::plain(table));
+  if (!command.quiet && command.csv != "-") print_line(command.as_markdown ? markdown(table) : plain(table));
 }
 
 }  // namespace

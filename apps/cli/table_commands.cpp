@@ -1,4 +1,9 @@
 // compare and reproduce: commands that print tables.
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
+#include <clearcut/plan.h>
+#include <clearcut/studies.h>
 #include <fmt/format.h>
 
 #include <chrono>
@@ -10,17 +15,9 @@
 #include <optional>
 #include <thread>
 
-#include "base/error.h"
-#include "base/file.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/compare.h"
-#include "pipeline/tool_sets.h"
 #include "plan_arguments.h"
-#include "post/part/outline_writer.h"
-#include "studies/method_study.h"
-#include "studies/reproduce.h"
-#include "studies/reproduction_page.h"
 
 namespace clearcut::cli {
 
@@ -34,8 +31,8 @@ struct CompareCommand {
   std::string slower;
 };
 
-void print_table(const report::TextTable& table, bool as_markdown) {
-  print_line(as_markdown ? report::markdown(table) : report::plain(table));
+void print_table(const TextTable& table, bool as_markdown) {
+  print_line(as_markdown ? markdown(table) : plain(table));
 }
 
 /// A pocket on which a rival is faster than ours, as an outline whose name says by how much.
@@ -45,7 +42,7 @@ void write_slower(const studies::StudyCase& one, const std::string& folder) {
       fmt::format(", endmill:{}, contour {:.2f} s, {} {:.2f} s", part.tools.front().diameter,
                   one.outcomes.at("contour").time_s, *one.faster, one.outcomes.at(*one.faster).time_s);
   std::filesystem::create_directories(folder);
-  write_files({{folder + "/" + std::to_string(one.seed) + ".json", post::write_outline_json(part)}});
+  write_outputs({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}});
 }
 
 void compare_at_random(const CompareCommand& command) {
@@ -98,8 +95,8 @@ class SignOfLife {
   std::thread thread_;  // last: it uses the others
 };
 
-report::TextTable list_of_tables() {
-  report::TextTable table;
+TextTable list_of_tables() {
+  TextTable table;
   table.columns = {
       {"name", report::Align::kLeft}, {"in the texts", report::Align::kLeft}, {"seconds of a core"}};
   for (const auto& one : studies::reproducible_tables())
@@ -118,7 +115,7 @@ std::vector<const studies::ReproducibleTable*> chosen_tables(const ReproduceComm
 }
 
 void reproduce_tables(const ReproduceCommand& command) {
-  if (command.list) return print_line(report::plain(list_of_tables()));
+  if (command.list) return print_line(plain(list_of_tables()));
   std::vector<studies::NamedReproduction> made;
   for (const auto* table : chosen_tables(command)) {
     std::optional<SignOfLife> sign;
@@ -127,13 +124,13 @@ void reproduce_tables(const ReproduceCommand& command) {
     sign.reset();
     auto text = made.back().reproduction.table;
     if (!made.back().reproduction.compared.empty()) text.notes.push_back(made.back().reproduction.summary());
-    if (command.json != "-" && command.html != "-") print_line(report::plain(text));
+    if (command.json != "-" && command.html != "-") print_line(plain(text));
     std::fflush(stdout);
   }
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, studies::reproduction_json(made)});
   if (!command.html.empty()) files.push_back({command.html, studies::reproduction_page(made)});
-  write_files(files);
+  write_outputs(files);
   if (command.quiet || !command.names.empty() || command.all) return;
   for (const auto& table : studies::reproducible_tables())
     if (table.is_long) fmt::print(stderr, "not run, it is long: clearcut reproduce {}\n", table.name);
@@ -159,14 +156,14 @@ void add_compare_command(CLI::App& app, int& exit_code) {
     if (state->random > 0) return compare_at_random(*state);
     if (state->arguments.input().empty())
       throw InputError("compare", "give a part, or --random and how many");
-    print_table(pipeline::compare(state->arguments.read(), state->arguments.options()), state->as_markdown);
+    print_table(compare_strategies(state->arguments.read(), state->arguments.options()), state->as_markdown);
   });
 }
 
 void add_tools_command(CLI::App& app, int& exit_code) {
   struct ToolsCommand {
     PlanArguments arguments;
-    pipeline::ToolSpeeds speeds;
+    ToolSpeeds speeds;
     bool as_markdown = false;
   };
   auto* command = app.add_subcommand("tools", "Plan a part with each of several cutters, in one table");
@@ -182,7 +179,7 @@ void add_tools_command(CLI::App& app, int& exit_code) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
   command->callback([state, &exit_code] {
-    print_table(pipeline::tool_table(state->arguments.read(), state->speeds, state->arguments.options()),
+    print_table(tool_table(state->arguments.read(), state->speeds, state->arguments.options()),
                 state->as_markdown);
     exit_code = kClean;
   });

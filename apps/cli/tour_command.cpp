@@ -1,16 +1,17 @@
+#include <clearcut/file.h>
+#include <clearcut/order.h>
+
 #include <memory>
 
-#include "base/file.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/tour.h"
 
 namespace clearcut::cli {
 namespace {
 
 struct TourCommand {
   std::string input;
-  pipeline::TourOptions options;
+  TourOptions options;
   bool open = false;
   bool closed = false;
   std::string json;
@@ -18,7 +19,7 @@ struct TourCommand {
 };
 
 /// Operators of the published genetic algorithm; defaults are the text's.
-void add_genetic_options(CLI::App& command, pipeline::TourOptions& options) {
+void add_genetic_options(CLI::App& command, TourOptions& options) {
   auto& genetic = options.genetic;
   const std::string group = "Published solver";
   command.add_option("--population", genetic.population, "Individuals (25)")->group(group);
@@ -46,12 +47,12 @@ void add_genetic_options(CLI::App& command, pipeline::TourOptions& options) {
 
 void run(TourCommand command) {
   if (command.open || command.closed) command.options.closed = command.closed;
-  const auto result = pipeline::solve_tour(command.input, command.options);
+  const auto result = solve_tour(command.input, command.options);
   std::vector<OutputFile> files;
-  if (!command.json.empty()) files.push_back({command.json, pipeline::tour_json(result)});
-  if (!command.svg.empty()) files.push_back({command.svg, pipeline::tour_svg(result)});
-  write_files(files);
-  if (command.json != "-") print_line(pipeline::tour_line(result));
+  if (!command.json.empty()) files.push_back({command.json, tour_json(result)});
+  if (!command.svg.empty()) files.push_back({command.svg, tour_svg(result)});
+  write_outputs(files);
+  if (command.json != "-") print_line(tour_line(result));
 }
 
 }  // namespace

@@ -1,14 +1,12 @@
+#include <clearcut/file.h>
+#include <clearcut/report.h>
+#include <clearcut/verify.h>
+
 #include <memory>
 
-#include "base/file.h"
-#include "base/version.h"
 #include "commands.h"
 #include "output.h"
-#include "pipeline/run.h"
 #include "plan_arguments.h"
-#include "report/certificate.h"
-#include "report/picture/svg.h"
-#include "report/table.h"
 
 namespace clearcut::cli {
 namespace {
@@ -21,33 +19,20 @@ struct VerifyCommand {
   bool quiet = false;
 };
 
-report::CertificateInfo certificate_info(const VerifyCommand& command, const resolve::PlanOptions& options,
-                                         const std::string& program) {
-  report::CertificateInfo info;
-  info.version = kVersion;
-  info.seed = options.seed;
-  info.input_hash = content_hash(read_file(command.arguments.input()));
-  info.program_hash = content_hash(program);
-  info.machine = options.machine.name;
-  return info;
-}
-
 int run(const VerifyCommand& command) {
-  const resolve::PlanOptions options = command.arguments.options();
+  const PlanOptions options = command.arguments.options();
   const std::string program = read_file(command.program);
-  const pipeline::CheckResult result =
-      pipeline::check_program(command.arguments.read(), program, command.program, options);
+  const CheckResult result = check_program(command.arguments.read(), program, command.program, options);
   std::vector<OutputFile> files;
   if (!command.json.empty()) {
-    files.push_back({command.json, report::certificate_json(result.part, result.findings,
-                                                            certificate_info(command, options, program))});
+    files.push_back(
+        {command.json, write_certificate(result, options, read_file(command.arguments.input()), program)});
   }
-  if (!command.svg.empty())
-    files.push_back({command.svg, report::svg(result.part, result.toolpath, result.findings, {})});
-  write_files(files);
+  if (!command.svg.empty()) files.push_back({command.svg, write_picture(result)});
+  write_outputs(files);
   if (!command.quiet) {
     print(result.part.diagnostics, true);
-    if (command.json != "-") print_line(report::table(result.part, result.findings));
+    if (command.json != "-") print_line(write_table(result));
   }
   return result.findings.all.clean ? kClean : kFault;
 }

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 
 #include "base/error.h"
 
@@ -15,10 +14,6 @@ namespace clearcut::inline base {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool to_standard_output(const OutputFile& file) {
-  return file.path == "-";
-}
 
 /// Names of streams that are open already, whatever they lead to.
 bool is_open_stream(const std::string& path) {
@@ -35,7 +30,7 @@ bool is_special(const OutputFile& file) {
 }
 
 bool is_replaced(const OutputFile& file) {
-  return !to_standard_output(file) && !is_special(file);
+  return !is_special(file);
 }
 
 void write_special(const OutputFile& file) {
@@ -97,7 +92,7 @@ void write_files(const std::vector<OutputFile>& files) {
       if (is_replaced(file)) write_temporary(file);
     }
     for (const auto& file : files) {
-      if (!to_standard_output(file) && is_special(file)) write_special(file);
+      if (is_special(file)) write_special(file);
     }
     for (const auto& file : files) {
       if (is_replaced(file)) fs::rename(temporary_name(file.path), target_of(file.path));
@@ -108,11 +103,6 @@ void write_files(const std::vector<OutputFile>& files) {
   } catch (...) {
     remove_temporaries(files);
     throw;
-  }
-  for (const auto& file : files) {
-    if (!to_standard_output(file)) continue;
-    std::cout << file.content << std::flush;
-    if (!std::cout) throw InputError("standard output", "cannot be written; check that it has room");
   }
 }
 

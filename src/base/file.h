@@ -17,8 +17,8 @@ struct OutputFile {
 };
 
 /// Writes every file under a temporary name beside its target, then renames them all: either all targets are
-/// new and complete, or (InputError) none has changed. Devices and pipes are written to and stay what they are. A target
-/// that is "-" goes to standard output, last. Links are followed.
+/// new and complete, or (InputError) none has changed. Devices and pipes are written to and stay what they are. Links are
+/// followed.
 void write_files(const std::vector<OutputFile>& files);
 
 /// FNV-1a, 64 bit, as 16 hexadecimal digits: names an input, is no protection against intent.

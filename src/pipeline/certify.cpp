@@ -148,6 +148,7 @@ verify::VerifyOptions verify_options(const resolve::PlanOptions& options) {
   verify.machine = options.machine;
   verify.engagement_limit_deg = options.engagement_deg;
   verify.threads = resolve::thread_count(options);
+  verify.cancel = options.cancel;
   if (options.earlier) verify.earlier = &*options.earlier;
   if (options.shop.material) verify.material = work_material_named(*options.shop.material);
   return verify;

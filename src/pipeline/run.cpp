@@ -14,6 +14,7 @@
 #include "link/slot_feed.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
+#include "pipeline/progress_meter.h"
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
 #include "pipeline/strategies.h"
@@ -97,6 +98,7 @@ StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attemp
     std::vector<LayerPasses> passes;
     Sizes sizes(options.tol);
     for (const auto& layer : work.layers) {
+      throw_if_cancelled(options.cancel);
       passes.push_back(layer.walls_only ? plan::plan_walls(layer.layer, options.tol) : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
@@ -312,16 +314,23 @@ std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = resolve::prepare(part, options);
+  ProgressMeter meter(options);
   const auto works = step_works(result.part, options);
   const auto planner = [&](int step, const Attempt& attempt) {
-    return fastest_plan(works[static_cast<std::size_t>(step)], result.part, attempt, options);
+    StepPlan plan = fastest_plan(works[static_cast<std::size_t>(step)], result.part, attempt, options);
+    meter.add();
+    return plan;
   };
-  Choice choice(choice_steps(result.part), attempts_for(options), planner, options);
+  const Attempts attempts = attempts_for(options);
+  meter.begin(Stage::kPlanning, works.size() * attempts.contest.size());
+  Choice choice(choice_steps(result.part), attempts, planner, options);
   report_what_does_not_fit(result.part, choice, works, options);
   Toolpath toolpath;
   do {
+    meter.begin(Stage::kCertifying, 1);
     toolpath = toolpath_of(choice, result.part, options);
     certify(result, toolpath, options);
+    meter.add();
   } while (retry_unclean(choice, result));
   sign(result, toolpath, options);
   report_notes(choice, works, options, result.part);

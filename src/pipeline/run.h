@@ -25,7 +25,8 @@ struct PlanResult {
 };
 
 /// Plans, posts and certifies a part.
-/// Throws InputError where the options cannot be met or nothing at all can be cut.
+/// Safe to call from several threads at once, each with options of its own. Throws InputError where the options cannot
+/// be met or nothing at all can be cut, Cancelled when options.cancel asks to stop.
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options);
 
 /// Judges any program text against a part. `tools` replace the part's, as in PlanOptions.

@@ -148,6 +148,7 @@ std::optional<double> top_of_flush_walls(const Part& part, const Feature& featur
 std::vector<StepWork> step_works(const Part& part, const resolve::PlanOptions& options) {
   std::vector<StepWork> works;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    throw_if_cancelled(options.cancel);
     StepWork work;
     work.workingstep = static_cast<int>(i);
     work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), options.tol);

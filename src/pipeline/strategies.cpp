@@ -68,6 +68,7 @@ Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, c
   contour.wall_on_right = wall_on_right(operation);
   contour.outside_in = options.outside_in;
   contour.start = options.start;
+  contour.cancel = options.cancel;
   return plan::once_per_outline([contour, tol = options.tol](const Layer& layer) {
     return plan::contour::plan_contour(layer, contour, tol);
   });
@@ -77,6 +78,7 @@ Strategy adaptive_strategy(const Operation& operation, const resolve::PlanOption
   plan::adaptive::AdaptiveOptions adaptive;
   if (options.engagement_deg) adaptive.engagement = Radians::of_degrees(*options.engagement_deg);
   adaptive.start = options.start;
+  adaptive.cancel = options.cancel;
   adaptive.widest_helix = options.shop.widest_helix(operation.entry_size);
   return plan::once_per_outline([adaptive, tol = options.tol](const Layer& layer) {
     return plan::adaptive::plan_adaptive(layer, adaptive, tol);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -126,7 +127,12 @@ plan::tour::TourSolver tour_solver(const resolve::PlanOptions& options, MmPerMin
     solve.stop.effort = options.time_s.value_or(briefly ? kBriefEffort : kEffort);
     solve.stop.seconds = options.time_s.value_or(std::numeric_limits<double>::infinity());
     if (!options.time_s) solve.stop.rounds = kRounds;
-    return order::solve(grid_problem(task), *objective, solve).tour;
+    std::atomic<bool> stop = false;
+    const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
+    solve.stop.cancel = &stop;
+    auto tour = order::solve(grid_problem(task), *objective, solve).tour;
+    throw_if_cancelled(options.cancel);
+    return tour;
   };
 }
 

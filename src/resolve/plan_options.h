@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/tolerances.h"
 #include "model/machine.h"
 #include "model/move.h"
@@ -42,7 +44,9 @@ struct PlanOptions {
   std::string objective = "time";
   std::optional<double> time_s;  ///< longest search
   std::uint64_t seed = 1;
-  int threads = 0;  ///< 0: all cores
+  int threads = 0;            ///< 0: all cores
+  std::stop_token cancel;     ///< asked to stop, the plan ends with Cancelled within a second
+  ProgressCallback progress;  ///< told after each candidate; may be empty
   Tolerances tol;
 };
 

@@ -4,7 +4,10 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <stop_token>
 #include <thread>
+
+#include "base/progress.h"
 
 namespace clearcut::verify {
 namespace {
@@ -15,12 +18,12 @@ using Tasks = std::vector<std::function<void()>>;
 constexpr double kSwathSweep = 2.0;
 
 /// Runs independent tasks on up to `threads` threads; each writes only what is its own. Rethrows the first
-/// exception in task order.
-void run_all(const Tasks& tasks, int threads) {
+/// exception in task order. No task is begun any more once `cancel` asks to stop: then it throws Cancelled.
+void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
   std::vector<std::exception_ptr> thrown(tasks.size());
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) {
+    for (std::size_t i = next++; i < tasks.size() && !cancel.stop_requested(); i = next++) {
       try {
         tasks[i]();
       } catch (...) {
@@ -37,6 +40,7 @@ void run_all(const Tasks& tasks, int threads) {
   for (const std::exception_ptr& exception : thrown) {
     if (exception) std::rethrow_exception(exception);
   }
+  throw_if_cancelled(cancel);
 }
 
 /// Adds the parts of a feed move whose tip is at or below z, as wide as they are at `level`.
@@ -186,14 +190,14 @@ void judge_works(const Part& part, const FinishedPart& finished, const JudgedPro
     first.push_back([&judge, &work] { judge.judge_level(work, work.floor); });
     if (judge.leans(work)) add_layer_tasks(work, first);
   }
-  run_all(first, options.threads);
+  run_all(first, options.threads, options.cancel);
 
   Tasks second;
   for (FeatureWork& work : works) {
     const bool left = work.floor.any_cut && work.floor.coverage.thickness_mm > options.tol.uncut;
     if (left && work.layers.empty()) add_layer_tasks(work, second);
   }
-  run_all(second, options.threads);
+  run_all(second, options.threads, options.cancel);
 }
 
 }  // namespace clearcut::verify

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.h"
 #include "stock/material.h"
 #include "verify/forces.h"
 
@@ -239,7 +240,10 @@ void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOp
     material.add({down, part.top_z(), bottom_of(part), MoveKind::kPlunge, {}, 0}, hole.diameter / 2);
   }
   LoadMeter meter(material, options);
-  for (JudgedMove& judged : moves) meter.measure(judged);
+  for (JudgedMove& judged : moves) {
+    throw_if_cancelled(options.cancel);
+    meter.measure(judged);
+  }
 }
 
 }  // namespace clearcut::verify

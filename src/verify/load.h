@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 
 #include "base/tolerances.h"
 #include "model/part.h"
@@ -14,6 +15,7 @@ struct LoadOptions {
   Tolerances tol;
   std::optional<double> limit_deg;       ///< engagement above this is counted apart
   std::optional<WorkMaterial> material;  ///< of the work; none: no forces
+  std::stop_token cancel;                ///< looked at before each move
 };
 
 /// Runs the program through the stock, move by move, and fills every move's `load`.

@@ -168,7 +168,8 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
 
   std::vector<std::function<void()>> tasks;
   tasks.push_back([&] {
-    measure_load(part, program.moves, {options.tol, options.engagement_limit_deg, options.material});
+    measure_load(part, program.moves,
+                 {options.tol, options.engagement_limit_deg, options.material, options.cancel});
   });
   for (std::size_t i = 0; i < program.moves.size(); i += kChunk) {
     const std::span<JudgedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 #include "base/tolerances.h"
 #include "model/findings.h"
@@ -23,6 +24,7 @@ struct VerifyOptions {
   /// and times are not in the figures.
   const Toolpath* earlier = nullptr;
   std::optional<WorkMaterial> material;  ///< of the work; forces and wear are computed where it is known
+  std::stop_token cancel;                ///< looked at between moves and layers
 };
 
 /// Judges `toolpath` (normally read back from program text) against `part`, whoever wrote it.
@@ -30,7 +32,7 @@ struct VerifyOptions {
 /// Shape   figures of all, of each workingstep and of each of its layers; faults, worst first. all.clean when
 ///         there is no fault. Labels and workingsteps of sections group the figures and nothing else.
 /// Error   gouges exact for lines and arcs; what is left by proven upper bounds; see docs/verification.md.
-/// Throws  nothing for a valid part; the result does not depend on options.threads.
+/// Throws  Cancelled when options.cancel asks to stop; nothing else for a valid part; the result does not depend on options.threads.
 /// Cost    O((moves + outline + cells) log n) for gouges and coverage, O(feed length / step) for the load.
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/adaptive/clearing_outline.h"
@@ -75,7 +76,7 @@ enum class Lifts {
 /// The passes of one connected legal area.
 class AdaptivePlanner {
  public:
-  AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance, Slots& slots,
+  AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
                   const Layer& layer, double limit, const AdaptiveOptions& options, Lifts lifts)
       : legal_(legal),
         front_(front_area(legal, layer.tool_radius, limit)),
@@ -88,9 +89,10 @@ class AdaptivePlanner {
         finder_(front_, clearance, ground_, layer, limit, options.start),
         clearing_(ground_, path_, {front_, legal, kMarkPitch * radius_, film_between_cuts(radius_, limit)},
                   inner.clearing, limit, {kAir * radius_, 0}),
-        finish_(ground_, path_, legal, inner.finishing, layer.target, slots, limit),
+        finish_(ground_, path_, legal, inner.finishing, layer.target, limit),
         open_(layer.stock && has_open_side(layer)),
-        lifts_(lifts) {
+        lifts_(lifts),
+        cancel_(options.cancel) {
     leave_corners();
     for (const PredrilledHole& hole : layer.holes) ground_.remove_disc(hole.center, hole.diameter / 2);
   }
@@ -226,6 +228,7 @@ class AdaptivePlanner {
   void cut_fronts(const Wanted& wanted) {
     std::vector<WallPlace> unreached;
     for (bool cut_since = false;;) {
+      throw_if_cancelled(cancel_);
       auto starts = clearing_.walls.starts();
       std::erase_if(starts, [&](const WallPlace& start) {
         return !wanted(clearing_.walls.point(start)) ||
@@ -258,13 +261,14 @@ class AdaptivePlanner {
   AdaptiveFinish finish_;
   bool open_;  ///< something beside the target is free
   Lifts lifts_;
+  std::stop_token cancel_;
 };
 
 /// With few lifts, else with as many as it takes.
 std::vector<Pass> passes_of(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                            Slots& slots, const Layer& layer, double limit, const AdaptiveOptions& options) {
+                            const Layer& layer, double limit, const AdaptiveOptions& options) {
   for (const Lifts lifts : {Lifts::kFew, Lifts::kAny}) {
-    auto passes = AdaptivePlanner(legal, inner, clearance, slots, layer, limit, options, lifts).plan();
+    auto passes = AdaptivePlanner(legal, inner, clearance, layer, limit, options, lifts).plan();
     if (passes) return std::move(*passes);
   }
   return {};
@@ -323,12 +327,11 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);
     const auto inner = inner_areas(legal, clearance, layer, limit);
-    Slots slots{clearance.fit_lines(first, layer.reserve)};
     for (std::size_t i = 0; i < legal.size(); ++i) {
-      add_passes(result, passes_of(legal[i], inner[i], clearance, slots, layer, limit, options));
+      add_passes(result, passes_of(legal[i], inner[i], clearance, layer, limit, options));
       result.legal.push_back(std::move(legal[i]));
     }
-    add_fit_lines(result, slots.lines);
+    add_fit_lines(result, clearance.fit_lines(first, layer.reserve));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 
 #include "base/tolerances.h"
 #include "base/units.h"
@@ -18,6 +19,8 @@ struct AdaptiveOptions {
   std::optional<Vec2> start;
   /// mm, greatest diameter of the centre's circle on the way down.
   std::optional<double> widest_helix;
+  /// Looked at before each cut; Cancelled is thrown when it asks to stop.
+  std::stop_token cancel;
 };
 
 /// The passes of one layer with the cutter's engagement limited.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "base/tolerances.h"
@@ -63,6 +64,8 @@ struct ContourOptions {
   /// What the fastest of several plans is judged by.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
+  /// Looked at between the trials of the search; Cancelled is thrown when it asks to stop.
+  std::stop_token cancel;
 };
 
 /// The passes of one layer.

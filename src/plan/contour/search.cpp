@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/progress.h"
 #include "base/work_budget.h"
 #include "plan/common/retract_link.h"
 #include "plan/contour/skeleton.h"
@@ -137,6 +138,7 @@ class Search {
   };
 
   Entry entry_of(const Contestant& contestant) const {
+    throw_if_cancelled(options_.cancel);
     const double v = options_.feed.mm_per_s();
     TightenJob job = job_;
     job.turn_cost = contestant.turn_cost * v * v / options_.machine.acceleration;
@@ -150,12 +152,14 @@ class Search {
   }
 
   void run_heat(Entry& entry) const {
+    throw_if_cancelled(options_.cancel);
     entry.tightener.pull(1);
     entry.time = hop_.time_of(paths_of(entry.tightener.skeleton()), kAcross);
   }
 
   /// No ways when they are not proven to clear everything.
   Winner finish(Entry& entry) const {
+    throw_if_cancelled(options_.cancel);
     entry.tightener.pull(kFinalRounds);
     if (!entry.tightener.finish()) return {};
     auto ways = paths_of(entry.tightener.skeleton());

@@ -13,12 +13,14 @@ namespace {
 /// Seconds of the processor.
 constexpr int kLongestRead = 120;
 
-/// The program that knows the CAD kernel: beside this one, or where it was built. Empty where there is none.
+/// The program that knows the CAD kernel: beside this one, where it was built, or where it is installed. Empty where there is
+/// none.
 std::string reader_of_solids() {
   std::error_code none;
   const auto beside =
       std::filesystem::read_symlink("/proc/self/exe", none).replace_filename("clearcut-solids");
-  for (const std::filesystem::path& place : {beside, std::filesystem::path(CLEARCUT_SOLIDS)})
+  for (const std::filesystem::path& place :
+       {beside, std::filesystem::path(CLEARCUT_SOLIDS), std::filesystem::path(CLEARCUT_SOLIDS_INSTALLED)})
     if (!place.empty() && std::filesystem::exists(place, none)) return place.string();
   return {};
 }

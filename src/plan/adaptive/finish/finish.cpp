@@ -43,10 +43,6 @@ constexpr double kMergeGap = 1.0;
 constexpr double kGates[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
 /// Tool radii between looks at a wall that is cut by bites.
 constexpr double kPeelPitch = 0.02;
-/// Tool radii from the end of a slot within which nothing is cut by bites once a layer has had so many: each mouth would take
-/// about 150 of them.
-constexpr double kSlotMouth = 0.3;
-constexpr std::size_t kManyBites = 360;
 /// mm. Bites that take less of the wall are idle.
 constexpr double kLeastBite = 1e-3;
 /// Tool radii between places of a stretch from beside which bites are tried, and most of them.
@@ -61,12 +57,11 @@ constexpr double kBeyondEnd = 0.2;
 }  // namespace
 
 AdaptiveFinish::AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
-                               const Regions& target, Slots& slots, double limit)
+                               const Regions& target, double limit)
     : ground_(ground),
       path_(path),
       legal_(legal),
       target_(target),
-      slots_(slots),
       radius_(ground.tool_radius()),
       limit_(limit),
       cuts_(ground, path, {legal, kFinePitch * radius_, kWallFilm}, area, limit,
@@ -237,31 +232,18 @@ bool AdaptiveFinish::peel(const WallStretch& stretch) {
   const bool began = left.has_value();
   bool idle = false;
   int bites = 0;
-  while (left && !idle && bites < kMostBites && !(slots_.bites > kManyBites && is_slot_mouth(*left))) {
+  while (left && !idle && bites < kMostBites) {
     const auto way = way_to_bite(*left);
     const Path bite = way ? peeler.bite(left->from, left->to) : Path{};
     if (bite.empty()) break;
     path_.cut(bite, *way);
     ++bites;
-    ++slots_.bites;
     const auto before = *left;
     left = bearing(before);
     if (left) idle = before.to - before.from - (left->to - left->from) < kLeastBite;
   }
   if (bites > (idle ? 1 : 0) || !began) return began;
   return bite_from_aside(stretch);
-}
-
-/// Whether all of it lies where the area narrows to a slot, which is cut all round: bites would get nearer to it by less
-/// and less.
-bool AdaptiveFinish::is_slot_mouth(const WallStretch& stretch) const {
-  const auto is_near = [&](Vec2 end) {
-    const double reach = kSlotMouth * radius_;
-    return distance(cuts_.walls.point({stretch.wall, stretch.from}), end) < reach &&
-           distance(cuts_.walls.point({stretch.wall, stretch.to}), end) < reach;
-  };
-  return std::any_of(slots_.lines.begin(), slots_.lines.end(),
-                     [&](const Path& slot) { return is_near(slot.front().from) || is_near(slot.back().to); });
 }
 
 /// The same from beside any place of a stretch, the middle first.

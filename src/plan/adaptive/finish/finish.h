@@ -10,18 +10,12 @@
 
 namespace clearcut::plan::adaptive {
 
-/// Lines of a layer on which the cutter just fits, and how many bites were made in the layer so far.
-struct Slots {
-  std::vector<Path> lines;
-  std::size_t bites = 0;
-};
-
 /// The last stage of an adaptive pass: nothing that the cutter can reach stays.
 class AdaptiveFinish {
  public:
   /// `legal`: where the centre may be; `area`: where cuts off the walls run, a little smaller. All is kept by reference.
   AdaptiveFinish(Ground& ground, ClearingPath& path, const Region& legal, const Regions& area,
-                 const Regions& target, Slots& slots, double limit);
+                 const Regions& target, double limit);
 
   /// Along the walls within the limit, corners, by bites what walls still bear, what the check of the whole cover finds.
   /// `open`: something beside the target is free. Up to `most_rests` rests are cut one by one; false where that was not
@@ -43,7 +37,6 @@ class AdaptiveFinish {
   std::vector<WallStretch> unfinished() const;
   std::vector<WallStretch>::const_iterator nearest_stretch(const std::vector<WallStretch>& stretches) const;
   bool peel(const WallStretch& stretch);
-  bool is_slot_mouth(const WallStretch& stretch) const;
   bool bite_from_aside(const WallPlace& place);
   bool bite_from_aside(const WallStretch& stretch);
   std::optional<Way> way_to_bite(const WallStretch& stretch);
@@ -65,7 +58,6 @@ class AdaptiveFinish {
   ClearingPath& path_;
   const Region& legal_;
   const Regions& target_;
-  Slots& slots_;
   double radius_;
   double limit_;
   WallCuts cuts_;

@@ -1,0 +1,30 @@
+// Everything the library promises to its users. Plans 2.5-D pocket-milling programs and proves them:
+//
+//     #include <clearcut/clearcut.h>
+//
+//     const clearcut::Part part = clearcut::read_part("bracket.dxf", {});
+//     clearcut::PlanOptions options;
+//     options.tools = {clearcut::parse_tool("endmill:6")};
+//     const clearcut::PlanResult result = clearcut::plan_part(part, options);
+//     if (result.findings.all.clean) machine.send(result.program);
+//
+// Units     mm, radians and seconds; x right, y up, z the height of the tool's tip.
+// Errors    InputError for files and wishes that cannot be met, Cancelled where the caller asked to stop, InternalError for a
+//           broken promise of ours. What a plan leaves undone is in its Findings and Diagnostics, never thrown.
+// Threads   every function may be called from several threads at once. There is no global state. Nothing is printed, nothing
+//           exits; files are written by write_files() alone.
+// Promise   what these headers bring into the namespace `clearcut`. Namespaces within it (clearcut::plan, clearcut::read, ...)
+//           are the stages behind them and may change with every version.
+#pragma once
+
+#include "clearcut/elements.h"
+#include "clearcut/error.h"
+#include "clearcut/file.h"
+#include "clearcut/geometry.h"
+#include "clearcut/order.h"
+#include "clearcut/part.h"
+#include "clearcut/plan.h"
+#include "clearcut/report.h"
+#include "clearcut/text.h"
+#include "clearcut/verify.h"
+#include "clearcut/version.h"

@@ -1,0 +1,26 @@
+// Jobs of design elements (lines, arcs, pockets, holes, slots on a grid): read, planned, shown.
+#pragma once
+
+#include "model/design_element.h"
+#include "pipeline/elements.h"
+#include "read/elements/element_options.h"
+#include "read/elements/read_elements.h"
+#include "report/picture/grid_picture.h"
+
+namespace clearcut {
+
+using pipeline::element_table;
+using pipeline::ElementFigures;
+using pipeline::ElementsResult;
+using pipeline::grid_reduction_table;
+using pipeline::plan_elements;
+using read::ElementDefaults;
+using read::ElementOption;
+using read::elements_of_options;
+using read::read_elements;
+using read::read_elements_text;
+using report::grid_picture;
+using report::points_csv;
+using report::points_table;
+
+}  // namespace clearcut

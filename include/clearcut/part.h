@@ -1,0 +1,48 @@
+// What is to be made, Part with its features, tools and operations, and the files that describe it.
+#pragma once
+
+#include "clearcut/geometry.h"
+#include "model/machine.h"
+#include "model/part.h"
+#include "model/tool.h"
+#include "post/part/outline_writer.h"
+#include "post/part/stepnc_writer.h"
+#include "post/post.h"
+#include "read/job/job_file.h"
+#include "read/job/machine_file.h"
+#include "read/read_part.h"
+#include "read/tools/tool_library.h"
+
+namespace clearcut {
+
+// Parts: STEP-NC, STEP solids, DXF, SVG, outlines, jobs.
+using read::LayerRole;
+using read::LayerRule;
+using read::OpenCurves;
+using read::read_part;
+using read::read_part_text;
+using read::ReadOptions;
+using read::SolidOptions;
+
+// Jobs: a part with its stock, tools, machine and wishes.
+using read::job_text;
+using read::JobFile;
+using read::JobOutput;
+using read::part_of_job;
+using read::read_job;
+using read::read_job_text;
+
+// Tools and machines.
+using read::LibraryTool;
+using read::read_machine;
+using read::read_machine_text;
+using read::read_tool_library;
+using read::read_tool_library_text;
+using read::ToolLibrary;
+using read::ToolOptions;
+
+// Parts as text again.
+using post::write_outline_json;
+using post::write_stepnc;
+
+}  // namespace clearcut

@@ -1,0 +1,55 @@
+// From a part to a program that was read back and certified.
+//
+//     std::stop_source stop;
+//     PlanOptions options;
+//     options.threads = 2;
+//     options.cancel = stop.get_token();
+//     options.progress = [](const Progress& at) { show(at.done, at.most); };
+//     const PlanResult result = plan_part(part, options);  // throws Cancelled soon after stop.request_stop()
+#pragma once
+
+#include "base/progress.h"
+#include "clearcut/part.h"
+#include "pipeline/compare.h"
+#include "pipeline/run.h"
+#include "pipeline/strategies.h"
+#include "pipeline/tool_sets.h"
+#include "resolve/plan_options.h"
+#include "resolve/prepare.h"
+
+namespace clearcut {
+
+using pipeline::plan_part;
+using pipeline::PlanResult;
+using resolve::parse_predrilled;
+using resolve::parse_tool;
+using resolve::PlanOptions;
+
+/// Throws InputError naming the first option that is out of its range.
+inline void check_options(const PlanOptions& options) {
+  resolve::check(options);
+}
+
+// What PlanOptions::strategy takes, and what it means.
+using pipeline::description_of;
+using pipeline::strategy_names;
+
+// A part with every absent value decided, as plan_part does it first.
+using resolve::largest_fitting_diameter;
+using resolve::prepare;
+using resolve::with_tools;
+
+/// Every strategy on one part, judged alike, as a table. Throws InputError where none can plan it.
+inline report::TextTable compare_strategies(const Part& part, const PlanOptions& options) {
+  return pipeline::compare(part, options);
+}
+
+// Which cutters, and in which sequence.
+using pipeline::fastest_sequence;
+using pipeline::run_tools;
+using pipeline::tool_table;
+using pipeline::ToolRun;
+using pipeline::ToolSequence;
+using pipeline::ToolSpeeds;
+
+}  // namespace clearcut

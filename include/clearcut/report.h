@@ -1,0 +1,18 @@
+// Plans and checks as text: certificate (JSON), table, picture (SVG), page that plays the machining (HTML).
+#pragma once
+
+#include "clearcut/plan.h"
+#include "clearcut/text.h"
+#include "clearcut/verify.h"
+#include "pipeline/texts.h"
+
+namespace clearcut {
+
+using pipeline::write_certificate;
+using pipeline::write_contest_table;
+using pipeline::write_page;
+using pipeline::write_picture;
+using pipeline::write_segments;
+using pipeline::write_table;
+
+}  // namespace clearcut

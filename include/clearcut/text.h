@@ -1,0 +1,13 @@
+// Numbers and tables as text, without locale.
+#pragma once
+
+#include "base/format.h"
+#include "report/text_table.h"
+
+namespace clearcut {
+
+using report::markdown;
+using report::plain;
+using report::TextTable;
+
+}  // namespace clearcut

@@ -1,0 +1,25 @@
+// Judging programs, whoever wrote them: read_program() gives the moves, check_program() what they do to a part.
+#pragma once
+
+#include "clearcut/part.h"
+#include "model/findings.h"
+#include "model/move.h"
+#include "pipeline/run.h"
+#include "read/gcode/gcode.h"
+#include "resolve/plan_options.h"
+
+namespace clearcut {
+
+using pipeline::check_program;
+using pipeline::CheckResult;
+
+using Program = read::gcode::Program;
+
+/// The moves of G-code or Klartext, line by line. `file_name` stands in messages; `home_z`, mm, is the height of places that
+/// a program names without stating them, see home_z(Machine). Throws InputError "file:line: ..." for what cannot be understood.
+inline Program read_program(std::string_view text, const std::string& file_name,
+                            double home_z = kUsualHomeZ) {
+  return read::gcode::read_gcode(text, file_name, home_z);
+}
+
+}  // namespace clearcut

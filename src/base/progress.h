@@ -1,0 +1,38 @@
+// Work that takes long: how far it has come, and how its caller ends it early.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <stdexcept>
+#include <stop_token>
+
+namespace clearcut::inline base {
+
+/// What a plan is busy with.
+enum class Stage {
+  kPlanning,   ///< candidates: one strategy on one workingstep each
+  kCertifying  ///< judging the program that was written; planning may follow where it is not clean
+};
+
+/// How far a plan has come.
+struct Progress {
+  Stage stage = Stage::kPlanning;
+  std::size_t done = 0;  ///< of the stage
+  std::size_t most = 0;  ///< as many as `done` can become; candidates that cannot win are left out
+};
+
+/// Called by the threads that plan, by one at a time. It should return quickly; what it throws ends the plan.
+using ProgressCallback = std::function<void(const Progress&)>;
+
+/// Thrown out of work whose stop_token was asked to stop. Nothing was written and nothing is left behind.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
+};
+
+/// Throws Cancelled when somebody asked to stop. Cost one atomic read.
+inline void throw_if_cancelled(const std::stop_token& cancel) {
+  if (cancel.stop_requested()) throw Cancelled();
+}
+
+}  // namespace clearcut::inline base

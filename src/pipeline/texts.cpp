@@ -1,0 +1,68 @@
+#include "pipeline/texts.h"
+
+#include "base/file.h"
+#include "base/version.h"
+#include "report/certificate.h"
+#include "report/contest_table.h"
+#include "report/picture/svg.h"
+#include "report/result.h"
+#include "report/table.h"
+#include "report/viewer/html.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const std::string& input,
+                                         const std::string& program) {
+  report::CertificateInfo info;
+  info.version = kVersion;
+  info.seed = options.seed;
+  info.input_hash = content_hash(input);
+  info.program_hash = content_hash(program);
+  info.machine = options.machine.name;
+  return info;
+}
+
+}  // namespace
+
+std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+                              const std::string& input) {
+  report::CertificateInfo info = certificate_info(options, input, result.program);
+  info.contests = result.contests;
+  return report::certificate_json(result.part, result.findings, info);
+}
+
+std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+                              const std::string& input, const std::string& program) {
+  return report::certificate_json(result.part, result.findings, certificate_info(options, input, program));
+}
+
+std::string write_table(const PlanResult& result) {
+  return report::table(result.part, result.findings);
+}
+
+std::string write_table(const CheckResult& result) {
+  return report::table(result.part, result.findings);
+}
+
+std::string write_contest_table(const PlanResult& result) {
+  return report::plain(report::contest_table(result.contests));
+}
+
+std::string write_picture(const PlanResult& result) {
+  return report::svg(result.part, result.toolpath, result.findings, {});
+}
+
+std::string write_picture(const CheckResult& result) {
+  return report::svg(result.part, result.toolpath, result.findings, {});
+}
+
+std::string write_page(const PlanResult& result, const resolve::PlanOptions& options) {
+  return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
+}
+
+std::string write_segments(const PlanResult& result) {
+  return report::result_file(result.toolpath, {result.part.name, result.contours});
+}
+
+}  // namespace clearcut::pipeline

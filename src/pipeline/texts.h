@@ -1,0 +1,35 @@
+// Results as text for people and programs.
+#pragma once
+
+#include <string>
+
+#include "pipeline/run.h"
+
+namespace clearcut::pipeline {
+
+/// The certificate as JSON: what was found, and what that rests on. `input` is the text of the part's file: its hash names it
+/// in the certificate. docs/report.md lists every field.
+std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+                              const std::string& input);
+/// The same of a program that was checked, whose text is `program`.
+std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+                              const std::string& input, const std::string& program);
+
+/// Figures of every feature and of the whole, then the faults; lines of ASCII.
+std::string write_table(const PlanResult& result);
+std::string write_table(const CheckResult& result);
+
+/// What became of the strategies that were considered; lines of ASCII.
+std::string write_contest_table(const PlanResult& result);
+
+/// One SVG document: the part, what was cut, what is left, faults. Paths in mm, arcs as arcs.
+std::string write_picture(const PlanResult& result);
+std::string write_picture(const CheckResult& result);
+
+/// One HTML page that plays the machining and needs no other file.
+std::string write_page(const PlanResult& result, const resolve::PlanOptions& options);
+
+/// The feed moves as plain numbers, x y to x y, in mm.
+std::string write_segments(const PlanResult& result);
+
+}  // namespace clearcut::pipeline
