@@ -165,6 +165,67 @@ TEST(Methods, ReproducedTablesAreWrittenForProgramsAndBrowsers) {
   EXPECT_THAT(page, Not(HasSubstr("<script")));
 }
 
+/// CPO-kappa figure 10, from the outline to the program: 373.4802 mm, but for coordinates rounded to 0.0001 mm.
+TEST(Methods, FigureTenIsAProgramOfThePrintedLength) {
+  const ScratchFolder folder;
+  const auto input = folder.file("triangle.edges", kTriangle);
+  for (const char* order : {"outside-in", "inside-out"}) {
+    const auto result =
+        run_clearcut({"plan", input, "--tool", "endmill:10", "--strategy", "lom", "--stepover", "7.01mm",
+                      "--order", order, "--result", folder.path("a.txt"), "-o", folder.path("a.ngc")});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::string text = read_file(folder.path("a.txt"));
+    EXPECT_THAT(text, ContainsRegex("# total length 373[.]480[0-4]\n")) << order;
+    EXPECT_THAT(text, HasSubstr("contours at 5.0000 12.0100 19.0200"));
+    EXPECT_THAT(text, HasSubstr("contour at 5.0000 smallest angle 60.0000 coefficient 0.7010"));
+    EXPECT_THAT(text, HasSubstr("# time by CPO-rho eq. 9 "));
+  }
+  const auto shortest =
+      run_clearcut({"plan", input, "--tool", "endmill:10", "--strategy", "lom", "--stepover", "7.01mm",
+                    "--passage", "shortest", "--result", folder.path("b.txt"), "-o", folder.path("b.ngc")});
+  ASSERT_EQ(shortest.exit_code, 0) << shortest.err;
+  EXPECT_THAT(read_file(folder.path("b.txt")), HasSubstr("# total length 359."));
+}
+
+TEST(Methods, PassagesAreRefusedWhereTheyMeanNothing) {
+  const ScratchFolder folder;
+  const auto input = folder.file("triangle.edges", kTriangle);
+  const auto plan = [&](std::vector<std::string> more) {
+    std::vector<std::string> all{"plan", input, "--tool", "endmill:10", "-o", folder.path("a.ngc")};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_clearcut(all);
+  };
+  EXPECT_EQ(plan({"--strategy", "zigzag", "--passage", "bisector"}).exit_code, 2);
+  EXPECT_EQ(plan({"--strategy", "lom", "--passage", "bisector", "--lead", "1"}).exit_code, 2);
+  EXPECT_EQ(plan({"--strategy", "lom", "--passage", "diagonal"}).exit_code, 2);
+  EXPECT_EQ(plan({"--strategy", "lom", "--solver", "published"}).exit_code, 2);
+  EXPECT_EQ(plan({"--strategy", "tour", "--generations", "10"}).exit_code, 2);
+}
+
+TEST(Methods, RhoSaysItsCoefficient) {
+  const ScratchFolder folder;
+  const auto input = folder.file("triangle.edges", "name triangle\ndepth 2\n100 60\n100 60\n100 60\n");
+  const auto result =
+      run_clearcut({"plan", input, "--tool", "endmill:16", "--strategy", "rho", "-o", folder.path("a.ngc")});
+  EXPECT_THAT(result.err, HasSubstr("rho_opt 0.7187 from the smallest angle, 60.00 degrees"));
+}
+
+/// The published system on a part: its grid, its algorithm; what it leaves is a figure of the certificate.
+TEST(Methods, ThePublishedTourRunsOnAPart) {
+  const ScratchFolder folder;
+  const auto input = folder.file("plate.edges", "name plate\ndepth 2\n60 90\n40 90\n60 90\n40 90\n");
+  const auto plan = [&](const char* program) {
+    return run_clearcut({"plan", input, "--tool", "endmill:10", "--strategy", "tour", "--solver", "published",
+                         "--grid", "published", "--stepover", "0.5", "--generations", "200", "--seed", "3",
+                         "-o", folder.path(program)});
+  };
+  const auto result = plan("a.ngc");
+  EXPECT_NE(result.exit_code, 2) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("plate"));
+  plan("b.ngc");
+  EXPECT_EQ(read_file(folder.path("a.ngc")), read_file(folder.path("b.ngc"))) << "the same seed";
+}
+
 TEST(Methods, CompareShowsWhatEveryRivalAdds) {
   const ScratchFolder folder;
   const auto input = folder.file("triangle.edges", kTriangle);

@@ -24,6 +24,7 @@ using pipeline::PlanResult;
 using resolve::parse_predrilled;
 using resolve::parse_tool;
 using resolve::PlanOptions;
+using resolve::PublishedSolver;
 
 /// Throws InputError naming the first option that is out of its range.
 inline void check_options(const PlanOptions& options) {

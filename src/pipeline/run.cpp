@@ -21,6 +21,7 @@
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "plan/common/walls.h"
+#include "plan/contour/step_rule.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
 #include "stock/round_hole.h"
@@ -301,12 +302,53 @@ void keep_stated_stepdowns(Part& prepared, const Part& part, const resolve::Plan
   }
 }
 
-std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
+/// Contours of a published method in the top layer of a section's feature; none for other strategies and for open sides.
+std::vector<plan::contour::ContourStep> published_contours(const Section& section, const Part& part,
+                                                           const resolve::PlanOptions& options) {
+  const auto rule = contour_rule(options);
+  if (!rule) return {};
+  const auto& step = part.workplan.at(static_cast<std::size_t>(section.workingstep));
+  const double radius = tool_of(part, step).radius();
+  const auto layers = plan::layers_of(feature_of(part, step), step.operation, radius, options.tol);
+  if (layers.empty() || !plan::closed_all_round(layers.front())) return {};
+  const Layer& top = layers.front();
+  return plan::contour::contour_steps(top.allowed, *rule, radius, radius + top.wall_stock, options.tol);
+}
+
+/// With the coefficients where a published method takes its steps from angles.
+std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const Part& part,
+                                               const resolve::PlanOptions& options) {
   std::vector<report::ContourLevels> contours;
   for (const Section& section : toolpath.sections) {
-    if (!section.contours.empty()) contours.push_back({section.label, section.contours});
+    report::ContourLevels levels{section.label, section.contours, {}};
+    const auto published = published_contours(section, part, options);
+    if (!published.empty()) levels.from_wall.clear();
+    for (const auto& contour : published) {
+      levels.from_wall.push_back(contour.from_wall);
+      if (contour.step <= 0) continue;
+      const double radius =
+          tool_of(part, part.workplan[static_cast<std::size_t>(section.workingstep)]).radius();
+      const double share = contour.step / (2 * radius);
+      levels.coefficients.push_back(
+          {contour.from_wall, contour.smallest_angle, share,
+           plan::contour::residual_size(contour.smallest_angle, radius, 1 - share)});
+    }
+    if (!levels.from_wall.empty()) contours.push_back(std::move(levels));
   }
   return contours;
+}
+
+/// The coefficient that the rule of CPO-rho came to, which is that paper's result.
+void report_rho(const std::vector<report::ContourLevels>& contours, const resolve::PlanOptions& options,
+                Part& part) {
+  if (options.strategy != "rho") return;
+  for (const auto& levels : contours) {
+    if (levels.coefficients.empty()) continue;
+    const auto& first = levels.coefficients.front();
+    part.diagnostics.note(levels.feature,
+                          fmt::format("rho_opt {:.4f} from the smallest angle, {:.2f} degrees", first.share,
+                                      first.smallest_angle * 180 / kPi));
+  }
 }
 
 }  // namespace
@@ -334,7 +376,8 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   } while (retry_unclean(choice, result));
   sign(result, toolpath, options);
   report_notes(choice, works, options, result.part);
-  result.contours = contours_of(toolpath);
+  result.contours = contours_of(toolpath, result.part, options);
+  report_rho(result.contours, options, result.part);
   result.contests = choice.contests();
   return result;
 }

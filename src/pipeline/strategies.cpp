@@ -57,11 +57,27 @@ bool wall_on_right(const Operation& operation) {
   return (*operation.direction == CutDirection::kClimb) == operation.cutting.spindle_clockwise;
 }
 
+/// Published methods go from contour to contour along bisectors; what others are measured against takes the shortest way.
+/// Leads need rings that are whole.
+plan::contour::Passage passage_of(const ContourMethod& method, const Attempt& attempt,
+                                  const Operation& operation, const resolve::PlanOptions& options) {
+  using plan::contour::Passage;
+  const bool leads = operation.lead.value_or(0) > 0;
+  if (options.bisector_passages.value_or(false) && leads)
+    throw InputError("--passage",
+                     "rings that begin with leads are not joined; leave out --lead or --passage bisector");
+  const std::string name = method.name;
+  const bool is_published = name != "contour" && !name.ends_with("-corrected");
+  const bool by_default = is_published && attempt.strategy == options.strategy && !leads;
+  return options.bisector_passages.value_or(by_default) ? Passage::kBisector : Passage::kShortest;
+}
+
 Strategy contour_strategy(const ContourMethod& method, const Attempt& attempt, const Operation& operation,
                           const resolve::PlanOptions& options) {
   plan::contour::ContourOptions contour;
   contour.step = plan::contour::parse_step_rule(attempt.stepover.value_or(method.stepover));
   contour.residuals = method.residuals;
+  contour.passage = passage_of(method, attempt, operation, options);
   contour.machine = options.machine;
   contour.feed = *operation.cutting.feed;
   if (operation.lead.value_or(0) > 0) contour.effort = 0;  // rings stay whole: leads need a place to begin
@@ -116,8 +132,12 @@ Strategy zigzag_strategy(const Attempt& attempt, const Operation& operation,
 
 Strategy tour_strategy(const Attempt& attempt, const Operation& operation,
                        const resolve::PlanOptions& options) {
-  const auto grid =
+  auto grid =
       attempt.stepover ? plan::tour::parse_tour_grid(*attempt.stepover) : plan::tour::TourGridOptions{};
+  if (options.published_grid) {
+    grid.published = true;
+    if (!attempt.stepover) grid.pitch = 1;  // Tour 4.2.4: the diameter, where no engagement is asked for
+  }
   return plan::once_per_outline(
       [grid, solve = tour_solver(options, *operation.cutting.feed, attempt.briefly),
        tol = options.tol](const Layer& layer) { return plan::tour::plan_tour(layer, grid, solve, tol); });
@@ -165,6 +185,12 @@ std::optional<plan::contour::StepRule> published_rule(const std::string& strateg
   return plan::contour::parse_step_rule(method->stepover);
 }
 
+std::optional<plan::contour::StepRule> contour_rule(const resolve::PlanOptions& options) {
+  const auto* method = contour_method(options.strategy);
+  if (method == nullptr || options.strategy == "contour") return std::nullopt;
+  return plan::contour::parse_step_rule(options.stepover.value_or(method->stepover));
+}
+
 std::string description_of(const std::string& strategy) {
   if (const auto* method = contour_method(strategy)) return method->description;
   if (strategy == "adaptive") return "engagement limited, spiral and arcs";
@@ -176,9 +202,15 @@ std::string description_of(const std::string& strategy) {
 
 Strategy strategy_for(const Attempt& attempt, const Operation& operation,
                       const resolve::PlanOptions& options) {
+  if ((options.published_grid || options.published_solver) && options.strategy != "auto" &&
+      attempt.strategy != "tour")
+    throw InputError("--solver",
+                     fmt::format("and --grid are for the strategy tour; '{}' has no grid", attempt.strategy));
   if (const auto* method = contour_method(attempt.strategy)) {
     return contour_strategy(*method, attempt, operation, options);
   }
+  if (options.bisector_passages && options.strategy != "auto")
+    throw InputError("--passage", fmt::format("is for contours; '{}' has none", attempt.strategy));
   if (attempt.strategy == "adaptive") return adaptive_strategy(operation, options);
   if (attempt.strategy == "spiral") return spiral_strategy(attempt, operation, options);
   if (attempt.strategy == "zigzag") return zigzag_strategy(attempt, operation, options);

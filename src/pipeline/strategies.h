@@ -21,6 +21,9 @@ const std::vector<std::string>& contour_method_names();
 /// The step rule of a contour method that adds nothing to its contours; none for the others.
 std::optional<plan::contour::StepRule> published_rule(const std::string& strategy);
 
+/// The step rule that the options stand for with any contour method but ours; none for other strategies.
+std::optional<plan::contour::StepRule> contour_rule(const resolve::PlanOptions& options);
+
 /// What a name says, in one line for people.
 std::string description_of(const std::string& strategy);
 

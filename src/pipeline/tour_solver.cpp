@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "order/genetic/genetic.h"
 #include "order/solve.h"
 #include "pipeline/engagement_model.h"
 
@@ -19,6 +20,10 @@ namespace {
 /// Seconds of one core for a population, and rounds, where nobody says how long to search.
 constexpr double kEffort = 0.1, kBriefEffort = 0.02;
 constexpr long long kRounds = 2;
+/// Tour 4.3.3: "1000 generations without any improvement".
+constexpr long long kPublishedPatience = 1000;
+/// Fewer points make no population.
+constexpr std::size_t kFewPoints = 5;
 
 class MachineTime final : public order::Objective {
  public:
@@ -116,11 +121,43 @@ order::Problem grid_problem(const plan::tour::TourTask& task) {
   return problem;
 }
 
+order::Tour published_order(const order::Problem& problem, const order::Objective& objective,
+                            const resolve::PlanOptions& options) {
+  if (problem.points.size() < kFewPoints) {
+    order::SolveOptions exact;
+    exact.stop.rounds = 1;
+    return order::solve(problem, objective, exact).tour;
+  }
+  const resolve::PublishedSolver published = options.published_solver.value_or(resolve::PublishedSolver{});
+  order::GeneticOptions genetic;
+  genetic.patience = kPublishedPatience;
+  genetic.seed = options.seed;
+  if (published.generations) {
+    genetic.stop.rounds = *published.generations;
+    genetic.patience = *published.generations;
+  }
+  genetic.population = genetic.children = published.population.value_or(genetic.population);
+  genetic.selection = published.selection.value_or(genetic.selection);
+  genetic.crossover = published.crossover.value_or(genetic.crossover);
+  genetic.mutation = published.mutation.value_or(genetic.mutation);
+  genetic.crossover_rate = published.crossover_rate.value_or(genetic.crossover_rate);
+  genetic.mutation_rate = published.mutation_rate.value_or(genetic.mutation_rate);
+  genetic.most_shared = published.most_shared.value_or(genetic.most_shared);
+  if (options.time_s) genetic.stop.seconds = *options.time_s;
+  std::atomic<bool> stop = false;
+  const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
+  genetic.stop.cancel = &stop;
+  auto tour = order::run_genetic(problem, objective, genetic).tour;
+  throw_if_cancelled(options.cancel);
+  return tour;
+}
+
 plan::tour::TourSolver tour_solver(const resolve::PlanOptions& options, MmPerMin feed, bool briefly) {
   return [options, feed, briefly](const plan::tour::TourTask& task) {
     const auto objective = objective_from(options.objective, [&](const std::string& name) {
       return layer_objective(name, task, options, feed);
     });
+    if (options.published_solver) return published_order(grid_problem(task), *objective, options);
     order::SolveOptions solve;
     solve.seed = options.seed;
     solve.threads = options.threads;

@@ -6,6 +6,7 @@
 
 #include "order/objective.h"
 #include "order/problem.h"
+#include "order/solve.h"
 #include "plan/tour/tour.h"
 #include "resolve/plan_options.h"
 
@@ -25,7 +26,11 @@ order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed
 /// An open path through the points of a grid, along its legal ways.
 order::Problem grid_problem(const plan::tour::TourTask& task);
 
-/// Orders grids by options.objective. Without options.time_s the same points give the same order, however
+/// The text's genetic algorithm on any problem, ended by options.time_s, too. Few points are ordered exactly.
+order::Tour published_order(const order::Problem& problem, const order::Objective& objective,
+                            const resolve::PlanOptions& options);
+
+/// Orders grids by options.objective, with options.published_solver where given. Without options.time_s the same points give the same order, however
 /// busy the machine. `briefly`: with a fifth of the usual search, which is seldom felt in the order.
 plan::tour::TourSolver tour_solver(const resolve::PlanOptions& options, MmPerMin feed, bool briefly = false);
 

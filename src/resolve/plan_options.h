@@ -18,13 +18,23 @@
 
 namespace clearcut::resolve {
 
+/// The Tour text's genetic algorithm; what is left out is as published.
+struct PublishedSolver {
+  std::optional<long long> generations;  ///< at most; absent: until 1000 bring no gain (4.3.3)
+  std::optional<int> population;
+  std::optional<std::string> selection, crossover, mutation;  ///< names of operators
+  std::optional<double> crossover_rate, mutation_rate;
+  std::optional<double> most_shared;  ///< share of edges above which two individuals are too similar
+};
+
 struct PlanOptions {
-  std::vector<Tool> tools;              ///< replace the part's own; empty keeps those
-  std::string strategy = "auto";        ///< a name of strategy_names()
-  std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
-  std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found
-  std::optional<double> stepdown;       ///< mm
-  std::optional<double> allowance;      ///< mm, on walls
+  std::vector<Tool> tools;                ///< replace the part's own; empty keeps those
+  std::string strategy = "auto";          ///< a name of strategy_names()
+  std::optional<std::string> stepover;    ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
+  std::optional<bool> bisector_passages;  ///< of contour methods; absent: those of the published ones
+  std::optional<double> angle_deg;        ///< of zigzag lines against x; absent: the fastest found
+  std::optional<double> stepdown;         ///< mm
+  std::optional<double> allowance;        ///< mm, on walls
   std::optional<double> allowance_floor;
   std::optional<double> engagement_deg;
   std::optional<EntryKind> entry;
@@ -41,6 +51,8 @@ struct PlanOptions {
   CuttingData cutting;
   Machine machine;
   PostOptions post;
+  std::optional<PublishedSolver> published_solver;  ///< orders grids and elements' squares; absent: ours does
+  bool published_grid = false;  ///< of the strategy tour: Tour eq. 4.8, and nothing else is cut
   std::string objective = "time";
   std::optional<double> time_s;  ///< longest search
   std::uint64_t seed = 1;
