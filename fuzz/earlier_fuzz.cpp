@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Part part = pocket();
   const Layer layer{
       .z = -2, .target = part.features[0].target, .allowed = part.features[0].allowed, .tool_radius = 1.5};
-  const Regions left = resolve::left_over(part, 0, layer, options);
+  const Regions left = resolve::left_over(part, 0, layer, options.earlier, options.tol);
   CLEARCUT_ASSERT(area(left) <= 40 * 30 + 1e-6);
   CLEARCUT_ASSERT(area(subtract(left, layer.target, options.tol)) < 1e-3);
   return 0;

@@ -2,6 +2,7 @@
 #include <clearcut/text.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "commands.h"
@@ -55,6 +56,37 @@ void print_part(const Part& part) {
   }
 }
 
+std::string size_of(const OutlineSummary& one) {
+  if (one.diameter) return "circle of " + trimmed(*one.diameter, 3);
+  return trimmed(one.box.width(), 3) + " x " + trimmed(one.box.height(), 3);
+}
+
+/// One line an outline, as many as a person reads; the rest is counted.
+void print_overview(const std::string& file, const DrawingOverview& overview) {
+  constexpr std::size_t kMost = 200;
+  Box all;
+  for (const auto& one : overview.outlines) all.add(one.box);
+  print_line(fmt::format(
+      "{}: {} outlines, {} lines to engrave{}", file, overview.outlines.size(), overview.lines,
+      all.empty() ? "" : ", " + trimmed(all.width(), 3) + " x " + trimmed(all.height(), 3) + " mm"));
+  for (std::size_t i = 0; i < std::min(kMost, overview.outlines.size()); ++i) {
+    const auto& one = overview.outlines[i];
+    print_line(fmt::format("  {:>3}  layer {}, {} mm, {}, area {} mm2{}{}: {}{}", one.number, one.layer,
+                           size_of(one), extent(one.box), trimmed(one.area, 2),
+                           one.within > 0 ? ", within " + std::to_string(one.within) : "",
+                           one.depth ? ", depth " + trimmed(*one.depth, 3) : ", no depth", one.role,
+                           one.says_role ? "" : " (not said)"));
+  }
+  if (overview.outlines.size() > kMost)
+    print_line(fmt::format("  and {} more", overview.outlines.size() - kMost));
+  if (!overview.question.empty()) print_line("to be said: " + overview.question);
+}
+
+bool has_depths(const DrawingOverview& overview) {
+  return std::all_of(overview.outlines.begin(), overview.outlines.end(),
+                     [](const auto& one) { return one.depth.has_value(); });
+}
+
 }  // namespace
 
 void add_info_command(CLI::App& app, int& exit_code) {
@@ -63,10 +95,19 @@ void add_info_command(CLI::App& app, int& exit_code) {
   auto state = std::make_shared<PlanArguments>();
   state->add_part_options(*command, "INPUT");
   command->callback([state, &exit_code] {
-    const Part part = state->read();
-    print(part.diagnostics, true);
-    print_part(part);
     exit_code = kClean;
+    DrawingOverview overview;
+    Part part = state->read_overview(overview);
+    const bool drawing = part.features.empty();
+    print(part.diagnostics, true);
+    if (drawing) print_overview(part.source_file, overview);
+    if (drawing && (!has_depths(overview) || !overview.question.empty())) {
+      if (!has_depths(overview))
+        print_line("to be said: how deep; --depth MM, or in layers' names as in POCKET_D5");
+      return;
+    }
+    if (drawing) part = state->read();
+    print_part(part);
   });
 }
 

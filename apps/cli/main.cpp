@@ -1,5 +1,6 @@
 // clearcut: the command. Parses, calls the pipeline, prints.
 #include <clearcut/error.h>
+#include <clearcut/file.h>
 #include <clearcut/version.h>
 
 #include <cstdio>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "commands.h"
+#include "suggest.h"
 
 namespace {
 
@@ -40,7 +42,14 @@ int parse_and_run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
     return app.exit(success);
+  } catch (const CLI::ExtrasError&) {
+    complain(about_unexpected(app, {argv + 1, argv + argc}));
+    return kUnusable;
   } catch (const CLI::ParseError& error) {
+    if (app.get_subcommands().empty()) {
+      complain(about_unexpected(app, {argv + 1, argv + argc}));
+      return kUnusable;
+    }
     complain(std::string(error.what()) + " (see clearcut --help)");
     return kUnusable;
   }
@@ -57,6 +66,7 @@ int checked_output(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const clearcut::InputGuard guard;
   try {
     return checked_output(parse_and_run(argc, argv));
   } catch (const clearcut::InputError& error) {

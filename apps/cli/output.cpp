@@ -30,12 +30,22 @@ void print(const Diagnostics& diagnostics, bool verbose) {
   }
 }
 
+void print_warnings(const Diagnostics& diagnostics) {
+  for (const auto& item : diagnostics.items()) {
+    if (item.severity == Severity::kWarning)
+      std::fprintf(stderr, "%s: %s: %s\n", word_for(item.severity), item.where.c_str(), item.what.c_str());
+  }
+}
+
 void print_line(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
 }
 
 void write_outputs(const std::vector<OutputFile>& files) {
+  std::vector<std::string> names;
+  for (const auto& file : files) names.push_back(file.path);
+  check_outputs(names);
   std::vector<OutputFile> named, printed;
   for (const auto& file : files) (file.path == "-" ? printed : named).push_back(file);
   write_files(named);

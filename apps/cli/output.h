@@ -11,6 +11,8 @@ namespace clearcut::cli {
 
 /// Diagnostics as lines on standard error: "repair: where: what". Notes only when `verbose`.
 void print(const Diagnostics& diagnostics, bool verbose);
+/// The same of warnings alone: beside an error that ends the command.
+void print_warnings(const Diagnostics& diagnostics);
 void print_line(const std::string& text);
 
 /// All of the files or (InputError) none; those named "-" go to standard output, last.

@@ -9,24 +9,16 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "quantities.h"
+
 namespace clearcut::cli {
 namespace {
-
-const std::map<std::string, EntryKind> kEntries{{"helix", EntryKind::kHelix},
-                                                {"ramp", EntryKind::kRamp},
-                                                {"zigzag", EntryKind::kZigzagRamp},
-                                                {"plunge", EntryKind::kPlunge}};
-const std::map<std::string, CutDirection> kDirections{{"climb", CutDirection::kClimb},
-                                                      {"conventional", CutDirection::kConventional}};
 
 /// Whether as published.
 const std::map<std::string, bool> kGrids{{"ours", false}, {"published", true}};
 const std::map<std::string, bool> kSolvers{{"modern", false}, {"published", true}};
 /// Whether along bisectors.
 const std::map<std::string, bool> kPassages{{"bisector", true}, {"shortest", false}};
-/// Whether outside-in.
-const std::map<std::string, bool> kOrders{{"inside-out", false}, {"outside-in", true}};
-
 template <class Value>
 std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
                            const char* option) {
@@ -51,6 +43,20 @@ Vec2 point_of(const std::string& text, const char* option) {
     throw InputError(option, "'" + text + "' is not a point; write X,Y in mm");
   }
   return point;
+}
+
+/// "profile:outer", "drill_d6:HOLES", "inside:2,5".
+LayerRule operation_rule(const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos || colon + 1 == text.size()) {
+    throw InputError("--op",
+                     "'" + text +
+                         "' names no outlines; write KIND:LAYER, KIND:outer or KIND:NUMBER, for example "
+                         "profile:outer");
+  }
+  LayerRule rule = rule_named(text.substr(0, colon), "--op");
+  rule.pattern = text.substr(colon + 1);
+  return rule;
 }
 
 }  // namespace
@@ -97,8 +103,10 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   }
   command.add_option("--unit", unit_, "Unit of a drawing that names none: mm, cm, m, inch, px");
   command.add_option("--layer", layers_, "Layer of a drawing to read (repeatable; default all)");
-  command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm");
-  command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm");
+  command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm")
+      ->transform(as_length());
+  command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm")->transform(as_length());
+  add_drawing_options(command);
   command.add_option(
       "--up", solid_.up,
       "Side of a solid that looks up: +Z, -Z, +X, -X, +Y, -Y, or face12 for a flat face of `info`");
@@ -107,8 +115,29 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   command.add_option("--body", solid_.body, "Body of an assembly to make: its name or number, or all");
   command
       .add_option("--breakthrough", solid_.breakthrough,
-                  "How far through cuts of a solid go below it, mm (default 0.5)")
+                  "How far through cuts go below the material, mm (default 0.5; profiles of drawings 0)")
       ->check(CLI::NonNegativeNumber);
+}
+
+void PlanArguments::add_drawing_options(CLI::App& command) {
+  command.add_option(
+      "--op", operations_,
+      "KIND:SELECTION, what outlines of a drawing are for: pocket, profile, inside, drill, engrave, "
+      "face, island or ignore, with a depth as in profile_d6; the selection is a layer, a colour, outer "
+      "or numbers of `info` (repeatable)");
+  command.add_option("--tabs", tabs_.count, "Tabs that hold what a profile cuts free, of each profile")
+      ->check(CLI::Range(0, 100));
+  command.add_option("--tab-width", tabs_.width, "Of tabs along the outline, mm (default 4)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--tab-height", tabs_.height,
+                  "Of tabs over the underside of the material, mm (default 2, at most half the depth)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--scale", scale_, "Factor for a drawing's size")->check(CLI::PositiveNumber);
+  command.add_option("--join-gap", join_gap_, "Gaps in outlines that are closed, mm (default 0.01)")
+      ->check(CLI::Range(1e-6, 10.0));
+  command.add_option("--open-curves", open_curves_, "Open lines of a drawing: refuse (default) or skip")
+      ->check(CLI::IsMember({"refuse", "skip"}));
 }
 
 void PlanArguments::add_tool_list_options(CLI::App& command) {
@@ -124,10 +153,11 @@ void PlanArguments::add_tool_options(CLI::App& command) {
   command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2");
   command.add_option("--junction-deviation", junction_deviation_, "Junction deviation of the machine, mm");
-  command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min");
-  command.add_option("--stepdown", stepdown_, "Depth of one layer, mm");
-  command.add_option("--allowance", allowance_, "Stock to leave on walls, mm");
-  command.add_option("--allowance-floor", allowance_floor_, "Stock to leave on floors, mm");
+  command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min")->transform(as_feed());
+  command.add_option("--stepdown", stepdown_, "Depth of one layer, mm")->transform(as_length());
+  command.add_option("--allowance", allowance_, "Stock to leave on walls, mm")->transform(as_length());
+  command.add_option("--allowance-floor", allowance_floor_, "Stock to leave on floors, mm")
+      ->transform(as_length());
   command.add_option("--engagement", engagement_, "Largest engagement angle of the cutter, degrees");
   command.add_option(
       "--material", shop_.material,
@@ -141,9 +171,11 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
       "--strategy", strategy_,
       "auto, contour, zigzag, spiral, adaptive, tour, or a published method: lom, rho, second, "
       "lom-corrected, rho-corrected, fixed, loops, pwid, single, double, bisectors");
-  command.add_option("--stepover", stepover_,
-                     "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "
-                     "commas, one a contour");
+  command
+      .add_option("--stepover", stepover_,
+                  "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "
+                  "commas, one a contour")
+      ->transform(as_stepover());
   command.add_option("--angle", angle_,
                      "Direction of zigzag lines against x, degrees (default: the fastest)");
   command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge");
@@ -155,11 +187,11 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
       "From contour to contour: bisector (of a corner; default of published methods) or shortest");
   command.add_option("--start", start_,
                      "Where the cutting of contours begins, or adaptive clearing goes down: X,Y");
-  command.add_option("--feed", feed_, "Cutting feed, mm/min");
-  command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min");
+  command.add_option("--feed", feed_, "Cutting feed, mm/min")->transform(as_feed());
+  command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min")->transform(as_feed());
   command.add_option("--spindle", spindle_, "Spindle speed, rpm");
   add_post_options(command);
-  command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm");
+  command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm")->transform(as_length());
   command.add_option(
       "--objective", objective_,
       "Of the strategy tour: length, turns, angle, engagement, time, or weights 1:length,20:turns");
@@ -201,34 +233,48 @@ PostOptions PlanArguments::post(const JobOutput& job) const {
 void PlanArguments::add_shop_options(CLI::App& command) {
   command.add_option("--entry-angle", entry_angle_,
                      "Steepest way down of a helix or ramp, degrees (default 3)");
-  command.add_option("--helix-diameter", shop_.helix_widest, "Widest helix of the cutter's centre, mm");
-  command.add_option("--helix-min", shop_.helix_narrowest, "Narrowest helix, mm; below it: ramp");
+  command.add_option("--helix-diameter", shop_.helix_widest, "Widest helix of the cutter's centre, mm")
+      ->transform(as_length());
+  command.add_option("--helix-min", shop_.helix_narrowest, "Narrowest helix, mm; below it: ramp")
+      ->transform(as_length());
   command.add_option("--predrilled", predrilled_, "X,Y:DIAMETER of a hole to enter by (repeatable)");
-  command.add_option("--lead", lead_,
-                     "Radius of the arcs into and out of passes along walls, mm (default: none)");
+  command
+      .add_option("--lead", lead_,
+                  "Radius of the arcs into and out of passes along walls, mm (default: none)")
+      ->transform(as_length());
   command.add_option("--lead-angle", lead_angle_,
                      "Lines of that length at this angle to the pass instead of arcs, degrees");
-  command.add_option("--lead-overlap", shop_.lead_overlap,
-                     "How far passes along walls run on over their start, mm (default 0)");
-  command.add_option("--overrun", shop_.overrun,
-                     "How far beyond the edge of the material open sides are cut, mm (default 0)");
-  command.add_option("--lead-feed", lead_feed_, "Feed on leads, mm/min");
-  command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min");
-  command.add_option("--link-lift", shop_.link_lift, "Lift between passes at depth, mm");
-  command.add_option("--ramp-feed", ramp_feed_, "Feed on ramps and helices, mm/min");
-  command.add_option("--slot-feed", slot_feed_, "Feed where the cutter is in the material all round, mm/min");
+  command
+      .add_option("--lead-overlap", shop_.lead_overlap,
+                  "How far passes along walls run on over their start, mm (default 0)")
+      ->transform(as_length());
+  command
+      .add_option("--overrun", shop_.overrun,
+                  "How far beyond the edge of the material open sides are cut, mm (default 0)")
+      ->transform(as_length());
+  command.add_option("--lead-feed", lead_feed_, "Feed on leads, mm/min")->transform(as_feed());
+  command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min")->transform(as_feed());
+  command.add_option("--link-lift", shop_.link_lift, "Lift between passes at depth, mm")
+      ->transform(as_length());
+  command.add_option("--ramp-feed", ramp_feed_, "Feed on ramps and helices, mm/min")->transform(as_feed());
+  command.add_option("--slot-feed", slot_feed_, "Feed where the cutter is in the material all round, mm/min")
+      ->transform(as_feed());
   command.add_option("--slot-angle", shop_.slot_angle_deg,
                      "Engagement above which the slot feed rules, degrees (default 150)");
   command.add_flag("--rest", rest_, "Use all mills given, larger first, each on what is left");
   command.add_option("--after", after_, "Program that has run before: cut only what it left");
   command.add_option("--finish", shop_.finish, "Finishing after everything else: walls, floor or all");
-  command.add_option("--finish-stock", shop_.finish_stock,
-                     "Stock left on walls for finishing, mm (default 0.3)");
-  command.add_option("--finish-stock-floor", shop_.finish_stock_floor,
-                     "Stock left on floors for finishing, mm (default 0.2)");
+  command
+      .add_option("--finish-stock", shop_.finish_stock, "Stock left on walls for finishing, mm (default 0.3)")
+      ->transform(as_length());
+  command
+      .add_option("--finish-stock-floor", shop_.finish_stock_floor,
+                  "Stock left on floors for finishing, mm (default 0.2)")
+      ->transform(as_length());
   command.add_option("--finish-depths", shop_.finish_depths,
                      "In how many depths walls are finished (default 1)");
-  command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm");
+  command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm")
+      ->transform(as_length());
 }
 
 ShopOptions PlanArguments::shop(const JobFile& job) const {
@@ -247,8 +293,16 @@ std::optional<Toolpath> PlanArguments::earlier(const JobFile& job, const Machine
   return read_program(read_file(*file), *file, home_z(machine)).toolpath;
 }
 
-Part PlanArguments::read() const {
+ReadOptions PlanArguments::read_options() const {
   ReadOptions options;
+  options.ask_if_unclear = true;
+  for (const auto& text : operations_) options.layer_rules.push_back(operation_rule(text));
+  if (scale_) options.scale = *scale_;
+  options.scale_is_right = scale_.has_value();
+  if (join_gap_) options.join_gap = join_gap_;
+  if (open_curves_) {
+    options.open_curves = *open_curves_ == "skip" ? OpenCurves::kSkip : OpenCurves::kRefuse;
+  }
   options.unit = unit_;
   options.layers = layers_;
   options.top = top_;
@@ -256,8 +310,21 @@ Part PlanArguments::read() const {
   options.solid = solid_;
   for (const Tool& tool : tools())
     if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
-  Part part = read_part(input_, options);
+  return options;
+}
+
+Part PlanArguments::read_overview(DrawingOverview& overview) const {
+  ReadOptions options = read_options();
+  options.overview = &overview;
+  return read_part(input_, options);
+}
+
+Part PlanArguments::read() const {
+  const auto from_job = job();
+  Part part =
+      from_job ? part_of_job(*from_job, read_options(), step_sources_) : read_part(input_, read_options());
   if (clearance_z_) part.clearance_z = clearance_z_;
+  part.diagnostics.append(library().diagnostics);
   return part;
 }
 
@@ -269,10 +336,27 @@ std::optional<JobFile> PlanArguments::job() const {
 std::vector<Tool> PlanArguments::tools() const {
   std::vector<Tool> tools;
   if (tool_library_) {
-    for (const auto& entry : read_tool_library(*tool_library_, {}).tools) tools.push_back(entry.tool);
+    for (const auto& entry : library().tools) tools.push_back(entry.tool);
   }
   for (const auto& text : tools_) tools.push_back(parse_tool(text));
   return tools;
+}
+
+ToolLibrary PlanArguments::library() const {
+  return tool_library_ ? read_tool_library(*tool_library_, {}) : ToolLibrary{};
+}
+
+/// Of the tools given, or of those of the job.
+std::vector<ToolCutting> PlanArguments::tool_cutting(const std::optional<JobFile>& job) const {
+  std::vector<ToolCutting> out;
+  const bool own = tool_library_ || !tools_.empty();
+  const auto entries = own ? library().tools : job ? tools_of_job(*job) : std::vector<LibraryTool>{};
+  for (const auto& entry : entries) {
+    const auto* preset = preset_of(entry, job && !own ? job->preset : "");
+    out.push_back(preset ? ToolCutting{true, preset->cutting, preset->stepdown, preset->stepover}
+                         : ToolCutting{});
+  }
+  return out;
 }
 
 Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
@@ -283,31 +367,56 @@ Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
   return machine;
 }
 
+void PlanArguments::take_sources(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string name = option->get_lnames().front();
+    typed_.set(name.starts_with("no-") ? name.substr(3) : name, {Origin::kUser, "--" + name});
+  }
+}
+
+/// Also those that a later rule or the command line puts aside: a name that is unknown is never meant.
+void PlanArguments::check_strategies(const JobFile& job) const {
+  const auto check = [](const CutSettings& settings) {
+    const Source* source = settings.sources.find("strategy");
+    if (settings.strategy && source) strategy_named(*settings.strategy, built_in_strategies(), source->text);
+  };
+  check(job.plan);
+  for (const OperationRule& rule : job.operations) check(rule.settings);
+}
+
 /// The command line goes before the job, the job before the defaults.
 PlanOptions PlanArguments::options() const {
   const auto from_job = job();
   const JobFile given = from_job.value_or(JobFile{});
   PlanOptions options;
   options.tools = tools();
+  options.tool_cutting = tool_cutting(from_job);
   options.machine = machine(from_job);
-  options.strategy = strategy_.value_or(given.plan.strategy.value_or("auto"));
+  check_strategies(given);
+  options.sources = given.sources;
+  if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
+  options.step_sources = step_sources_;
+  options.sources.merge(typed_);
+  options.strategy = strategy_;
   options.stepover = stepover_ ? stepover_ : given.plan.stepover;
   options.angle_deg = angle_;
   options.stepdown = stepdown_;
   options.allowance = allowance_;
   options.allowance_floor = allowance_floor_;
   options.engagement_deg = engagement_ ? engagement_ : given.engagement_deg;
-  options.entry = named(kEntries, entry_, "--entry");
+  if (entry_) options.entry = entry_named(*entry_, "--entry");
   if (entry_angle_) options.entry_angle = Radians::of_degrees(*entry_angle_);
   options.lead = lead_;
   if (lead_angle_) options.lead_angle = Radians::of_degrees(*lead_angle_);
   options.scallop = scallop_;
+  options.tabs = tabs_;
   options.shop = shop(given);
   options.earlier = earlier(given, options.machine);
   for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
-  options.direction = named(kDirections, direction_, "--direction");
+  if (direction_) options.direction = direction_named(*direction_, "--direction");
+  options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
   options.bisector_passages = named(kPassages, passage_, "--passage");
-  options.outside_in = named(kOrders, order_, "--order").value_or(false);
   if (start_) options.start = point_of(*start_, "--start");
   options.cutting.feed = feed_of(feed_);
   options.cutting.plunge_feed = feed_of(plunge_feed_);

@@ -34,7 +34,12 @@ class PlanArguments {
   void add_tool_options(CLI::App& command);
   void add_cutting_options(CLI::App& command);
 
+  /// Before options(), which tell where the values of a job stand only then.
   Part read() const;
+  /// The names of all options that were typed, for the origins of values.
+  void take_sources(const CLI::App& command);
+  /// Of a drawing, without asking for depth or roles.
+  Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
   const std::string& input() const { return input_; }
   const SolidOptions& solid() const { return solid_; }
@@ -42,7 +47,11 @@ class PlanArguments {
   std::optional<JobFile> job() const;
 
  private:
+  ReadOptions read_options() const;
+  void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
+  ToolLibrary library() const;
+  std::vector<ToolCutting> tool_cutting(const std::optional<JobFile>& job) const;
   void add_shop_options(CLI::App& command);
   void add_post_options(CLI::App& command);
   PostOptions post(const JobOutput& job) const;
@@ -50,10 +59,19 @@ class PlanArguments {
   ShopOptions shop(const JobFile& job) const;
   std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
 
+  void check_strategies(const JobFile& job) const;
+
   std::string input_;
+  Sources typed_;
+  mutable StepSources step_sources_;  ///< of the part that was read
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;
+  std::vector<std::string> operations_;
+  std::optional<double> scale_;
+  std::optional<double> join_gap_;
+  std::optional<std::string> open_curves_;
+  TabOptions tabs_;
   std::optional<double> top_;
   std::optional<double> depth_;
   SolidOptions solid_;

@@ -2,13 +2,17 @@
 #include <clearcut/file.h>
 #include <clearcut/plan.h>
 #include <clearcut/report.h>
+#include <clearcut/text.h>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "commands.h"
 #include "output.h"
 #include "plan_arguments.h"
+#include "progress.h"
 
 namespace clearcut::cli {
 namespace {
@@ -21,7 +25,10 @@ struct PlanCommand {
   std::string html;
   std::string result;
   bool quiet = false;
+  bool explain = false;
 };
+
+const std::string kCancel = "Ctrl-C stops; nothing is written before the end.";
 
 std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
                                      const PlanResult& result) {
@@ -53,16 +60,73 @@ void take_outputs_from(const JobFile& job, PlanCommand& command) {
   take(command.result, job.output.result);
 }
 
+/// The values alone, without planning.
+int explain(const Part& part, const PlanOptions& options) {
+  const ResolvedPlan plan = resolve_plan(part, options);
+  print(plan.part.diagnostics, true);
+  print_line(write_values(plan.part, plan.values));
+  return kClean;
+}
+
+std::vector<std::string> output_names(const PlanCommand& command) {
+  std::vector<std::string> names;
+  for (const auto* name :
+       {&command.output, &command.certificate, &command.svg, &command.html, &command.result}) {
+    if (!name->empty()) names.push_back(*name);
+  }
+  return names;
+}
+
+/// m of path above which planning may be felt.
+constexpr double kLongPath = 100;
+
+/// How much there is to cut, where that is much.
+std::string hint_of(const Part& part, const PlanOptions& options) {
+  const auto& tools = options.tools.empty() ? part.tools : options.tools;
+  if (tools.empty()) return kCancel;
+  double widest = 0, path = 0;
+  for (const Tool& tool : tools) widest = std::max(widest, tool.diameter);
+  const double down = options.stepdown.value_or(widest / 2);
+  for (const Feature& feature : part.features)
+    path += area(feature.target) * (feature.top_z - feature.floor_z) / (down * widest / 2) / 1000;
+  if (path < kLongPath) return kCancel;
+  return fmt::format(
+      "about {:.0f} m of path with a cutter of {} mm; a wider cutter or a larger --stepdown makes it less. "
+      "{}",
+      path, trimmed(widest, 4), kCancel);
+}
+
+/// Plans while a line says how far it is; warnings of reading do not vanish behind an error.
+PlanResult planned(const PlanCommand& command, const Part& part, PlanOptions options) {
+  try {
+    std::optional<ProgressLine> line;
+    if (!command.quiet) {
+      line.emplace(hint_of(part, options));
+      options.progress = line->callback();
+    }
+    return plan_part(part, options);
+  } catch (const InputError&) {
+    print_warnings(part.diagnostics);
+    throw;
+  }
+}
+
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
-  if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
+  const Part part = command.arguments.read();
   const PlanOptions options = command.arguments.options();
-  const PlanResult result = plan_part(command.arguments.read(), options);
+  if (command.output.empty() && command.explain) return explain(part, options);
+  if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
+  check_outputs(output_names(command));
+  const PlanResult result = planned(command, part, options);
   write_outputs(output_files(command, options, result));
+  if (command.explain) print_line(write_values(result.part, result.values));
   if (!command.quiet) {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
-      if (options.strategy == "auto") print_line(write_contest_table(result));
+      for (const auto& name : names_not_machined(result.part.diagnostics))
+        print_line("NOT MACHINED: " + name);
+      if (options.strategy.value_or("auto") == "auto") print_line(write_contest_table(result));
       print_line(write_table(result));
     }
   }
@@ -82,8 +146,12 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   command->add_option("--svg", state->svg, "Picture to write");
   command->add_option("--report", state->html, "Animated report to write (HTML)");
   command->add_option("--result", state->result, "Segments to write: x y to x y per line");
+  command->add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
-  command->callback([state, &exit_code] { exit_code = run(*state); });
+  command->callback([state, command, &exit_code] {
+    state->arguments.take_sources(*command);
+    exit_code = run(*state);
+  });
 }
 
 }  // namespace clearcut::cli

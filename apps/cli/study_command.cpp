@@ -43,6 +43,7 @@ void run(StudyCommand& command) {
   const studies::GeneticStudy study = studies::genetic_study(command.name, command.options);
   const bool resumes = !command.csv.empty() && command.csv != "-" && std::filesystem::exists(command.csv);
   const std::string earlier = resumes ? read_file(command.csv) : "";
+  forget_input(command.csv);
   command.options.progress = saver(command, study);
   const auto rows = studies::run_genetic_study(study, command.options, earlier);
   std::vector<OutputFile> files;

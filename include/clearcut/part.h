@@ -16,24 +16,33 @@
 namespace clearcut {
 
 // Parts: STEP-NC, STEP solids, DXF, SVG, outlines, jobs.
+using read::DrawingOverview;
 using read::LayerRole;
 using read::LayerRule;
 using read::OpenCurves;
+using read::OutlineSummary;
 using read::read_part;
 using read::read_part_text;
 using read::ReadOptions;
+using read::rule_named;
 using read::SolidOptions;
 
 // Jobs: a part with its stock, tools, machine and wishes.
+using read::CutSettings;
 using read::job_text;
 using read::JobFile;
 using read::JobOutput;
+using read::OperationRule;
 using read::part_of_job;
 using read::read_job;
 using read::read_job_text;
+using read::tools_of_job;
 
 // Tools and machines.
+using read::CuttingPreset;
 using read::LibraryTool;
+using read::machine_sources;
+using read::preset_of;
 using read::read_machine;
 using read::read_machine_text;
 using read::read_tool_library;

@@ -14,8 +14,10 @@
 #include "pipeline/run.h"
 #include "pipeline/strategies.h"
 #include "pipeline/tool_sets.h"
+#include "resolve/names.h"
 #include "resolve/plan_options.h"
 #include "resolve/prepare.h"
+#include "resolve/resolve.h"
 
 namespace clearcut {
 
@@ -24,7 +26,14 @@ using pipeline::PlanResult;
 using resolve::parse_predrilled;
 using resolve::parse_tool;
 using resolve::PlanOptions;
-using resolve::PublishedSolver;
+using resolve::TabOptions;
+using resolve::ToolCutting;
+
+// Names as options and files say them; unknown ones are an InputError that lists those there are.
+using resolve::direction_named;
+using resolve::entry_named;
+using resolve::order_named;
+using resolve::strategy_named;
 
 /// Throws InputError naming the first option that is out of its range.
 inline void check_options(const PlanOptions& options) {
@@ -34,6 +43,14 @@ inline void check_options(const PlanOptions& options) {
 // What PlanOptions::strategy takes, and what it means.
 using pipeline::description_of;
 using pipeline::strategy_names;
+
+/// Every value of a plan decided, each with where it comes from, as plan_part does it first.
+inline ResolvedPlan resolve_plan(const Part& part, const PlanOptions& options) {
+  return resolve::resolve(part, options, pipeline::strategies_of(options));
+}
+
+// The strategies there are; PlanOptions::strategies takes a table with more rows.
+using pipeline::built_in_strategies;
 
 // A part with every absent value decided, as plan_part does it first.
 using resolve::largest_fitting_diameter;

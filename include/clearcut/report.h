@@ -4,6 +4,7 @@
 #include "clearcut/plan.h"
 #include "clearcut/text.h"
 #include "clearcut/verify.h"
+#include "model/not_machined.h"
 #include "pipeline/texts.h"
 
 namespace clearcut {
@@ -14,5 +15,6 @@ using pipeline::write_page;
 using pipeline::write_picture;
 using pipeline::write_segments;
 using pipeline::write_table;
+using pipeline::write_values;
 
 }  // namespace clearcut

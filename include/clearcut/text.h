@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/format.h"
+#include "base/quantity.h"
 #include "report/text_table.h"
 
 namespace clearcut {

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <array>
+#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "base/error.h"
+#include "base/file_guard.h"
 
 namespace clearcut::inline base {
 namespace {
@@ -66,6 +69,34 @@ void remove_temporaries(const std::vector<OutputFile>& files) {
   }
 }
 
+/// While files are written a signal that ends the program waits, so that no temporary file stays behind.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    caught() = 0;
+    struct sigaction hold {};
+    hold.sa_handler = [](int signal) { caught() = signal; };
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &hold, &before_[i]);
+  }
+  ~SignalsHeld() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
+    if (caught() != 0) ::raise(caught());
+  }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  void give_up_if_interrupted() const {
+    if (caught() != 0) throw InputError("", "interrupted; nothing was written");
+  }
+
+ private:
+  static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+  static volatile std::sig_atomic_t& caught() {
+    static volatile std::sig_atomic_t signal = 0;
+    return signal;
+  }
+  std::array<struct sigaction, kSignals.size()> before_{};
+};
+
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t limit) {
@@ -83,14 +114,21 @@ std::string read_file(const std::string& path, std::size_t limit) {
       throw InputError(path, fmt::format("is larger than {} bytes, too large to read", limit));
   }
   if (in.bad()) throw InputError(path, "cannot be read to its end");
+  remember_input(path);
   return bytes;
 }
 
 void write_files(const std::vector<OutputFile>& files) {
+  std::vector<std::string> names;
+  for (const auto& file : files) names.push_back(file.path);
+  check_outputs(names);
+  SignalsHeld signals;
   try {
     for (const auto& file : files) {
+      signals.give_up_if_interrupted();
       if (is_replaced(file)) write_temporary(file);
     }
+    signals.give_up_if_interrupted();
     for (const auto& file : files) {
       if (is_special(file)) write_special(file);
     }

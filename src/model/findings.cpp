@@ -22,6 +22,10 @@ const char* name_of(FaultKind kind) {
       return "nothing cut";
     case FaultKind::kWrongTool:
       return "wrong tool";
+    case FaultKind::kMissingTab:
+      return "missing tab";
+    case FaultKind::kTabHeight:
+      return "tab height";
   }
   return "unknown";
 }

@@ -26,7 +26,9 @@ enum class FaultKind {
   kOutsideTravel,    ///< beyond the machine's limits
   kNoFeed,           ///< a feed move without a feed
   kNothingCut,       ///< a feature asked for is not cut at all
-  kWrongTool         ///< tool unknown, so nothing can be said
+  kWrongTool,        ///< tool unknown, so nothing can be said
+  kMissingTab,       ///< a tab that was asked for is cut away
+  kTabHeight         ///< a tab stands, but not as high as asked, or higher
 };
 const char* name_of(FaultKind kind);
 

@@ -26,6 +26,10 @@ const char* name_of(FeatureKind kind) {
       return "round_hole";
     case FeatureKind::kOutsideProfile:
       return "outside_profile";
+    case FeatureKind::kInsideProfile:
+      return "inside_profile";
+    case FeatureKind::kEngraving:
+      return "engraving";
   }
   return "feature";
 }

@@ -19,8 +19,38 @@ struct Stock {
   double z_top = 0;
 };
 
-enum class FeatureKind { kClosedPocket, kOpenPocket, kPlanarFace, kSlot, kStep, kRoundHole, kOutsideProfile };
+enum class FeatureKind {
+  kClosedPocket,
+  kOpenPocket,
+  kPlanarFace,
+  kSlot,
+  kStep,
+  kRoundHole,
+  kOutsideProfile,
+  kInsideProfile,
+  kEngraving
+};
 const char* name_of(FeatureKind kind);
+
+enum class ProfileSide { kOutside, kInside, kOn };
+
+/// Material that stays in the kerf and holds the part.
+struct Tab {
+  Vec2 center;       ///< middle of the kerf
+  double width = 0;  ///< mm along the outline
+  double top_z = 0;
+  double bottom_z = 0;
+  Regions body;  ///< plan view of what must not be cut below top_z, across the kerf
+};
+
+/// One contour to be followed by the cutter: a profile along an outline, or a line to engrave.
+struct ProfileCut {
+  ProfileSide side = ProfileSide::kOutside;
+  Path line;  ///< profiles: a counter-clockwise loop; engraving: any connected line
+  bool closed = true;
+  double beyond = 0;      ///< mm; how far floor_z lies below the material
+  std::vector<Tab> tabs;  ///< in the layers of this feature
+};
 
 /// A prismatic volume to remove: every point of `target` down to `floor_z`.
 ///
@@ -42,6 +72,8 @@ struct Feature {
   /// Round holes only.
   std::optional<double> hole_diameter;
   bool through = false;
+  /// Profiles and engraving: what the cutter's centre follows. Their target and allowed depend on the cutter: the kerf.
+  std::optional<ProfileCut> profile = {};
 };
 
 /// How far beyond the stock an open side's `allowed` region reaches, mm.

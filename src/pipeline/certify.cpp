@@ -8,6 +8,7 @@
 #include "base/format.h"
 #include "base/version.h"
 #include "link/link.h"
+#include "model/not_machined.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "stock/round_hole.h"
@@ -42,6 +43,7 @@ std::vector<std::string> header(const Part& part, const std::optional<Figures>& 
   }
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
   for (auto& line : verdict_lines(all)) lines.push_back(std::move(line));
+  for (const auto& name : names_not_machined(part.diagnostics)) lines.push_back("NOT MACHINED: " + name);
   return lines;
 }
 
@@ -59,63 +61,52 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
 }
 
 std::string post_with(const std::optional<Figures>& verdict, const Toolpath& toolpath, const Part& part,
-                      const resolve::PlanOptions& options) {
-  PostOptions post_options = options.post;
+                      const ResolvedPlan& plan) {
+  PostOptions post_options = plan.post;
   post_options.header = header(part, verdict);
   if (post_options.program_name.empty()) post_options.program_name = part.name;
   return post::write_program(toolpath, part, post_options);
 }
 
-/// mm over all that stands, where nothing is said.
-constexpr double kCrossing = 2;
-/// mm. The least of what is said, likewise.
-constexpr double kLeastCrossing = 1;
-
 }  // namespace
 
-double crossing_z(const Part& part, const Operation& operation) {
-  const double top = part.top_z();
-  const double asked = operation.retract_z.value_or(top + kCrossing);
-  return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
-}
-
-link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry,
-                               const resolve::PlanOptions& options) {
-  const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  const auto& operation = step.operation;
+link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry) {
+  const ResolvedStep& step = plan.steps.at(static_cast<std::size_t>(workingstep));
+  const Tool& tool = tool_of(plan.part, plan.part.workplan.at(static_cast<std::size_t>(workingstep)));
   link::LinkOptions link;
-  link.tool_radius = tool_of(part, step).radius();
-  link.safe_z = part.safe_z();
-  link.cross_z = crossing_z(part, operation);
-  link.direction = *operation.direction;
-  link.spindle_clockwise = operation.cutting.spindle_clockwise;
-  link.feed = *operation.cutting.feed;
-  link.plunge_feed = *operation.cutting.plunge_feed;
-  link.ramp_feed = *operation.cutting.ramp_feed;
-  link.entry = operation.entry.value_or(entry);
-  if (operation.entry_angle) link.entry_angle = *operation.entry_angle;
-  link.may_plunge = tool_of(part, step).center_cutting;
-  link.helix_widest = options.shop.widest_helix(operation.entry_size);
-  link.zigzag_length = operation.entry_size.value_or(0);
-  link.helix_narrowest = options.shop.helix_narrowest;
-  link.lead = {operation.lead.value_or(0), operation.lead_angle, options.shop.lead_overlap.value_or(0)};
-  link.lead_feed = options.shop.lead_feed;
-  link.link_feed = options.shop.link_feed;
-  link.link_lift = options.shop.link_lift.value_or(0);
-  link.predrilled = stock::holes_before(part, workingstep, options.tol);
-  if (part.stock) link.stock = part.stock->plan;
-  link.machine = options.machine;
+  link.tool_radius = tool.radius();
+  link.safe_z = plan.part.safe_z();
+  link.cross_z = step.cross_z;
+  link.direction = step.direction;
+  link.spindle_clockwise = step.spindle_clockwise;
+  link.feed = step.feed;
+  link.plunge_feed = step.plunge_feed;
+  link.ramp_feed = step.ramp_feed;
+  link.entry = entry;
+  link.entry_angle = step.entry_angle;
+  link.may_plunge = tool.center_cutting;
+  link.helix_widest = step.helix_widest;
+  link.helix_narrowest = step.helix_narrowest;
+  link.zigzag_length = step.zigzag_length;
+  link.lead = {step.lead, step.lead_angle, plan.lead_overlap};
+  link.lead_feed = step.lead_feed;
+  link.link_feed = plan.link_feed;
+  link.link_lift = plan.link_lift;
+  link.predrilled = stock::holes_before(plan.part, workingstep, plan.tol);
+  if (plan.part.stock) link.stock = plan.part.stock->plan;
+  link.machine = plan.machine;
   return link;
 }
 
-void describe(Section& section, int workingstep, const Part& part) {
-  const auto& step = part.workplan.at(static_cast<std::size_t>(workingstep));
-  section.label = feature_of(part, step).name;
+void describe(Section& section, int workingstep, const ResolvedPlan& plan) {
+  const auto index = static_cast<std::size_t>(workingstep);
+  const ResolvedStep& step = plan.steps.at(index);
+  section.label = feature_of(plan.part, plan.part.workplan.at(index)).name;
   section.workingstep = workingstep;
-  section.tool_number = tool_of(part, step).number;
-  section.spindle_rpm = *step.operation.cutting.spindle_rpm;
-  section.spindle_clockwise = step.operation.cutting.spindle_clockwise;
-  section.coolant = step.operation.cutting.coolant;
+  section.tool_number = tool_of(plan.part, plan.part.workplan.at(index)).number;
+  section.spindle_rpm = step.spindle_rpm;
+  section.spindle_clockwise = step.spindle_clockwise;
+  section.coolant = step.coolant;
 }
 
 /// Distances of the contours from the walls, ascending; of contour-parallel passes only.
@@ -134,23 +125,23 @@ std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
   return levels;
 }
 
-Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
-                  const resolve::PlanOptions& options) {
-  Section section = link::link_layers(passes, link_options(part, workingstep, entry, options), options.tol);
-  describe(section, workingstep, part);
+Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
+                  const ResolvedPlan& plan) {
+  Section section = link::link_layers(passes, link_options(plan, workingstep, entry), plan.tol);
+  describe(section, workingstep, plan);
   section.contours = contour_levels(passes);
   return section;
 }
 
-verify::VerifyOptions verify_options(const resolve::PlanOptions& options) {
+verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   verify::VerifyOptions verify;
-  verify.tol = options.tol;
-  verify.machine = options.machine;
-  verify.engagement_limit_deg = options.engagement_deg;
-  verify.threads = resolve::thread_count(options);
-  verify.cancel = options.cancel;
-  if (options.earlier) verify.earlier = &*options.earlier;
-  if (options.shop.material) verify.material = work_material_named(*options.shop.material);
+  verify.tol = plan.tol;
+  verify.machine = plan.machine;
+  verify.engagement_limit_deg = plan.engagement_deg;
+  verify.threads = plan.threads;
+  verify.cancel = plan.cancel;
+  if (plan.earlier) verify.earlier = &*plan.earlier;
+  verify.material = plan.material;
   return verify;
 }
 
@@ -158,10 +149,10 @@ namespace {
 
 /// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
 /// words for them.
-Toolpath read_back(const std::string& program, const Toolpath& planned, const resolve::PlanOptions& options) {
+Toolpath read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan) {
   read::gcode::ReadControllerOptions reading;
-  reading.dialect = read::gcode::dialect_named(options.post.dialect);
-  reading.home_z = home_z(options.machine);
+  reading.dialect = read::gcode::dialect_named(plan.post.dialect);
+  reading.home_z = home_z(plan.machine);
   for (const Section& section : planned.sections) {
     const bool same = !reading.hand_tools.empty() && reading.hand_tools.back() == section.tool_number;
     if (section.tool_number > 0 && !same) reading.hand_tools.push_back(section.tool_number);
@@ -171,15 +162,16 @@ Toolpath read_back(const std::string& program, const Toolpath& planned, const re
 
 }  // namespace
 
-void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
-  result.program = post_with(std::nullopt, planned, result.part, options);
-  result.toolpath = read_back(result.program, planned, options);
-  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));
+void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
+  result.program = post_with(std::nullopt, planned, result.part, plan);
+  result.toolpath = read_back(result.program, planned, plan);
+  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(plan));
+  add_not_machined(result.part.diagnostics, result.findings);
 }
 
-void sign(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options) {
-  result.program = post_with(result.findings.all, planned, result.part, options);
-  const auto again = read_back(result.program, planned, options);
+void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
+  result.program = post_with(result.findings.all, planned, result.part, plan);
+  const auto again = read_back(result.program, planned, plan);
   CLEARCUT_ASSERT(same_moves(again, result.toolpath));
 }
 

@@ -5,33 +5,30 @@
 
 #include "link/link.h"
 #include "model/pass.h"
+#include "model/resolved_plan.h"
 #include "pipeline/run.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
 
-/// Where rapids of a step cross: its retract plane, over all that stands.
-double crossing_z(const Part& part, const Operation& operation);
-
-/// How a workingstep of a prepared part is linked, by its place in the workplan. `entry` is how to go down where the operation
-/// does not say.
-link::LinkOptions link_options(const Part& part, int workingstep, EntryKind entry,
-                               const resolve::PlanOptions& options);
+/// How a workingstep is linked, by its place in the workplan. `entry` is how to go down.
+link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry);
 
 /// Writes into `section` whose work it is and how its tool is driven.
-void describe(Section& section, int workingstep, const Part& part);
+void describe(Section& section, int workingstep, const ResolvedPlan& plan);
 
-/// The section of one workingstep, by its place in the workplan, through its passes layer by layer. The part
-/// is prepared. `entry` is how to go down where the operation does not say.
-Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry, const Part& part,
-                  const resolve::PlanOptions& options);
+/// The section of one workingstep, by its place in the workplan, through its passes layer by layer. `entry` is
+/// how to go down.
+Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
+                  const ResolvedPlan& plan);
 
-verify::VerifyOptions verify_options(const resolve::PlanOptions& options);
+/// Keeps the address of plan.earlier.
+verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 
 /// Posts `planned` for result.part, reads it back, and judges what was read.
-void certify(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options);
+void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);
 
 /// Puts the verdict into the program's header and makes sure that nothing else has changed.
-void sign(PlanResult& result, const Toolpath& planned, const resolve::PlanOptions& options);
+void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

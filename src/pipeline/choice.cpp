@@ -8,9 +8,6 @@
 
 #include "base/error.h"
 #include "base/work_budget.h"
-#include "plan/adaptive/adaptive.h"
-#include "plan/spiral/turn.h"
-#include "plan/tour/tour.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -18,32 +15,20 @@ namespace {
 /// So many of the attempts are planned in any case.
 constexpr std::size_t kFirst = 2;
 /// mm. What a strategy has to travel at least, from the area that can be cleared (SPEC F6).
-double least_way(const std::string& strategy, const StepPlan& known, double radius) {
-  const double plain = known.reached_mm2 / (2 * radius);
-  if (strategy == "spiral") return plain + plan::spiral::kSpiralFall * known.legal_rim_mm / 2;
-  if (strategy == "adaptive") {
-    return known.reached_mm2 /
-           (radius * (1 - std::cos(plan::adaptive::AdaptiveOptions{}.engagement.radians())));
-  }
-  return plain;
+double least_way(const StrategyEntry& strategy, const ClearedSize& size, double radius) {
+  return strategy.least_length ? strategy.least_length(size, radius) : size.reached_mm2 / (2 * radius);
 }
 
 /// Edges of an outline up to which planning once more is not felt.
 constexpr double kFewEdges = 150;
-/// Points of a grid above which no tour is tried.
-constexpr double kMostPoints = 1000;
 
-/// Whether planning a strategy that may win is worth its effort: the more edges or points, the more room it must have
-/// between its least time and the best known. Strategies stay that much above their least times nearly everywhere: of
-/// 120 random pockets spirals by 1.17 to 2, tours by 1.37 to 3.
-bool is_worthwhile(const std::string& strategy, const StepPlan& known, double least_s, double best_s,
+/// Whether planning a strategy that may win is worth its effort: the more edges, the more room it must have between its
+/// least time and the best known.
+bool is_worthwhile(const StrategyEntry& strategy, const ClearedSize& known, double least_s, double best_s,
                    double radius) {
+  if (strategy.is_small_enough && !strategy.is_small_enough(known, radius)) return false;
   const double size = std::pow(std::max(1.0, static_cast<double>(known.edges) / kFewEdges), 0.125);
-  if (strategy == "tour") {
-    const double pitch = plan::tour::TourGridOptions{}.pitch * 2 * radius;
-    return known.reached_mm2 / (pitch * pitch) <= kMostPoints && best_s > 1.35 * size * least_s;
-  }
-  return best_s > (strategy == "spiral" ? 1.15 : 1.0) * size * least_s;
+  return best_s > strategy.margin * size * least_s;
 }
 
 template <typename Work>
@@ -54,24 +39,20 @@ void in_parallel(std::size_t count, int threads, Work&& work) {
 
 }  // namespace
 
-Choice::Choice(std::vector<ChoiceStep> steps, Attempts attempts, StepPlanner planner,
-               const resolve::PlanOptions& options)
-    : steps_(std::move(steps)),
-      attempts_(std::move(attempts)),
-      planner_(std::move(planner)),
-      candidates_(steps_.size()) {
-  for (auto& candidates : candidates_) {
-    for (const auto& attempt : attempts_.contest)
-      candidates.tries.push_back({attempt, {}, 0, Outcome::kNotTried});
+Choice::Choice(std::vector<ChoiceStep> steps, StepPlanner planner, int threads)
+    : steps_(std::move(steps)), planner_(std::move(planner)), threads_(threads), candidates_(steps_.size()) {
+  for (std::size_t step = 0; step < steps_.size(); ++step) {
+    for (const auto& attempt : steps_[step].attempts.contest)
+      candidates_[step].tries.push_back({attempt, {}, 0, Outcome::kNotTried});
   }
-  plan_first(options);
-  plan_others(options);
+  plan_first();
+  plan_others();
   for (auto& candidates : candidates_) sort(candidates);
 }
 
 /// Strategies but the first may refuse what was asked for: then they are not in the contest.
 void Choice::plan_into(std::size_t step, Try& one) const {
-  const bool first = one.attempt.strategy == attempts_.contest.front().strategy;
+  const bool first = one.attempt.strategy == steps_[step].attempts.contest.front().strategy;
   try {
     one.plan = planner_(steps_[step].workingstep, one.attempt);
     if (!one.plan.section.moves.empty()) one.outcome = Outcome::kOutrun;
@@ -83,38 +64,44 @@ void Choice::plan_into(std::size_t step, Try& one) const {
   }
 }
 
-void Choice::plan_first(const resolve::PlanOptions& options) {
-  const std::size_t each = std::min(kFirst, attempts_.contest.size());
-  in_parallel(steps_.size() * each, resolve::thread_count(options), [&](std::size_t i) {
-    const std::size_t step = i / each, k = i % each;
-    plan_into(step, candidates_[step].tries[k]);
+void Choice::plan_first() {
+  std::vector<std::pair<std::size_t, std::size_t>> work;
+  for (std::size_t step = 0; step < steps_.size(); ++step) {
+    for (std::size_t k = 0; k < std::min(kFirst, candidates_[step].tries.size()); ++k)
+      work.emplace_back(step, k);
+  }
+  in_parallel(work.size(), threads_, [&](std::size_t i) {
+    plan_into(work[i].first, candidates_[work[i].first].tries[work[i].second]);
   });
 }
 
-void Choice::plan_others(const resolve::PlanOptions& options) {
-  std::vector<std::pair<std::size_t, std::size_t>> work;
-  for (std::size_t step = 0; step < steps_.size(); ++step) {
-    auto& tries = candidates_[step].tries;
-    const StepPlan& known = tries.front().plan;
-    if (known.hole || known.rest || known.section.moves.empty()) continue;
-    // Where the cutter has hardly room to move there is nothing to choose.
-    if (known.reached_mm2 < 8 * steps_[step].tool_radius * steps_[step].tool_radius) continue;
-    double best = known.time_s;
-    for (std::size_t k = 1; k < std::min(kFirst, tries.size()); ++k)
-      best = std::min(best, tries[k].plan.time_s);
-    for (std::size_t k = kFirst; k < tries.size(); ++k) {
-      if (!known.pocket && tries[k].attempt.strategy != "tour") continue;
-      const double way = least_way(tries[k].attempt.strategy, known, steps_[step].tool_radius);
-      tries[k].least_s = way / steps_[step].feed.mm_per_s();
-      if (tries[k].least_s >= best) {
-        tries[k].outcome = Outcome::kCannotWin;
-      } else if (is_worthwhile(tries[k].attempt.strategy, known, tries[k].least_s, best,
-                               steps_[step].tool_radius)) {
-        work.emplace_back(step, k);
-      }
+/// Adds the attempts of a step that may be faster than the first ones to `work`.
+void Choice::rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work) {
+  auto& tries = candidates_[step].tries;
+  const StepPlan& known = tries.front().plan;
+  const double radius = steps_[step].tool_radius;
+  if (known.hole || known.rest || known.section.moves.empty()) return;
+  // Where the cutter has hardly room to move there is nothing to choose.
+  if (known.size.reached_mm2 < 8 * radius * radius) return;
+  double best = known.time_s;
+  for (std::size_t k = 1; k < std::min(kFirst, tries.size()); ++k)
+    best = std::min(best, tries[k].plan.time_s);
+  for (std::size_t k = kFirst; k < tries.size(); ++k) {
+    const StrategyEntry& strategy = *tries[k].attempt.strategy;
+    if (!known.pocket && !strategy.tried_when_open) continue;
+    tries[k].least_s = least_way(strategy, known.size, radius) / steps_[step].feed.mm_per_s();
+    if (tries[k].least_s >= best) {
+      tries[k].outcome = Outcome::kCannotWin;
+    } else if (is_worthwhile(strategy, known.size, tries[k].least_s, best, radius)) {
+      work.emplace_back(step, k);
     }
   }
-  in_parallel(work.size(), resolve::thread_count(options), [&](std::size_t i) {
+}
+
+void Choice::plan_others() {
+  std::vector<std::pair<std::size_t, std::size_t>> work;
+  for (std::size_t step = 0; step < steps_.size(); ++step) rate_others(step, work);
+  in_parallel(work.size(), threads_, [&](std::size_t i) {
     plan_into(work[i].first, candidates_[work[i].first].tries[work[i].second]);
   });
 }
@@ -143,17 +130,18 @@ const Attempt& Choice::attempt(std::size_t step) const {
 std::vector<std::string> Choice::left_out(std::size_t step) const {
   std::vector<std::string> names;
   for (const auto& one : candidates_[step].tries) {
-    if (one.outcome == Outcome::kTooMuchWork) names.push_back(one.attempt.strategy);
+    if (one.outcome == Outcome::kTooMuchWork) names.push_back(one.attempt.strategy->name);
   }
   return names;
 }
 
 bool Choice::next(std::size_t step) {
   auto& candidates = candidates_[step];
+  const auto& fallbacks = steps_[step].attempts.fallbacks;
   if (candidates.planned == 0 || candidates.tries[candidates.at].plan.hole) return false;
   if (candidates.at + 1 >= candidates.planned) {
-    if (candidates.fallbacks == attempts_.fallbacks.size()) return false;
-    Try fallback{attempts_.fallbacks[candidates.fallbacks++], {}, 0, Outcome::kNotTried};
+    if (candidates.fallbacks == fallbacks.size()) return false;
+    Try fallback{fallbacks[candidates.fallbacks++], {}, 0, Outcome::kNotTried};
     plan_into(step, fallback);
     const auto place = candidates.tries.begin() + static_cast<std::ptrdiff_t>(candidates.planned++);
     candidates.tries.insert(place, std::move(fallback));
@@ -169,7 +157,7 @@ std::vector<Contest> Choice::contests() const {
     Contest contest{steps_[step].feature, steps_[step].workingstep, {}};
     for (const auto& one : candidates_[step].tries) {
       const bool planned = !one.plan.section.moves.empty();
-      contest.contestants.push_back({one.attempt.strategy, one.attempt.stepover.value_or(""), one.outcome,
+      contest.contestants.push_back({one.attempt.strategy->name, one.attempt.stepover.text, one.outcome,
                                      planned ? one.plan.time_s : 0,
                                      planned ? feed_length(one.plan.section) : 0, one.least_s});
     }

@@ -15,21 +15,19 @@ namespace clearcut::pipeline {
 struct StepPlan {
   Section section;  ///< without moves where the cutter does not fit
   double time_s = std::numeric_limits<double>::infinity();
-  // What bounds other strategies, summed over the layers:
-  double reached_mm2 = 0;   ///< area of what the cutter can clear, at least
-  double legal_rim_mm = 0;  ///< length of its boundary
-  std::size_t edges = 0;    ///< of the largest layer's boundary
-  bool pocket = true;       ///< closed all round
-  bool rest = false;        ///< cleared by others around it
-  bool hole = false;        ///< a round hole: made without any strategy
+  ClearedSize size;    ///< what bounds other strategies
+  bool pocket = true;  ///< closed all round
+  bool rest = false;   ///< cleared by others around it
+  bool hole = false;   ///< a round hole or a profile: made without any strategy
 };
 
-/// A workingstep with its tool and feed, as far as bounds need them.
+/// A workingstep with what is tried for it, its tool and feed as far as bounds need them.
 struct ChoiceStep {
   std::string feature;
   int workingstep = 0;
   double tool_radius = 0;
   MmPerMin feed;
+  Attempts attempts;
 };
 
 using StepPlanner = std::function<StepPlan(int workingstep, const Attempt& attempt)>;
@@ -37,10 +35,9 @@ using StepPlanner = std::function<StepPlan(int workingstep, const Attempt& attem
 /// The plans of all workingsteps. What is chosen depends on the plans alone, not on clocks or threads.
 class Choice {
  public:
-  /// Plans the first two strategies of `attempts` everywhere, then those others that may be faster by their least
-  /// length and are worth the effort; all in parallel. Throws what the planner throws for the first strategy.
-  Choice(std::vector<ChoiceStep> steps, Attempts attempts, StepPlanner planner,
-         const resolve::PlanOptions& options);
+  /// Plans the first two attempts of every step, then those others that may be faster by their least length and are worth
+  /// the effort; all in parallel on `threads`. Throws what the planner throws for a step's first strategy.
+  Choice(std::vector<ChoiceStep> steps, StepPlanner planner, int threads);
 
   const Section& section(std::size_t step) const;
   /// Takes the next best plan after one that was not certified clean: a slower one, else a fallback. False when
@@ -64,14 +61,15 @@ class Choice {
     std::size_t planned = 0;
     std::size_t fallbacks = 0;  ///< used
   };
-  void plan_first(const resolve::PlanOptions& options);
-  void plan_others(const resolve::PlanOptions& options);
+  void plan_first();
+  void plan_others();
+  void rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work);
   void sort(Candidates& candidates) const;
   void plan_into(std::size_t step, Try& one) const;
 
   std::vector<ChoiceStep> steps_;
-  Attempts attempts_;
   StepPlanner planner_;
+  int threads_;
   std::vector<Candidates> candidates_;
 };
 

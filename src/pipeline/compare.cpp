@@ -70,7 +70,7 @@ double published_time(double naive_s, int discontinuities) {
 
 report::TextTable compare(const Part& part, const resolve::PlanOptions& options) {
   std::vector<Row> rows;
-  for (const auto& name : strategy_names()) rows.push_back(row_of(name, part, options));
+  for (const auto& name : strategy_names(strategies_of(options))) rows.push_back(row_of(name, part, options));
   if (std::none_of(rows.begin(), rows.end(), [](const Row& row) { return row.figures.has_value(); }))
     throw InputError("", rows.front().refusal);
   report::TextTable table;
@@ -96,7 +96,9 @@ report::TextTable compare(const Part& part, const resolve::PlanOptions& options)
       "* fastest that is certified clean; vs fixed: mm longer than contours at a fixed step alone");
   table.notes.push_back(
       "time: with the machine's acceleration and cornering; eq. 9: length / feed + 2 (1 + nd) 0.177 s");
-  for (const auto& name : strategy_names()) table.notes.push_back(name + ": " + description_of(name));
+  const StrategyTable& strategies = strategies_of(options);
+  for (const auto& name : strategy_names(strategies))
+    table.notes.push_back(name + ": " + description_of(name, strategies));
   return table;
 }
 

@@ -9,12 +9,13 @@
 #include "geometry/clearance.h"
 #include "order/solve.h"
 #include "pipeline/certify.h"
+#include "pipeline/strategies.h"
 #include "pipeline/tour_solver.h"
 #include "plan/common/layers.h"
 #include "plan/grid/check.h"
 #include "plan/grid/shape.h"
 #include "plan/grid/visit.h"
-#include "resolve/prepare.h"
+#include "resolve/resolve.h"
 #include "stock/stacking.h"
 
 namespace clearcut::pipeline {
@@ -29,7 +30,9 @@ order::Solution shortest_visit(const std::vector<Vec2>& points, const resolve::P
   problem.shape = order::Shape::kOpenPath;
   if (options.published_solver) {
     order::Solution published;
-    published.tour = published_order(problem, *order::length_objective(), options);
+    published.tour =
+        published_order(problem, *order::length_objective(),
+                        {*options.published_solver, options.seed, options.time_s, options.cancel});
     return published;
   }
   order::SolveOptions solve;
@@ -75,14 +78,14 @@ Regions legal_of(const Region& target, double tool_radius, const Tolerances& tol
   return legal.empty() ? clearance.inset(tool_radius - tol.fit) : legal;
 }
 
-std::vector<LayerPasses> passes_of(const plan::grid::ElementVisit& visit, const Part& part,
-                                   const Workingstep& step, const Tolerances& tol) {
-  const auto& feature = feature_of(part, step);
-  const double radius = tool_of(part, step).radius();
-  const Regions legal = legal_of(feature.target.front(), radius, tol);
+std::vector<LayerPasses> passes_of(const plan::grid::ElementVisit& visit, const ResolvedPlan& plan,
+                                   std::size_t index) {
+  const Workingstep& step = plan.part.workplan[index];
+  const auto& feature = feature_of(plan.part, step);
+  const Regions legal = legal_of(feature.target.front(), tool_of(plan.part, step).radius(), plan.tol);
   std::vector<LayerPasses> layers;
   double top = feature.top_z;
-  for (const double z : plan::layer_heights(feature.top_z, feature.floor_z, *step.operation.stepdown)) {
+  for (const double z : plan::layer_heights(feature.top_z, feature.floor_z, plan.steps[index].stepdown)) {
     LayerPasses layer;
     layer.z_top = top;
     layer.z = z;
@@ -104,12 +107,12 @@ void drop_standing_moves(Section& section) {
                 [](const Move& move) { return move.path.from == move.path.to && move.z_from == move.z_to; });
 }
 
-Toolpath toolpath_of(const std::vector<plan::grid::ElementVisit>& visits, const Part& part,
-                     const resolve::PlanOptions& options) {
+Toolpath toolpath_of(const std::vector<plan::grid::ElementVisit>& visits, const ResolvedPlan& plan) {
   Toolpath toolpath;
   for (std::size_t i = 0; i < visits.size(); ++i) {
-    const auto passes = passes_of(visits[i], part, part.workplan[i], options.tol);
-    Section section = link_step(passes, static_cast<int>(i), EntryKind::kPlunge, part, options);
+    const auto passes = passes_of(visits[i], plan, i);
+    const EntryKind entry = plan.part.workplan[i].operation.entry.value_or(EntryKind::kPlunge);
+    Section section = link_step(passes, static_cast<int>(i), entry, plan);
     drop_standing_moves(section);
     if (!section.moves.empty()) toolpath.sections.push_back(std::move(section));
   }
@@ -195,10 +198,13 @@ ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& 
     return shortest_visit(points, options).tour;
   });
   result.elements = figures_of(job, result.points, visits);
-  result.plan.part = resolve::prepare(part_of(job, visits, options.tol), options);
-  const Toolpath planned = toolpath_of(visits, result.plan.part, options);
-  certify(result.plan, planned, options);
-  sign(result.plan, planned, options);
+  const ResolvedPlan plan =
+      resolve::resolve(part_of(job, visits, options.tol), options, strategies_of(options));
+  result.plan.part = plan.part;
+  result.plan.values = plan.values;
+  const Toolpath planned = toolpath_of(visits, plan);
+  certify(result.plan, planned, plan);
+  sign(result.plan, planned, plan);
   return result;
 }
 

@@ -98,11 +98,11 @@ TEST(TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
   task.layer = &layer;
   task.pitch = 5;
   for (const char* objective : {"length", "time", "1:length,20:turns,5:engagement"}) {
-    resolve::PlanOptions options;
-    options.objective = objective;
-    const auto one = tour_solver(options, MmPerMin::of(1000))(task);
-    options.threads = 2;
-    EXPECT_EQ(tour_solver(options, MmPerMin::of(1000))(task), one) << objective;
+    ResolvedPlan plan;
+    plan.objective = parse_objective(objective, "objective");
+    const auto one = tour_solver(plan, MmPerMin::of(1000))(task);
+    plan.threads = 2;
+    EXPECT_EQ(tour_solver(plan, MmPerMin::of(1000))(task), one) << objective;
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include "model/layer.h"
 #include "model/move.h"
-#include "resolve/plan_options.h"
+#include "model/resolved_plan.h"
 
 namespace clearcut::pipeline {
 
@@ -16,8 +16,7 @@ namespace clearcut::pipeline {
 ///          centre-cutting mills of the hole's own size.
 /// Bored    round holes that are called so, with a mill that leaves no post, unless another strategy or a plunge is
 ///          asked for.
-/// `layers` are those of the step, the part is prepared.
-std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingstep, const Part& part,
-                                 const resolve::PlanOptions& options);
+/// `layers` are those of the step.
+std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingstep, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

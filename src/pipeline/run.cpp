@@ -7,13 +7,16 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "base/progress.h"
 #include "base/work_budget.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
 #include "link/slot_feed.h"
+#include "model/not_machined.h"
 #include "pipeline/certify.h"
 #include "pipeline/choice.h"
+#include "pipeline/out_of_reach.h"
 #include "pipeline/progress_meter.h"
 #include "pipeline/section_order.h"
 #include "pipeline/step_work.h"
@@ -21,9 +24,13 @@
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "plan/common/walls.h"
+#include "plan/contour/entries.h"
 #include "plan/contour/step_rule.h"
+#include "plan/profile/profile.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
+#include "resolve/refusals.h"
+#include "resolve/resolve.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::pipeline {
@@ -31,11 +38,6 @@ namespace {
 
 /// mm. What others cleared may hold films up to this thick: no place for rapids.
 constexpr double kFilmOfOthers = 0.01;
-
-/// Where nobody says how to go down: a helix under limited engagement and for cutters that cannot plunge.
-EntryKind default_entry(const Tool& tool, const Attempt& attempt) {
-  return tool.center_cutting && attempt.strategy != "adaptive" ? EntryKind::kPlunge : EntryKind::kHelix;
-}
 
 /// Share of the rim's length times the radius that is reached beyond it, at least: corners reach less than straight
 /// walls.
@@ -52,10 +54,10 @@ class Sizes {
       for (const auto& edge : region.edges()) rim += edge.length();
     }
     const bool pocket = plan::closed_all_round(layer);
-    plan.reached_mm2 += pocket ? area(passes.legal) + kBeyondRim * layer.tool_radius * rim
-                               : reached_of_open(layer, passes.legal);
-    plan.legal_rim_mm += rim;
-    plan.edges = std::max(plan.edges, edge_count(passes.legal));
+    plan.size.reached_mm2 += pocket ? area(passes.legal) + kBeyondRim * layer.tool_radius * rim
+                                    : reached_of_open(layer, passes.legal);
+    plan.size.legal_rim_mm += rim;
+    plan.size.edges = std::max(plan.size.edges, edge_count(passes.legal));
     plan.pocket = plan.pocket && pocket;
   }
 
@@ -81,51 +83,54 @@ class Sizes {
 constexpr std::uint64_t kMostWork = 2'000'000;
 constexpr std::uint64_t kMostWorkAlone = 4 * kMostWork;
 
-std::uint64_t most_work(const resolve::PlanOptions& options) {
-  return options.strategy == "auto" ? kMostWork : kMostWorkAlone;
+std::uint64_t most_work(const ResolvedStep& step) {
+  return step.strategy == nullptr ? kMostWork : kMostWorkAlone;
 }
 
 /// What a strategy makes of one workingstep. Throws OutOfWork where that is too much.
-StepPlan plan_step(const StepWork& work, const Part& part, const Attempt& attempt,
-                   const resolve::PlanOptions& options) {
-  const WorkBudget budget(most_work(options));
-  const auto& step = part.workplan[static_cast<std::size_t>(work.workingstep)];
-  const auto strategy = strategy_for(attempt, step.operation, options);
+StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedPlan& job) {
+  const ResolvedStep& step = job.steps[static_cast<std::size_t>(work.workingstep)];
+  const WorkBudget budget(most_work(step));
+  const auto strategy = strategy_for(attempt, step, job);
   StepPlan plan;
+  const auto& feature = feature_of(job.part, job.part.workplan[static_cast<std::size_t>(work.workingstep)]);
   if (work.hole) {
     plan.section = *work.hole;
     plan.hole = true;
   } else {
     std::vector<LayerPasses> passes;
-    Sizes sizes(options.tol);
+    Sizes sizes(job.tol);
     for (const auto& layer : work.layers) {
-      throw_if_cancelled(options.cancel);
-      passes.push_back(layer.walls_only ? plan::plan_walls(layer.layer, options.tol) : strategy(layer.layer));
+      throw_if_cancelled(job.cancel);
+      passes.push_back(feature.profile ? plan::profile::plan_profile(layer.layer, *feature.profile, job.tol)
+                       : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
+                                          : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
       if (layer.rest) passes.back().film = std::max(passes.back().film, kFilmOfOthers);
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
     }
-    const EntryKind entry = default_entry(tool_of(part, step), attempt);
-    plan.section = link_step(passes, work.workingstep, entry, part, options);
+    const EntryKind entry =
+        !feature.profile && attempt.strategy->limits_engagement ? step.entry_at_limit : step.entry;
+    plan.hole = feature.profile.has_value();
+    plan.section = link_step(passes, work.workingstep, entry, job);
   }
-  plan.time_s = kinematics::kinematic_time(plan.section.moves, options.machine).seconds();
+  plan.time_s = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
   return plan;
 }
 
-std::vector<ChoiceStep> choice_steps(const Part& part) {
+std::vector<ChoiceStep> choice_steps(const ResolvedPlan& plan, const StrategyTable& strategies) {
   std::vector<ChoiceStep> steps;
-  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    const auto& step = part.workplan[i];
-    steps.push_back({feature_of(part, step).name, static_cast<int>(i), tool_of(part, step).radius(),
-                     *step.operation.cutting.feed});
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const auto& step = plan.part.workplan[i];
+    steps.push_back({feature_of(plan.part, step).name, static_cast<int>(i), tool_of(plan.part, step).radius(),
+                     plan.steps[i].feed, attempts_for(plan.steps[i], plan, strategies)});
   }
   return steps;
 }
 
-std::string does_not_fit(const Part& part, const Workingstep& step, const resolve::PlanOptions& options) {
-  if (stock::only_plunges(tool_of(part, step)) &&
-      !stock::round_hole_of(feature_of(part, step), options.tol)) {
+std::string does_not_fit(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  if (stock::only_plunges(tool_of(part, step)) && !stock::round_hole_of(feature_of(part, step), tol)) {
     return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
                        tool_of(part, step).number, name_of(tool_of(part, step).kind),
                        trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
@@ -133,22 +138,25 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const resolv
   return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
                      tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
                      feature_of(part, step).name,
-                     trimmed(resolve::largest_fitting_diameter(feature_of(part, step), options.tol), 3));
+                     trimmed(resolve::largest_fitting_diameter(feature_of(part, step), tol), 3));
 }
 
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
 constexpr std::size_t kMostEdgesForRivals = 400;
 
 /// The plan of an attempt, or of a rival that is faster.
-StepPlan fastest_plan(const StepWork& work, const Part& part, const Attempt& attempt,
-                      const resolve::PlanOptions& options) {
-  StepPlan best = plan_step(work, part, attempt, options);
+StepPlan fastest_plan(const StepWork& work, const Attempt& attempt, const ResolvedPlan& job,
+                      const StrategyTable& strategies) {
+  const Part& part = job.part;
+  StepPlan best = plan_step(work, attempt, job);
   const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
   const bool alone = !attempt.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
-  for (const auto& rival : rival_attempts()) {
+  for (const auto& name : attempt.strategy->rivals) {
+    const StrategyEntry* rival = strategies.find(name);
+    if (!rival) continue;
     try {
-      StepPlan plan = plan_step(work, part, rival, options);
+      StepPlan plan = plan_step(work, {rival, {}}, job);
       if (plan.section.moves.empty() || plan.time_s >= best.time_s) continue;
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
@@ -159,50 +167,46 @@ StepPlan fastest_plan(const StepWork& work, const Part& part, const Attempt& att
   return best;
 }
 
-/// Degrees. Above this the cutter is taken to be in a slot.
-constexpr double kSlotAngle = 150;
-
 /// Whether passes are joined at depth faster than they are cut. (Within one stroke the planner knows what is cut.)
-bool has_fast_links(const Section& section, const Part& part, const resolve::PlanOptions& options) {
-  const auto& step = part.workplan[static_cast<std::size_t>(section.workingstep)];
-  return options.shop.link_feed && *step.operation.cutting.feed < *options.shop.link_feed;
+bool has_fast_links(const ResolvedStep& step, const ResolvedPlan& plan) {
+  return plan.link_feed && step.feed < *plan.link_feed;
 }
 
 /// Slows down wherever a step with a slot feed is in the material all round, and a fast link in any, given all that runs
 /// before.
-void slow_down_slots(Toolpath& toolpath, const Part& part, const resolve::PlanOptions& options) {
-  const auto slot_feed_of = [&](const Section& section) {
-    return part.workplan[static_cast<std::size_t>(section.workingstep)].operation.cutting.slot_feed;
+void slow_down_slots(Toolpath& toolpath, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  const auto step_of = [&](const Section& section) -> const ResolvedStep& {
+    return plan.steps[static_cast<std::size_t>(section.workingstep)];
   };
   const bool wanted =
       std::any_of(toolpath.sections.begin(), toolpath.sections.end(), [&](const Section& section) {
-        return slot_feed_of(section) || has_fast_links(section, part, options);
+        return step_of(section).slot_feed != step_of(section).feed || has_fast_links(step_of(section), plan);
       });
   if (!wanted) return;
   std::vector<double> radii;
   for (const auto& tool : part.tools) radii.push_back(tool.radius());
   stock::Material material(part.stock ? std::optional(part.stock->plan) : std::nullopt, part.top_z(), radii);
-  const Radians limit = Radians::of_degrees(options.shop.slot_angle_deg.value_or(kSlotAngle));
   for (auto& section : toolpath.sections) {
-    const auto& step = part.workplan[static_cast<std::size_t>(section.workingstep)];
-    const MmPerMin feed = *step.operation.cutting.feed;
-    const MmPerMin slot_feed = slot_feed_of(section).value_or(feed);
-    link::slow_down_slots(section, tool_of(part, step).radius(), {limit, slot_feed, feed}, material);
+    const ResolvedStep& step = step_of(section);
+    const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(section.workingstep)]);
+    link::slow_down_slots(section, tool.radius(), {plan.slot_angle, step.slot_feed, step.feed}, material);
   }
 }
 
-Toolpath toolpath_of(const Choice& choice, const Part& part, const resolve::PlanOptions& options) {
+Toolpath toolpath_of(const Choice& choice, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
   Toolpath toolpath;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (!choice.section(i).moves.empty()) toolpath.sections.push_back(choice.section(i));
   }
   if (part.order_free) toolpath.sections = in_short_order(std::move(toolpath.sections), part);
-  slow_down_slots(toolpath, part, options);
+  slow_down_slots(toolpath, plan);
   return toolpath;
 }
 
-void report_notes(const Choice& choice, const std::vector<StepWork>& works,
-                  const resolve::PlanOptions& options, Part& part) {
+void report_notes(const Choice& choice, const std::vector<StepWork>& works, const ResolvedPlan& plan,
+                  Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (works[i].done_before) {
       part.diagnostics.note(feature_of(part, part.workplan[i]).name,
@@ -212,7 +216,7 @@ void report_notes(const Choice& choice, const std::vector<StepWork>& works,
     for (const auto& name : choice.left_out(i)) {
       part.diagnostics.note(feature_of(part, part.workplan[i]).name,
                             fmt::format("{} is left out: planning it took more than {} million steps of work",
-                                        name, most_work(options) / 1'000'000));
+                                        name, most_work(plan.steps[i]) / 1'000'000));
     }
     const Section& section = choice.section(i);
     for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
@@ -220,39 +224,39 @@ void report_notes(const Choice& choice, const std::vector<StepWork>& works,
 }
 
 /// Why there are no passes for a workingstep.
-std::string no_passes(const Part& part, std::size_t i, const Choice& choice,
-                      const resolve::PlanOptions& options) {
+std::string no_passes(std::size_t i, const Choice& choice, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
   const auto& step = part.workplan[i];
   const std::string& name = feature_of(part, step).name;
   if (!choice.left_out(i).empty()) {
     return fmt::format(
         "planning {} by {} took more than {} million steps of work; use another --strategy (zigzag takes "
         "the least) or a larger cutter",
-        name, fmt::join(choice.left_out(i), " and "), most_work(options) / 1'000'000);
+        name, fmt::join(choice.left_out(i), " and "), most_work(plan.steps[i]) / 1'000'000);
   }
   const bool fits =
-      tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), options.tol);
-  if (!fits || stock::only_plunges(tool_of(part, step))) return does_not_fit(part, step, options);
+      tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
+  if (!fits || stock::only_plunges(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
   return fmt::format("{} found no passes for {}; use another --strategy, for example contour",
-                     choice.attempt(i).strategy, name);
+                     choice.attempt(i).strategy->name, name);
 }
 
 void report_what_does_not_fit(Part& part, const Choice& choice, const std::vector<StepWork>& works,
-                              const resolve::PlanOptions& options) {
+                              const ResolvedPlan& plan) {
   bool nothing = true;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) nothing = nothing && choice.section(i).moves.empty();
   const bool done_before =
       std::any_of(works.begin(), works.end(), [](const StepWork& work) { return work.done_before; });
   if (nothing && !done_before) {
-    throw InputError(part.source_file, "nothing can be cut: " + no_passes(part, 0, choice, options));
+    throw InputError(part.source_file, "nothing can be cut: " + no_passes(0, choice, plan));
   }
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
     if (!choice.section(i).moves.empty()) continue;
-    const bool fits = tool_of(part, step).diameter <=
-                      resolve::largest_fitting_diameter(feature_of(part, step), options.tol);
+    const bool fits =
+        tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;
-    part.diagnostics.skip(feature_of(part, step).name, no_passes(part, i, choice, options));
+    part.diagnostics.skip(feature_of(part, step).name, no_passes(i, choice, plan));
   }
 }
 
@@ -266,9 +270,9 @@ bool retry_unclean(Choice& choice, PlanResult& result) {
     if (tool.corner_radius >= tool.radius()) continue;  // no passes leave a floor flat
     if (!choice.next(i)) continue;
     const Attempt& next = choice.attempt(i);
-    result.part.diagnostics.note(feature.name,
-                                 "was not certified clean at first and is planned again: " + next.strategy +
-                                     (next.stepover ? ", stepover " + *next.stepover : ""));
+    result.part.diagnostics.note(
+        feature.name, "was not certified clean at first and is planned again: " + next.strategy->name +
+                          (next.stepover.is_given() ? ", stepover " + next.stepover.text : ""));
     retried = true;
   }
   return retried;
@@ -295,40 +299,64 @@ void number_sections(Toolpath& toolpath, const Part& part) {
 
 /// A program of another CAM is held to the stepdown that somebody stated, not to our default.
 void keep_stated_stepdowns(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
-  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+  for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
+    // Tabs put steps of their own in between, which are named after those above them.
+    const std::string& name = prepared.workplan[i].name;
+    const bool same = i < part.workplan.size() && part.workplan[i].name == name;
+    const auto stated =
+        same ? part.workplan.begin() + static_cast<std::ptrdiff_t>(i)
+             : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+                 return name == step.name || name == step.name + "_tabs";
+               });
+    if (stated == part.workplan.end()) continue;
     const bool mills = !stock::only_plunges(tool_of(prepared, prepared.workplan[i]));
     prepared.workplan[i].operation.stepdown =
-        options.stepdown && mills ? options.stepdown : part.workplan[i].operation.stepdown;
+        options.stepdown && mills ? options.stepdown : stated->operation.stepdown;
+  }
+}
+
+/// Options of one kind of strategy, asked for with another, would be ignored without a word.
+void refuse_what_means_nothing(const ResolvedPlan& plan) {
+  for (const ResolvedStep& step : plan.steps) {
+    if (step.strategy == nullptr) continue;
+    const std::string& name = step.strategy->name;
+    const bool has_contours = name == "contour" || plan::contour::contour_rule(name, {});
+    if (plan.bisector_passages && !has_contours)
+      throw InputError("--passage", fmt::format("is for contours; '{}' has none", name));
+    if ((plan.published_grid || plan.published_solver) && name != "tour")
+      throw InputError("--solver",
+                       fmt::format("and --grid are for the strategy tour; '{}' has no grid", name));
   }
 }
 
 /// Contours of a published method in the top layer of a section's feature; none for other strategies and for open sides.
-std::vector<plan::contour::ContourStep> published_contours(const Section& section, const Part& part,
-                                                           const resolve::PlanOptions& options) {
-  const auto rule = contour_rule(options);
+std::vector<plan::contour::ContourStep> published_contours(const Section& section, const ResolvedPlan& plan) {
+  const auto index = static_cast<std::size_t>(section.workingstep);
+  if (section.workingstep < 0 || index >= plan.steps.size()) return {};
+  const ResolvedStep& decided = plan.steps[index];
+  if (decided.strategy == nullptr) return {};
+  const auto rule = plan::contour::contour_rule(decided.strategy->name, decided.stepover);
   if (!rule) return {};
-  const auto& step = part.workplan.at(static_cast<std::size_t>(section.workingstep));
-  const double radius = tool_of(part, step).radius();
-  const auto layers = plan::layers_of(feature_of(part, step), step.operation, radius, options.tol);
+  const auto& step = plan.part.workplan[index];
+  const double radius = tool_of(plan.part, step).radius();
+  const auto layers = plan::layers_of(feature_of(plan.part, step), step.operation, radius, plan.tol);
   if (layers.empty() || !plan::closed_all_round(layers.front())) return {};
   const Layer& top = layers.front();
-  return plan::contour::contour_steps(top.allowed, *rule, radius, radius + top.wall_stock, options.tol);
+  return plan::contour::contour_steps(top.allowed, *rule, radius, radius + top.wall_stock, plan.tol);
 }
 
 /// With the coefficients where a published method takes its steps from angles.
-std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const Part& part,
-                                               const resolve::PlanOptions& options) {
+std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const ResolvedPlan& plan) {
   std::vector<report::ContourLevels> contours;
   for (const Section& section : toolpath.sections) {
     report::ContourLevels levels{section.label, section.contours, {}};
-    const auto published = published_contours(section, part, options);
+    const auto published = published_contours(section, plan);
     if (!published.empty()) levels.from_wall.clear();
     for (const auto& contour : published) {
       levels.from_wall.push_back(contour.from_wall);
       if (contour.step <= 0) continue;
-      const double radius =
-          tool_of(part, part.workplan[static_cast<std::size_t>(section.workingstep)]).radius();
-      const double share = contour.step / (2 * radius);
+      const auto& step = plan.part.workplan[static_cast<std::size_t>(section.workingstep)];
+      const double radius = tool_of(plan.part, step).radius(), share = contour.step / (2 * radius);
       levels.coefficients.push_back(
           {contour.from_wall, contour.smallest_angle, share,
            plan::contour::residual_size(contour.smallest_angle, radius, 1 - share)});
@@ -339,9 +367,9 @@ std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const P
 }
 
 /// The coefficient that the rule of CPO-rho came to, which is that paper's result.
-void report_rho(const std::vector<report::ContourLevels>& contours, const resolve::PlanOptions& options,
-                Part& part) {
-  if (options.strategy != "rho") return;
+void report_rho(const std::vector<report::ContourLevels>& contours, const ResolvedPlan& plan, Part& part) {
+  const auto is_rho = [](const ResolvedStep& step) { return step.strategy && step.strategy->name == "rho"; };
+  if (!std::any_of(plan.steps.begin(), plan.steps.end(), is_rho)) return;
   for (const auto& levels : contours) {
     if (levels.coefficients.empty()) continue;
     const auto& first = levels.coefficients.front();
@@ -351,33 +379,48 @@ void report_rho(const std::vector<report::ContourLevels>& contours, const resolv
   }
 }
 
+/// How many attempts the choice may plan before any fallback.
+std::size_t candidates_in(const std::vector<ChoiceStep>& steps) {
+  std::size_t count = 0;
+  for (const ChoiceStep& step : steps) count += step.attempts.contest.size();
+  return count;
+}
+
 }  // namespace
 
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
+  const StrategyTable& strategies = strategies_of(options);
+  const ResolvedPlan plan = resolve::resolve(part, options, strategies);
   PlanResult result;
-  result.part = resolve::prepare(part, options);
+  result.part = plan.part;
+  result.values = plan.values;
+  resolve::refuse_what_cannot_be(result.part, options);
+  refuse_what_means_nothing(plan);
   ProgressMeter meter(options);
-  const auto works = step_works(result.part, options);
+  const auto works = step_works(plan);
   const auto planner = [&](int step, const Attempt& attempt) {
-    StepPlan plan = fastest_plan(works[static_cast<std::size_t>(step)], result.part, attempt, options);
+    StepPlan planned = fastest_plan(works[static_cast<std::size_t>(step)], attempt, plan, strategies);
     meter.add();
-    return plan;
+    return planned;
   };
-  const Attempts attempts = attempts_for(options);
-  meter.begin(Stage::kPlanning, works.size() * attempts.contest.size());
-  Choice choice(choice_steps(result.part), attempts, planner, options);
-  report_what_does_not_fit(result.part, choice, works, options);
+  const auto steps = choice_steps(plan, strategies);
+  meter.begin(Stage::kPlanning, candidates_in(steps));
+  Choice choice(steps, planner, plan.threads);
+  report_what_does_not_fit(result.part, choice, works, plan);
   Toolpath toolpath;
   do {
     meter.begin(Stage::kCertifying, 1);
-    toolpath = toolpath_of(choice, result.part, options);
-    certify(result, toolpath, options);
+    toolpath = toolpath_of(choice, plan);
+    certify(result, toolpath, plan);
     meter.add();
   } while (retry_unclean(choice, result));
-  sign(result, toolpath, options);
-  report_notes(choice, works, options, result.part);
-  result.contours = contours_of(toolpath, result.part, options);
-  report_rho(result.contours, options, result.part);
+  sign(result, toolpath, plan);
+  result.conditions = out_of_reach(result.part, result.findings, plan.tol);
+  for (const Condition& one : result.conditions)
+    result.part.diagnostics.warn(result.part.source_file, "condition '" + one.name + "': " + one.text);
+  report_notes(choice, works, plan, result.part);
+  result.contours = contours_of(toolpath, plan);
+  report_rho(result.contours, plan, result.part);
   result.contests = choice.contests();
   return result;
 }
@@ -390,7 +433,9 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   reading.safe_z = part.top_z();
   auto read = read::gcode::read_gcode(program, program_name, reading);
   CheckResult result;
-  result.part = resolve::prepare(part, numbered_by(read.toolpath, options));
+  const ResolvedPlan plan =
+      resolve::resolve(part, numbered_by(read.toolpath, options), strategies_of(options));
+  result.part = plan.part;
   keep_stated_stepdowns(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
   for (const Condition& one : read.conditions) {
@@ -402,7 +447,8 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.dialect = read.dialect;
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
-  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(options));
+  result.findings = verify::verify_program(result.part, result.toolpath, verify_options(plan));
+  add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }
 

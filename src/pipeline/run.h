@@ -9,6 +9,7 @@
 #include "model/control.h"
 #include "model/findings.h"
 #include "model/move.h"
+#include "model/resolved_plan.h"
 #include "read/gcode/dialect.h"
 #include "report/result.h"
 #include "resolve/plan_options.h"
@@ -21,6 +22,8 @@ struct PlanResult {
   Toolpath toolpath;    ///< read back from `program`
   Findings findings;    ///< of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
+  std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
+  std::vector<Condition> conditions;            ///< what somebody has to accept: what no cutter reaches
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 

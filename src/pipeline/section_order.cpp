@@ -39,9 +39,15 @@ std::vector<Indices> predecessors(const std::vector<Section>& sections, const Pa
   std::vector<Box> boxes;
   for (const Section& section : sections) boxes.push_back(swept_box(section, part));
   std::vector<Indices> before(sections.size());
+  // What may come free is cut last, inner cut-outs before outer ones as the workplan has them.
+  const auto frees = [&](std::size_t i) {
+    const auto& profile =
+        feature_of(part, part.workplan[static_cast<std::size_t>(sections[i].workingstep)]).profile;
+    return profile && profile->side != ProfileSide::kOn;
+  };
   for (std::size_t i = 0; i < sections.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (boxes[i].overlaps(boxes[j])) before[i].push_back(j);
+      if (boxes[i].overlaps(boxes[j]) || (frees(i) && !frees(j))) before[i].push_back(j);
     }
   }
   return before;

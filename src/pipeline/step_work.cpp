@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "pipeline/certify.h"
 #include "pipeline/holes.h"
 #include "pipeline/meeting_pockets.h"
 #include "plan/common/layers.h"
@@ -20,13 +20,13 @@ namespace {
 /// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
 /// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path; decimals that are
 /// asked for are those of one unit.
-double printing_reserve(const resolve::PlanOptions& options) {
-  if (options.post.decimals) return std::max(0.0, post::rounding_of(options.post) - options.tol.gouge / 2);
-  PostOptions metric = options.post, inch = options.post;
+double printing_reserve(const ResolvedPlan& plan) {
+  if (plan.post.decimals) return std::max(0.0, post::rounding_of(plan.post) - plan.tol.gouge / 2);
+  PostOptions metric = plan.post, inch = plan.post;
   metric.inch = false;
   inch.inch = true;
-  return std::max({0.0, post::rounding_of(metric) - options.tol.gouge / 2,
-                   post::rounding_of(inch) - options.tol.gouge / 2});
+  return std::max(
+      {0.0, post::rounding_of(metric) - plan.tol.gouge / 2, post::rounding_of(inch) - plan.tol.gouge / 2});
 }
 
 /// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning
@@ -40,28 +40,29 @@ bool is_bare(const Part& part, const Feature& feature) {
 }
 
 /// What is cut of an open feature: as much beyond its edges as is asked for, walls excepted.
-Regions overrun(const Regions& target, const Regions& allowed, const resolve::PlanOptions& options) {
-  const double beyond = options.shop.overrun.value_or(0);
+Regions overrun(const Regions& target, const Regions& allowed, const ResolvedPlan& plan) {
+  const double beyond = plan.overrun;
   if (beyond <= 0 || target.empty()) return target;
-  return intersect(dilate(target, beyond, options.tol), allowed, options.tol);
+  return intersect(dilate(target, beyond, plan.tol), allowed, plan.tol);
 }
 
 /// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
 /// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
-std::vector<Layer> standing_layers(const Part& part, int index, const resolve::PlanOptions& options) {
+std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const auto& feature = feature_of(part, step);
   Operation operation = step.operation;
-  const double reserve = printing_reserve(options);
+  const double reserve = printing_reserve(plan);
   operation.allowance_side += reserve;
   operation.allowance_floor += reserve;
   const Tool& tool = tool_of(part, step);
-  MeetingPockets met(part, index, options.tol);
+  MeetingPockets met(part, index, plan.tol);
   // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
   const bool bare = is_bare(part, feature) || !met.empty();
-  const auto holes = stock::holes_before(part, index, options.tol);
-  const stock::Standing standing(part, index, options.tol);
-  auto layers = plan::layers_of(feature, operation, tool.radius(), options.tol, tool.corner_radius,
+  const auto holes = stock::holes_before(part, index, plan.tol);
+  const stock::Standing standing(part, index, plan.tol);
+  auto layers = plan::layers_of(feature, operation, tool.radius(), plan.tol, tool.corner_radius,
                                 standing.top() - feature.top_z);
   for (auto& layer : layers) {
     layer.reserve = reserve;
@@ -69,16 +70,16 @@ std::vector<Layer> standing_layers(const Part& part, int index, const resolve::P
     if (part.stock) layer.stock = part.stock->plan;
     Regions stands = standing.above(layer.z);
     // It stands in the outline at the top: between leaning walls there is less.
-    if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, options.tol);
+    if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, plan.tol);
     if (stands.empty() || !closed_all_round(feature) || layer.z >= feature.top_z) {
-      layer.target = overrun(stands, layer.allowed, options);
+      layer.target = overrun(stands, layer.allowed, plan);
     } else if (!met.empty()) {
       met.widen(layer);
     }
     layer.bare = bare;
   }
   std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
-  const double across = crossing_z(part, step.operation);
+  const double across = plan.steps[static_cast<std::size_t>(index)].cross_z;
   for (auto& layer : layers) layer.lift = across - (layers.front().z + layers.back().z) / 2;
   return layers;
 }
@@ -94,16 +95,16 @@ constexpr double kThinStock = 0.5;
 /// What one pass along its walls finishes: thin stock in a pocket closed all round, above the floor or at a floor that is
 /// finished otherwise.
 bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
-                       const Layer& layer, const resolve::PlanOptions& options) {
+                       const Layer& layer, const Tolerances& tol) {
   if (!closed_all_round(feature) || !finishes(step.operation)) return false;
   if (step.operation.kind == OperationKind::kFinishing && last) return false;
-  return !resolve::is_thicker_than(left, 2 * kThinStock * layer.tool_radius, options.tol);
+  return !resolve::is_thicker_than(left, 2 * kThinStock * layer.tool_radius, tol);
 }
 
 /// The layers with what earlier steps of the feature or an earlier program have left of them, where the step is to cut
 /// that alone: rest machining and finishing.
-std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const Part& part,
-                                   const resolve::PlanOptions& options) {
+std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const bool finishing = finishes(step.operation) && resolve::follows_milling(part, index);
   std::vector<LayerLeft> out;
@@ -113,10 +114,10 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
     LayerLeft one{layers[i]};
     const bool whole_floor =
         finishing && last && !step.operation.rest && step.operation.kind != OperationKind::kSideFinishing;
-    if (!whole_floor && (finishing || step.operation.rest || options.earlier)) {
-      const Regions left = resolve::left_over(part, index, one.layer, options);
+    if (!whole_floor && (finishing || step.operation.rest || plan.earlier)) {
+      const Regions left = resolve::left_over(part, index, one.layer, plan.earlier, plan.tol);
       one.walls_only =
-          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, options);
+          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan.tol);
       if (!one.walls_only) one.layer.target = left;
       one.rest = true;
     }
@@ -145,17 +146,18 @@ std::optional<double> top_of_flush_walls(const Part& part, const Feature& featur
 
 }  // namespace
 
-std::vector<StepWork> step_works(const Part& part, const resolve::PlanOptions& options) {
+std::vector<StepWork> step_works(const ResolvedPlan& plan) {
+  const Part& part = plan.part;
   std::vector<StepWork> works;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    throw_if_cancelled(options.cancel);
+    throw_if_cancelled(plan.cancel);
     StepWork work;
     work.workingstep = static_cast<int>(i);
-    work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), options.tol);
-    const auto standing = standing_layers(part, work.workingstep, options);
-    work.hole = hole_step(standing, work.workingstep, part, options);
-    work.layers = layers_left(standing, work.workingstep, part, options);
-    work.done_before = options.earlier && !standing.empty() && work.layers.empty();
+    work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), plan.tol);
+    const auto standing = standing_layers(work.workingstep, plan);
+    work.hole = hole_step(standing, work.workingstep, plan);
+    work.layers = layers_left(standing, work.workingstep, plan);
+    work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
     works.push_back(std::move(work));
   }
   return works;

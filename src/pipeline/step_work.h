@@ -6,7 +6,7 @@
 
 #include "model/layer.h"
 #include "model/move.h"
-#include "resolve/plan_options.h"
+#include "model/resolved_plan.h"
 
 namespace clearcut::pipeline {
 
@@ -26,7 +26,7 @@ struct StepWork {
   bool done_before = false;        ///< an earlier program has left nothing that is worth a cut
 };
 
-/// The work of every workingstep of a prepared part, in the order of the workplan. Cost O(layers) booleans a step.
-std::vector<StepWork> step_works(const Part& part, const resolve::PlanOptions& options);
+/// The work of every workingstep, in the order of the workplan. Cost O(layers) booleans a step.
+std::vector<StepWork> step_works(const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

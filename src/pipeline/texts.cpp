@@ -8,6 +8,7 @@
 #include "report/picture/svg.h"
 #include "report/result.h"
 #include "report/table.h"
+#include "report/value_table.h"
 #include "report/viewer/html.h"
 
 namespace clearcut::pipeline {
@@ -30,12 +31,17 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
                               const std::string& input) {
   report::CertificateInfo info = certificate_info(options, input, result.program);
   info.contests = result.contests;
+  info.values = result.values;
   return report::certificate_json(result.part, result.findings, info);
 }
 
 std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
                               const std::string& input, const std::string& program) {
   return report::certificate_json(result.part, result.findings, certificate_info(options, input, program));
+}
+
+std::string write_values(const Part& part, const std::vector<ResolvedValue>& values) {
+  return report::plain(report::value_table(part, values));
 }
 
 std::string write_table(const PlanResult& result) {

@@ -15,6 +15,9 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
 std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
                               const std::string& input, const std::string& program);
 
+/// Every value of a plan and where it comes from, as PlanResult and ResolvedPlan hold them; lines of ASCII.
+std::string write_values(const Part& part, const std::vector<ResolvedValue>& values);
+
 /// Figures of every feature and of the whole, then the faults; lines of ASCII.
 std::string write_table(const PlanResult& result);
 std::string write_table(const CheckResult& result);

@@ -19,15 +19,24 @@
 namespace clearcut::pipeline {
 namespace {
 
-order::ObjectivePtr single_objective(const std::string& name, double feed) {
-  if (name == "length") return order::length_objective();
-  if (name == "turns") return order::turns_objective();
-  if (name == "angle") return order::angle_objective();
-  if (name == "time") return order::time_objective(feed);
-  throw InputError("--objective", fmt::format("'{}' is unknown; use length, turns, angle, time, engagement, "
-                                              "engagement-exact, or weights such as 1:length,20:turns",
-                                              name));
+order::ObjectivePtr single_objective(ObjectiveKind kind, double feed) {
+  switch (kind) {
+    case ObjectiveKind::kLength:
+      return order::length_objective();
+    case ObjectiveKind::kTurns:
+      return order::turns_objective();
+    case ObjectiveKind::kAngle:
+      return order::angle_objective();
+    case ObjectiveKind::kTime:
+      return order::time_objective(feed);
+    default:
+      throw InputError("--objective", fmt::format("'{}' needs a cutter; use length, turns, angle, time, or "
+                                                  "weights such as 1:length,20:turns",
+                                                  name_of(kind)));
+  }
 }
+
+constexpr const char* kOption = "--objective";
 
 order::Problem problem_of(const std::string& input, const TourOptions& options) {
   const auto lattice = order::parse_lattice(input);
@@ -41,7 +50,8 @@ order::Problem problem_of(const std::string& input, const TourOptions& options) 
 }  // namespace
 
 order::ObjectivePtr objective_named(const std::string& text, double feed) {
-  return objective_from(text, [&](const std::string& name) { return single_objective(name, feed); });
+  return objective_of(parse_objective(text, kOption),
+                      [&](ObjectiveKind kind) { return single_objective(kind, feed); });
 }
 
 namespace {
@@ -91,15 +101,15 @@ EngagementTask engagement_task(const order::Problem& problem, const TourOptions&
   return task;
 }
 
-order::ObjectivePtr objective_of(const order::Problem& problem, const TourOptions& options) {
-  return objective_from(options.objective, [&](const std::string& name) {
+order::ObjectivePtr objective_for(const order::Problem& problem, const TourOptions& options) {
+  return objective_of(parse_objective(options.objective, kOption), [&](ObjectiveKind kind) {
     const double target = options.engagement_percent / 100;
     const auto task = [&] { return engagement_task(problem, options); };
-    if (name == "engagement")
+    if (kind == ObjectiveKind::kEngagement)
       return engagement_objective(target, [given = task()] { return raster_engagement(given); });
-    if (name == "engagement-exact")
+    if (kind == ObjectiveKind::kEngagementExact)
       return engagement_objective(target, [given = task()] { return exact_engagement(given); });
-    return single_objective(name, options.feed);
+    return single_objective(kind, options.feed);
   });
 }
 
@@ -108,7 +118,7 @@ order::ObjectivePtr objective_of(const order::Problem& problem, const TourOption
 TourResult solve_tour(const std::string& input, const TourOptions& options) {
   TourResult result;
   result.problem = problem_of(input, options);
-  const auto objective = objective_of(result.problem, options);
+  const auto objective = objective_for(result.problem, options);
   result.objective = options.objective;
   if (options.solver == "published") {
     result.solution = solve_published(result.problem, *objective, options);

@@ -1,15 +1,12 @@
 #include "pipeline/tour_solver.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
-#include <charconv>
 #include <cmath>
 #include <limits>
+#include <stop_token>
 
-#include "base/error.h"
-#include "base/format.h"
+#include "base/progress.h"
 #include "order/genetic/genetic.h"
 #include "order/solve.h"
 #include "pipeline/engagement_model.h"
@@ -64,47 +61,47 @@ class MachineTime final : public order::Objective {
   double lost_square_;  ///< in a corner of 90 degrees
 };
 
-double weight_of(const std::string& text) {
-  double weight = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), weight);
-  if (error != std::errc() || end != text.data() + text.size() || !(weight >= 0)) {
-    throw InputError("--objective", fmt::format("'{}' is no weight of 0 or more", text));
-  }
-  return weight;
-}
+/// What a search needs of the plan.
+struct Search {
+  Objective objective;
+  std::optional<double> engagement_deg;
+  std::optional<double> seconds;
+  std::uint64_t seed = 1;
+  int threads = 1;
+  Machine machine;
+  MmPerMin feed;
+  std::stop_token cancel;
 
-/// Share of the leading half circle; of the angle asked for, else half.
-double engagement_target(const resolve::PlanOptions& options) {
-  return options.engagement_deg ? *options.engagement_deg / 180 : 0.5;
-}
+  /// Share of the leading half circle; of the angle asked for, else half.
+  double engagement_target() const { return engagement_deg ? *engagement_deg / 180 : 0.5; }
+};
 
-order::ObjectivePtr layer_objective(const std::string& name, const plan::tour::TourTask& task,
-                                    const resolve::PlanOptions& options, MmPerMin feed) {
+order::ObjectivePtr layer_objective(ObjectiveKind kind, const plan::tour::TourTask& task,
+                                    const Search& search) {
   const EngagementTask engagement{task.points, task.way, task.layer->target, task.layer->tool_radius};
-  if (name == "length") return order::length_objective();
-  if (name == "turns") return order::turns_objective();
-  if (name == "angle") return order::angle_objective();
-  if (name == "time") return machine_time_objective(options.machine, feed);
-  if (name == "engagement")
-    return engagement_objective(engagement_target(options), [=] { return raster_engagement(engagement); });
-  if (name == "engagement-exact")
-    return engagement_objective(engagement_target(options), [=] { return exact_engagement(engagement); });
-  throw InputError("--objective", fmt::format("'{}' is unknown; use length, turns, angle, engagement, "
-                                              "engagement-exact, time, or weights such as 1:length,20:turns",
-                                              name));
+  switch (kind) {
+    case ObjectiveKind::kLength:
+      return order::length_objective();
+    case ObjectiveKind::kTurns:
+      return order::turns_objective();
+    case ObjectiveKind::kAngle:
+      return order::angle_objective();
+    case ObjectiveKind::kTime:
+      return machine_time_objective(search.machine, search.feed);
+    case ObjectiveKind::kEngagement:
+      return engagement_objective(search.engagement_target(), [=] { return raster_engagement(engagement); });
+    case ObjectiveKind::kEngagementExact:
+      break;
+  }
+  return engagement_objective(search.engagement_target(), [=] { return exact_engagement(engagement); });
 }
 
 }  // namespace
 
-order::ObjectivePtr objective_from(const std::string& text, const ObjectiveMaker& make) {
-  if (text.find(':') == std::string::npos) return make(text);
+order::ObjectivePtr objective_of(const Objective& objective, const ObjectiveMaker& make) {
+  if (!objective.weighted) return make(objective.terms.front().kind);
   std::vector<std::pair<double, order::ObjectivePtr>> parts;
-  for (const std::string& part : split(text, ',')) {
-    const auto colon = part.find(':');
-    if (colon == std::string::npos)
-      throw InputError("--objective", fmt::format("'{}' lacks its weight", part));
-    parts.emplace_back(weight_of(part.substr(0, colon)), make(part.substr(colon + 1)));
-  }
+  for (const ObjectiveTerm& term : objective.terms) parts.emplace_back(term.weight, make(term.kind));
   return order::weighted_sum(std::move(parts));
 }
 
@@ -122,16 +119,16 @@ order::Problem grid_problem(const plan::tour::TourTask& task) {
 }
 
 order::Tour published_order(const order::Problem& problem, const order::Objective& objective,
-                            const resolve::PlanOptions& options) {
+                            const PublishedOrder& how) {
   if (problem.points.size() < kFewPoints) {
     order::SolveOptions exact;
     exact.stop.rounds = 1;
     return order::solve(problem, objective, exact).tour;
   }
-  const resolve::PublishedSolver published = options.published_solver.value_or(resolve::PublishedSolver{});
+  const PublishedSolver& published = how.solver;
   order::GeneticOptions genetic;
   genetic.patience = kPublishedPatience;
-  genetic.seed = options.seed;
+  genetic.seed = how.seed;
   if (published.generations) {
     genetic.stop.rounds = *published.generations;
     genetic.patience = *published.generations;
@@ -143,32 +140,35 @@ order::Tour published_order(const order::Problem& problem, const order::Objectiv
   genetic.crossover_rate = published.crossover_rate.value_or(genetic.crossover_rate);
   genetic.mutation_rate = published.mutation_rate.value_or(genetic.mutation_rate);
   genetic.most_shared = published.most_shared.value_or(genetic.most_shared);
-  if (options.time_s) genetic.stop.seconds = *options.time_s;
+  if (how.seconds) genetic.stop.seconds = *how.seconds;
   std::atomic<bool> stop = false;
-  const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
+  const std::stop_callback on_cancel(how.cancel, [&stop] { stop = true; });
   genetic.stop.cancel = &stop;
   auto tour = order::run_genetic(problem, objective, genetic).tour;
-  throw_if_cancelled(options.cancel);
+  throw_if_cancelled(how.cancel);
   return tour;
 }
 
-plan::tour::TourSolver tour_solver(const resolve::PlanOptions& options, MmPerMin feed, bool briefly) {
-  return [options, feed, briefly](const plan::tour::TourTask& task) {
-    const auto objective = objective_from(options.objective, [&](const std::string& name) {
-      return layer_objective(name, task, options, feed);
-    });
-    if (options.published_solver) return published_order(grid_problem(task), *objective, options);
+plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, MmPerMin feed, bool briefly) {
+  const Search search{plan.objective, plan.engagement_deg, plan.search_s, plan.seed,
+                      plan.threads,   plan.machine,        feed,          plan.cancel};
+  return [search, briefly, published = plan.published_solver](const plan::tour::TourTask& task) {
+    const auto objective = objective_of(
+        search.objective, [&](ObjectiveKind kind) { return layer_objective(kind, task, search); });
+    if (published)
+      return published_order(grid_problem(task), *objective,
+                             {*published, search.seed, search.seconds, search.cancel});
     order::SolveOptions solve;
-    solve.seed = options.seed;
-    solve.threads = options.threads;
-    solve.stop.effort = options.time_s.value_or(briefly ? kBriefEffort : kEffort);
-    solve.stop.seconds = options.time_s.value_or(std::numeric_limits<double>::infinity());
-    if (!options.time_s) solve.stop.rounds = kRounds;
+    solve.seed = search.seed;
+    solve.threads = search.threads;
+    solve.stop.effort = search.seconds.value_or(briefly ? kBriefEffort : kEffort);
+    solve.stop.seconds = search.seconds.value_or(std::numeric_limits<double>::infinity());
+    if (!search.seconds) solve.stop.rounds = kRounds;
     std::atomic<bool> stop = false;
-    const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
+    const std::stop_callback on_cancel(search.cancel, [&stop] { stop = true; });
     solve.stop.cancel = &stop;
     auto tour = order::solve(grid_problem(task), *objective, solve).tour;
-    throw_if_cancelled(options.cancel);
+    throw_if_cancelled(search.cancel);
     return tour;
   };
 }

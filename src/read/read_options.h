@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/tolerances.h"
+#include "geometry/box.h"
 
 namespace clearcut::read {
 
@@ -17,15 +18,48 @@ enum class OpenCurves {
 };
 
 /// What the outlines of a layer are.
-enum class LayerRole { kPocket, kIsland, kHole, kIgnore };
+enum class LayerRole {
+  kPocket,
+  kIsland,
+  kHole,
+  kIgnore,
+  kProfile,  ///< cut out along the outside; outlines within are cut out along their inside, and so on
+  kInside,   ///< the same the other way round
+  kEngrave,  ///< the cutter's centre on the line; lines may be open
+  kChamfer,
+  kFace,
+  kStock  ///< the block that it is made of
+};
 
 /// What the user says about the layers (DXF) or colours (SVG, "#ff0000") that match a pattern; goes before
-/// what their names say. The first matching rule counts.
+/// what their names say. The first matching rule counts. A pattern that no layer matches may also be "outer" or
+/// numbers of outlines, "2,5".
 struct LayerRule {
   std::string pattern;  ///< name, * for anything, any case
   std::optional<LayerRole> role;
   std::optional<double> depth;  ///< mm
   std::optional<double> top;    ///< mm
+  bool asked = false;           ///< as an option: has to match, and other rules say what it leaves open
+};
+
+/// A closed outline of a drawing as a person sees it.
+struct OutlineSummary {
+  int number = 0;  ///< from 1, as in `--op profile:3`
+  std::string layer;
+  std::string role;
+  bool says_role = false;       ///< somebody said it; else it is how the outline is read by itself
+  std::optional<double> depth;  ///< mm
+  Box box;
+  double area = 0;                 ///< mm2, islands not taken out
+  std::optional<double> diameter;  ///< of circles
+  int within = 0;                  ///< number of the outline right around it; 0: none
+};
+
+/// What a drawing holds, whatever is still to be said about it.
+struct DrawingOverview {
+  std::vector<OutlineSummary> outlines;
+  int lines = 0;         ///< to engrave
+  std::string question;  ///< what a plan would ask; "" if nothing
 };
 
 /// The material that a job states, where it differs from the solid's own box. mm.
@@ -56,7 +90,13 @@ struct ReadOptions {
   std::optional<double> top;               ///< mm: z of the drawing's plane
   std::vector<std::string> layers;  ///< only these layers of a drawing (names or patterns with *); empty: all
   std::vector<LayerRule> layer_rules;
-  OpenCurves open_curves = OpenCurves::kRefuse;
+  std::optional<OpenCurves> open_curves;  ///< absent: refused
+  std::optional<double> join_gap;         ///< mm; overrules tol.join_gap
+  bool ask_if_unclear = false;  ///< drawings of unclear meaning or odd size are refused with what to say
+  double scale = 1;             ///< of drawings, after units
+  bool scale_is_right = false;  ///< the size was stated: it is not questioned
+  /// Filled in where given; then no depth is needed, and what is unclear or open is listed instead of refused.
+  DrawingOverview* overview = nullptr;
   std::optional<bool> find_arcs;  ///< find arcs again in runs of short lines; default: drawings yes, JSON no
   SolidOptions solid;
   Tolerances tol;

@@ -103,6 +103,7 @@ Part snapped(Part part) {
   for (Feature& feature : part.features) {
     snap(feature.target);
     snap(feature.allowed);
+    if (feature.profile) feature.profile->line = snapped(feature.profile->line);
     feature.top_z = snapped(feature.top_z);
     feature.floor_z = snapped(feature.floor_z);
     if (feature.hole_diameter) feature.hole_diameter = snapped(*feature.hole_diameter);
@@ -140,7 +141,9 @@ Part read_text(std::string_view text, const std::string& file_name, const ReadOp
 }  // namespace
 
 Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
-  return snapped(read_text(text, file_name, options));
+  ReadOptions own = options;
+  if (own.join_gap) own.tol.join_gap = *own.join_gap;
+  return snapped(read_text(text, file_name, own));
 }
 
 Part read_part(const std::filesystem::path& file, const ReadOptions& options) {

@@ -20,4 +20,8 @@ Part read_part(const std::filesystem::path& file, const ReadOptions& options);
 /// other files, which are looked for beside `file_name`.
 Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
+/// What "pocket", "PROFILE_D6", ... say of outlines: their role, and a depth where there is one. Throws InputError at
+/// `place` for words that say no role.
+LayerRule rule_named(const std::string& kind, const std::string& place);
+
 }  // namespace clearcut::read

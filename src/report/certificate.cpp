@@ -164,6 +164,18 @@ Json fault(const Fault& findings) {
   return json;
 }
 
+/// A value of the plan; `workingstep` is null for those of the whole.
+Json resolved(const ResolvedValue& value) {
+  Json json;
+  json["workingstep"] = value.step < 0 ? Json(nullptr) : Json(value.step);
+  json["name"] = value.name;
+  json["value"] = value.value;
+  json["unit"] = value.unit;
+  json["origin"] = name_of(value.source.origin);
+  json["source"] = value.source.text;
+  return json;
+}
+
 }  // namespace
 
 std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info) {
@@ -182,6 +194,8 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
     json["features"].push_back(feature(one, info.contests));
   json["faults"] = Json::array();
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
+  if (!info.values.empty()) json["values"] = Json::array();
+  for (const ResolvedValue& one : info.values) json["values"].push_back(resolved(one));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

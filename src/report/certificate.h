@@ -8,6 +8,7 @@
 #include "model/contest.h"
 #include "model/findings.h"
 #include "model/part.h"
+#include "model/resolved_plan.h"
 
 namespace clearcut::report {
 
@@ -20,10 +21,11 @@ struct CertificateInfo {
   std::string tool;               ///< tools as asked for, "" when they come with the part
   std::string machine;            ///< name of the machine whose limits and times were used
   std::vector<Contest> contests;  ///< of the workingsteps; empty when a program of unknown origin was judged
+  std::vector<ResolvedValue> values = {};  ///< of the plan; empty when a program of unknown origin was judged
 };
 
 /// Shape   one JSON object: what it rests on, the figures of the whole, `features` (each with its figures and
-///         `layers`), `faults`; keys always in the same order, two blanks of indentation, a line break at the
+///         `layers`), `faults`, `values` of a plan; keys always in the same order, two blanks of indentation, a line break at the
 ///         end.
 /// Units   in the names of the fields; numbers rounded to 1e-6. A figure that is not finite is null, and then
 ///         `clean` is false.

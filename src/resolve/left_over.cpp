@@ -107,9 +107,9 @@ Regions swept(const Regions& allowed, double radius, double stock, double more, 
   return legal.empty() ? legal : dilate(legal, radius + more, tol);
 }
 
-Regions left_over(const Part& part, int workingstep, const Layer& layer, const PlanOptions& options) {
+Regions left_over(const Part& part, int workingstep, const Layer& layer,
+                  const std::optional<Toolpath>& earlier, const Tolerances& tol) {
   const Workingstep& own = step_at(part, workingstep);
-  const Tolerances& tol = options.tol;
   Regions left = layer.target;
   const bool upright = feature_of(part, own).wall_slope.radians() == 0;
   for (int i = 0; upright && i < workingstep && !left.empty(); ++i) {
@@ -119,18 +119,18 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer, const P
     left = subtract(left, swept(layer.allowed, tool_of(part, step).radius(), stock, -kSpare, tol), tol);
   }
   const double own_stock = own.operation.allowance_side;
-  if (options.earlier && !left.empty()) {
-    left = subtract(left, cut_by_program(*options.earlier, part, layer.z, box(left), tol), tol);
+  if (earlier && !left.empty()) {
+    left = subtract(left, cut_by_program(*earlier, part, layer.z, box(left), tol), tol);
     const double radius = tool_of(part, own).radius();
     if (!left.empty())
       left = intersect(left, within_reach(layer, radius, own_stock + layer.reserve, tol), tol);
   }
   if (own_stock > 0 && !left.empty()) left = intersect(left, inset_all(layer.allowed, own_stock, tol), tol);
-  const double sliver = options.earlier ? kFilmSliver : kSliver;
+  const double sliver = earlier ? kFilmSliver : kSliver;
   const Regions thick = inset_all(left, sliver, tol);
   if (thick.empty()) return thick;
   // Up to the wall over the stock that stays there: targets are bounded by walls or by what is cut.
-  const double grow = sliver + (options.earlier ? kFilm : 0) + kOverlap + 1.5 * own_stock;
+  const double grow = sliver + (earlier ? kFilm : 0) + kOverlap + 1.5 * own_stock;
   return intersect(dilate(thick, grow, tol), layer.target, tol);
 }
 

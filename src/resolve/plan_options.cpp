@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "base/quantity.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -27,6 +28,12 @@ double required_number(const std::string& text, const std::string& place, const 
   return *value;
 }
 
+double required_length(const std::string& text, const std::string& place, const char* what) {
+  const auto value = length_in_mm(text);
+  if (!value) throw InputError(place, fmt::format("'{}' is not {}; write 6, 6mm or 0.25in", text, what));
+  return *value;
+}
+
 std::string kind_names() {
   std::string names;
   for (const auto kind : {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill,
@@ -36,6 +43,14 @@ std::string kind_names() {
   return names;
 }
 
+int whole_number(const std::string& text, const std::string& place, const char* what, int least, int most) {
+  const double value = required_number(text, place, what);
+  if (value != std::floor(value) || value < least || value > most)
+    throw InputError(place,
+                     fmt::format("'{}' is not {}: it must be whole, from {} to {}", text, what, least, most));
+  return static_cast<int>(value);
+}
+
 void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   const auto equals = word.find('=');
   const std::string key = word.substr(0, equals);
@@ -43,13 +58,13 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   if (key == "noplunge" && equals == std::string::npos) {
     tool.center_cutting = false;
   } else if (key.size() > 1 && (key[0] == 'T' || key[0] == 't') && equals == std::string::npos) {
-    tool.number = static_cast<int>(required_number(key.substr(1), place, "a tool number"));
+    tool.number = whole_number(key.substr(1), place, "a tool number", 1, 1'000'000);
   } else if (key == "flutes") {
-    tool.teeth = static_cast<int>(required_number(value, place, "a number of flutes"));
+    tool.teeth = whole_number(value, place, "a number of flutes", 1, 100);
   } else if (key == "corner") {
-    tool.corner_radius = required_number(value, place, "a corner radius in mm");
+    tool.corner_radius = required_length(value, place, "a corner radius");
   } else if (key == "length") {
-    tool.flute_length = required_number(value, place, "a flute length in mm");
+    tool.flute_length = required_length(value, place, "a length of flutes");
   } else if (key == "name") {
     tool.name = value;
   } else {
@@ -83,12 +98,17 @@ Tool parse_tool(const std::string& text) {
   Tool tool;
   tool.number = 0;
   tool.kind = *kind;
-  tool.diameter = required_number(words[1], place, "a diameter in mm");
+  tool.diameter = required_length(words[1], place, "a diameter");
   if (!(tool.diameter > 0) || tool.diameter > 1000)
     throw InputError(place, "the diameter must be above 0 and at most 1000 mm");
   if (tool.kind == ToolKind::kFaceMill) tool.center_cutting = false;
   if (tool.kind == ToolKind::kBallEndMill) tool.corner_radius = tool.diameter / 2;
   for (std::size_t i = 2; i < words.size(); ++i) apply_word(tool, words[i], place);
+  if (tool.corner_radius < 0 || tool.corner_radius > tool.radius())
+    throw InputError(place, fmt::format("the corner radius must lie between 0 and {} mm, half the diameter",
+                                        trimmed(tool.radius(), 4)));
+  if (tool.flute_length && !(*tool.flute_length > 0))
+    throw InputError(place, "the length of the flutes must be above 0 mm");
   return tool;
 }
 
@@ -127,10 +147,18 @@ void check(const PlanOptions& options) {
           "must be above 0 mm/min");
   require(!options.cutting.slot_feed || options.cutting.slot_feed->mm_per_min() > 0, "--slot-feed",
           "must be above 0 mm/min");
+  require(
+      !options.post.inch || options.post.decimals.value_or(4) >= 4, "--decimals",
+      "three decimals of an inch are steps of 0.025 mm, coarser than what is certified; use --decimals 4");
   check(options.shop, "--");
   require(absent_or_positive(options.time_s), "--time", "must be above 0 s");
   require(options.threads >= 0 && options.threads <= 1024, "--threads",
           "must lie between 1 and 1024; 0: all cores");
+}
+
+Source source_of(const PlanOptions& options, const std::string& name) {
+  const Source* source = options.sources.find(name);
+  return source ? *source : Source{Origin::kUser, "--" + name};
 }
 
 int thread_count(const PlanOptions& options) {

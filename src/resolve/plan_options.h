@@ -1,5 +1,5 @@
 // What a user may ask of a plan. Absent values are taken from the part's operations, else from the documented
-// defaults of prepare().
+// defaults of resolve().
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,41 @@
 #include "base/tolerances.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "model/origin.h"
 #include "model/part.h"
 #include "model/post_options.h"
+#include "model/published_solver.h"
 #include "model/shop_options.h"
+#include "model/strategy_entry.h"
 
 namespace clearcut::resolve {
 
-/// The Tour text's genetic algorithm; what is left out is as published.
-struct PublishedSolver {
-  std::optional<long long> generations;  ///< at most; absent: until 1000 bring no gain (4.3.3)
-  std::optional<int> population;
-  std::optional<std::string> selection, crossover, mutation;  ///< names of operators
-  std::optional<double> crossover_rate, mutation_rate;
-  std::optional<double> most_shared;  ///< share of edges above which two individuals are too similar
+/// Bridges that hold what profiles cut free.
+struct TabOptions {
+  int count = 0;                 ///< of every profile; 0: none
+  double width = 4;              ///< mm, along the outline
+  std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
+};
+
+/// How one tool is driven, as its library or job says. What is absent is left to the operation.
+struct ToolCutting {
+  bool stated = false;  ///< anything at all
+  CuttingData cutting;
+  std::optional<double> stepdown;  ///< mm
+  std::optional<double> stepover;  ///< fraction of the diameter
 };
 
 struct PlanOptions {
-  std::vector<Tool> tools;                ///< replace the part's own; empty keeps those
-  std::string strategy = "auto";          ///< a name of strategy_names()
-  std::optional<std::string> stepover;    ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
+  std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
+  /// Of `tools`, else of the part's own, in their order; those beyond its end state nothing.
+  std::vector<ToolCutting> tool_cutting;
+  /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
+  std::optional<std::string> strategy;
+  std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
   std::optional<bool> bisector_passages;  ///< of contour methods; absent: those of the published ones
-  std::optional<double> angle_deg;        ///< of zigzag lines against x; absent: the fastest found
-  std::optional<double> stepdown;         ///< mm
-  std::optional<double> allowance;        ///< mm, on walls
+  std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found
+  std::optional<double> stepdown;       ///< mm
+  std::optional<double> allowance;      ///< mm, on walls
   std::optional<double> allowance_floor;
   std::optional<double> engagement_deg;
   std::optional<EntryKind> entry;
@@ -43,6 +55,7 @@ struct PlanOptions {
   std::optional<Radians> lead_angle;  ///< straight leads, at this angle to the pass; absent: arcs
   std::optional<double> scallop;      ///< mm; greatest step between layers on leaning walls
   ShopOptions shop;
+  TabOptions tabs;
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
   std::optional<CutDirection> direction;
@@ -60,7 +73,14 @@ struct PlanOptions {
   std::stop_token cancel;     ///< asked to stop, the plan ends with Cancelled within a second
   ProgressCallback progress;  ///< told after each candidate; may be empty
   Tolerances tol;
+  Sources sources;           ///< of values that are not given as options of their own names
+  StepSources step_sources;  ///< of values in the part's operations that are not from where these were read
+  const StrategyTable* strategies =
+      nullptr;  ///< those there are, kept alive by the caller; null: the software's
 };
+
+/// Where a value that is set in the options comes from.
+Source source_of(const PlanOptions& options, const std::string& name);
 
 /// How many threads the options stand for: at least one, and no more than cores.
 int thread_count(const PlanOptions& options);

@@ -11,6 +11,8 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/left_over.h"
+#include "resolve/profiles.h"
+#include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
 #include "stock/at_depth.h"
 #include "stock/round_hole.h"
@@ -67,6 +69,7 @@ std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions&
 int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& used,
              const Tolerances& tol) {
   if (tools.size() == 1) return 0;
+  if (feature.profile) return profile_tool(*feature.profile, tools, tol);
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
   const auto hole = stock::round_hole_of(feature, tol);
   int best = 0;
@@ -87,13 +90,15 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
   return best;
 }
 
-void choose_tools(Part& part, const PlanOptions& options) {
+void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) {
   if (!options.tools.empty()) {
     part.tools = options.tools;
     number_tools(part.tools);
     const auto used = used_before(part.tools, options);
     for (auto& step : part.workplan) {
       step.operation.tool = tool_for(feature_of(part, step), part.tools, used, options.tol);
+      sources[step_key(step)].set("tool", source_of(options, "tool"));
+      take_tool_cutting(step.operation, options);
     }
   }
   if (part.tools.empty()) {
@@ -127,25 +132,49 @@ double default_spindle(const Tool& tool, const Machine& machine) {
   return machine.max_spindle_rpm ? std::min(rpm, *machine.max_spindle_rpm) : rpm;
 }
 
-void apply_options(Operation& operation, const Tool& tool, const PlanOptions& options) {
-  if (options.stepdown && !stock::only_plunges(tool)) operation.stepdown = options.stepdown;
-  if (options.allowance) operation.allowance_side = *options.allowance;
-  if (options.allowance_floor) operation.allowance_floor = *options.allowance_floor;
-  if (options.entry) operation.entry = options.entry;
-  if (options.entry_angle) operation.entry_angle = options.entry_angle;
-  if (options.lead) operation.lead = options.lead;
-  if (options.lead_angle) operation.lead_angle = options.lead_angle;
-  if (options.scallop) operation.scallop = options.scallop;
-  if (options.direction) operation.direction = options.direction;
+/// Puts the values that options set into an operation, with their sources.
+class OptionTaker {
+ public:
+  OptionTaker(Sources& sources, const PlanOptions& options) : sources_(sources), options_(options) {}
+
+  template <typename Value, typename Target>
+  void take(Target& target, const std::optional<Value>& asked, const char* name) {
+    if (!asked) return;
+    target = *asked;
+    sources_.set(name, source_of(options_, name));
+  }
+
+ private:
+  Sources& sources_;
+  const PlanOptions& options_;
+};
+
+void apply_options(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
+  OptionTaker taker(sources, options);
+  if (!stock::only_plunges(tool)) taker.take(operation.stepdown, options.stepdown, "stepdown");
+  taker.take(operation.allowance_side, options.allowance, "allowance");
+  taker.take(operation.allowance_floor, options.allowance_floor, "allowance-floor");
+  taker.take(operation.entry, options.entry, "entry");
+  taker.take(operation.entry_angle, options.entry_angle, "entry-angle");
+  taker.take(operation.lead, options.lead, "lead");
+  taker.take(operation.lead_angle, options.lead_angle, "lead-angle");
+  taker.take(operation.scallop, options.scallop, "scallop");
+  taker.take(operation.direction, options.direction, "direction");
   auto& cutting = operation.cutting;
   // The feed a file states for a drill is how fast it goes down; one stated for all cutters is not.
-  if (stock::only_plunges(tool) && !cutting.plunge_feed) cutting.plunge_feed = cutting.feed;
-  if (options.cutting.feed) cutting.feed = options.cutting.feed;
-  if (options.cutting.plunge_feed) cutting.plunge_feed = options.cutting.plunge_feed;
-  if (options.cutting.ramp_feed) cutting.ramp_feed = options.cutting.ramp_feed;
-  if (options.cutting.slot_feed) cutting.slot_feed = options.cutting.slot_feed;
-  if (options.cutting.spindle_rpm) cutting.spindle_rpm = options.cutting.spindle_rpm;
-  if (stock::only_plunges(tool)) operation.allowance_side = 0;
+  if (stock::only_plunges(tool) && !cutting.plunge_feed && cutting.feed) {
+    cutting.plunge_feed = cutting.feed;
+    sources.set("plunge-feed", {Origin::kDerived, "the feed stated for the drill"});
+  }
+  taker.take(cutting.feed, options.cutting.feed, "feed");
+  taker.take(cutting.plunge_feed, options.cutting.plunge_feed, "plunge-feed");
+  taker.take(cutting.ramp_feed, options.cutting.ramp_feed, "ramp-feed");
+  taker.take(cutting.slot_feed, options.cutting.slot_feed, "slot-feed");
+  taker.take(cutting.spindle_rpm, options.cutting.spindle_rpm, "spindle");
+  if (stock::only_plunges(tool) && operation.allowance_side != 0) {
+    operation.allowance_side = 0;
+    sources.set("allowance", {Origin::kDerived, "holes are made to size"});
+  }
 }
 
 /// mm. Half the diameter; face mills less; drills go down at once as far as their flutes clear the chips by
@@ -159,32 +188,68 @@ double default_stepdown(const Tool& tool, const Feature& feature) {
   return tool.diameter / 2;
 }
 
+std::string default_stepdown_rule(const Tool& tool) {
+  if (tool.kind == ToolKind::kFaceMill) return "default: 2 mm for face mills";
+  if (tool.kind == ToolKind::kReamer) return "default: at once";
+  if (tool.kind == ToolKind::kDrill) return "default: at once to 3 diameters, else one diameter a peck";
+  return "default: half the diameter";
+}
+
+/// Fills what is still absent, with its source; keeps the values that were defaulted as texts.
+class Defaults {
+ public:
+  explicit Defaults(Sources& sources) : sources_(sources) {}
+
+  template <typename Value>
+  void fill(std::optional<Value>& target, Value value, const char* name, Source source,
+            const std::string& text = "") {
+    if (target) return;
+    target = value;
+    sources_.set(name, std::move(source));
+    if (!text.empty()) defaulted_.push_back(text);
+  }
+  const std::vector<std::string>& defaulted() const { return defaulted_; }
+
+ private:
+  Sources& sources_;
+  std::vector<std::string> defaulted_;
+};
+
+void limit_feed(Operation& operation, const Machine& machine, Sources& sources) {
+  if (!machine.max_feed || *operation.cutting.feed <= *machine.max_feed) return;
+  operation.cutting.feed = machine.max_feed;
+  sources.set("feed", {Origin::kDerived, "the machine's max_feed"});
+}
+
 /// Fills what is still absent; returns the names of the values that were defaulted.
 std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
-                                        const Machine& machine) {
-  std::vector<std::string> defaulted;
+                                        const Machine& machine, Sources& sources) {
+  Defaults defaults(sources);
   auto& cutting = operation.cutting;
-  const auto fill = [&](auto& value, auto fallback, const std::string& text) {
-    if (value) return;
-    value = fallback;
-    if (!text.empty()) defaulted.push_back(text);
-  };
   const double stepdown = default_stepdown(tool, feature);
-  fill(operation.stepdown, stepdown,
-       stock::only_plunges(tool) ? "" : "stepdown " + trimmed(stepdown, 3) + " mm");
-  fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed " + trimmed(kDefaultFeed, 0) + " mm/min");
-  if (machine.max_feed) cutting.feed = std::min(*cutting.feed, *machine.max_feed);
-  fill(cutting.plunge_feed, *cutting.feed * kPlungeShare, "");
-  fill(cutting.ramp_feed, *cutting.feed * kRampShare, "");
+  defaults.fill(operation.stepdown, stepdown, "stepdown", {Origin::kDefault, default_stepdown_rule(tool)},
+                stock::only_plunges(tool) ? "" : "stepdown " + trimmed(stepdown, 3) + " mm");
+  const std::string feed = trimmed(kDefaultFeed, 0) + " mm/min";
+  defaults.fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed", {Origin::kDefault, "default: " + feed},
+                "feed " + feed);
+  limit_feed(operation, machine, sources);
+  defaults.fill(cutting.plunge_feed, *cutting.feed * kPlungeShare, "plunge-feed",
+                {Origin::kDerived, "30 % of the feed"});
+  defaults.fill(cutting.ramp_feed, *cutting.feed * kRampShare, "ramp-feed",
+                {Origin::kDerived, "50 % of the feed"});
   const double rpm = default_spindle(tool, machine);
-  fill(cutting.spindle_rpm, rpm, "spindle " + trimmed(rpm, 0) + " rpm");
-  fill(operation.direction, CutDirection::kClimb, "");
-  return defaulted;
+  defaults.fill(cutting.spindle_rpm, rpm, "spindle",
+                {Origin::kDefault, "default: 100 m/min at the circumference"},
+                "spindle " + trimmed(rpm, 0) + " rpm");
+  defaults.fill(operation.direction, CutDirection::kClimb, "direction", {Origin::kDefault, "default: climb"});
+  return defaults.defaulted();
 }
 
 }  // namespace
 
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
+  if (feature.profile && feature.profile->side != ProfileSide::kInside) return 2 * kOpenReach;
+  if (feature.profile) return 2 * Clearance(Region::from_valid_loops(feature.profile->line, {}), tol).max();
   const double deep = feature.top_z - feature.floor_z;
   const bool leans = feature.wall_slope.radians() != 0 && deep > 0;
   const Regions allowed =
@@ -208,22 +273,32 @@ Part with_tools(Part part, const PlanOptions& options) {
     part.diagnostics.note(part.source_file,
                           "names no tool: an end mill of " + trimmed(tool.diameter, 1) + " mm is written");
   }
-  choose_tools(part, options);
+  StepSources sources;
+  choose_tools(part, options, sources);
   return part;
 }
 
 Part prepare(Part part, const PlanOptions& options) {
+  StepSources sources;
+  return prepare(std::move(part), options, sources);
+}
+
+Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
-  choose_tools(part, options);
+  sources = options.step_sources;
+  choose_tools(part, options, sources);
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
-  for (auto& step : part.workplan) apply_options(step.operation, tool_of(part, step), options);
-  if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options);
-  if (options.shop.finish) add_finishing_steps(part, options);
+  for (auto& step : part.workplan)
+    apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
+  shape_profiles(part, options, sources);
+  if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options, sources);
+  if (finish_of(options.shop) != Finish::kNone) add_finishing_steps(part, options, sources);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {
     const auto& tool = tool_of(part, step);
     const auto& feature = feature_of(part, step);
-    for (auto& text : apply_defaults(step.operation, tool, feature, options.machine)) {
+    for (auto& text :
+         apply_defaults(step.operation, tool, feature, options.machine, sources[step_key(step)])) {
       text += " (T" + std::to_string(tool.number) + ")";
       if (std::find(noted.begin(), noted.end(), text) == noted.end()) noted.push_back(text);
     }

@@ -16,6 +16,9 @@ constexpr double kDefaultCuttingSpeed = 100;
 /// What was defaulted is noted in the diagnostics, once per value.
 Part prepare(Part part, const PlanOptions& options);
 
+/// The same; `sources` are afterwards those of every value that does not come from where its operation was read.
+Part prepare(Part part, const PlanOptions& options, StepSources& sources);
+
 /// The part with the options' tools, else its own, else one end mill of half the largest diameter that fits (noted):
 /// STEP-NC has no operation without a tool.
 Part with_tools(Part part, const PlanOptions& options);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "geometry/boolean.h"
 #include "resolve/prepare.h"
+#include "resolve/tool_cutting.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::resolve {
@@ -11,6 +13,7 @@ namespace {
 
 constexpr double kWallStock = 0.3;   // mm, where nothing is said
 constexpr double kFloorStock = 0.2;  // mm
+constexpr const char* kForFinishing = "stock for the finishing steps on top";
 /// Of the cutter's radius.
 constexpr double kLead = 0.5;
 
@@ -49,9 +52,11 @@ bool is_preceded_by_wider(const Part& part, const Workingstep& step, const Tool&
   });
 }
 
-Workingstep named_step(const Workingstep& step, const char* ending, OperationKind kind) {
+Workingstep named_step(const Workingstep& step, const char* ending, OperationKind kind,
+                       StepSources& sources) {
   Workingstep out = step;
   out.name += ending;
+  sources[step_key(out)] = sources[step_key(step)];
   out.operation.name = out.name;
   out.operation.kind = kind;
   out.operation.rest = false;
@@ -59,49 +64,71 @@ Workingstep named_step(const Workingstep& step, const char* ending, OperationKin
 }
 
 /// Along the walls, with the tool that came last.
-Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptions& shop) {
-  Workingstep step = named_step(last, "_walls", OperationKind::kSideFinishing);
+Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptions& shop,
+                      StepSources& sources) {
+  Workingstep step = named_step(last, "_walls", OperationKind::kSideFinishing, sources);
   Operation& operation = step.operation;
   const Feature& feature = feature_of(part, last);
   const double depth = feature.top_z - feature.floor_z - operation.allowance_floor;
   // Leaning walls are cut by the edges of layers: one pass at their foot would leave them.
   const bool leans = feature.wall_slope.radians() != 0;
-  if (depth > 0 && !leans) operation.stepdown = depth / shop.finish_depths.value_or(1);
-  if (!operation.lead) operation.lead = kLead * tool_of(part, last).radius();
+  if (depth > 0 && !leans) {
+    operation.stepdown = depth / shop.finish_depths.value_or(1);
+    sources[step_key(step)].set("stepdown", {Origin::kDerived, "the depth over the depths of finishing"});
+  }
+  if (!operation.lead) {
+    operation.lead = kLead * tool_of(part, last).radius();
+    sources[step_key(step)].set("lead", {Origin::kDerived, "half the cutter's radius"});
+  }
   return step;
 }
 
 /// Over the floor with the same tool, or what wider ones leave of it; away from walls that are finished afterwards.
-Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop) {
-  Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing);
+Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop,
+                       StepSources& sources) {
+  Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing, sources);
   step.operation.rest = rest;
-  if (*shop.finish == "all") step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+  if (finish_of(shop) == Finish::kAll) {
+    step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+    sources[step_key(step)].set("allowance", {Origin::kDerived, kForFinishing});
+  }
   return step;
 }
 
 /// The floor of a feature with its first mill, then with every narrower one.
-void add_floor_steps(const Part& part, int feature, const ShopOptions& shop,
-                     std::vector<Workingstep>& floors) {
+void add_floor_steps(const Part& part, int feature, const ShopOptions& shop, std::vector<Workingstep>& floors,
+                     StepSources& sources) {
   std::optional<double> narrowest;
   for (const Workingstep& step : part.workplan) {
     const Tool& tool = tool_of(part, step);
     if (step.feature != feature || stock::only_plunges(tool) || (narrowest && tool.diameter >= *narrowest))
       continue;
-    floors.push_back(floor_step(step, narrowest.has_value(), shop));
+    floors.push_back(floor_step(step, narrowest.has_value(), shop, sources));
     narrowest = tool.diameter;
   }
 }
 
-void leave_stock(Operation& operation, const ShopOptions& shop) {
-  if (*shop.finish != "floor") operation.allowance_side += shop.finish_stock.value_or(kWallStock);
-  if (*shop.finish != "walls") operation.allowance_floor += shop.finish_stock_floor.value_or(kFloorStock);
+void leave_stock(Operation& operation, const ShopOptions& shop, Sources& sources) {
+  const Finish finish = finish_of(shop);
+  if (finish != Finish::kFloor) {
+    operation.allowance_side += shop.finish_stock.value_or(kWallStock);
+    sources.set("allowance", {Origin::kDerived, kForFinishing});
+  }
+  if (finish != Finish::kWalls) {
+    operation.allowance_floor += shop.finish_stock_floor.value_or(kFloorStock);
+    sources.set("allowance-floor", {Origin::kDerived, kForFinishing});
+  }
 }
 
-Workingstep rest_step(const Workingstep& step, int mill, const Tool& tool) {
+Workingstep rest_step(const Workingstep& step, int mill, const Part& part, const PlanOptions& options,
+                      StepSources& sources) {
+  const Tool& tool = part.tools[static_cast<std::size_t>(mill)];
   Workingstep rest = step;
+  change_tool(rest.operation, mill, part, options);
   rest.name += "_rest_T" + std::to_string(tool.number);
   rest.operation.name = rest.name;
-  rest.operation.tool = mill;
+  sources[step_key(rest)] = sources[step_key(step)];
+  sources[step_key(rest)].set("tool", {Origin::kDerived, "a narrower cutter for what is left"});
   rest.operation.rest = true;
   return rest;
 }
@@ -123,13 +150,22 @@ std::optional<std::size_t> first_step_under(const Part& part, const Workingstep&
 
 }  // namespace
 
-void add_rest_steps(Part& part, const PlanOptions& options) {
+Finish finish_of(const ShopOptions& shop) {
+  if (!shop.finish) return Finish::kNone;
+  if (*shop.finish == "walls") return Finish::kWalls;
+  if (*shop.finish == "floor") return Finish::kFloor;
+  if (*shop.finish == "all") return Finish::kAll;
+  throw InputError("finish", "'" + *shop.finish + "' is unknown; use one of walls, floor, all");
+}
+
+void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources) {
   const bool everywhere = options.shop.rest.value_or(false);
   std::vector<std::vector<Workingstep>> before(part.workplan.size());
   std::vector<std::pair<int, Workingstep>> at_end;  // by mill, widest first
   const auto mills = mills_of(part.tools);
   if (mills.size() < 2) return;
   for (const Workingstep& step : last_milling_steps(part)) {
+    if (feature_of(part, step).profile) continue;  // a kerf is as wide as its cutter
     const auto under = first_step_under(part, step, options.tol);
     if (!everywhere && (!under || feature_of(part, step).wall_slope.radians() != 0)) continue;
     const double fits = largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
@@ -137,9 +173,9 @@ void add_rest_steps(Part& part, const PlanOptions& options) {
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
       if (tool.diameter > fits || !is_preceded_by_wider(part, step, tool)) continue;
       if (under) {
-        before[*under].push_back(rest_step(step, mills[i], tool));
+        before[*under].push_back(rest_step(step, mills[i], part, options, sources));
       } else {
-        at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], tool));
+        at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], part, options, sources));
       }
     }
   }
@@ -154,20 +190,22 @@ void add_rest_steps(Part& part, const PlanOptions& options) {
   part.workplan = std::move(all);
 }
 
-void add_finishing_steps(Part& part, const PlanOptions& options) {
+void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& sources) {
   const ShopOptions& shop = options.shop;
+  const Finish finish = finish_of(shop);
   std::vector<Workingstep> floors, walls;
   for (const Workingstep& last : last_milling_steps(part)) {
     const auto hole = stock::round_hole_of(feature_of(part, last), options.tol);
     if (hole && stock::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
-    if (*shop.finish != "walls") add_floor_steps(part, last.feature, shop, floors);
-    if (*shop.finish != "floor") walls.push_back(wall_step(last, part, shop));
+    if (finish != Finish::kWalls) add_floor_steps(part, last.feature, shop, floors, sources);
+    if (finish != Finish::kFloor) walls.push_back(wall_step(last, part, shop, sources));
   }
   for (Workingstep& step : part.workplan) {
-    const auto same = [&](const Workingstep& finish) { return finish.feature == step.feature; };
+    const auto same = [&](const Workingstep& other) { return other.feature == step.feature; };
     const bool finished =
         std::any_of(floors.begin(), floors.end(), same) || std::any_of(walls.begin(), walls.end(), same);
-    if (finished && !stock::only_plunges(tool_of(part, step))) leave_stock(step.operation, shop);
+    if (finished && !stock::only_plunges(tool_of(part, step)))
+      leave_stock(step.operation, shop, sources[step_key(step)]);
   }
   part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());
   part.workplan.insert(part.workplan.end(), walls.begin(), walls.end());

@@ -171,6 +171,10 @@ int severity(FaultKind kind) {
       return 7;
     case FaultKind::kUncut:
       return 8;
+    case FaultKind::kMissingTab:
+      return 1;
+    case FaultKind::kTabHeight:
+      return 3;
   }
   return 9;
 }

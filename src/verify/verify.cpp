@@ -12,6 +12,7 @@
 #include "verify/forces.h"
 #include "verify/gouge.h"
 #include "verify/load.h"
+#include "verify/tabs.h"
 
 namespace clearcut::verify {
 namespace {
@@ -76,6 +77,8 @@ class FindingsBuilder {
       if (judged.workingstep >= 0) by_step[judged.workingstep].push_back(&judged);
     }
     findings_.faults = faults_of_moves(part_, program_, options_);
+    for (Fault& fault : faults_of_tabs(part_, program_, options_.tol))
+      findings_.faults.push_back(std::move(fault));
     findings_.all = figures_of(all, part_.top_z());
     for (std::size_t i = 0; i < by_step.size(); ++i) add_feature(static_cast<int>(i), by_step[i]);
     for (const FeatureWork& work : works_) judge_coverage(work);

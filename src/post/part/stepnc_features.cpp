@@ -184,6 +184,8 @@ class FeatureWriter {
       case FeatureKind::kRoundHole:
         return round_hole();
       case FeatureKind::kOutsideProfile:
+      case FeatureKind::kInsideProfile:
+      case FeatureKind::kEngraving:
         return outside_profile();
       case FeatureKind::kOpenPocket:
         break;

@@ -8,8 +8,12 @@
 #include "base/error.h"
 #include "base/format.h"
 #include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "read/common/outline_roles.h"
 #include "read/common/text.h"
 #include "read/repair/mends.h"
+#include "read/repair/nesting.h"
+#include "stock/kerf.h"
 #include "stock/stacking.h"
 
 namespace clearcut::read {
@@ -32,17 +36,24 @@ RepairOptions repair_options(const DrawnGroup& group, const ReadOptions& options
   RepairOptions out;
   out.tol = options.tol;
   out.where = group.where;
-  out.open_curves = options.open_curves;
+  out.open_curves = options.overview ? OpenCurves::kSkip : options.open_curves.value_or(OpenCurves::kRefuse);
+  out.may_be_empty = out.open_curves == OpenCurves::kSkip;
   out.find_arcs = options.find_arcs.value_or(true);
   return out;
 }
 
-Feature feature_of(const DrawnGroup& group, Region region, double depth, const ReadOptions& options) {
+/// What all features of a group have in common.
+Feature blank_feature(const DrawnGroup& group, double depth, const ReadOptions& options) {
   Feature feature;
-  feature.name = group.name == "0" ? "pocket" : group.name;
+  feature.name = group.name == "0" ? name_of(group.role) : group.name;
   feature.source = group.name;
   feature.top_z = options.top ? *options.top : group.top.value_or(0);
   feature.floor_z = feature.top_z - depth;
+  return feature;
+}
+
+Feature feature_of(const DrawnGroup& group, Region region, double depth, const ReadOptions& options) {
+  Feature feature = blank_feature(group, depth, options);
   if (group.role == LayerRole::kHole) {
     feature.hole_diameter = circle_diameter(region, options.tol);
     if (!feature.hole_diameter) {
@@ -67,18 +78,192 @@ Regions islands_of(std::vector<DrawnGroup>& groups, const ReadOptions& options, 
   return islands;
 }
 
-/// In the words of the reader; "" for none.
-std::string what_was_left_out(const Diagnostics& diagnostics) {
-  std::string all;
-  for (const Diagnostic& item : diagnostics.items())
-    if (item.severity == Severity::kSkipped) all += (all.empty() ? "" : "; ") + item.what;
-  return all.empty() ? "" : " (" + all + ")";
+/// mm. Until a cutter is chosen the kerf is taken to be this wide.
+constexpr double kSomeKerf = 0.1;
+
+/// A profile along one loop, or a line to engrave. Its areas are those of no cutter until one is chosen.
+Feature profile_of(const DrawnGroup& group, Path line, ProfileSide side, double depth,
+                   const ReadOptions& options) {
+  Feature feature = blank_feature(group, depth, options);
+  feature.kind = side == ProfileSide::kOutside  ? FeatureKind::kOutsideProfile
+                 : side == ProfileSide::kInside ? FeatureKind::kInsideProfile
+                                                : FeatureKind::kEngraving;
+  ProfileCut cut;
+  cut.side = side;
+  cut.closed = line.front().from == line.back().to;
+  if (side != ProfileSide::kOn && signed_area(line) < 0) line = reversed(line);
+  cut.line = std::move(line);
+  feature.target = stock::kerf_of(cut, kSomeKerf, options.tol);
+  feature.allowed = feature.target;
+  feature.through = side != ProfileSide::kOn;
+  if (feature.through) cut.beyond = options.solid.breakthrough.value_or(0);
+  feature.floor_z -= cut.beyond;
+  feature.profile = std::move(cut);
+  return feature;
+}
+
+/// Along the inside of outlines, along the outside of those in them.
+void add_inside_profiles(const ShapedGroup& shaped, double depth, const ReadOptions& options,
+                         std::vector<Feature>& out) {
+  for (const Region& region : shaped.regions) {
+    for (const Loop& island : region.islands())
+      out.push_back(profile_of(shaped.group, island, ProfileSide::kOutside, depth, options));
+    out.push_back(profile_of(shaped.group, region.outer(), ProfileSide::kInside, depth, options));
+  }
+}
+
+/// The outlines of all layers of profiles nest in each other: an edge of a part, a cut-out in it, a part in that.
+void add_profiles(const std::vector<ShapedGroup>& groups, const ReadOptions& options,
+                  Diagnostics& diagnostics, std::vector<Feature>& out) {
+  std::vector<Loop> loops;
+  std::vector<const DrawnGroup*> owners;
+  std::vector<double> depths;
+  for (const ShapedGroup& shaped : groups) {
+    if (shaped.group.role != LayerRole::kProfile || shaped.regions.empty()) continue;
+    const double depth = depth_of(shaped.group, options, diagnostics);
+    for (const Region& region : shaped.regions) {
+      loops.push_back(region.outer());
+      loops.insert(loops.end(), region.islands().begin(), region.islands().end());
+    }
+    owners.resize(loops.size(), &shaped.group);
+    depths.resize(loops.size(), depth);
+  }
+  const auto about = loops_about(loops);
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const ProfileSide side = about[i].size() % 2 == 0 ? ProfileSide::kOutside : ProfileSide::kInside;
+    out.push_back(profile_of(*owners[i], loops[i], side, depths[i], options));
+  }
 }
 
 bool near_any(const Regions& regions, const Regions& others) {
   const Box around = box(others);
   return std::any_of(regions.begin(), regions.end(),
                      [&](const Region& region) { return region.box().overlaps(around); });
+}
+
+/// mm2. Layers that share less do not overlap.
+constexpr double kShared = 0.01;
+
+bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const ReadOptions& options) {
+  const auto depth = [&](const DrawnGroup& group) { return options.depth ? options.depth : group.depth; };
+  const bool same_top = options.top || a.top.value_or(0) == b.top.value_or(0);
+  return a.role == LayerRole::kPocket && b.role == LayerRole::kPocket && same_top && depth(a) == depth(b);
+}
+
+/// What two layers of pockets of one floor both cover is milled once.
+void share_overlaps(std::vector<ShapedGroup>& groups, const ReadOptions& options, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      ShapedGroup &later = groups[i], &earlier = groups[j];
+      const bool meet = !later.regions.empty() && !earlier.regions.empty() &&
+                        are_pockets_of_one_floor(later.group, earlier.group, options) &&
+                        near_any(earlier.regions, later.regions);
+      if (!meet || area(intersect(earlier.regions, later.regions, options.tol)) < kShared) continue;
+      Regions rest = subtract(later.regions, earlier.regions, options.tol);
+      const bool holds_earlier = area(subtract(earlier.regions, later.regions, options.tol)) < kShared;
+      (holds_earlier ? earlier.regions : later.regions) = holds_earlier ? Regions{} : std::move(rest);
+      diagnostics.note(later.group.where, "overlaps layer " + printable(earlier.group.name) +
+                                              " of the same depth; what both cover is milled once");
+    }
+  }
+}
+
+/// Facing: the cutter may leave the area on all sides.
+Feature face_of(const DrawnGroup& group, const Region& region, double depth, const ReadOptions& options) {
+  Feature feature = blank_feature(group, depth, options);
+  feature.kind = FeatureKind::kPlanarFace;
+  feature.target = {Region::from_valid_loops(region.outer(), {})};
+  feature.allowed = dilate(feature.target, kOpenReach, options.tol);
+  return feature;
+}
+
+void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
+                        std::vector<Feature>& out) {
+  if (shaped.regions.empty() && shaped.lines.empty()) return;
+  const double depth = depth_of(shaped.group, options, diagnostics);
+  switch (shaped.group.role) {
+    case LayerRole::kInside:
+      return add_inside_profiles(shaped, depth, options, out);
+    case LayerRole::kEngrave:
+      for (const Region& region : shaped.regions) {
+        shaped.lines.push_back(region.outer());
+        for (const Loop& island : region.islands()) shaped.lines.push_back(island);
+      }
+      for (const Path& line : shaped.lines)
+        out.push_back(profile_of(shaped.group, line, ProfileSide::kOn, depth, options));
+      return;
+    case LayerRole::kFace:
+      for (const Region& region : shaped.regions)
+        out.push_back(face_of(shaped.group, region, depth, options));
+      return;
+    default:
+      for (Region& region : shaped.regions)
+        out.push_back(feature_of(shaped.group, std::move(region), depth, options));
+  }
+}
+
+/// Faces first, then pockets and holes, engraving, and what frees the part last: inner cut-outs before outer ones.
+int turn_of(const Feature& feature) {
+  if (feature.kind == FeatureKind::kPlanarFace) return 0;
+  if (!feature.profile) return 1;
+  return feature.profile->side == ProfileSide::kOn ? 2 : 3;
+}
+
+double area_within(const Feature& feature) {
+  return feature.profile && feature.profile->closed ? std::abs(signed_area(feature.profile->line)) : 0;
+}
+
+bool goes_before(const Feature& a, const Feature& b) {
+  if (turn_of(a) != turn_of(b)) return turn_of(a) < turn_of(b);
+  return turn_of(a) == 3 ? area_within(a) < area_within(b) : a.floor_z > b.floor_z;
+}
+
+/// The block that outlines of the role stock bound, down to their depth, else that of the deepest feature.
+void set_stock(Part& part, const std::vector<ShapedGroup>& groups, const std::vector<Feature>& features,
+               const ReadOptions& options) {
+  for (const ShapedGroup& shaped : groups) {
+    if (shaped.group.role != LayerRole::kStock || shaped.regions.empty()) continue;
+    Stock stock;
+    stock.plan = box(shaped.regions);
+    stock.z_top = options.top ? *options.top : shaped.group.top.value_or(0);
+    stock.z_bottom = features.front().floor_z;
+    for (const Feature& feature : features) stock.z_bottom = std::min(stock.z_bottom, feature.floor_z);
+    if (shaped.group.depth)
+      stock.z_bottom = stock.z_top - checked_depth(*shaped.group.depth, shaped.group.where);
+    part.stock = stock;
+  }
+}
+
+/// Areas of all groups but islands and what is ignored.
+std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const ReadOptions& options,
+                                       Diagnostics& diagnostics) {
+  std::vector<ShapedGroup> all;
+  for (DrawnGroup& group : groups) {
+    if (group.role == LayerRole::kIsland || group.role == LayerRole::kIgnore || group.curves.empty())
+      continue;
+    ShapedGroup shaped;
+    std::vector<RawCurve> curves = std::move(group.curves);
+    shaped.group = std::move(group);
+    if (shaped.group.role == LayerRole::kChamfer && !options.overview) {
+      throw InputError(shaped.group.where, "chamfers are not cut yet; leave the layer out with --op ignore:" +
+                                               printable(shaped.group.name));
+    }
+    if (shaped.group.role == LayerRole::kEngrave) {
+      shaped.lines = chained_lines(curves, options.tol.join_gap);
+    } else {
+      shaped.regions = repair(std::move(curves), repair_options(shaped.group, options), diagnostics);
+    }
+    all.push_back(std::move(shaped));
+  }
+  return all;
+}
+
+/// In the words of the reader; "" for none.
+std::string what_was_left_out(const Diagnostics& diagnostics) {
+  std::string all;
+  for (const Diagnostic& item : diagnostics.items())
+    if (item.severity == Severity::kSkipped) all += (all.empty() ? "" : "; ") + item.what;
+  return all.empty() ? "" : " (" + all + ")";
 }
 
 }  // namespace
@@ -104,13 +289,39 @@ double checked_depth(double depth, const std::string& place) {
 }
 
 void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group) {
-  const auto rule = std::find_if(rules.begin(), rules.end(), [&](const LayerRule& candidate) {
-    return matches(candidate.pattern, name);
-  });
-  if (rule == rules.end()) return;
-  if (rule->role) group.role = *rule->role;
-  if (rule->depth) group.depth = rule->depth;
-  if (rule->top) group.top = rule->top;
+  bool role = false, depth = false, top = false;
+  for (const LayerRule& rule : rules) {
+    if (!matches(rule.pattern, name)) continue;
+    if (rule.role && !role) {
+      group.role = *rule.role;
+      group.says_role = role = true;
+    }
+    if (rule.depth && !depth) group.depth = rule.depth, depth = true;
+    if (rule.top && !top) group.top = rule.top, top = true;
+    if (!rule.asked) return;
+  }
+}
+
+void question_size(const std::vector<DrawnGroup>& groups, const std::string& file,
+                   const ReadOptions& options) {
+  constexpr double kLargest = 2000, kSmallest = 1;  // mm
+  if (!options.ask_if_unclear || options.unit || options.scale != 1) return;
+  Box all;
+  for (const DrawnGroup& group : groups) {
+    for (const RawCurve& curve : group.curves) all.add(box(curve.edges));
+  }
+  if (all.empty()) return;
+  const double size = std::max(all.width(), all.height());
+  if (!(size > kLargest || size < kSmallest)) return;
+  const std::string question =
+      "in the unit it names the drawing is " + trimmed(all.width(), 3) + " x " + trimmed(all.height(), 3) +
+      " mm, " + (size > kLargest ? "larger than 2 m" : "smaller than 1 mm") +
+      "; say which unit it is drawn in (--unit mm, --unit in), or --scale 1 if it is right";
+  if (options.overview) {
+    options.overview->question = question;
+  } else if (!options.scale_is_right) {
+    throw InputError(file, question);
+  }
 }
 
 void add_features(Part& part, std::vector<Feature> features) {
@@ -144,23 +355,31 @@ void report_left_out(Diagnostics& diagnostics, const std::string& file, const Le
 }
 
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options) {
+  std::vector<std::string> layers;
+  for (const DrawnGroup& group : groups) layers.push_back(group.name);
   const Regions islands = islands_of(groups, options, part.diagnostics);
+  std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
+  assign_outline_roles(shaped, layers, options, part.source_file);
+  if (options.overview) return;
+  share_overlaps(shaped, options, part.diagnostics);
   std::vector<Feature> features;
-  for (DrawnGroup& group : groups) {
-    if (group.role == LayerRole::kIsland || group.role == LayerRole::kIgnore || group.curves.empty())
-      continue;
-    const double depth = depth_of(group, options, part.diagnostics);
-    Regions regions = repair(std::move(group.curves), repair_options(group, options), part.diagnostics);
-    if (!islands.empty() && near_any(islands, regions)) regions = subtract(regions, islands, options.tol);
-    for (Region& region : regions) features.push_back(feature_of(group, std::move(region), depth, options));
+  for (ShapedGroup& one : shaped) {
+    const LayerRole role = one.group.role;
+    if (role == LayerRole::kStock || role == LayerRole::kIgnore || role == LayerRole::kProfile) continue;
+    if (!islands.empty() && near_any(islands, one.regions))
+      one.regions = subtract(one.regions, islands, options.tol);
+    add_group_features(one, options, part.diagnostics, features);
   }
+  add_profiles(shaped, options, part.diagnostics, features);
   if (features.empty()) {
     throw InputError(part.source_file, "nothing to mill was found" + what_was_left_out(part.diagnostics) +
                                            "; draw the pockets as closed curves");
   }
-  std::stable_sort(features.begin(), features.end(),
-                   [](const Feature& a, const Feature& b) { return a.floor_z > b.floor_z; });
-  const bool several_floors = features.front().floor_z > features.back().floor_z;
+  std::stable_sort(features.begin(), features.end(), goes_before);
+  set_stock(part, shaped, features, options);
+  const bool several_floors = std::any_of(features.begin(), features.end(), [&](const Feature& feature) {
+    return feature.floor_z < features.front().floor_z;
+  });
   add_features(part, std::move(features));
   // A deep pocket within a shallow one begins on its floor.
   if (several_floors) stock::stack_tops(part, options.tol);

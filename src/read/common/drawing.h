@@ -16,11 +16,13 @@ namespace clearcut::read {
 /// What a name of a layer says about its outlines; see docs/input.md.
 struct LayerMeaning {
   LayerRole role = LayerRole::kPocket;
+  bool says_role = false;       ///< a word of the name does
   std::optional<double> depth;  ///< in units of the drawing
   std::optional<double> top;    ///< in units of the drawing
 };
 /// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
-/// holes, "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
+/// holes, "PROFILE", "CUTOUT" or "OUTSIDE" what is cut out along its outside, "INSIDE" along its inside, "ENGRAVE" or "ON" a
+/// line to follow, "CHAMFER", "FACE", "STOCK", "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
 /// anything but letters.
 LayerMeaning meaning_of_layer(std::string_view name);
 /// Whether `name` matches `pattern`: case is ignored, * stands for anything.
@@ -31,6 +33,7 @@ struct DrawnGroup {
   std::string name;   ///< layer, or colour
   std::string where;  ///< file and layer: begins messages
   LayerRole role = LayerRole::kPocket;
+  bool says_role = false;       ///< somebody said it: the name, a rule, an option
   std::optional<double> depth;  ///< mm
   std::optional<double> top;    ///< mm
   std::vector<RawCurve> curves;
@@ -45,9 +48,13 @@ using LeftOut = std::map<std::string, int>;
 void report_left_out(Diagnostics& diagnostics, const std::string& file, const LeftOut& left_out,
                      const std::string& what);
 
+/// Throws InputError where the user is to be asked and the drawing is larger than 2 m or smaller than 1 mm.
+void question_size(const std::vector<DrawnGroup>& groups, const std::string& file,
+                   const ReadOptions& options);
+
 /// Repairs every group and makes one closed pocket (or round hole) of every region, shallow ones first,
-/// each with one roughing (drilling) workingstep. Islands' groups are cut out of all others. Throws
-/// InputError when nothing is left, or a depth is missing.
+/// each with one roughing (drilling) workingstep. Islands' groups are cut out of all others; profiles come last, inner ones
+/// first. Throws InputError when nothing is left, a depth is missing, or it is unclear what the outermost outline is.
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options);
 
 /// The diameter when the region is one full circle.

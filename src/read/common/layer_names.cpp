@@ -49,6 +49,16 @@ void for_words(std::string_view text, Visit visit) {
 std::optional<LayerRole> role_of_word(std::string_view word) {
   if (word == "ISLAND" || word == "ISLANDS" || word == "BOSS" || word == "BOSSES") return LayerRole::kIsland;
   if (word == "HOLE" || word == "HOLES" || word == "DRILL") return LayerRole::kHole;
+  if (word == "POCKET" || word == "POCKETS") return LayerRole::kPocket;
+  for (const std::string_view profile :
+       {"PROFILE", "PROFILES", "CUTOUT", "CUTOUTS", "OUTSIDE", "PERIMETER"}) {
+    if (word == profile) return LayerRole::kProfile;
+  }
+  if (word == "INSIDE") return LayerRole::kInside;
+  if (word == "ENGRAVE") return LayerRole::kEngrave;
+  if (word == "CHAMFER") return LayerRole::kChamfer;
+  if (word == "FACE") return LayerRole::kFace;
+  if (word == "STOCK") return LayerRole::kStock;
   for (const std::string_view ignored :
        {"IGNORE", "CONSTRUCTION", "DEFPOINTS", "DIM", "DIMS", "DIMENSION", "DIMENSIONS"}) {
     if (word == ignored) return LayerRole::kIgnore;
@@ -62,7 +72,12 @@ LayerMeaning meaning_of_layer(std::string_view name) {
   LayerMeaning meaning;
   const std::string text = capitals(name);
   for_words(text, [&](std::string_view word, std::string_view rest) {
-    if (const auto role = role_of_word(word)) meaning.role = *role;
+    // "on" is a word of every language's sentences: it counts as the first alone.
+    const bool on = word == "ON" && word.data() == text.data();
+    if (const auto role = on ? LayerRole::kEngrave : role_of_word(word)) {
+      meaning.role = *role;
+      meaning.says_role = true;
+    }
     if (word == "D" || word == "DEPTH") {
       if (const auto depth = leading_number(rest)) meaning.depth = std::abs(*depth);
     }

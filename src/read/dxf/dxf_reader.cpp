@@ -59,7 +59,26 @@ class Collector {
 
   std::vector<DrawnGroup> take() { return std::move(groups_); }
 
+  /// A layer that was asked for and is not there is a mistake, whatever else there is.
+  void refuse_unknown_layers() const {
+    for (const std::string& pattern : options_.layers) {
+      const auto hit = [&](const auto& layer) { return matches(pattern, layer.second); };
+      if (std::any_of(seen_.begin(), seen_.end(), hit)) continue;
+      std::string names;
+      for (const auto& [key, name] : seen_) names += (names.empty() ? "" : ", ") + printable(name);
+      throw InputError(document_.file, "no layer is called '" + printable(pattern) +
+                                           "'; the drawing has the layers " +
+                                           (names.empty() ? "of no outlines" : names));
+    }
+  }
+
   void report() const {
+    if (risen_ > 0) {
+      diagnostics_.warn(document_.file,
+                        std::to_string(risen_) +
+                            " curve(s) rise or fall: their heights are not read, they are taken as "
+                            "flat outlines cut to the depth given");
+    }
     report_left_out(diagnostics_, document_.file, not_read_, "not read, because they are no outlines:");
     report_left_out(diagnostics_, document_.file, hidden_,
                     "not read, because their layers are off or frozen, or they are invisible:");
@@ -124,6 +143,7 @@ class Collector {
 
   void take_curve(const DxfEntity& entity, std::span<const DxfEntity> followers, const Affine& map,
                   const std::string& layer) {
+    seen_.try_emplace(capitals(layer), layer);
     if (!is_chosen(layer)) {
       ++not_chosen_[layer];
       return;
@@ -140,7 +160,24 @@ class Collector {
       ++not_read_[std::string(entity.type) + " without length"];
     } else {
       group.curves.push_back(std::move(*curve));
+      if (rises(entity, followers)) ++risen_;
     }
+  }
+
+  /// Whether heights differ along a curve.
+  bool rises(const DxfEntity& entity, std::span<const DxfEntity> followers) const {
+    constexpr double kFlat = 1e-6;
+    if (entity.type != "LINE" && entity.type != "SPLINE" && entity.type != "POLYLINE") return false;
+    std::vector<double> heights;
+    const auto add = [&](const DxfEntity& one) {
+      for (const DxfGroup& group : one.groups)
+        if (group.code == 30 || group.code == 31) heights.push_back(document_.number(group));
+    };
+    if (entity.type != "POLYLINE") add(entity);
+    for (const DxfEntity& vertex : followers) add(vertex);
+    if (heights.empty()) return false;
+    const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+    return *high - *low > kFlat;
   }
 
   DrawnGroup& group_of(const std::string& layer) {
@@ -154,6 +191,7 @@ class Collector {
     group.where = document_.file + ": layer " + printable(layer);
     const LayerMeaning meaning = meaning_of_layer(layer);
     group.role = meaning.role;
+    group.says_role = meaning.says_role;
     if (meaning.depth) group.depth = *meaning.depth * unit_;
     if (meaning.top) group.top = *meaning.top * unit_;
     apply_rules(options_.layer_rules, layer, group);
@@ -203,6 +241,8 @@ class Collector {
   std::vector<DrawnGroup> groups_;
   std::map<std::string, std::size_t> by_layer_;
   LeftOut not_read_, hidden_, not_chosen_, ignored_;
+  std::map<std::string, std::string> seen_;  ///< layers with curves, as written, by their names in capitals
+  int risen_ = 0;                            ///< curves that are not flat
   int count_ = 0;
 };
 
@@ -237,11 +277,13 @@ Part read_dxf(std::string_view text, const std::string& file_name, const ReadOpt
   part.name = std::filesystem::path(file_name).stem().string();
   part.source_file = file_name;
   const double stated = stated_unit(document, options);
-  Collector collector(document, options, stated > 0 ? stated : 1, part.diagnostics);
+  Collector collector(document, options, (stated > 0 ? stated : 1) * options.scale, part.diagnostics);
   collector.collect();
+  collector.refuse_unknown_layers();
   std::vector<DrawnGroup> groups = collector.take();
   if (!(stated > 0)) warn_of_assumed_unit(file_name, groups, part.diagnostics);
   collector.report();
+  question_size(groups, file_name, options);
   add_drawn_features(part, std::move(groups), options);
   return part;
 }

@@ -249,7 +249,7 @@ Regions regions_of(Loop loop, const std::string& file, const ReadOptions& option
   RepairOptions repairs;
   repairs.tol = options.tol;
   repairs.where = file;
-  repairs.open_curves = options.open_curves;
+  repairs.open_curves = options.open_curves.value_or(OpenCurves::kRefuse);
   repairs.find_arcs = options.find_arcs.value_or(false);
   RawCurve curve;
   curve.edges = std::move(loop);

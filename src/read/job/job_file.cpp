@@ -103,6 +103,7 @@ void read_part_section(DataSection section, JobFile& job) {
   read.layers = section.texts("layers");
   read.find_arcs = section.flag("find_arcs");
   if (const auto gap = section.not_negative("join_gap")) read.tol.join_gap = *gap;
+  if (const auto scale = section.positive("scale")) read.scale = *scale, read.scale_is_right = true;
   if (read.tol.join_gap > 10 || read.tol.join_gap < 1e-6)
     section.fail_at("join_gap", "must lie between 1e-6 and 10 mm");
   const auto open = section.choice("open_curves", {"refuse", "skip"});
@@ -116,7 +117,8 @@ LayerRule layer_rule(DataSection section) {
   const auto name = section.text("name");
   if (!name) section.fail("name is missing; add name = \"POCKET*\"");
   rule.pattern = *name;
-  const auto role = section.choice("role", {"pocket", "island", "hole", "ignore"});
+  const auto role = section.choice("role", {"pocket", "island", "hole", "ignore", "profile", "inside",
+                                            "engrave", "chamfer", "face", "stock"});
   if (role) rule.role = static_cast<LayerRole>(*role);
   rule.depth = section.positive("depth");
   rule.top = coordinate(section, "top");
@@ -234,6 +236,24 @@ void read_machine_section(DataSection section, JobFile& job) {
   job.machine = machine_of_section(section, base);
 }
 
+/// Notes where the keys of the job stand; the file's sections have been read.
+void note_sources(const DataValue& root, JobFile& job) {
+  const auto of = [&](const char* table) {
+    const DataValue* found = root.find(table);
+    return found ? key_sources(*found, job.file, Origin::kJobFile) : Sources{};
+  };
+  const DataValue* machine = root.find("machine");
+  const DataValue* machine_file = machine ? machine->find("file") : nullptr;
+  if (machine_file) job.sources.merge(machine_sources(beside(job.file, machine_file->text)));
+  if (machine) job.sources.merge(machine_sources_of(*machine, job.file, Origin::kJobFile));
+  job.plan.sources = of("plan");
+  job.sources.merge(job.plan.sources);
+  job.sources.merge(of("output"));
+  const DataValue* operations = root.find("operation");
+  for (std::size_t i = 0; operations && i < operations->items.size() && i < job.operations.size(); ++i)
+    job.operations[i].settings.sources = key_sources(operations->items[i], job.file, Origin::kJobFile);
+}
+
 }  // namespace
 
 JobFile read_job_text(std::string_view text, const std::string& file_name) {
@@ -257,6 +277,7 @@ JobFile read_job_text(std::string_view text, const std::string& file_name) {
     job.operations.push_back(operation_rule(std::move(one)));
   if (const auto output = section.section("output")) job.output = output_of(*output);
   section.refuse_unknown();
+  note_sources(root, job);
   return job;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/machine.h"
+#include "model/origin.h"
 #include "model/part.h"
 #include "model/shop_options.h"
 #include "read/read_options.h"
@@ -35,6 +36,7 @@ struct CutSettings {
   std::optional<MmPerMin> feed, plunge_feed, ramp_feed, slot_feed;
   std::optional<double> spindle_rpm;
   std::optional<bool> coolant;
+  Sources sources;  ///< "job.toml:12" of each key
 };
 
 /// [[operation]]: settings for the workingsteps of all features that match.
@@ -84,6 +86,7 @@ struct JobFile {
   std::optional<std::string> objective;
   std::optional<double> time_s;
   std::optional<std::uint64_t> seed;
+  Sources sources;  ///< of the keys of [plan], [machine] and [output], and of its machine file
 };
 
 /// Throws  InputError "file:line: ..." for bad TOML, unknown keys (with the nearest known one) and
@@ -91,11 +94,16 @@ struct JobFile {
 JobFile read_job_text(std::string_view text, const std::string& file_name);
 JobFile read_job(const std::filesystem::path& file);
 
-/// The part of a job: its file read, stock and tools set, operations chosen. Of job.plan all but `strategy`
-/// and a `stepover` of "lom" or "rho" is in the operations afterwards; machine, output and the planner's
+/// The part of a job: its file read, stock and tools set, operations chosen. All of job.plan is in the operations afterwards,
+/// with where it stands in their sources; machine, output and the planner's
 /// values are left to the caller. `over`: options that go before the job's own (command line). Throws as
 /// read_part and read_tool_library, and when a tool number or a feature name matches nothing.
 Part part_of_job(const JobFile& job, const ReadOptions& over);
+
+/// The same; `sources` are afterwards those of every value that the job or its tool library states.
+Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources);
+/// The job's own tools, then those of its library that it uses: the tools of its part, in their order.
+std::vector<LibraryTool> tools_of_job(const JobFile& job);
 
 /// A commented job for `part`, read from `part_file`: valid as it stands, with every key and its default. `solid`: how the
 /// part was read.

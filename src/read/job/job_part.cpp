@@ -25,6 +25,13 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (over.depth_if_missing) options.depth_if_missing = over.depth_if_missing;
   if (over.top) options.top = over.top;
   if (!over.layers.empty()) options.layers = over.layers;
+  options.layer_rules.insert(options.layer_rules.begin(), over.layer_rules.begin(), over.layer_rules.end());
+  if (over.open_curves) options.open_curves = over.open_curves;
+  if (over.join_gap) options.join_gap = over.join_gap;
+  options.ask_if_unclear = over.ask_if_unclear;
+  options.overview = over.overview;
+  if (over.scale_is_right) options.scale = over.scale;
+  options.scale_is_right = options.scale_is_right || over.scale_is_right;
   if (over.find_arcs) options.find_arcs = over.find_arcs;
   if (!over.solid.up.empty()) options.solid.up = over.solid.up;
   if (over.solid.turn_deg != 0) options.solid.turn_deg = over.solid.turn_deg;
@@ -52,10 +59,21 @@ Stock stock_of(const JobStock& stock, const Part& part, const std::string& file)
   return out;
 }
 
+/// Two tools of one number: which of them a program means is nothing to guess.
+void refuse_one_number_twice(const std::vector<LibraryTool>& tools, const std::string& file) {
+  std::set<int> taken;
+  for (const LibraryTool& tool : tools) {
+    if (tool.tool.number <= 0 || taken.insert(tool.tool.number).second) continue;
+    throw InputError(file, "two tools are numbered T" + std::to_string(tool.tool.number) +
+                               "; give each a number of its own (of a library choose with use = [...])");
+  }
+}
+
 /// The job's own tools, then those of its library that it uses.
 ToolLibrary tools_of(const JobFile& job) {
   ToolLibrary all;
   all.tools = job.tools;
+  refuse_one_number_twice(all.tools, job.file);
   if (job.tool_library) {
     ToolLibrary library = read_tool_library(*job.tool_library, job.tool_options);
     all.diagnostics.append(library.diagnostics);
@@ -73,15 +91,9 @@ ToolLibrary tools_of(const JobFile& job) {
       if (wanted) all.tools.push_back(std::move(tool));
     }
   }
+  if (job.tool_library) refuse_one_number_twice(all.tools, job.file);
   settle(all, job.file);
   return all;
-}
-
-const CuttingPreset* preset_of(const LibraryTool& tool, const std::string& name) {
-  for (const CuttingPreset& preset : tool.presets) {
-    if (name.empty() || matches(name, preset.name)) return &preset;
-  }
-  return nullptr;
 }
 
 template <typename Value>
@@ -89,8 +101,19 @@ void set_if(std::optional<Value>& target, const std::optional<Value>& value) {
   if (value) target = value;
 }
 
-void apply_preset(const CuttingPreset& preset, Operation& operation) {
+/// `source`: where the preset stands.
+void apply_preset(const CuttingPreset& preset, const Source& source, Operation& operation, Sources& sources) {
   CuttingData& cutting = operation.cutting;
+  const auto note = [&](const char* name, bool is_stated) {
+    if (is_stated) sources.set(name, source);
+  };
+  note("feed", preset.cutting.feed.has_value());
+  note("plunge-feed", preset.cutting.plunge_feed.has_value());
+  note("ramp-feed", preset.cutting.ramp_feed.has_value());
+  note("slot-feed", preset.cutting.slot_feed.has_value());
+  note("spindle", preset.cutting.spindle_rpm.has_value());
+  note("stepdown", preset.stepdown.has_value());
+  note("coolant", preset.cutting.coolant);
   set_if(cutting.feed, preset.cutting.feed);
   set_if(cutting.plunge_feed, preset.cutting.plunge_feed);
   set_if(cutting.ramp_feed, preset.cutting.ramp_feed);
@@ -141,7 +164,7 @@ void apply_settings(const CutSettings& settings, const Part& part, const std::st
 }
 
 /// Settings and where they stand.
-struct Source {
+struct SettingsSource {
   const CutSettings* settings;
   std::string place;
 };
@@ -149,7 +172,7 @@ struct Source {
 /// A workingstep and what shall be applied to it, in order.
 struct Planned {
   Workingstep step;
-  std::vector<Source> sources;
+  std::vector<SettingsSource> sources;
 };
 
 bool is_finishing(const CutSettings& settings) {
@@ -157,10 +180,16 @@ bool is_finishing(const CutSettings& settings) {
          settings.kind == OperationKind::kSideFinishing;
 }
 
+void leave_nothing(Operation& operation, const std::string& place, Sources& sources) {
+  operation.allowance_side = operation.allowance_floor = 0;
+  for (const char* name : {"allowance", "allowance-floor"})
+    sources.set(name, {Origin::kDerived, place + " finishes"});
+}
+
 /// Applies tools, plan and operation rules to a part.
 class Dresser {
  public:
-  Dresser(const JobFile& job, Part& part) : job_(job), part_(part) {}
+  Dresser(const JobFile& job, Part& part, StepSources& sources) : job_(job), part_(part), sources_(sources) {}
 
   void run() {
     set_tools();
@@ -187,6 +216,14 @@ class Dresser {
       const auto old = static_cast<std::size_t>(step.operation.tool);
       step.operation.tool = old < before.size() ? index_of(before[old].number).value_or(0) : 0;
     }
+  }
+
+  Source preset_source(int number) const {
+    const std::string tool = " T" + std::to_string(number);
+    const bool own = std::any_of(job_.tools.begin(), job_.tools.end(),
+                                 [&](const LibraryTool& one) { return one.tool.number == number; });
+    if (own || !job_.tool_library) return {Origin::kJobFile, job_.file + tool};
+    return {Origin::kToolLibrary, job_.tool_library->string() + tool};
   }
 
   std::optional<int> index_of(int number) const {
@@ -234,9 +271,10 @@ class Dresser {
   }
 
   /// The tool first, then its preset, then the settings from the most general on.
-  Workingstep dressed(Planned planned) const {
+  Workingstep dressed(Planned planned) {
+    Sources& sources = sources_[step_key(planned.step)];
     Operation& operation = planned.step.operation;
-    for (const Source& source : planned.sources) {
+    for (const SettingsSource& source : planned.sources) {
       if (source.settings->kind) operation.kind = *source.settings->kind;
       if (!source.settings->tool) continue;
       const auto index = index_of(*source.settings->tool);
@@ -248,25 +286,37 @@ class Dresser {
     }
     if (!part_.tools.empty()) {
       const auto preset = presets_.find(part_.tools[static_cast<std::size_t>(operation.tool)].number);
-      if (preset != presets_.end()) apply_preset(preset->second, operation);
+      if (preset != presets_.end())
+        apply_preset(preset->second, preset_source(preset->first), operation, sources);
     }
-    for (const Source& source : planned.sources) {
+    for (const SettingsSource& source : planned.sources) {
       // What roughing leaves on the walls is not left by finishing, unless its own rule says so.
-      if (is_finishing(*source.settings)) operation.allowance_side = operation.allowance_floor = 0;
+      if (is_finishing(*source.settings)) leave_nothing(operation, source.place, sources);
       apply_settings(*source.settings, part_, source.place, operation);
+      sources.merge(source.settings->sources);
     }
     return std::move(planned.step);
   }
 
   const JobFile& job_;
   Part& part_;
+  StepSources& sources_;
   std::vector<Planned> steps_;
   std::map<int, CuttingPreset> presets_;
 };
 
 }  // namespace
 
+std::vector<LibraryTool> tools_of_job(const JobFile& job) {
+  return tools_of(job).tools;
+}
+
 Part part_of_job(const JobFile& job, const ReadOptions& over) {
+  StepSources sources;
+  return part_of_job(job, over, sources);
+}
+
+Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources) {
   if (capitals(job.part_file.extension().string()) == ".TOML") {
     throw InputError(job.file, "the part of a job cannot be a job; name the drawing or program");
   }
@@ -277,10 +327,11 @@ Part part_of_job(const JobFile& job, const ReadOptions& over) {
     if (tool.tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.tool.diameter);
   const std::string text = read_file(job.part_file.string(), kLargestFile);
   Part part = read_part_text(text, job.part_file.string(), options);
+  if (options.overview && part.features.empty()) return part;
   if (job.stock && !is_step_solid(text)) part.stock = stock_of(*job.stock, part, job.file);
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
-  Dresser(job, part).run();
+  Dresser(job, part, sources).run();
   return part;
 }
 

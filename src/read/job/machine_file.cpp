@@ -1,5 +1,7 @@
 #include "read/job/machine_file.h"
 
+#include <algorithm>
+
 #include "base/file.h"
 
 namespace clearcut::read {
@@ -31,6 +33,27 @@ Machine machine_of_section(DataSection section, Machine base) {
   if (const auto travel = section.section("travel")) base.travel = travel_of(*travel);
   section.refuse_unknown();
   return base;
+}
+
+Sources key_sources(const DataValue& table, const std::string& file_name, Origin origin) {
+  Sources out;
+  for (const DataMember& member : table.members) {
+    std::string name = member.key;
+    std::replace(name.begin(), name.end(), '_', '-');
+    out.set(name, {origin, file_name + ":" + std::to_string(member.value.line)});
+  }
+  return out;
+}
+
+Sources machine_sources_of(const DataValue& table, const std::string& file_name, Origin origin) {
+  Sources out = key_sources(table, file_name, origin);
+  if (const Source* name = out.find("name")) out.set("machine", Source(*name));
+  return out;
+}
+
+Sources machine_sources(const std::filesystem::path& file) {
+  const std::string text = read_file(file.string(), kLargestFile);
+  return machine_sources_of(parse_toml(text, file.string()), file.string(), Origin::kMachineFile);
 }
 
 Machine read_machine_text(std::string_view text, const std::string& file_name) {

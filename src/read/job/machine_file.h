@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "model/machine.h"
+#include "model/origin.h"
 #include "read/common/data_value.h"
 
 namespace clearcut::read {
@@ -17,5 +18,12 @@ Machine read_machine(const std::filesystem::path& file);
 Machine read_machine_text(std::string_view text, const std::string& file_name);
 /// The same keys as a table of a job. `base` gives what is left out.
 Machine machine_of_section(DataSection section, Machine base);
+
+/// Every key of a table, written as options are ("max-spindle"), with its place "file:line".
+Sources key_sources(const DataValue& table, const std::string& file_name, Origin origin);
+/// The same of a machine's keys; its name is the source of "machine".
+Sources machine_sources_of(const DataValue& table, const std::string& file_name, Origin origin);
+/// Those of a machine file.
+Sources machine_sources(const std::filesystem::path& file);
 
 }  // namespace clearcut::read

@@ -168,7 +168,7 @@ Regions regions_of(const Context& context, const DataValue& outline, double unit
   RepairOptions options;
   options.tol = context.options.tol;
   options.where = context.file;
-  options.open_curves = context.options.open_curves;
+  options.open_curves = context.options.open_curves.value_or(OpenCurves::kRefuse);
   options.find_arcs = context.options.find_arcs.value_or(false);
   std::vector<RawCurve> curves = curves_of(context, outline, unit);
   refuse_islands_outside(context, outline, curves);

@@ -234,13 +234,14 @@ class Joiner {
         used[static_cast<std::size_t>(at / 2)] = true;
         skipped += length(ends.curve(at).edges);
       }
-      diagnostics_.skip(
-          options_.where + " at " + place_text(ends.at(end)),
-          "an open curve of " + short_number(skipped) + " mm (" + ends.curve(end).source + ") was left out");
+      diagnostics_.skip(options_.where + " at " + place_text(ends.at(end)),
+                        "an open curve of " + short_number(skipped) + " mm (" + ends.curve(end).source +
+                            ") was left out" + gap_beside(ends, mate, end));
     }
   }
 
-  [[noreturn]] void refuse(const Ends& ends, const std::vector<int>& mate, int end) const {
+  /// "; the nearest open end is ..." or nothing.
+  std::string gap_beside(const Ends& ends, const std::vector<int>& mate, int end) const {
     int nearest_end = kUnmatched;
     double nearest_gap = 0;
     for (int other = 0; other < ends.count(); ++other) {
@@ -251,14 +252,19 @@ class Joiner {
         nearest_gap = gap;
       }
     }
-    std::string what =
-        "the outline is open at " + place_text(ends.at(end)) + " (" + ends.curve(end).source + "): ";
-    if (nearest_end != kUnmatched) {
-      what += "the nearest open end is " + short_number(nearest_gap) + " mm away at " +
-              place_text(ends.at(nearest_end)) + ", the join gap is " + short_number(options_.tol.join_gap) +
-              " mm; ";
-    }
-    throw InputError(options_.where, what + "close it in the drawing, or leave its layer out");
+    if (nearest_end == kUnmatched) return "";
+    return ": the nearest open end is " + short_number(nearest_gap) + " mm away at " +
+           place_text(ends.at(nearest_end)) + ", the join gap is " + short_number(options_.tol.join_gap) +
+           " mm";
+  }
+
+  [[noreturn]] void refuse(const Ends& ends, const std::vector<int>& mate, int end) const {
+    const std::string gap = gap_beside(ends, mate, end);
+    throw InputError(options_.where,
+                     "the outline is open at " + place_text(ends.at(end)) + " (" + ends.curve(end).source +
+                         ")" + gap + (gap.empty() ? ": " : "; ") +
+                         "close it in the drawing, widen the gap that is joined (--join-gap), "
+                         "or leave open lines out (--open-curves skip)");
   }
 
   /// mm. Gaps below this are rounding: mended without a word.

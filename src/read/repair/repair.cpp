@@ -74,6 +74,7 @@ Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagn
   std::vector<RawLoop> loops = join(clean(std::move(curves), options, diagnostics), options, diagnostics);
   trim_joints(loops, options, diagnostics);
   loops = without_thin(std::move(loops), options, diagnostics);
+  if (loops.empty() && !nothing_drawn && options.may_be_empty) return {};
   if (loops.empty()) {
     throw InputError(options.where, nothing_drawn
                                         ? "no closed outline found; draw the pocket as a closed curve"

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/format.h"
+#include "model/not_machined.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/parts.h"
 #include "read/stepnc/regions.h"
@@ -88,6 +89,16 @@ class Reader {
   std::optional<InputError> first_error_;
 };
 
+/// As the file calls it, else its kind and number.
+std::string name_of_feature(const Node& feature) {
+  try {
+    const std::string name = feature.text(0);
+    return name.empty() ? feature.label() : name;
+  } catch (const InputError&) {
+    return feature.label();  // its name is no text
+  }
+}
+
 /// Reads the feature of every workingstep once; what fails is remembered for its workingsteps.
 void Reader::draft_features() {
   const Members members(context_);
@@ -115,8 +126,8 @@ void Reader::draft_members(const Node& feature, const std::vector<Member>& membe
   }
   if (drafts.empty()) throw errors.front();
   for (const InputError& error : errors)
-    context_.diagnostics.skip(context_.file.place(feature.line()),
-                              "a part of " + feature.label() + " is left out: " + within_file(error));
+    say_not_machined(context_.diagnostics, context_.file.place(feature.line()), name_of_feature(feature),
+                     "a part of " + feature.label() + " is left out: " + within_file(error));
   drafts_of_[feature.id()] = std::move(drafts);
 }
 
@@ -222,8 +233,9 @@ void Reader::report_left_out(const std::vector<std::size_t>& drafts) {
   if (std::all_of(drafts.begin(), drafts.end(), is_bad)) return;
   for (const std::size_t draft : drafts)
     if (is_bad(draft))
-      context_.diagnostics.skip(context_.file.place(drafts_[draft].node.line()),
-                                "a part is left out: " + within_file(bad_drafts_.at(draft)));
+      say_not_machined(context_.diagnostics, context_.file.place(drafts_[draft].node.line()),
+                       name_of_feature(drafts_[draft].node),
+                       "a part is left out: " + within_file(bad_drafts_.at(draft)));
 }
 
 void Reader::make_feature(std::size_t index) {
@@ -261,9 +273,12 @@ std::string Reader::within_file(const InputError& error) const {
 
 void Reader::leave_out(const Node& step, const InputError& error) {
   if (!first_error_) first_error_ = error;
-  context_.diagnostics.skip(context_.file.place(step.line()), "workingstep #" + std::to_string(step.id()) +
-                                                                  " '" + step.text(0) +
-                                                                  "' is left out: " + within_file(error));
+  const auto feature = step.sound_ref(2);
+  const std::string own = step.text(0).empty() ? "workingstep #" + std::to_string(step.id()) : step.text(0);
+  say_not_machined(context_.diagnostics, context_.file.place(step.line()),
+                   feature ? name_of_feature(*feature) : own,
+                   "workingstep #" + std::to_string(step.id()) + " '" + step.text(0) +
+                       "' is left out: " + within_file(error));
 }
 
 void Reader::make_workingsteps(const Tools& tools) {

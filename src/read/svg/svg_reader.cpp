@@ -61,12 +61,23 @@ class SvgCollector {
         options_.unit ? std::optional(require_unit(*options_.unit, "unit")) : std::nullopt);
     physical_ = page.physical;
     Inherited start;
-    start.map = page.to_mm;
+    start.map = Affine::scaling(options_.scale, options_.scale) * page.to_mm;
     start.view = {page.view_width, page.view_height};
     take(root, start, 0, true);
   }
 
   std::vector<DrawnGroup> take_groups() { return std::move(groups_); }
+
+  /// Throws where no layer that was asked for has shapes.
+  void refuse_unknown_layers() const {
+    const bool found = std::any_of(groups_.begin(), groups_.end(),
+                                   [](const DrawnGroup& group) { return !group.curves.empty(); });
+    if (options_.layers.empty() || found || not_chosen_.empty()) return;
+    std::string names;
+    for (const auto& [name, count] : not_chosen_) names += (names.empty() ? "" : ", ") + printable(name);
+    throw InputError(file_, "no layer is called '" + printable(options_.layers.front()) +
+                                "'; the drawing has the layers " + names);
+  }
 
   void report() const {
     if (!physical_) warn_of_pixels();
@@ -225,18 +236,20 @@ class SvgCollector {
         throw InputError(place(node), "transform '" + printable(text) + "' is not understood; correct it");
       own.map = own.map * *transform;
     }
-    if (name == "g") inherit_layer(node, own);
+    if (name == "g" || is_svg_shape(name)) inherit_layer(node, name, own);
     if (const auto depth = length_attribute(node, "data-depth")) own.depth = depth;
     if (const auto top = length_attribute(node, "data-top")) own.top = top;
   }
 
-  void inherit_layer(const pugi::xml_node& node, Inherited& own) const {
+  void inherit_layer(const pugi::xml_node& node, std::string_view name, Inherited& own) const {
     std::string_view label = attribute(node, "inkscape:label");
     if (label.empty()) label = attribute(node, "id");
     if (label.empty()) return;
-    own.layer = label;
     const LayerMeaning meaning = meaning_of_layer(label);
-    if (meaning.role != LayerRole::kPocket) own.role = meaning.role;
+    // Every shape has an id; only one that says a role is more than a number.
+    if (name != "g" && !meaning.says_role) return;
+    own.layer = label;
+    if (meaning.says_role) own.role = meaning.role;
     if (meaning.depth) own.depth = meaning.depth;
     if (meaning.top) own.top = meaning.top;
     own.chosen =
@@ -302,6 +315,7 @@ class SvgCollector {
     group.name = own.layer.empty() ? "pocket" : own.layer;
     group.where = own.layer.empty() ? file_ : file_ + ": layer " + printable(own.layer);
     group.role = own.role.value_or(LayerRole::kPocket);
+    group.says_role = own.role.has_value();
     group.depth = own.depth;
     group.top = own.top;
     apply_rules(options_.layer_rules, own.layer, group);
@@ -353,8 +367,11 @@ Part read_svg(std::string_view text, const std::string& file_name, const ReadOpt
   part.source_file = file_name;
   SvgCollector collector(text, file_name, options, part.diagnostics);
   collector.collect(root);
+  collector.refuse_unknown_layers();
   collector.report();
-  add_drawn_features(part, collector.take_groups(), options);
+  std::vector<DrawnGroup> groups = collector.take_groups();
+  question_size(groups, file_name, options);
+  add_drawn_features(part, std::move(groups), options);
   return part;
 }
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/format.h"
+#include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/tools/formats.h"
 
@@ -68,6 +69,13 @@ LibraryTool tool_of_section(DataSection section) {
   out.presets = presets_of(section);
   section.refuse_unknown();
   return out;
+}
+
+const CuttingPreset* preset_of(const LibraryTool& tool, const std::string& name) {
+  for (const CuttingPreset& preset : tool.presets) {
+    if (name.empty() || matches(name, preset.name)) return &preset;
+  }
+  return nullptr;
 }
 
 void settle(ToolLibrary& library, const std::string& where) {

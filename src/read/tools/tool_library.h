@@ -48,6 +48,9 @@ ToolLibrary read_tool_library(const std::filesystem::path& file, const ToolOptio
 ToolLibrary read_tool_library_text(std::string_view text, const std::string& file_name,
                                    const ToolOptions& options);
 
+/// The tool's preset of that name (* for anything, any case), or its first; null where it has none.
+const CuttingPreset* preset_of(const LibraryTool& tool, const std::string& name);
+
 /// One [[tool]] of our own format.
 LibraryTool tool_of_section(DataSection section);
 

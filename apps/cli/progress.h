@@ -1,0 +1,41 @@
+// A line on standard error about work that takes more than a second.
+#pragma once
+
+#include <clearcut/error.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace clearcut::cli {
+
+/// While it lives: after a second (three where no terminal shows it), what is being done, how far it is, and how long it may still take, on one line that is renewed on
+/// a terminal, every five seconds on a line of its own elsewhere. Says `hint` once, when it begins to say anything.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string hint);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  /// For the options of a plan; not to be called after this object's end.
+  ProgressCallback callback();
+
+ private:
+  void watch();
+  void show(double elapsed_s);
+  void hear(const Progress& at);
+
+  std::string hint_;
+  bool terminal_;
+  std::mutex mutex_;
+  std::condition_variable stop_;
+  bool stopped_ = false;
+  bool shown_ = false;
+  std::optional<Progress> at_;
+  double began_s_;  ///< when this stage began
+  std::thread watcher_;
+};
+
+}  // namespace clearcut::cli

@@ -1,0 +1,13 @@
+// Options that take quantities with units.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace clearcut::cli {
+
+/// Turns "0.25in" and "6mm" into millimetres, "40in/min" into mm/min, "40%" into a fraction; refuses other text.
+CLI::Validator as_length();
+CLI::Validator as_feed();
+CLI::Validator as_stepover();
+
+}  // namespace clearcut::cli

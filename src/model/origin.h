@@ -1,0 +1,48 @@
+// Where a value of a plan comes from.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "model/part.h"
+
+namespace clearcut::inline model {
+
+enum class Origin {
+  kUser,         ///< an option of the command line or of the caller
+  kJobFile,      ///< a key of a job file
+  kPart,         ///< the part's own file
+  kToolLibrary,  ///< a preset of a tool library
+  kMachineFile,  ///< a key of a machine file
+  kDefault,      ///< nobody said anything
+  kDerived       ///< follows from other values
+};
+/// "user", "job file", "part", "tool library", "machine file", "default", "derived".
+const char* name_of(Origin origin);
+
+/// An origin with the place or the reason in words: "--feed", "job.toml:12", "fishhead.p21 #123", "30 % of the feed".
+struct Source {
+  Origin origin = Origin::kDefault;
+  std::string text;
+};
+
+/// The sources of values by their names, which are those of the options: "feed", "allowance-floor".
+class Sources {
+ public:
+  void set(const std::string& name, Source source) { all_[name] = std::move(source); }
+  /// Null where none is known.
+  const Source* find(const std::string& name) const;
+  /// Those of `other` go before these.
+  void merge(const Sources& other);
+
+ private:
+  std::map<std::string, Source> all_;
+};
+
+/// The sources of the values of workingsteps, by step_key().
+using StepSources = std::map<std::string, Sources>;
+
+/// What tells workingsteps apart: where they were read and their names.
+std::string step_key(const Workingstep& step);
+
+}  // namespace clearcut::inline model

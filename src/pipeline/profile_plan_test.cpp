@@ -1,0 +1,276 @@
+// Drawings with roles through the whole way: read, planned, certified, and what wrong programs are called.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "base/units.h"
+#include "pipeline/run.h"
+#include "read/read_part.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string rectangle(const std::string& layer, double x0, double y0, double x1, double y1) {
+  const auto point = [](double x, double y) {
+    return "10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n";
+  };
+  return "0\nLWPOLYLINE\n8\n" + layer + "\n90\n4\n70\n1\n" + point(x0, y0) + point(x1, y0) + point(x1, y1) +
+         point(x0, y1);
+}
+
+std::string circle(const std::string& layer, double x, double y, double r) {
+  return "0\nCIRCLE\n8\n" + layer + "\n10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n40\n" +
+         std::to_string(r) + "\n";
+}
+
+std::string line(const std::string& layer, double x0, double y0, double x1, double y1) {
+  return "0\nLINE\n8\n" + layer + "\n10\n" + std::to_string(x0) + "\n20\n" + std::to_string(y0) + "\n11\n" +
+         std::to_string(x1) + "\n21\n" + std::to_string(y1) + "\n";
+}
+
+std::string dxf(const std::string& entities) {
+  return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities +
+         "0\nENDSEC\n0\nEOF\n";
+}
+
+/// A plate of 80 x 50 mm with a pocket and two holes.
+std::string plate(const std::string& edge, const std::string& pocket, const std::string& holes) {
+  return dxf(rectangle(edge, 0, 0, 80, 50) + rectangle(pocket, 20, 15, 60, 35) + circle(holes, 8, 8, 3) +
+             circle(holes, 72, 42, 3));
+}
+
+read::ReadOptions asking(double depth = 0) {
+  read::ReadOptions options;
+  options.ask_if_unclear = true;
+  if (depth > 0) options.depth = depth;
+  return options;
+}
+
+resolve::PlanOptions with_mill(const std::string& tool, int tabs = 0) {
+  resolve::PlanOptions options;
+  options.tools = {resolve::parse_tool(tool)};
+  options.strategy = "contour";
+  options.tabs.count = tabs;
+  return options;
+}
+
+std::string faults_of(const Findings& findings) {
+  std::string text;
+  for (const Fault& fault : findings.faults)
+    text += std::string(name_of(fault.kind)) + ": " + fault.text + "\n";
+  return text;
+}
+
+bool has(const Findings& findings, FaultKind kind) {
+  return std::any_of(findings.faults.begin(), findings.faults.end(),
+                     [&](const Fault& fault) { return fault.kind == kind; });
+}
+
+std::string refusal(const std::string& text, const read::ReadOptions& options) {
+  try {
+    read::read_part_text(text, "plate.dxf", options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+read::LayerRule asked(read::LayerRole role, const std::string& pattern) {
+  read::LayerRule rule;
+  rule.role = role;
+  rule.pattern = pattern;
+  rule.asked = true;
+  return rule;
+}
+
+TEST(DrawingRoles, NamesOfLayersSayWhatOutlinesAreFor) {
+  const Part part = read::read_part_text(plate("PROFILE_D6", "POCKET_D3", "DRILL_D6"), "plate.dxf", asking());
+  ASSERT_EQ(part.features.size(), 4u);
+  EXPECT_EQ(part.features[0].kind, FeatureKind::kClosedPocket);
+  EXPECT_EQ(part.features[1].kind, FeatureKind::kRoundHole);
+  EXPECT_EQ(part.features[3].kind, FeatureKind::kOutsideProfile);
+  EXPECT_EQ(part.features[3].floor_z, -6);
+}
+
+TEST(DrawingRoles, AnOuterOutlineThatHoldsOthersIsAskedAbout) {
+  const std::string text = plate("0", "0", "0");
+  const std::string question = refusal(text, asking(6));
+  EXPECT_THAT(question, HasSubstr("80 x 50 mm (layer 0) holds 3 others"));
+  EXPECT_THAT(question, HasSubstr("--op profile:outer"));
+  EXPECT_THAT(question, HasSubstr("--op pocket:outer"));
+  auto options = asking(6);
+  options.layer_rules = {asked(read::LayerRole::kPocket, "outer")};
+  EXPECT_EQ(read::read_part_text(text, "plate.dxf", options).features.size(), 1u);
+  options.layer_rules = {asked(read::LayerRole::kProfile, "outer")};
+  EXPECT_EQ(read::read_part_text(text, "plate.dxf", options).features.size(), 4u);
+  options.layer_rules = {asked(read::LayerRole::kProfile, "NO_SUCH")};
+  EXPECT_THAT(refusal(text, options), HasSubstr("no layer or outline is called 'NO_SUCH'"));
+  // The layer of the edge alone says nothing, too.
+  EXPECT_THAT(refusal(plate("0", "POCKET_D3", "DRILL_D6"), asking(6)), HasSubstr("holds 3 others"));
+  // One outline alone is a pocket as ever.
+  EXPECT_EQ(refusal(dxf(rectangle("0", 0, 0, 80, 50)), asking(6)), "");
+}
+
+TEST(DrawingRoles, ProfilesNestAcrossLayers) {
+  const Part part =
+      read::read_part_text(plate("PERIMETER_D6", "CUTOUTS_D6", "CUTOUTS_D6"), "plate.dxf", asking());
+  ASSERT_EQ(part.features.size(), 4u);
+  EXPECT_EQ(part.features[0].kind, FeatureKind::kInsideProfile);
+  EXPECT_EQ(part.features[2].kind, FeatureKind::kInsideProfile);
+  EXPECT_EQ(part.features[3].kind, FeatureKind::kOutsideProfile);
+}
+
+TEST(DrawingRoles, OverlappingLayersOfOneDepthAreMilledOnce) {
+  const std::string text =
+      dxf(rectangle("INNER_D3", 10, 10, 30, 30) + rectangle("AREA_POCKET_D3", 0, 0, 40, 40));
+  EXPECT_EQ(read::read_part_text(text, "plate.dxf", asking()).features.size(), 1u);
+  const std::string crossing = dxf(rectangle("A_D3", 0, 0, 20, 20) + rectangle("B_D3", 10, 0, 30, 20));
+  const Part part = read::read_part_text(crossing, "plate.dxf", asking());
+  ASSERT_EQ(part.features.size(), 2u);
+  EXPECT_NEAR(area(part.features[0].target) + area(part.features[1].target), 600, 0.1);
+}
+
+TEST(DrawingRoles, NumbersChooseOutlines) {
+  auto options = asking(6);
+  read::DrawingOverview overview;
+  options.overview = &overview;
+  read::read_part_text(plate("0", "0", "0"), "plate.dxf", options);
+  ASSERT_EQ(overview.outlines.size(), 4u);
+  EXPECT_EQ(overview.outlines[0].number, 1);
+  EXPECT_THAT(overview.question, HasSubstr("--op profile:outer"));
+  options.overview = nullptr;
+  options.layer_rules = {asked(read::LayerRole::kProfile, "1"), asked(read::LayerRole::kInside, "2")};
+  const Part part = read::read_part_text(plate("0", "0", "0"), "plate.dxf", options);
+  EXPECT_EQ(part.features.back().kind, FeatureKind::kOutsideProfile);
+  EXPECT_EQ(part.features[part.features.size() - 2].kind, FeatureKind::kInsideProfile);
+  options.layer_rules = {asked(read::LayerRole::kProfile, "9")};
+  EXPECT_THAT(refusal(plate("0", "0", "0"), options), HasSubstr("there is no outline 9"));
+}
+
+TEST(DrawingRoles, OddSizesAndOpenLinesAreQuestioned) {
+  EXPECT_THAT(refusal(dxf(rectangle("0", 0, 0, 3700, 2000)), asking(6)), HasSubstr("larger than 2 m"));
+  EXPECT_THAT(refusal(dxf(rectangle("0", 0, 0, 0.5, 0.4)), asking(0.1)), HasSubstr("smaller than 1 mm"));
+  const std::string open = dxf(rectangle("POCKET", 0, 0, 40, 30) + line("CENTRE", -5, 15, 45, 15));
+  EXPECT_THAT(refusal(open, asking(6)), HasSubstr("--open-curves skip"));
+  auto options = asking(6);
+  options.open_curves = read::OpenCurves::kSkip;
+  EXPECT_EQ(read::read_part_text(open, "plate.dxf", options).features.size(), 1u);
+}
+
+TEST(Profiles, APlateIsCutOutLast) {
+  const Part part =
+      read::read_part_text(plate("PROFILE_D6", "POCKET_D3", "INSIDE_D6"), "plate.dxf", asking());
+  const auto result = plan_part(part, with_mill("endmill:4"));
+  EXPECT_TRUE(result.findings.all.clean) << faults_of(result.findings);
+  EXPECT_EQ(result.toolpath.sections.size(), 4u);
+  const Section& last = result.toolpath.sections.back();
+  for (const Move& move : last.moves) {
+    if (is_rapid(move.kind) || move.z_to >= 0) continue;
+    // Outside the plate by the cutter's radius all along.
+    const Box plate_box{{0, 0}, {80, 50}};
+    EXPECT_NEAR(plate_box.distance_to(move.path.at(0.5)), 2, 0.003);
+  }
+}
+
+TEST(Profiles, InsideAndOnTheLine) {
+  const Part part =
+      read::read_part_text(dxf(rectangle("INSIDE_D4", 0, 0, 60, 40) + line("ENGRAVE_D0.5", 70, 0, 90, 30) +
+                               line("ENGRAVE_D0.5", 90, 30, 110, 0) + circle("ENGRAVE_D0.5", 130, 20, 8)),
+                           "sign.dxf", asking());
+  const auto result = plan_part(part, with_mill("endmill:3"));
+  EXPECT_TRUE(result.findings.all.clean) << faults_of(result.findings);
+}
+
+TEST(Profiles, TwoPartsOfOneSheetLeaveEachOtherAlone) {
+  const Part part = read::read_part_text(
+      dxf(rectangle("PROFILE_D4", 0, 0, 40, 30) + rectangle("PROFILE_D4", 47, 0, 87, 30)), "two.dxf",
+      asking());
+  const auto result = plan_part(part, with_mill("endmill:6"));
+  EXPECT_TRUE(result.findings.all.clean) << faults_of(result.findings);
+}
+
+TEST(Tabs, StandAtTheirPlacesAndHeights) {
+  const Part part = read::read_part_text(plate("PROFILE_D6", "POCKET_D3", "DRILL_D6"), "plate.dxf", asking());
+  const auto result = plan_part(part, with_mill("endmill:4", 4));
+  EXPECT_TRUE(result.findings.all.clean) << faults_of(result.findings);
+  const auto found = std::find_if(result.part.features.begin(), result.part.features.end(),
+                                  [](const Feature& f) { return f.profile && !f.profile->tabs.empty(); });
+  ASSERT_NE(found, result.part.features.end());
+  EXPECT_EQ(found->profile->tabs.size(), 4u);
+  for (const Tab& tab : found->profile->tabs) EXPECT_NEAR(tab.top_z, -4, 1e-9);
+}
+
+TEST(Tabs, WrongProgramsAreFaultyByName) {
+  const Part part = read::read_part_text(dxf(rectangle("PROFILE_D6", 0, 0, 80, 50)), "plate.dxf", asking());
+  const std::string without = plan_part(part, with_mill("endmill:4")).program;
+  EXPECT_TRUE(has(check_program(part, without, "without.ngc", with_mill("endmill:4", 4)).findings,
+                  FaultKind::kMissingTab));
+  auto low = with_mill("endmill:4", 4), high = with_mill("endmill:4", 4);
+  low.tabs.height = 1.5;
+  high.tabs.height = 2.5;
+  const std::string right = plan_part(part, with_mill("endmill:4", 4)).program;
+  EXPECT_TRUE(check_program(part, right, "right.ngc", with_mill("endmill:4", 4)).findings.all.clean);
+  for (const auto& other : {low, high}) {
+    const auto findings = check_program(part, right, "right.ngc", other).findings;
+    EXPECT_TRUE(has(findings, FaultKind::kTabHeight)) << faults_of(findings);
+  }
+}
+
+/// A star of `count` corners about (0, 0), some of its sides bulging.
+std::string star(const std::string& layer, int count, Random& random) {
+  std::string text = "0\nLWPOLYLINE\n8\n" + layer + "\n90\n" + std::to_string(count) + "\n70\n1\n";
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * kPi * i / count, radius = random.between(25, 45);
+    text += "10\n" + std::to_string(radius * std::cos(angle)) + "\n20\n" +
+            std::to_string(radius * std::sin(angle)) + "\n";
+    if (random.unit() < 0.3) text += "42\n" + std::to_string(random.between(-0.15, 0.15)) + "\n";
+  }
+  return text;
+}
+
+/// Right: the program is clean, whatever the outline, side, cutter and tabs. Cannot see: whether the kerf is the right one,
+/// which the plate above shows.
+TEST(Profiles, RandomOutlinesAreClean) {
+  Random random(7);
+  int held = 0;
+  for (int i = 0; i < 40; ++i) {
+    const bool inside = i % 3 == 0;
+    const std::string text = dxf(star(inside ? "INSIDE_D4" : "PROFILE_D4", 5 + i % 12, random));
+    const Part part = read::read_part_text(text, "star.dxf", asking());
+    auto options = with_mill("endmill:" + std::to_string(1 + i % 6), i % 4);
+    options.tabs.width = 2;
+    try {
+      const auto result = plan_part(part, options);
+      EXPECT_TRUE(result.findings.all.clean) << i << ": " << faults_of(result.findings);
+      held += i % 4 > 0 ? 1 : 0;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("tabs of 2 mm fit")) << i;
+    }
+  }
+  EXPECT_GT(held, 15);
+}
+
+TEST(Tabs, AreRefusedWhereTheyDoNotFit) {
+  const Part part = read::read_part_text(dxf(rectangle("PROFILE_D6", 0, 0, 8, 8)), "small.dxf", asking());
+  EXPECT_THROW(plan_part(part, with_mill("endmill:4", 4)), InputError);
+}
+
+TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
+  const Part part = read::read_part_text(
+      dxf(rectangle("POCKET_D2", 0, 0, 40, 30) + rectangle("POCKET_D2", 50, 0, 90, 30)), "two.dxf", asking());
+  const auto result = plan_part(part, with_mill("endmill:10"));
+  ASSERT_EQ(result.conditions.size(), 2u);
+  EXPECT_EQ(result.conditions[0].name, "out-of-reach");
+  EXPECT_THAT(result.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
+  EXPECT_THAT(result.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
+}
+
+}  // namespace
+}  // namespace clearcut::pipeline

@@ -1,0 +1,39 @@
+#include "plan/adaptive/entry.h"
+
+#include <cmath>
+
+#include "plan/adaptive/adaptive.h"
+#include "plan/common/layers.h"
+
+namespace clearcut::plan::adaptive {
+namespace {
+
+Strategy make(const StrategyRequest& request) {
+  AdaptiveOptions options;
+  if (request.plan.engagement_deg) options.engagement = Radians::of_degrees(*request.plan.engagement_deg);
+  options.start = request.plan.start;
+  options.cancel = request.plan.cancel;
+  options.widest_helix = request.step.helix_widest;
+  return once_per_outline(
+      [options, tol = request.plan.tol](const Layer& layer) { return plan_adaptive(layer, options, tol); });
+}
+
+double least_length(const ClearedSize& size, double radius) {
+  return size.reached_mm2 / (radius * (1 - std::cos(AdaptiveOptions{}.engagement.radians())));
+}
+
+}  // namespace
+
+StrategyEntry entry() {
+  StrategyEntry entry;
+  entry.name = "adaptive";
+  entry.description = "engagement limited, spiral and arcs";
+  entry.make = make;
+  entry.in_auto = AutoUse::kTried;
+  entry.limits_engagement = true;
+  entry.takes_stepover = false;
+  entry.least_length = least_length;
+  return entry;
+}
+
+}  // namespace clearcut::plan::adaptive

@@ -1,0 +1,10 @@
+// The row of this strategy in the table of strategies.
+#pragma once
+
+#include "model/strategy_entry.h"
+
+namespace clearcut::plan::adaptive {
+
+StrategyEntry entry();
+
+}  // namespace clearcut::plan::adaptive

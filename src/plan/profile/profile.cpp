@@ -1,0 +1,89 @@
+#include "plan/profile/profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/clearance.h"
+#include "plan/common/rings.h"
+
+namespace clearcut::plan::profile {
+namespace {
+
+/// mm. Nearer than this to its place beside the outline an edge belongs to the profile.
+constexpr double kOnContour = 1e-3;
+
+double distance_to(const Path& line, Vec2 p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : line) least = std::min(least, distance(edge, p));
+  return least;
+}
+
+bool runs_at(const Edge& edge, const Path& line, double reach) {
+  const auto is_there = [&](double t) {
+    return std::abs(distance_to(line, edge.at(t)) - reach) < kOnContour;
+  };
+  return is_there(0.5) && is_there(0.1) && is_there(0.9);
+}
+
+void add(Path path, bool closed, double offset, LayerPasses& result) {
+  Pass pass;
+  pass.path = std::move(path);
+  pass.closed = closed;
+  pass.offset = offset;
+  // Along a wall the side of the material decides.
+  pass.reversible = false;
+  pass.may_cut_to_start = false;
+  pass.component = static_cast<int>(result.legal.size());
+  result.passes.push_back(std::move(pass));
+}
+
+/// Stretches of a loop of the legal area that run beside the outline.
+void add_runs(const Loop& loop, const Path& line, double reach, LayerPasses& result) {
+  std::vector<char> own;
+  for (const Edge& edge : loop) own.push_back(runs_at(edge, line, reach) ? 1 : 0);
+  const auto first_gap = std::find(own.begin(), own.end(), 0);
+  if (first_gap == own.end()) return add(loop, true, reach, result);
+  const auto offset = static_cast<std::size_t>(first_gap - own.begin());
+  Path run;
+  for (std::size_t k = 1; k <= loop.size(); ++k) {
+    const std::size_t i = (offset + k) % loop.size();
+    if (own[i]) {
+      run.push_back(loop[i]);
+    } else if (!run.empty()) {
+      add(std::move(run), false, reach, result);
+      run.clear();
+    }
+  }
+}
+
+}  // namespace
+
+LayerPasses plan_profile(const Layer& layer, const ProfileCut& cut, const Tolerances& tol) {
+  LayerPasses result;
+  result.z_top = layer.z_top;
+  result.z = layer.z;
+  result.target = layer.target;
+  result.strategy = "profile";
+  if (cut.side == ProfileSide::kOn) {
+    result.fit_lines.push_back(cut.line);
+    add(cut.line, cut.closed, 0, result);
+    return result;
+  }
+  const double reach = layer.tool_radius + layer.wall_stock;
+  for (const Region& region : layer.allowed) {
+    const Clearance clearance(region, tol);
+    for (const Region& inside : safe_inset(clearance, region, reach, tol)) {
+      add_runs(inside.outer(), cut.line, reach, result);
+      for (const Loop& island : inside.islands()) add_runs(island, cut.line, reach, result);
+      result.legal.push_back(inside);
+    }
+    for (const Path& line : clearance.fit_lines(reach, layer.reserve)) {
+      result.fit_lines.push_back(line);
+      add(line, false, reach, result);
+    }
+  }
+  return result;
+}
+
+}  // namespace clearcut::plan::profile

@@ -1,0 +1,14 @@
+// The row of this strategy in the table of strategies.
+#pragma once
+
+#include <functional>
+
+#include "model/strategy_entry.h"
+#include "plan/tour/tour.h"
+
+namespace clearcut::plan::tour {
+
+/// `solver_for` makes the search that puts the grid in order.
+StrategyEntry entry(std::function<TourSolver(const StrategyRequest&)> solver_for);
+
+}  // namespace clearcut::plan::tour

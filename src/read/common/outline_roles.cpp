@@ -1,0 +1,282 @@
+#include "read/common/outline_roles.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "read/common/text.h"
+#include "read/read_part.h"
+#include "read/repair/nesting.h"
+
+namespace clearcut::read {
+namespace {
+
+constexpr std::array<std::pair<const char*, LayerRole>, 10> kRoleNames{{{"pocket", LayerRole::kPocket},
+                                                                        {"profile", LayerRole::kProfile},
+                                                                        {"inside", LayerRole::kInside},
+                                                                        {"drill", LayerRole::kHole},
+                                                                        {"engrave", LayerRole::kEngrave},
+                                                                        {"chamfer", LayerRole::kChamfer},
+                                                                        {"face", LayerRole::kFace},
+                                                                        {"island", LayerRole::kIsland},
+                                                                        {"stock", LayerRole::kStock},
+                                                                        {"ignore", LayerRole::kIgnore}}};
+
+/// One closed outline among all of a drawing.
+struct Outline {
+  Loop loop;
+  std::size_t group = 0;
+  std::vector<int> about;  ///< outlines it lies in, from the largest
+};
+
+std::vector<Outline> outlines_of(const std::vector<ShapedGroup>& groups) {
+  std::vector<Outline> outlines;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (const Region& region : groups[i].regions) {
+      outlines.push_back({region.outer(), i, {}});
+      for (const Loop& island : region.islands()) outlines.push_back({island, i, {}});
+    }
+  }
+  std::vector<Loop> loops;
+  for (const Outline& outline : outlines) loops.push_back(outline.loop);
+  const auto about = loops_about(loops);
+  for (std::size_t i = 0; i < outlines.size(); ++i) outlines[i].about = about[i];
+  return outlines;
+}
+
+bool holds_others(const std::vector<Outline>& outlines, std::size_t index) {
+  return std::any_of(outlines.begin(), outlines.end(), [&](const Outline& other) {
+    return std::find(other.about.begin(), other.about.end(), static_cast<int>(index)) != other.about.end();
+  });
+}
+
+/// The outermost outlines that hold others; where none does, all outermost ones.
+std::set<std::size_t> outer_ones(const std::vector<Outline>& outlines) {
+  std::set<std::size_t> outer, holding;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (!outlines[i].about.empty()) continue;
+    outer.insert(i);
+    if (holds_others(outlines, i)) holding.insert(i);
+  }
+  return holding.empty() ? outer : holding;
+}
+
+/// Numbers of outlines from 1, parted by commas; nothing when the text is anything else.
+std::optional<std::vector<int>> numbers_of(const std::string& text) {
+  std::vector<int> numbers;
+  const char* at = text.data();
+  const char* end = at + text.size();
+  while (true) {
+    int number = 0;
+    const auto [next, error] = std::from_chars(at, end, number);
+    if (error != std::errc{} || number < 1) return std::nullopt;
+    numbers.push_back(number);
+    if (next == end) return numbers;
+    if (*next != ',') return std::nullopt;
+    at = next + 1;
+  }
+}
+
+std::optional<std::set<std::size_t>> chosen_by(const LayerRule& rule, const std::vector<Outline>& outlines) {
+  if (capitals(rule.pattern) == "OUTER") return outer_ones(outlines);
+  const auto numbers = numbers_of(rule.pattern);
+  if (!numbers) return std::nullopt;
+  std::set<std::size_t> chosen;
+  for (const int number : *numbers) {
+    if (number > static_cast<int>(outlines.size())) {
+      throw InputError("--op", "there is no outline " + std::to_string(number) + ", the drawing has " +
+                                   std::to_string(outlines.size()) + "; `clearcut info` lists them");
+    }
+    chosen.insert(static_cast<std::size_t>(number - 1));
+  }
+  return chosen;
+}
+
+[[noreturn]] void refuse_unmatched(const LayerRule& rule, const std::vector<std::string>& layers) {
+  std::string known;
+  for (const std::string& layer : layers) known += (known.empty() ? "" : ", ") + printable(layer);
+  throw InputError("--op", "no layer or outline is called '" + printable(rule.pattern) +
+                               "'; write the name of a layer (" + known +
+                               "), the number of an outline as `clearcut info` lists them, or outer");
+}
+
+/// Outlines of one rule leave their groups for a new one.
+void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::vector<Outline>& outlines,
+              std::vector<ShapedGroup>& groups) {
+  ShapedGroup moved;
+  const DrawnGroup& first = groups[outlines[*chosen.begin()].group].group;
+  moved.group.name = name_of(*rule.role);
+  moved.group.where = first.where;
+  moved.group.role = *rule.role;
+  moved.group.says_role = true;
+  moved.group.depth = rule.depth ? rule.depth : first.depth;
+  moved.group.top = rule.top ? rule.top : first.top;
+  std::vector<Loop> loops;
+  for (const std::size_t i : chosen) {
+    loops.push_back(outlines[i].loop);
+    outlines[i].group = groups.size();
+  }
+  moved.regions = nested(loops);
+  groups.push_back(std::move(moved));
+}
+
+/// Regions of a group from the outlines that are still its own.
+void renest(const std::vector<Outline>& outlines, std::size_t group, ShapedGroup& shaped) {
+  std::vector<Loop> loops;
+  for (const Outline& outline : outlines) {
+    if (outline.group == group) loops.push_back(outline.loop);
+  }
+  shaped.regions = nested(loops);
+}
+
+/// Whether an option or rule that names outlines was used.
+bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>& outlines,
+                         const std::vector<std::string>& layers, const ReadOptions& options) {
+  bool any = false;
+  for (const LayerRule& rule : options.layer_rules) {
+    const bool is_layer = std::any_of(layers.begin(), layers.end(),
+                                      [&](const std::string& layer) { return matches(rule.pattern, layer); });
+    if (is_layer || !rule.role) continue;
+    const auto chosen = chosen_by(rule, outlines);
+    if (!chosen) {
+      if (rule.asked && rule.pattern.substr(0, 1) != "#") refuse_unmatched(rule, layers);
+      continue;
+    }
+    any = true;
+    // The outermost as a pocket is what nesting gives.
+    if (chosen->empty() || (capitals(rule.pattern) == "OUTER" && *rule.role == LayerRole::kPocket)) continue;
+    std::set<std::size_t> touched;
+    for (const std::size_t i : *chosen) touched.insert(outlines[i].group);
+    move_out(rule, *chosen, outlines, groups);
+    for (const std::size_t group : touched) renest(outlines, group, groups[group]);
+  }
+  return any;
+}
+
+/// Index of the one outermost outline that holds others and of which nothing says what it is.
+std::optional<std::size_t> unclear_outline(const std::vector<ShapedGroup>& groups,
+                                           const std::vector<Outline>& outlines) {
+  std::optional<std::size_t> outer;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (!outlines[i].about.empty()) continue;
+    if (outer) return std::nullopt;
+    outer = i;
+  }
+  if (!outer || groups[outlines[*outer].group].group.says_role || !holds_others(outlines, *outer))
+    return std::nullopt;
+  return outer;
+}
+
+std::string question_of(const Outline& outline, std::size_t others, const std::string& layer) {
+  const Box size = box(outline.loop);
+  return "the outline of " + trimmed(size.width(), 2) + " x " + trimmed(size.height(), 2) + " mm (layer " +
+         printable(layer) + ") holds " + std::to_string(others) + (others == 1 ? " other" : " others") +
+         ", and nothing says what it is: --op profile:outer if it is the edge of the part, which is cut out "
+         "along it; "
+         "--op pocket:outer if it is a pocket and the outlines in it are islands";
+}
+
+void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Outline>& outlines,
+                   const ReadOptions& options, DrawingOverview& overview) {
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    const Outline& outline = outlines[i];
+    const DrawnGroup& group = groups[outline.group].group;
+    OutlineSummary one;
+    one.number = static_cast<int>(i) + 1;
+    one.layer = group.name;
+    one.role = name_of(group.role);
+    // By itself every other outline in another of its layer is an island.
+    const auto in_own = std::count_if(outline.about.begin(), outline.about.end(), [&](int j) {
+      const Outline& around = outlines[static_cast<std::size_t>(j)];
+      return around.group == outline.group ||
+             (group.role == LayerRole::kProfile && groups[around.group].group.role == LayerRole::kProfile);
+    });
+    if (group.role == LayerRole::kPocket && in_own % 2 == 1) one.role = "island";
+    if (group.role == LayerRole::kProfile && in_own % 2 == 1) one.role = "inside";
+    if (group.role == LayerRole::kInside && in_own % 2 == 1) one.role = "profile";
+    one.says_role = group.says_role;
+    one.depth = options.depth ? options.depth : group.depth;
+    one.box = box(outline.loop);
+    one.area = std::abs(signed_area(outline.loop));
+    one.diameter = circle_diameter(Region::from_valid_loops(outline.loop, {}), options.tol);
+    one.within = outline.about.empty() ? 0 : outline.about.back() + 1;
+    overview.outlines.push_back(std::move(one));
+  }
+  for (const ShapedGroup& group : groups) overview.lines += static_cast<int>(group.lines.size());
+}
+
+}  // namespace
+
+const char* name_of(LayerRole role) {
+  for (const auto& [name, value] : kRoleNames) {
+    if (value == role) return name;
+  }
+  return "pocket";
+}
+
+LayerRule rule_named(const std::string& kind, const std::string& place) {
+  const LayerMeaning meaning = meaning_of_layer(kind);
+  if (!meaning.says_role) {
+    std::string known;
+    for (const auto& [name, value] : kRoleNames) known += (known.empty() ? "" : ", ") + std::string(name);
+    throw InputError(place, "'" + printable(kind) + "' is no kind of operation; use one of " + known);
+  }
+  LayerRule rule;
+  rule.role = meaning.role;
+  rule.depth = meaning.depth;
+  rule.top = meaning.top;
+  rule.asked = true;
+  return rule;
+}
+
+void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<std::string>& layers,
+                          const ReadOptions& options, const std::string& file) {
+  const bool wanted = options.ask_if_unclear || options.overview || !options.layer_rules.empty();
+  if (!wanted) return;
+  std::vector<Outline> outlines = outlines_of(groups);
+  const bool chosen = apply_outline_rules(groups, outlines, layers, options);
+  const auto unclear = chosen ? std::nullopt : unclear_outline(groups, outlines);
+  if (options.overview) fill_overview(groups, outlines, options, *options.overview);
+  if (!unclear) return;
+  const std::string& layer = groups[outlines[*unclear].group].group.name;
+  const std::string question = question_of(outlines[*unclear], outlines.size() - 1, layer);
+  if (options.overview) options.overview->question = question;
+  if (options.ask_if_unclear && !options.overview) throw InputError(file, question);
+}
+
+std::vector<Path> chained_lines(const std::vector<RawCurve>& curves, double gap) {
+  std::vector<Path> lines;
+  for (const RawCurve& curve : curves) {
+    Path path;
+    for (const Edge& edge : curve.edges) {
+      if (edge.from != edge.to) path.push_back(edge);
+    }
+    if (path.empty()) continue;
+    if (curve.closed && path.back().to != path.front().from) {
+      if (distance(path.back().to, path.front().from) > gap) {
+        path.push_back(Edge::line(path.back().to, path.front().from));
+      }
+    }
+    if (!lines.empty()) {
+      // Drawn one after the other, as most programs write them.
+      Path& last = lines.back();
+      const bool open = distance(last.front().from, last.back().to) > gap;
+      if (open && distance(last.back().to, path.back().to) <= gap) path = reversed(path);
+      if (open && distance(last.back().to, path.front().from) <= gap) {
+        if (last.back().to != path.front().from && !path.front().is_arc()) path.front().from = last.back().to;
+        if (last.back().to == path.front().from) {
+          last.insert(last.end(), path.begin(), path.end());
+          continue;
+        }
+      }
+    }
+    lines.push_back(std::move(path));
+  }
+  return lines;
+}
+
+}  // namespace clearcut::read

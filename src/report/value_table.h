@@ -1,0 +1,14 @@
+// What a plan was made with, and where each value comes from.
+#pragma once
+
+#include <vector>
+
+#include "model/resolved_plan.h"
+#include "report/text_table.h"
+
+namespace clearcut::report {
+
+/// One row a value: those of each workingstep, then those of the whole plan.
+TextTable value_table(const Part& part, const std::vector<ResolvedValue>& values);
+
+}  // namespace clearcut::report

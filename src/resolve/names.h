@@ -1,0 +1,32 @@
+// The names by which options and files choose: the one place that turns them into values.
+#pragma once
+
+#include <string>
+
+#include "model/part.h"
+#include "model/strategy_entry.h"
+
+namespace clearcut::resolve {
+
+/// The row of a strategy; null for "auto". Throws InputError at `place` that lists the names there are.
+const StrategyEntry* strategy_named(const std::string& name, const StrategyTable& strategies,
+                                    const std::string& place);
+
+/// What a strategy that a STEP-NC file names is here: "contour_parallel" is "contour". "" where there is none like it.
+std::string strategy_of_stepnc(const std::string& name);
+
+/// "helix", "ramp", "zigzag", "plunge". Throws InputError at `place`.
+EntryKind entry_named(const std::string& name, const std::string& place);
+const char* name_of(EntryKind entry);
+
+/// "climb", "conventional". Throws InputError at `place`.
+CutDirection direction_named(const std::string& name, const std::string& place);
+const char* name_of(CutDirection direction);
+
+/// "inside-out", "outside-in". Throws InputError at `place`.
+ContourOrder order_named(const std::string& name, const std::string& place);
+const char* name_of(ContourOrder order);
+
+const char* name_of(Finish finish);
+
+}  // namespace clearcut::resolve

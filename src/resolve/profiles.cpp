@@ -1,0 +1,282 @@
+#include "resolve/profiles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "stock/kerf.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm2. What a mill may leave in corners before a smaller one is taken.
+constexpr double kCorners = 1;
+/// mm2. What a boolean leaves of areas that only touch.
+constexpr double kSpeck = 0.01;
+/// Of the cutter's radius: width of the band beside the outline in which leads and ramps may run.
+constexpr double kBand = 3;
+/// mm. How far the cutter's rim may stray from an engraved line's.
+constexpr double kBesideLine = 0.005;
+/// mm. Kerfs end this much before the cutter's widest place beside a tab.
+constexpr double kBeforeTab = 0.02;
+/// mm. Tabs that nobody measured are no higher.
+constexpr double kTabHeight = 2;
+/// Of their depth.
+constexpr double kTabShare = 0.5;
+/// mm along the outline between places that are looked at for a tab.
+constexpr double kTabSearch = 0.5;
+
+Regions within(const ProfileCut& cut) {
+  return {Region::from_valid_loops(cut.line, {})};
+}
+
+/// mm2 that a cutter leaves in the corners of a profile.
+double left_in_corners(const ProfileCut& cut, double radius, const Tolerances& tol) {
+  const Regions inner = within(cut);
+  if (cut.side == ProfileSide::kOutside) {
+    Regions closed;
+    for (const Region& region : dilate(inner, radius, tol)) {
+      for (Region& one : inset(region, radius, tol)) closed.push_back(std::move(one));
+    }
+    return area(closed) - area(inner);
+  }
+  const Regions legal = inset(inner.front(), radius, tol);
+  return area(inner) - (legal.empty() ? 0 : area(dilate(legal, radius, tol)));
+}
+
+/// What belongs to parts near `cut`: of all profiles from large to small the outer ones add, the inner ones take away.
+Regions solid_around(const Part& part, const ProfileCut& cut, double reach, const Tolerances& tol) {
+  const Box near = box(cut.line).grown(reach);
+  std::vector<const ProfileCut*> others;
+  for (const Feature& feature : part.features) {
+    if (feature.profile && feature.profile->side != ProfileSide::kOn && feature.profile->tabs.empty() &&
+        box(feature.profile->line).overlaps(near))
+      others.push_back(&*feature.profile);
+  }
+  std::stable_sort(others.begin(), others.end(), [](const ProfileCut* a, const ProfileCut* b) {
+    return std::abs(signed_area(a->line)) > std::abs(signed_area(b->line));
+  });
+  Regions solid;
+  for (const ProfileCut* other : others) {
+    if (other->side == ProfileSide::kOutside) {
+      solid = solid.empty() ? within(*other) : unite(solid, within(*other), tol);
+    } else if (!solid.empty()) {
+      solid = subtract(solid, within(*other), tol);
+    }
+  }
+  return solid;
+}
+
+void shape(Feature& feature, const Part& part, double radius, const Tolerances& tol) {
+  const ProfileCut& cut = *feature.profile;
+  if (cut.side == ProfileSide::kOn) {
+    feature.target = stock::kerf_of(cut, 2 * radius, tol);
+    feature.allowed = stock::kerf_of(cut, 2 * (radius + kBesideLine), tol);
+    return;
+  }
+  const Regions solid = solid_around(part, cut, kBand * radius, tol);
+  feature.target = stock::kerf_of(cut, 2 * radius, tol);
+  feature.allowed = stock::kerf_of(cut, kBand * radius, tol);
+  // Without others in the way it stays exact as it is.
+  if (solid.empty() || area(intersect(feature.allowed, solid, tol)) < kSpeck) return;
+  feature.target = subtract(feature.target, solid, tol);
+  feature.allowed = subtract(feature.allowed, solid, tol);
+}
+
+/// A stretch of one edge of the outline.
+struct Stretch {
+  std::size_t edge = 0;
+  double from = 0;  ///< mm from the edge's start
+  double to = 0;
+};
+
+class TabPlacer {
+ public:
+  TabPlacer(const ProfileCut& cut, double radius, const TabOptions& options)
+      : cut_(cut), radius_(radius), options_(options) {
+    double at = 0;
+    for (const Edge& edge : cut.line) {
+      starts_.push_back(at);
+      at += edge.length();
+    }
+    around_ = at;
+  }
+
+  /// Middles of the tabs, mm along the outline, spread evenly as far as places allow; fewer where they do not fit.
+  std::vector<double> places() const {
+    std::vector<double> chosen;
+    for (int i = 0; i < options_.count; ++i) {
+      const double wanted = around_ * (i + 0.5) / options_.count;
+      for (double away = 0; away <= around_ / 2; away += kTabSearch) {
+        const double ahead = std::fmod(wanted + away, around_);
+        const double back = std::fmod(wanted - away + around_, around_);
+        const double place = fits(ahead, chosen) ? ahead : back;
+        if (!fits(place, chosen)) continue;
+        chosen.push_back(place);
+        break;
+      }
+    }
+    return chosen;
+  }
+
+  /// Outline's stretch of `half` mm to both sides of the middle, moved over the kerf: `wide` mm.
+  Regions across(double middle, double half, double wide) const {
+    const Stretch on = stretch(middle, half);
+    const Edge& edge = cut_.line[on.edge];
+    const Edge piece = edge.part(on.from / edge.length(), on.to / edge.length());
+    // The free side is right of a counter-clockwise outline for outer profiles. A little of the part goes along, so that
+    // no sliver stays between.
+    const double side = cut_.side == ProfileSide::kOutside ? -1 : 1;
+    const Edge near = moved(piece, -side * kOverlap), far = moved(piece, side * wide).reversed();
+    return {Region::from_valid_loops(
+        {near, Edge::line(near.to, far.from), far, Edge::line(far.to, near.from)}, {})};
+  }
+
+  Vec2 middle_of_kerf(double middle) const {
+    const Stretch on = stretch(middle, 0);
+    const Edge& edge = cut_.line[on.edge];
+    const double t = std::clamp(on.from / edge.length(), 0.0, 1.0);
+    const double side = cut_.side == ProfileSide::kOutside ? -1 : 1;
+    return edge.at(t) + left_of(edge.tangent_at(t)) * (side * radius_);
+  }
+
+  /// mm to both sides of the middle over which the cutter cannot be at depth.
+  double half_gap() const { return options_.width / 2 + radius_; }
+
+ private:
+  static constexpr double kOverlap = 0.01;  ///< mm
+
+  static Edge moved(const Edge& edge, double d) {
+    Edge out = edge;
+    out.from = edge.from + left_of(edge.tangent_at(0)) * d;
+    out.to = edge.to + left_of(edge.tangent_at(1)) * d;
+    return out;
+  }
+
+  Stretch stretch(double middle, double half) const {
+    const auto after = std::upper_bound(starts_.begin(), starts_.end(), middle);
+    const auto edge = static_cast<std::size_t>(after - starts_.begin()) - 1;
+    return {edge, middle - starts_[edge] - half, middle - starts_[edge] + half};
+  }
+
+  /// On one line, or an arc much wider than the tab, away from corners and other tabs.
+  bool fits(double middle, const std::vector<double>& chosen) const {
+    const double half = half_gap() + kBeforeTab;
+    const Stretch on = stretch(middle, half);
+    const Edge& edge = cut_.line[on.edge];
+    if (on.from < 0 || on.to > edge.length()) return false;
+    if (edge.is_arc() && edge.radius() < 2 * half) return false;
+    return std::all_of(chosen.begin(), chosen.end(), [&](double other) {
+      const double apart = std::abs(other - middle);
+      return std::min(apart, around_ - apart) > 2 * half + radius_;
+    });
+  }
+
+  const ProfileCut& cut_;
+  double radius_;
+  const TabOptions& options_;
+  std::vector<double> starts_;
+  double around_ = 0;
+};
+
+std::vector<Tab> tabs_of(const Feature& feature, const TabPlacer& placer, double top_z, double radius,
+                         const TabOptions& options) {
+  std::vector<Tab> tabs;
+  for (const double place : placer.places()) {
+    Tab tab;
+    tab.center = placer.middle_of_kerf(place);
+    tab.width = options.width;
+    tab.top_z = top_z;
+    tab.bottom_z = feature.floor_z;
+    tab.body = placer.across(place, options.width / 2, kBand * radius);
+    tabs.push_back(std::move(tab));
+  }
+  return tabs;
+}
+
+/// The layers below the tabs' tops; `feature` keeps those above.
+std::optional<Feature> split_at_tabs(Feature& feature, double radius, Part& part,
+                                     const PlanOptions& options) {
+  const TabPlacer placer(*feature.profile, radius, options.tabs);
+  const double under = feature.floor_z + feature.profile->beyond;
+  const double height =
+      options.tabs.height.value_or(std::min(kTabHeight, kTabShare * (feature.top_z - under)));
+  const double top = under + height;
+  if (top >= feature.top_z) {
+    throw InputError("--tab-height", trimmed(height, 3) + " mm is as high as the profile " + feature.name +
+                                         " is deep; make it lower");
+  }
+  std::vector<Tab> tabs = tabs_of(feature, placer, top, radius, options.tabs);
+  const int count = static_cast<int>(tabs.size());
+  if (count < options.tabs.count) {
+    const std::string what = "only " + std::to_string(count) + " of " + std::to_string(options.tabs.count) +
+                             " tabs of " + trimmed(options.tabs.width, 2) +
+                             " mm fit on straight stretches and wide arcs of ";
+    if (feature.profile->side == ProfileSide::kOutside) {
+      throw InputError("--tabs", what + feature.name + "; ask for fewer or narrower ones (--tab-width)");
+    }
+    part.diagnostics.warn(feature.name, what + feature.name + "; what it cuts free is held by no more");
+  }
+  if (tabs.empty()) return std::nullopt;
+  Feature below = feature;
+  below.name = feature.name + "_tabs";
+  below.top_z = top;
+  feature.floor_z = top;
+  feature.through = false;
+  const Tolerances& tol = options.tol;
+  for (const double place : placer.places()) {
+    below.target = subtract(below.target,
+                            placer.across(place, placer.half_gap() + kBeforeTab, (kBand + 1) * radius), tol);
+    below.allowed =
+        subtract(below.allowed, placer.across(place, options.tabs.width / 2, (kBand + 1) * radius), tol);
+  }
+  below.profile->tabs = std::move(tabs);
+  return below;
+}
+
+}  // namespace
+
+int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
+  std::vector<int> mills;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    if (!stock::only_plunges(tools[i]) && tools[i].kind != ToolKind::kFaceMill)
+      mills.push_back(static_cast<int>(i));
+  }
+  if (mills.empty()) return 0;
+  std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {
+    return tools[static_cast<std::size_t>(a)].diameter > tools[static_cast<std::size_t>(b)].diameter;
+  });
+  if (cut.side == ProfileSide::kOn) return mills.back();
+  for (const int mill : mills) {
+    if (left_in_corners(cut, tools[static_cast<std::size_t>(mill)].radius(), tol) <= kCorners) return mill;
+  }
+  return mills.back();
+}
+
+void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
+  std::vector<Workingstep> workplan;
+  for (const Workingstep& step : part.workplan) {
+    workplan.push_back(step);
+    Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
+    if (!feature.profile) continue;
+    const double radius = tool_of(part, step).radius();
+    shape(feature, part, radius, options.tol);
+    const bool held = options.tabs.count > 0 && feature.profile->side != ProfileSide::kOn;
+    auto below = held ? split_at_tabs(feature, radius, part, options) : std::nullopt;
+    if (!below) continue;
+    Workingstep lower = step;
+    lower.name = below->name;
+    lower.operation.name = below->name;
+    lower.feature = static_cast<int>(part.features.size());
+    part.features.push_back(*std::move(below));
+    sources[step_key(lower)] = sources[step_key(step)];
+    workplan.push_back(std::move(lower));
+  }
+  part.workplan = std::move(workplan);
+}
+
+}  // namespace clearcut::resolve

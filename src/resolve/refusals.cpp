@@ -1,0 +1,116 @@
+#include "resolve/refusals.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/format.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm. Heights nearer than this are one.
+constexpr double kLevel = 0.01;
+/// mm. How far a cut that is not said to go through may go below the material: what a board is fixed on bears that.
+constexpr double kBelowStock = 0.5;
+/// Diameters that flutes of unknown length are taken to reach.
+constexpr double kReachOfMill = 10;
+constexpr double kReachOfDrill = 20;
+
+void refuse_low_rapids(const Part& part) {
+  if (!part.clearance_z || *part.clearance_z > part.top_z()) return;
+  throw InputError(
+      "clearance",
+      fmt::format("rapid travel at z {} would run through the material, whose top is at z {}; give a "
+                  "height above it, for example {}",
+                  trimmed(*part.clearance_z, 3), trimmed(part.top_z(), 3), trimmed(part.top_z() + 5, 3)));
+}
+
+void refuse_below_stock(const Part& part, const Feature& feature) {
+  if (!part.stock || feature.through) return;
+  const double below = part.stock->z_bottom - feature.floor_z;
+  if (below <= kBelowStock) return;
+  throw InputError(
+      feature.name,
+      fmt::format("its floor at z {} lies {} mm below the material, which ends at z {}; give less "
+                  "depth or thicker stock",
+                  trimmed(feature.floor_z, 3), trimmed(below, 3), trimmed(part.stock->z_bottom, 3)));
+}
+
+void refuse_beside_stock(const Part& part, const Feature& feature) {
+  if (!part.stock || feature.target.empty() || part.stock->plan.overlaps(box(feature.target))) return;
+  const Box& stock = part.stock->plan;
+  const Box own = box(feature.target);
+  throw InputError(feature.name,
+                   fmt::format("it lies beside the material: x {} to {}, y {} to {}, where the material "
+                               "is x {} to {}, y {} to {}; correct its place or the stock",
+                               trimmed(own.min.x, 3), trimmed(own.max.x, 3), trimmed(own.min.y, 3),
+                               trimmed(own.max.y, 3), trimmed(stock.min.x, 3), trimmed(stock.max.x, 3),
+                               trimmed(stock.min.y, 3), trimmed(stock.max.y, 3)));
+}
+
+void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
+  const Feature& feature = feature_of(part, step);
+  const Tool& tool = tool_of(part, step);
+  const double depth = feature.top_z - feature.floor_z;
+  if (tool.flute_length) {
+    if (depth <= *tool.flute_length + kLevel) return;
+    throw InputError(feature.name,
+                     fmt::format("it is {} mm deep and the flutes of T{} are {} mm long; use a "
+                                 "longer tool or less depth",
+                                 trimmed(depth, 3), tool.number, trimmed(*tool.flute_length, 3)));
+  }
+  const bool drills = stock::only_plunges(tool);
+  if (depth <= (drills ? kReachOfDrill : kReachOfMill) * tool.diameter + kLevel) return;
+  throw InputError(feature.name,
+                   fmt::format("it is {} mm deep, {} diameters of T{}; if the flutes reach that far say so "
+                               "(--tool {}:{}:length={}, flute_length in files), else use less depth",
+                               trimmed(depth, 3), trimmed(depth / tool.diameter, 0), tool.number,
+                               name_of(tool.kind), trimmed(tool.diameter, 4), trimmed(depth, 3)));
+}
+
+/// Whether a feature covers the point, or comes so near that a cutter over the point touches it.
+bool is_in_a_feature(const Part& part, Vec2 point, double near) {
+  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
+    return std::any_of(feature.target.begin(), feature.target.end(), [&](const Region& region) {
+      return region.contains(point) || region.boundary_distance(point) <= near;
+    });
+  });
+}
+
+double widest_radius(const Part& part) {
+  double widest = 0;
+  for (const Tool& tool : part.tools) widest = std::max(widest, tool.radius());
+  return widest;
+}
+
+std::string place(Vec2 point) {
+  return trimmed(point.x, 3) + "," + trimmed(point.y, 3);
+}
+
+void refuse_places_outside(const Part& part, const PlanOptions& options) {
+  if (options.start && !is_in_a_feature(part, *options.start, widest_radius(part)))
+    throw InputError("--start",
+                     place(*options.start) + " lies in no feature; `clearcut info` says where they are");
+  for (const PredrilledHole& hole : part.predrilled) {
+    if (is_in_a_feature(part, hole.center, 0)) continue;
+    throw InputError("predrilled", "the hole at " + place(hole.center) +
+                                       " lies in no feature; `clearcut info` says where they are");
+  }
+}
+
+}  // namespace
+
+void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
+  refuse_low_rapids(part);
+  for (const Workingstep& step : part.workplan) {
+    refuse_beside_stock(part, feature_of(part, step));
+    refuse_below_stock(part, feature_of(part, step));
+    refuse_beyond_flutes(part, step);
+  }
+  refuse_places_outside(part, options);
+}
+
+}  // namespace clearcut::resolve

@@ -1,0 +1,13 @@
+// What cannot be, or would harm the machine, is refused before anything is planned.
+#pragma once
+
+#include "resolve/plan_options.h"
+
+namespace clearcut::resolve {
+
+/// `part` as prepared. Throws InputError, one line with the remedy, for: rapids at or below the top of the material; features beside
+/// the material; floors below it that are no through cuts; features deeper than the flutes of their tool, or (flutes unknown) than ten of its
+/// diameters, twenty for drills; starts and predrilled holes that lie in no feature.
+void refuse_what_cannot_be(const Part& part, const PlanOptions& options);
+
+}  // namespace clearcut::resolve

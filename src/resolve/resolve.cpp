@@ -1,0 +1,190 @@
+#include "resolve/resolve.h"
+
+#include <algorithm>
+
+#include "base/format.h"
+#include "resolve/names.h"
+#include "resolve/prepare.h"
+#include "resolve/value_list.h"
+#include "resolve/work_plan.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm over all that stands, where nothing is said.
+constexpr double kCrossing = 2;
+/// mm. The least of what is said, likewise.
+constexpr double kLeastCrossing = 1;
+/// Degrees, of helices and ramps against the plane.
+constexpr double kEntryAngle = 3;
+/// Degrees. Above this the cutter is taken to be in a slot.
+constexpr double kSlotAngle = 150;
+
+/// Where rapids of a step cross: its retract plane, over all that stands.
+double crossing_z(const Part& part, const Operation& operation) {
+  const double top = part.top_z();
+  const double asked = operation.retract_z.value_or(top + kCrossing);
+  return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
+}
+
+/// A choice with where it comes from.
+template <typename Value>
+struct Sourced {
+  Value value{};
+  Source source;
+};
+
+const Source kAutoByDefault{Origin::kDefault, "default: the fastest that is certified clean"};
+
+/// The source of a step's value, where it is known.
+const Source* find(const StepSources& sources, const Workingstep& step, const char* name) {
+  const auto found = sources.find(step_key(step));
+  return found == sources.end() ? nullptr : found->second.find(name);
+}
+
+/// The strategy that the part's file names for a step; one that is not among ours is noted.
+Sourced<const StrategyEntry*> strategy_of_part(const Workingstep& step, const StrategyTable& strategies,
+                                               Diagnostics& diagnostics, const Source& read_from) {
+  const std::string& hint = step.operation.strategy_hint;
+  if (hint == "auto") return {nullptr, read_from};
+  if (const StrategyEntry* entry = strategies.find(hint)) return {entry, read_from};
+  if (const StrategyEntry* entry = strategies.find(strategy_of_stepnc(hint))) return {entry, read_from};
+  diagnostics.warn(
+      step.name.empty() ? step.source : step.name,
+      "the strategy " + hint + " is not among ours; the fastest of those that are is used (see --strategy)");
+  return {nullptr, {Origin::kDefault, "default: " + hint + " is not among the strategies"}};
+}
+
+/// `of_job`: where a job names it; null where it does not.
+Sourced<const StrategyEntry*> strategy_of(const Workingstep& step, const PlanOptions& options,
+                                          const StrategyTable& strategies, Diagnostics& diagnostics,
+                                          const Source* of_job, const Source& read_from) {
+  const Operation& operation = step.operation;
+  const StrategyEntry* by_job =
+      of_job ? strategy_named(operation.strategy_hint, strategies, of_job->text) : nullptr;
+  if (options.strategy) {
+    const Source source = source_of(options, "strategy");
+    return {strategy_named(*options.strategy, strategies, source.text), source};
+  }
+  if (of_job) return {by_job, *of_job};
+  if (operation.strategy_hint.empty()) return {nullptr, kAutoByDefault};
+  return strategy_of_part(step, strategies, diagnostics, read_from);
+}
+
+/// Of the options, unless a rule of a job (`of_job`: where it stands) says something else of this operation.
+Sourced<Stepover> stepover_of(const Operation& operation, const PlanOptions& options, const Source* of_job) {
+  const Source asked = source_of(options, "stepover");
+  const bool is_typed = options.stepover && asked.origin == Origin::kUser;
+  const bool is_own = of_job && operation.stepover && (!options.stepover || of_job->text != asked.text);
+  if (is_own && !is_typed) return {{trimmed(*operation.stepover, 9)}, *of_job};
+  if (options.stepover) return {{*options.stepover}, asked};
+  return {{}, {Origin::kDefault, "default: the strategy decides"}};
+}
+
+void resolve_feeds(ResolvedStep& step, const CuttingData& cutting, const ShopOptions& shop) {
+  step.feed = cutting.feed.value();
+  step.plunge_feed = cutting.plunge_feed.value();
+  step.ramp_feed = cutting.ramp_feed.value();
+  step.lead_feed = shop.lead_feed.value_or(step.feed);
+  step.slot_feed = cutting.slot_feed.value_or(step.feed);
+  step.spindle_rpm = cutting.spindle_rpm.value();
+  step.spindle_clockwise = cutting.spindle_clockwise;
+  step.coolant = cutting.coolant;
+}
+
+/// Where nobody says how to go down: profiles along themselves, others straight, or along a helix for cutters that cannot plunge
+/// and under limited engagement.
+EntryKind usual_entry(const Feature& feature, const Tool& tool) {
+  if (feature.profile) return EntryKind::kRamp;
+  return tool.center_cutting ? EntryKind::kPlunge : EntryKind::kHelix;
+}
+
+void resolve_entry(ResolvedStep& step, const Operation& operation, const Feature& feature, const Tool& tool,
+                   const ShopOptions& shop) {
+  step.entry = operation.entry.value_or(usual_entry(feature, tool));
+  step.entry_at_limit = operation.entry.value_or(EntryKind::kHelix);
+  step.entry_angle = operation.entry_angle.value_or(Radians::of_degrees(kEntryAngle));
+  step.is_plunge_asked = operation.entry == EntryKind::kPlunge;
+  step.zigzag_length = operation.entry_size.value_or(0);
+  step.helix_widest = shop.widest_helix(operation.entry_size);
+  step.helix_narrowest = shop.helix_narrowest;
+}
+
+ResolvedStep resolve_step(const Part& part, const Workingstep& planned, const PlanOptions& options) {
+  const Operation& operation = planned.operation;
+  ResolvedStep step;
+  resolve_feeds(step, operation.cutting, options.shop);
+  resolve_entry(step, operation, feature_of(part, planned), tool_of(part, planned), options.shop);
+  step.direction = operation.direction.value();
+  step.stepdown = operation.stepdown.value();
+  step.allowance_side = operation.allowance_side;
+  step.allowance_floor = operation.allowance_floor;
+  step.lead = operation.lead.value_or(0);
+  step.lead_angle = operation.lead_angle;
+  step.cross_z = crossing_z(part, operation);
+  return step;
+}
+
+/// Lines in the direction that the file states for a zigzag; among other strategies they run where they are fastest.
+void resolve_strokes(ResolvedStep& step, const Operation& operation, const PlanOptions& options) {
+  if (step.strategy && step.strategy->name == "zigzag") step.stroke_angle = operation.feed_direction;
+  if (options.angle_deg) step.stroke_angle = Radians::of_degrees(*options.angle_deg);
+}
+
+void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
+  plan.lead_overlap = shop.lead_overlap.value_or(0);
+  plan.overrun = shop.overrun.value_or(0);
+  plan.link_lift = shop.link_lift.value_or(0);
+  plan.link_feed = shop.link_feed;
+  plan.slot_angle = Radians::of_degrees(shop.slot_angle_deg.value_or(kSlotAngle));
+  plan.finish = finish_of(shop);
+  if (shop.material) plan.material = work_material_named(*shop.material);
+}
+
+ResolvedPlan resolve_whole(const PlanOptions& options) {
+  ResolvedPlan plan;
+  plan.order = options.outside_in ? ContourOrder::kOutsideIn : ContourOrder::kInsideOut;
+  plan.bisector_passages = options.bisector_passages;
+  plan.published_solver = options.published_solver;
+  plan.published_grid = options.published_grid;
+  plan.start = options.start;
+  plan.engagement_deg = options.engagement_deg;
+  plan.objective = parse_objective(options.objective, source_of(options, "objective").text);
+  plan.search_s = options.time_s;
+  plan.seed = options.seed;
+  plan.threads = thread_count(options);
+  resolve_shop(plan, options.shop);
+  plan.earlier = options.earlier;
+  plan.machine = options.machine;
+  plan.post = options.post;
+  plan.tol = options.tol;
+  plan.cancel = options.cancel;
+  return plan;
+}
+
+}  // namespace
+
+ResolvedPlan resolve(const Part& part, const PlanOptions& options, const StrategyTable& strategies) {
+  ResolvedPlan plan = resolve_whole(options);
+  StepSources sources;
+  plan.part = prepare(part, options, sources);
+  for (std::size_t i = 0; i < plan.part.workplan.size(); ++i) {
+    const Workingstep& planned = plan.part.workplan[i];
+    const auto strategy = strategy_of(planned, options, strategies, plan.part.diagnostics,
+                                      find(sources, planned, "strategy"), read_source(plan.part, planned));
+    const auto stepover = stepover_of(planned.operation, options, find(sources, planned, "stepover"));
+    Sources own = sources[step_key(planned)];
+    own.set("strategy", strategy.source);
+    own.set("stepover", stepover.source);
+    ResolvedStep step = resolve_step(plan.part, planned, options);
+    step.strategy = strategy.value;
+    step.stepover = stepover.value;
+    resolve_strokes(step, planned.operation, options);
+    plan.steps.push_back(std::move(step));
+    list_step(plan, static_cast<int>(i), own, options);
+  }
+  list_plan(plan, options);
+  return plan;
+}
+
+}  // namespace clearcut::resolve

@@ -1,0 +1,175 @@
+#include "resolve/resolve.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "geometry/region.h"
+#include "resolve/names.h"
+
+namespace clearcut::resolve {
+namespace {
+
+using ::testing::HasSubstr;
+
+const StrategyTable& table() {
+  static const StrategyTable strategies = [] {
+    std::vector<StrategyEntry> all;
+    for (const char* name : {"zigzag", "spiral", "contour"}) all.emplace_back().name = name;
+    return StrategyTable(std::move(all));
+  }();
+  return strategies;
+}
+
+Part pocket() {
+  const Vec2 corners[] = {{0, 0}, {40, 0}, {40, 30}, {0, 30}};
+  Feature feature;
+  feature.name = "POCKET";
+  feature.target = feature.allowed = {Region::from_valid_loops(loop_from_points(corners), {})};
+  feature.floor_z = -6;
+  Part part;
+  part.source_file = "/somewhere/bracket.p21";
+  part.features = {feature};
+  part.tools.emplace_back().diameter = 8;
+  Workingstep step;
+  step.name = "STEP";
+  step.operation.source = "#123";
+  part.workplan = {step};
+  return part;
+}
+
+/// The value of the first step, or with step -1 of the whole plan.
+ResolvedValue value_of(const ResolvedPlan& plan, const std::string& name, int step = 0) {
+  for (const ResolvedValue& value : plan.values)
+    if (value.name == name && value.step == step) return value;
+  ADD_FAILURE() << "no value " << name;
+  return {};
+}
+
+void expect_value(const ResolvedPlan& plan, const std::string& name, const std::string& text, Origin origin,
+                  const std::string& source, int step = 0) {
+  const ResolvedValue value = value_of(plan, name, step);
+  EXPECT_EQ(value.value, text) << name;
+  EXPECT_STREQ(name_of(value.source.origin), name_of(origin)) << name;
+  EXPECT_EQ(value.source.text, source) << name;
+}
+
+TEST(Resolve, DecidesEveryDefaultAndSaysSo) {
+  const ResolvedPlan plan = resolve(pocket(), {}, table());
+  ASSERT_EQ(plan.steps.size(), 1U);
+  EXPECT_EQ(plan.steps[0].feed, MmPerMin::of(1000));
+  EXPECT_EQ(plan.steps[0].slot_feed, plan.steps[0].feed);
+  EXPECT_EQ(plan.steps[0].strategy, nullptr);
+  expect_value(plan, "feed", "1000", Origin::kDefault, "default: 1000 mm/min");
+  expect_value(plan, "plunge-feed", "300", Origin::kDerived, "30 % of the feed");
+  expect_value(plan, "stepdown", "4", Origin::kDefault, "default: half the diameter");
+  expect_value(plan, "strategy", "auto", Origin::kDefault, "default: the fastest that is certified clean");
+  expect_value(plan, "seed", "1", Origin::kDefault, "default: 1", -1);
+  expect_value(plan, "tool", "T1 endmill 8", Origin::kPart, "bracket.p21 #123");
+}
+
+TEST(Resolve, OptionsGoBeforeThePart) {
+  Part part = pocket();
+  part.workplan[0].operation.cutting.feed = MmPerMin::of(700);
+  part.workplan[0].operation.stepdown = 1.5;
+  PlanOptions options;
+  options.stepdown = 3;
+  const ResolvedPlan plan = resolve(part, options, table());
+  expect_value(plan, "feed", "700", Origin::kPart, "bracket.p21 #123");
+  expect_value(plan, "stepdown", "3", Origin::kUser, "--stepdown");
+  EXPECT_EQ(plan.steps[0].stepdown, 3);
+}
+
+TEST(Resolve, AJobsValuesSayTheirLine) {
+  Part part = pocket();
+  part.workplan[0].operation.cutting.feed = MmPerMin::of(700);
+  PlanOptions options;
+  options.step_sources[step_key(part.workplan[0])].set("feed", {Origin::kJobFile, "job.toml:12"});
+  const ResolvedPlan plan = resolve(part, options, table());
+  expect_value(plan, "feed", "700", Origin::kJobFile, "job.toml:12");
+}
+
+TEST(Resolve, TheMachineLimitsTheFeed) {
+  PlanOptions options;
+  options.machine.max_feed = MmPerMin::of(600);
+  options.sources.set("max-feed", {Origin::kMachineFile, "mill.toml:3"});
+  const ResolvedPlan plan = resolve(pocket(), options, table());
+  expect_value(plan, "feed", "600", Origin::kDerived, "the machine's max_feed");
+  expect_value(plan, "max-feed", "600", Origin::kMachineFile, "mill.toml:3", -1);
+}
+
+TEST(Resolve, EachStepHasTheStrategyThatItsFileNames) {
+  Part part = pocket();
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[0].operation.strategy_hint = "contour_parallel";
+  part.workplan[1].operation.strategy_hint = "bidirectional_milling";
+  part.workplan[1].operation.feed_direction = Radians::of_degrees(30);
+  part.workplan[2].operation.strategy_hint = "center_milling";
+  part.workplan[2].name = "GROOVE";
+  ResolvedPlan plan = resolve(part, {}, table());
+  EXPECT_EQ(plan.steps[0].strategy, table().find("contour"));
+  EXPECT_EQ(plan.steps[1].strategy, table().find("zigzag"));
+  EXPECT_EQ(plan.steps[1].stroke_angle, Radians::of_degrees(30));
+  EXPECT_EQ(plan.steps[2].strategy, nullptr);
+  std::string said;
+  for (const auto& one : plan.part.diagnostics.items())
+    if (one.where == "GROOVE") said = one.what;
+  EXPECT_THAT(said, HasSubstr("center_milling is not among ours"));
+  PlanOptions options;
+  options.strategy = "spiral";
+  plan = resolve(part, options, table());
+  for (const ResolvedStep& step : plan.steps) EXPECT_EQ(step.strategy, table().find("spiral"));
+}
+
+TEST(Resolve, RefusesAStrategyOfAJobThatIsNoneInOneLine) {
+  Part part = pocket();
+  part.workplan[0].operation.strategy_hint = "nonsense";
+  PlanOptions options;
+  options.step_sources[step_key(part.workplan[0])].set("strategy", {Origin::kJobFile, "job.toml:7"});
+  try {
+    resolve(part, options, table());
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "job.toml:7: strategy 'nonsense' is unknown; use one of auto, zigzag, spiral, contour");
+  }
+}
+
+TEST(Resolve, AStepoverOfOneOperationIsForThatOperation) {
+  Part part = pocket();
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[1].name = "OTHER";
+  part.workplan[1].operation.stepover = 0.25;
+  PlanOptions options;
+  options.stepover = "0.5";
+  options.sources.set("stepover", {Origin::kJobFile, "job.toml:3"});
+  options.step_sources[step_key(part.workplan[0])].set("stepover", {Origin::kJobFile, "job.toml:3"});
+  options.step_sources[step_key(part.workplan[1])].set("stepover", {Origin::kJobFile, "job.toml:9"});
+  ResolvedPlan plan = resolve(part, options, table());
+  EXPECT_EQ(plan.steps[0].stepover.text, "0.5");
+  EXPECT_EQ(plan.steps[1].stepover.text, "0.25");
+  options.sources.set("stepover", {Origin::kUser, "--stepover"});
+  plan = resolve(part, options, table());
+  EXPECT_EQ(plan.steps[1].stepover.text, "0.5");
+}
+
+TEST(Resolve, RefusesAnObjectiveThatIsNone) {
+  PlanOptions options;
+  options.objective = "beauty";
+  EXPECT_THROW(resolve(pocket(), options, table()), InputError);
+}
+
+TEST(Names, AreRefusedWithTheNamesThereAre) {
+  EXPECT_EQ(entry_named("zigzag", "--entry"), EntryKind::kZigzagRamp);
+  EXPECT_EQ(direction_named("conventional", "--direction"), CutDirection::kConventional);
+  try {
+    order_named("sideways", "--order");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "--order: 'sideways' is unknown; use one of inside-out, outside-in");
+  }
+}
+
+}  // namespace
+}  // namespace clearcut::resolve

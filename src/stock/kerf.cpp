@@ -1,0 +1,65 @@
+#include "stock/kerf.h"
+
+#include <cmath>
+
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+
+namespace clearcut::stock {
+namespace {
+
+/// mm. Arcs narrower than the cutter become lines no farther off than this.
+constexpr double kChord = 0.0005;
+
+/// `edge` moved sideways, to its left for d > 0.
+Edge beside(const Edge& edge, double d) {
+  Edge out = edge;
+  out.from = edge.from + left_of(edge.tangent_at(0)) * d;
+  out.to = edge.to + left_of(edge.tangent_at(1)) * d;
+  return out;
+}
+
+/// Outline of all points within r of an edge; arcs have to be wider than r.
+Loop capsule(const Edge& edge, double r) {
+  const Edge right = beside(edge, -r), left = beside(edge, r).reversed();
+  const Vec2 ahead = edge.to + edge.tangent_at(1) * r, behind = edge.from - edge.tangent_at(0) * r;
+  const auto quarter = [](Vec2 from, Vec2 to, Vec2 center) {
+    return Edge::arc(from, to, center, Turn::kCounterClockwise);
+  };
+  return {right, quarter(right.to, ahead, edge.to),   quarter(ahead, left.from, edge.to),
+          left,  quarter(left.to, behind, edge.from), quarter(behind, right.from, edge.from)};
+}
+
+std::vector<Loop> capsules(const Path& line, double r) {
+  std::vector<Loop> loops;
+  for (const Edge& edge : line) {
+    if (!edge.is_arc() || edge.radius() > 1.01 * r) {
+      // Less than half a turn each, so that a capsule does not cross itself.
+      const int pieces = edge.is_arc() ? 1 + static_cast<int>(std::abs(edge.sweep()) / 2) : 1;
+      for (int i = 0; i < pieces; ++i) {
+        loops.push_back(
+            capsule(pieces == 1 ? edge : edge.part(static_cast<double>(i) / pieces, (i + 1.0) / pieces), r));
+      }
+      continue;
+    }
+    const double step = std::sqrt(8 * kChord * edge.radius());
+    const int pieces = 1 + static_cast<int>(edge.length() / step);
+    for (int i = 0; i < pieces; ++i) {
+      const Vec2 a = edge.at(static_cast<double>(i) / pieces), b = edge.at((i + 1.0) / pieces);
+      if (a != b) loops.push_back(capsule(Edge::line(a, b), r));
+    }
+  }
+  return loops;
+}
+
+}  // namespace
+
+Regions kerf_of(const ProfileCut& cut, double width, const Tolerances& tol) {
+  if (cut.side == ProfileSide::kOn) return resolve_nonzero(capsules(cut.line, width / 2), tol);
+  const Regions within{Region::from_valid_loops(cut.line, {})};
+  if (cut.side == ProfileSide::kOutside) return subtract(dilate(within, width, tol), within, tol);
+  const Regions rest = inset(within.front(), width, tol);
+  return rest.empty() ? within : subtract(within, rest, tol);
+}
+
+}  // namespace clearcut::stock
