@@ -89,9 +89,10 @@ pipeline::EngagementTask engagement_task(const plan::tour::TourTask& task) {
   return {task.points, task.path, task.layer->target, task.layer->tool_radius};
 }
 
-void add_printed(report::TextTable& table, const char* objective, double length, int turns) {
+void add_printed(report::TextTable& table, const char* objective, double length, int turns,
+                 const char* seconds) {
   table.add({"printed", "", objective, fmt::format("{:.0f}", length), over(length, 2937),
-             std::to_string(turns), over(turns, 41)});
+             std::to_string(turns), over(turns, 41), "", "", "", "", seconds});
 }
 
 double mean_deviation(const plan::tour::TourTask& task, const order::Tour& tour) {
@@ -128,7 +129,8 @@ void add_solution(report::TextTable& table, const std::string& name, const plan:
              over(solution.turns, least_turns), fmt::format("{:.3f}", mean_deviation(task, solution.tour)),
              fmt::format("{:.1f}", solution.objective),
              has_bound ? fmt::format("{:.1f}", solution.bound) : "none",
-             has_bound ? fmt::format("{:.2f}", 100 * solution.gap) : "", solution.bound_basis});
+             has_bound ? fmt::format("{:.2f}", 100 * solution.gap) : "",
+             fmt::format("{:.1f}", solution.seconds), solution.bound_basis});
 }
 
 /// A grid's tours for one objective at a time and for three at once.
@@ -151,7 +153,7 @@ void add_objectives(report::TextTable& table, const std::string& name, const pla
 /// Nothing to visit: every tour is as long as its bound.
 void add_empty(report::TextTable& table, const std::string& name) {
   for (const char* objective : {"length", "turns", "turn angle", "time", "engagement 50 %"})
-    table.add({name, "0", objective, "0", "", "0", "", "0.000", "0.0", "0.0", "0.00", "no grid point"});
+    table.add({name, "0", objective, "0", "", "0", "", "0.000", "0.0", "0.0", "0.00", "", "no grid point"});
 }
 
 std::array<double, 10> histogram(const std::vector<double>& shares) {
@@ -192,8 +194,9 @@ void add_engagement(report::TextTable& table, const plan::tour::TourTask& task, 
 
 }  // namespace
 
-report::TextTable objectives_table() {
-  report::TextTable table;
+Reproduction objectives_table() {
+  Reproduction result;
+  report::TextTable& table = result.table;
   table.title =
       "Tour table 6.4: the fishhead's features and plates with islands, grid of 5 mm, 10 mm end mill, legal "
       "ways "
@@ -209,11 +212,12 @@ report::TextTable objectives_table() {
                    {"value"},
                    {"bound"},
                    {"gap %"},
+                   {"s"},
                    {"bound by", report::Align::kLeft}};
-  add_printed(table, "length", 2937, 185);
-  add_printed(table, "turns", 3615, 41);
-  add_printed(table, "engagement 50 %", 3999, 260);
-  add_printed(table, "all three", 3012, 42);
+  add_printed(table, "length", 2937, 185, "10");
+  add_printed(table, "turns", 3615, 41, "10");
+  add_printed(table, "engagement 50 %", 3999, 260, "30");
+  add_printed(table, "all three", 3012, 42, "30");
   table.add_rule();
   for (const auto& [name, layer] : all_layers())
     if (!with_largest_grid(layer, kPitch, [&, &feature = name](const plan::tour::TourTask& task) {
@@ -227,12 +231,13 @@ report::TextTable objectives_table() {
   table.notes.push_back("deviation: mean |engagement - 50 %|, raster model; engagement has no bound but 0");
   table.notes.push_back(
       "time: CPO-rho eq. 9 at 1000 mm/min, s; turn bounds hold for unit steps, those by line cover for any");
-  return table;
+  return result;
 }
 
-report::TextTable engagement_table() {
+Reproduction engagement_table() {
   constexpr const char* kFeature = "POCKET1";
-  report::TextTable table;
+  Reproduction result;
+  report::TextTable& table = result.table;
   table.title =
       fmt::format("Tour figure 6-15: percent of the moves by mean engagement, {}, 10 mm end mill", kFeature);
   table.columns = {{"target"}, {"grid, mm"}, {"points"}, {"model", report::Align::kLeft}, {"mean %"}};
@@ -253,7 +258,7 @@ report::TextTable engagement_table() {
       "above: spacing D times target (eq. 4.8), where a row beside a row has 30, 44, 56, 70, 100 % of the "
       "leading "
       "half in material; below: the spacing at which that is the target itself");
-  return table;
+  return result;
 }
 
 }  // namespace clearcut::studies

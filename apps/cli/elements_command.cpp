@@ -11,6 +11,7 @@
 #include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
+#include "plan_arguments.h"
 
 namespace clearcut::cli {
 namespace {
@@ -35,6 +36,7 @@ struct ElementsCommand {
   std::string svg;
   std::string points;
   bool print_points = false;
+  SolverArguments solver;
   bool table = false;
   bool quiet = false;
   PlanOptions options;
@@ -138,9 +140,11 @@ void add_elements_command(CLI::App& app, int& exit_code) {
   command->add_flag("--print-points", state->print_points, "Print the table of all points");
   command->add_option("--post", state->options.post.dialect, "Controller (linuxcnc, grbl, fanuc, ...)");
   command->add_option("--seed", state->options.seed, "Seed of the search");
+  state->solver.add_options(*command);
   command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
   command->callback([state, command, &exit_code] {
+    state->options.published_solver = state->solver.solver();
     state->elements = in_typed_order(*command, *state);
     exit_code = run(*state);
   });

@@ -14,6 +14,18 @@
 #include "certificate_info.h"
 namespace clearcut::cli {
 
+/// --solver and what belongs to the published one, for every command that orders visits.
+class SolverArguments {
+ public:
+  void add_options(CLI::App& command);
+  /// Absent: ours. Throws InputError for an unknown solver, and for settings without the published one.
+  std::optional<PublishedSolver> solver() const;
+
+ private:
+  std::optional<std::string> name_;
+  PublishedSolver published_;
+};
+
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {
  public:
@@ -91,6 +103,9 @@ class PlanArguments {
   ShopOptions shop_;
   std::optional<std::string> direction_;
   std::optional<std::string> order_;
+  std::optional<std::string> passage_;
+  std::optional<std::string> grid_;
+  SolverArguments solver_;
   std::optional<std::string> start_;
   std::optional<double> feed_;
   std::optional<double> plunge_feed_;

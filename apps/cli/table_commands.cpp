@@ -6,8 +6,14 @@
 #include <clearcut/studies.h>
 #include <fmt/format.h>
 
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
 
 #include "commands.h"
 #include "output.h"
@@ -46,6 +52,88 @@ void compare_at_random(const CompareCommand& command) {
         if (one.faster && !command.slower.empty()) write_slower(one, command.slower);
       });
   print_table(studies::study_table(study), command.as_markdown);
+}
+
+/// What reproduce is asked for.
+struct ReproduceCommand {
+  std::vector<std::string> names;
+  bool list = false;
+  bool all = false;
+  bool quiet = false;
+  std::string json;
+  std::string html;
+};
+
+/// Says on standard error every few seconds that a table is still being made.
+class SignOfLife {
+ public:
+  explicit SignOfLife(std::string what) : what_(std::move(what)), thread_([this] { tell(); }) {}
+  ~SignOfLife() {
+    {
+      const std::lock_guard lock(mutex_);
+      done_ = true;
+    }
+    changed_.notify_one();
+    thread_.join();
+  }
+  SignOfLife(const SignOfLife&) = delete;
+  SignOfLife& operator=(const SignOfLife&) = delete;
+
+ private:
+  void tell() {
+    constexpr int kEverySeconds = 3;
+    std::unique_lock lock(mutex_);
+    for (int seconds = kEverySeconds;; seconds += kEverySeconds) {
+      if (changed_.wait_for(lock, std::chrono::seconds(kEverySeconds), [this] { return done_; })) return;
+      fmt::print(stderr, "{}: {} s\n", what_, seconds);
+    }
+  }
+  std::string what_;
+  bool done_ = false;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::thread thread_;  // last: it uses the others
+};
+
+TextTable list_of_tables() {
+  TextTable table;
+  table.columns = {
+      {"name", report::Align::kLeft}, {"in the texts", report::Align::kLeft}, {"seconds of a core"}};
+  for (const auto& one : studies::reproducible_tables())
+    table.add({one.name + (one.is_long ? " *" : ""), one.place, fmt::format("{:g}", one.cost_s)});
+  table.notes.emplace_back("*: runs by name or with --all");
+  return table;
+}
+
+std::vector<const studies::ReproducibleTable*> chosen_tables(const ReproduceCommand& command) {
+  std::vector<const studies::ReproducibleTable*> tables;
+  for (const auto& name : command.names) tables.push_back(&studies::reproducible_table(name));
+  if (!tables.empty()) return tables;
+  for (const auto& table : studies::reproducible_tables())
+    if (command.all || !table.is_long) tables.push_back(&table);
+  return tables;
+}
+
+void reproduce_tables(const ReproduceCommand& command) {
+  if (command.list) return print_line(plain(list_of_tables()));
+  std::vector<studies::NamedReproduction> made;
+  for (const auto* table : chosen_tables(command)) {
+    std::optional<SignOfLife> sign;
+    if (!command.quiet) sign.emplace(fmt::format("reproduce {}, about {:g} s", table->name, table->cost_s));
+    made.push_back({table->name, table->place, table->make()});
+    sign.reset();
+    auto text = made.back().reproduction.table;
+    if (!made.back().reproduction.compared.empty()) text.notes.push_back(made.back().reproduction.summary());
+    if (command.json != "-" && command.html != "-") print_line(plain(text));
+    std::fflush(stdout);
+  }
+  std::vector<OutputFile> files;
+  if (!command.json.empty()) files.push_back({command.json, studies::reproduction_json(made)});
+  if (!command.html.empty()) files.push_back({command.html, studies::reproduction_page(made)});
+  write_outputs(files);
+  if (command.quiet || !command.names.empty() || command.all) return;
+  for (const auto& table : studies::reproducible_tables())
+    if (table.is_long) fmt::print(stderr, "not run, it is long: clearcut reproduce {}\n", table.name);
 }
 
 }  // namespace
@@ -99,11 +187,15 @@ void add_tools_command(CLI::App& app, int& exit_code) {
 
 void add_reproduce_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("reproduce", "Print the published tables beside our figures");
-  auto name = std::make_shared<std::string>();
-  command->add_option("TABLE", *name, "One table; default all");
-  command->callback([name, &exit_code] {
-    const auto names = name->empty() ? studies::reproducible_tables() : std::vector<std::string>{*name};
-    for (const auto& table : names) print_line(plain(studies::reproduce(table)));
+  auto state = std::make_shared<ReproduceCommand>();
+  command->add_option("TABLE", state->names, "Tables by name; default all but the long ones");
+  command->add_flag("--list", state->list, "List the tables and what each costs, and run nothing");
+  command->add_flag("--all", state->all, "The long ones, too");
+  command->add_option("--json", state->json, "Tables with every printed cell judged to write (JSON)");
+  command->add_option("--html", state->html, "The same as one page to write");
+  command->add_flag("--quiet", state->quiet, "No progress");
+  command->callback([state, &exit_code] {
+    reproduce_tables(*state);
     exit_code = kClean;
   });
 }

@@ -14,6 +14,7 @@
 #include "model/origin.h"
 #include "model/part.h"
 #include "model/post_options.h"
+#include "model/published_solver.h"
 #include "model/stepover.h"
 #include "model/work_material.h"
 
@@ -71,6 +72,9 @@ struct ResolvedPlan {
   ContourOrder order = ContourOrder::kInsideOut;
   std::optional<Vec2> start;             ///< where cutting begins; absent: anywhere
   std::optional<double> engagement_deg;  ///< limit; absent: none
+  std::optional<bool> bisector_passages;  ///< of contour methods; absent: those of the published ones
+  std::optional<PublishedSolver> published_solver;  ///< orders grids; absent: ours does
+  bool published_grid = false;                      ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
   Objective objective;
   std::optional<double>
       search_s;  ///< longest search; absent: as long as is worth it, the same on any machine

@@ -10,6 +10,7 @@
 #include "order/solve.h"
 #include "pipeline/certify.h"
 #include "pipeline/strategies.h"
+#include "pipeline/tour_solver.h"
 #include "plan/common/layers.h"
 #include "plan/grid/check.h"
 #include "plan/grid/shape.h"
@@ -27,6 +28,13 @@ order::Solution shortest_visit(const std::vector<Vec2>& points, const resolve::P
   order::Problem problem;
   problem.points = points;
   problem.shape = order::Shape::kOpenPath;
+  if (options.published_solver) {
+    order::Solution published;
+    published.tour =
+        published_order(problem, *order::length_objective(),
+                        {*options.published_solver, options.seed, options.time_s, options.cancel});
+    return published;
+  }
   order::SolveOptions solve;
   solve.seed = options.seed;
   solve.threads = options.threads;

@@ -2,6 +2,7 @@
 
 #include "base/digest.h"
 #include "base/version.h"
+#include "pipeline/compare.h"
 #include "report/certificate.h"
 #include "report/contest_table.h"
 #include "report/picture/svg.h"
@@ -95,7 +96,9 @@ std::string write_page(const PlanResult& result, const resolve::PlanOptions& opt
 }
 
 std::string write_segments(const PlanResult& result) {
-  return report::result_file(result.toolpath, {result.part.name, result.contours});
+  return report::result_file(result.toolpath,
+                             {result.part.name, result.contours,
+                              published_time(result.findings.all.time_naive_s, result.findings.all.turns)});
 }
 
 }  // namespace clearcut::pipeline

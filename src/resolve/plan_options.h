@@ -15,6 +15,7 @@
 #include "model/origin.h"
 #include "model/part.h"
 #include "model/post_options.h"
+#include "model/published_solver.h"
 #include "model/shop_options.h"
 #include "model/strategy_entry.h"
 
@@ -42,6 +43,7 @@ struct PlanOptions {
   /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
   std::optional<std::string> strategy;
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
+  std::optional<bool> bisector_passages;  ///< of contour methods; absent: those of the published ones
   std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found
   std::optional<double> stepdown;       ///< mm
   std::optional<double> allowance;      ///< mm, on walls
@@ -62,6 +64,8 @@ struct PlanOptions {
   CuttingData cutting;
   Machine machine;
   PostOptions post;
+  std::optional<PublishedSolver> published_solver;  ///< orders grids and elements' squares; absent: ours does
+  bool published_grid = false;  ///< of the strategy tour: Tour eq. 4.8, and nothing else is cut
   std::string objective = "time";
   std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
   std::optional<double> time_s;     ///< longest search

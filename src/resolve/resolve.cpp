@@ -144,6 +144,9 @@ void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
 ResolvedPlan resolve_whole(const PlanOptions& options) {
   ResolvedPlan plan;
   plan.order = options.outside_in ? ContourOrder::kOutsideIn : ContourOrder::kInsideOut;
+  plan.bisector_passages = options.bisector_passages;
+  plan.published_solver = options.published_solver;
+  plan.published_grid = options.published_grid;
   plan.start = options.start;
   plan.engagement_deg = options.engagement_deg;
   plan.objective = parse_objective(options.objective, source_of(options, "objective").text);
