@@ -9,6 +9,7 @@
 #include "studies/reproduce_grid.h"
 #include "studies/reproduce_objectives.h"
 #include "studies/reproduce_orders.h"
+#include "studies/reproduce_published.h"
 #include "studies/reproduce_scallop.h"
 #include "studies/reproduce_tour.h"
 
@@ -28,9 +29,11 @@ const std::vector<ReproducibleTable>& reproducible_tables() {
       {"lattices", "Tour tables 6.3 and 6.6", 2, false, lattice_table},
       {"cutter-trend", "CPO-rho table 3, which is faster", 6, false, cutter_trend},
       {"tour-engagement", "Tour figure 6-15", 20, false, engagement_table},
+      {"single-multi", "Tour figures 6-16 and 6-17", 20, false, single_multi_table},
       {"fishhead", "Tour table 6.5", 60, false, fishhead_table},
       {"objectives", "Tour table 6.4", 90, false, objectives_table},
       {"fi10639", "Tour table 6.2, its largest instance", 400, true, large_instance},
+      {"fishhead-published", "Tour table 6.5 by programs", 440, true, published_fishhead_table},
       {"genetic", "Tour tables 6.2, 6.3 and 6.6 by the published algorithm", 480, true, genetic_figures}};
   return all;
 }

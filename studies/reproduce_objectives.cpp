@@ -192,7 +192,53 @@ void add_engagement(report::TextTable& table, const plan::tour::TourTask& task, 
   }
 }
 
+/// Engagement alone in both readings of eq. 4.22, alone with the other objectives, and all three at once.
+std::vector<Asked> single_and_multi(const plan::tour::TourTask& task) {
+  const auto make = [&task] { return pipeline::raster_engagement(engagement_task(task)); };
+  const auto linear = pipeline::engagement_objective(kEngagementShare, make);
+  const auto inverse =
+      pipeline::engagement_objective(kEngagementShare, make, pipeline::inverse_engagement_cost);
+  const auto length = order::length_objective(), turns = order::turns_objective();
+  return {{"engagement, linear", linear},
+          {"engagement, 1 / deviation", inverse},
+          {"length", length},
+          {"turns", turns},
+          {"1 : 20 : 0.1", order::weighted_sum({{1, length}, {20, turns}, {0.1, linear}})}};
+}
+
+void add_asked(report::TextTable& table, const plan::tour::TourTask& task, const Asked& asked) {
+  const long long rounds = asked.objective->path_dependent() ? kPathRounds : kLocalRounds;
+  const auto solution = solved(pipeline::grid_problem(task), *asked.objective, 1, rounds);
+  const auto shares = pipeline::raster_engagement(engagement_task(task))->along(solution.tour);
+  std::vector<std::string> row{asked.name, fmt::format("{:.0f}", solution.length),
+                               std::to_string(solution.turns),
+                               fmt::format("{:.3f}", mean_deviation(task, solution.tour))};
+  for (const double bin : histogram(shares)) row.push_back(fmt::format("{:.0f}", bin));
+  table.add(row);
+}
+
 }  // namespace
+
+Reproduction single_multi_table() {
+  constexpr const char* kFeature = "POCKET1";
+  Reproduction result;
+  report::TextTable& table = result.table;
+  table.title = fmt::format(
+      "Tour figures 6-16 and 6-17: percent of the moves by mean engagement, {}, 10 mm end mill, target 50 %",
+      kFeature);
+  table.columns = {{"objective", report::Align::kLeft}, {"length"}, {"turns"}, {"deviation"}};
+  for (int bin = 0; bin < 10; ++bin) table.columns.push_back({fmt::format("{}-{}", 10 * bin, 10 * bin + 10)});
+  for (const auto& [name, layer] : all_layers()) {
+    if (name != kFeature) continue;
+    with_largest_grid(layer, kPitch, [&](const plan::tour::TourTask& task) {
+      for (const Asked& asked : single_and_multi(task)) add_asked(table, task, asked);
+    });
+  }
+  table.notes.push_back("the figures are drawn, not printed as numbers: nothing to compare cell by cell");
+  table.notes.push_back(
+      "deviation: mean |engagement - 50 %|, raster model; 1 : 20 : 0.1 are ours, the text prints no weights");
+  return result;
+}
 
 Reproduction objectives_table() {
   Reproduction result;

@@ -11,4 +11,7 @@ Reproduction objectives_table();
 /// Figure 6-15: how engagement is spread for targets from 20 to 100 %, by the raster and by the exact model.
 Reproduction engagement_table();
 
+/// Tour figures 6-16 and 6-17: engagement along the path where it alone is asked for, and beside length and turns.
+Reproduction single_multi_table();
+
 }  // namespace clearcut::studies

@@ -6,6 +6,7 @@
 #include <regex>
 #include <sstream>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "studies/reproduction_page.h"
 
@@ -33,6 +34,44 @@ TEST(Reproduction, AWholeTableIsAsGoodAsItsWorstCell) {
   EXPECT_EQ(result.summary(), "3 printed cells: 1 agree, 1 explained, 1 differ");
   EXPECT_EQ(result.compared.at(1).row, 1u);
   EXPECT_EQ(result.compared.at(1).column, 1u);
+}
+
+TEST(Reproduction, TablesAreReadBackAsTheyWereWritten) {
+  Reproduction result;
+  result.table.title = "title";
+  result.table.columns = {{"name", report::Align::kLeft}, {"value"}};
+  result.add({"a", beside(1, 1, 0)});
+  result.add_rule();
+  result.add({"b", beside(2, 1, 0, "another machine")});
+  const std::string json = reproduction_json({{"one", "somewhere", result}});
+  const auto read = read_reproduction_json(json, "t.json");
+  EXPECT_EQ(reproduction_json(read), json);
+  EXPECT_EQ(reproduction_page(read), reproduction_page({{"one", "somewhere", result}}));
+  EXPECT_EQ(read.at(0).reproduction.compared.at(1).row, 2u);
+  EXPECT_THROW(read_reproduction_json("{}x", "t.json"), InputError);
+  EXPECT_THROW(read_reproduction_json("[{}]", "t.json"), InputError);
+}
+
+/// A cell agrees to its printed digit; were every constant behind a table 1 % larger or smaller, some cell would differ.
+TEST(Reproduction, AChangeOfOnePerCentShowsInEveryTableThatAgrees) {
+  int tables = 0;
+  for (const auto& table : reproducible_tables()) {
+    if (table.cost_s >= 1) continue;
+    const auto made = table.make();
+    for (const double factor : {0.99, 1.01}) {
+      int differ = 0;
+      for (const Compared& one : made.compared) {
+        const auto point = one.printed.find('.');
+        const int decimals =
+            point == std::string::npos ? 0 : static_cast<int>(one.printed.size() - point) - 1;
+        const Cell changed = beside(factor * std::stod(one.ours), std::stod(one.printed), decimals);
+        differ += changed.compared.front().agreement != Agreement::kAgrees ? 1 : 0;
+      }
+      EXPECT_GE(2 * differ, static_cast<int>(made.compared.size())) << table.name << " " << factor;
+    }
+    ++tables;
+  }
+  EXPECT_GE(tables, 4);
 }
 
 /// docs/texts.md: name of a table -> what its last column says.

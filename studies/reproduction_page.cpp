@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/error.h"
 #include "base/xml_text.h"
 
 namespace clearcut::studies {
@@ -91,14 +92,18 @@ nlohmann::ordered_json json_of(const NamedReproduction& named) {
   json["place"] = named.place;
   json["title"] = table.title;
   json["agreement"] = name_of(named.reproduction.agreement());
-  for (const auto& column : table.columns) json["columns"].push_back(column.heading);
+  for (const auto& column : table.columns) {
+    json["columns"].push_back(column.heading);
+    json["left"].push_back(column.align == report::Align::kLeft);
+  }
   json["rows"] = nlohmann::ordered_json::array();
-  for (const auto& row : table.rows)
-    if (!row.empty()) json["rows"].push_back(row);
+  for (const auto& row : table.rows) json["rows"].push_back(row);
   json["notes"] = table.notes;
   json["compared"] = nlohmann::ordered_json::array();
   for (const Compared& one : compared) {
-    json["compared"].push_back({{"printed", one.printed},
+    json["compared"].push_back({{"row", one.row},
+                                {"column", one.column},
+                                {"printed", one.printed},
                                 {"ours", one.ours},
                                 {"agreement", name_of(one.agreement)},
                                 {"reason", one.reason}});
@@ -106,7 +111,47 @@ nlohmann::ordered_json json_of(const NamedReproduction& named) {
   return json;
 }
 
+Agreement agreement_named(const std::string& name) {
+  for (const Agreement one : {Agreement::kAgrees, Agreement::kExplained})
+    if (name == name_of(one)) return one;
+  return Agreement::kDiffers;
+}
+
+NamedReproduction reproduction_of(const nlohmann::json& json) {
+  NamedReproduction named;
+  named.name = json.at("name").get<std::string>();
+  named.place = json.at("place").get<std::string>();
+  report::TextTable& table = named.reproduction.table;
+  table.title = json.at("title").get<std::string>();
+  const auto& left = json.at("left");
+  for (const auto& heading : json.at("columns")) {
+    const bool is_left = left.at(table.columns.size()).get<bool>();
+    table.columns.push_back(
+        {heading.get<std::string>(), is_left ? report::Align::kLeft : report::Align::kRight});
+  }
+  table.rows = json.at("rows").get<std::vector<std::vector<std::string>>>();
+  table.notes = json.at("notes").get<std::vector<std::string>>();
+  for (const auto& one : json.at("compared")) {
+    named.reproduction.compared.push_back(
+        {one.at("printed").get<std::string>(), one.at("ours").get<std::string>(),
+         agreement_named(one.at("agreement").get<std::string>()), one.at("reason").get<std::string>(),
+         one.at("row").get<std::size_t>(), one.at("column").get<std::size_t>()});
+  }
+  return named;
+}
+
 }  // namespace
+
+std::vector<NamedReproduction> read_reproduction_json(const std::string& text, const std::string& file) {
+  std::vector<NamedReproduction> tables;
+  try {
+    for (const auto& json : nlohmann::json::parse(text)) tables.push_back(reproduction_of(json));
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(file,
+                     "holds no reproduced tables; leave out --resume or name the file that --json wrote");
+  }
+  return tables;
+}
 
 std::string reproduction_json(const std::vector<NamedReproduction>& tables) {
   auto json = nlohmann::ordered_json::array();

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "base/file.h"
 #include "geometry/boolean.h"
@@ -208,6 +209,73 @@ TEST(Methods, RhoSaysItsCoefficient) {
   const auto result =
       run_clearcut({"plan", input, "--tool", "endmill:16", "--strategy", "rho", "-o", folder.path("a.ngc")});
   EXPECT_THAT(result.err, HasSubstr("rho_opt 0.7187 from the smallest angle, 60.00 degrees"));
+}
+
+/// What the result file says of contours, the certificate says too.
+TEST(Methods, CertificatesHoldCoefficientsAndResiduals) {
+  const ScratchFolder folder;
+  const auto input = folder.file("triangle.edges", kTriangle);
+  const auto result =
+      run_clearcut({"plan", input, "--tool", "endmill:10", "--strategy", "lom", "--stepover", "7.01mm",
+                    "--certificate", folder.path("c.json"), "-o", folder.path("a.ngc")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(read_file(folder.path("c.json")));
+  const auto& contours = json.at("contours").at(0);
+  EXPECT_EQ(contours.at("from_wall_mm").size(), 3u);
+  const auto& first = contours.at("coefficients").at(0);
+  EXPECT_NEAR(first.at("coefficient").get<double>(), 0.701, 1e-6);
+  EXPECT_NEAR(first.at("smallest_angle_deg").get<double>(), 60, 1e-3);
+  // Eq. 4: F = (R - 2 R (1 - kappa)) / sin(alpha / 2) - R.
+  EXPECT_NEAR(first.at("residual_mm").get<double>(), (5 - 10 * (1 - 0.701)) / 0.5 - 5, 1e-3);
+  EXPECT_GT(json.at("published_time_s").get<double>(), json.at("time_naive_s").get<double>());
+}
+
+/// Job files choose the published grid and algorithm, for all operations or for some.
+TEST(Methods, JobsChooseThePublishedSystem) {
+  const ScratchFolder folder;
+  folder.file("plate.edges", "name plate\ndepth 2\n60 90\n40 90\n60 90\n40 90\n");
+  const std::string head =
+      "[part]\nfile = \"plate.edges\"\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 10\n";
+  const auto explain = [&](const std::string& rest) {
+    const auto job = folder.file("job.toml", head + rest);
+    return run_clearcut({"plan", job, "-o", folder.path("a.ngc"), "--certificate", folder.path("c.json")});
+  };
+  const auto value = [&](const std::string& name) {
+    for (const auto& one : nlohmann::json::parse(read_file(folder.path("c.json"))).at("values"))
+      if (one.at("name") == name)
+        return one.at("value").get<std::string>() + " " + one.at("origin").get<std::string>();
+    return std::string();
+  };
+  const std::string published = "grid = \"published\"\nsolver = \"published\"\ngenerations = 100\n";
+  const auto whole = explain("[plan]\nstrategy = \"tour\"\n" + published);
+  EXPECT_NE(whole.exit_code, 2) << whole.err;
+  EXPECT_EQ(value("grid"), "published job file");
+  EXPECT_EQ(value("solver"), "published job file");
+  const auto one = explain("[[operation]]\nfeature = \"*\"\nstrategy = \"tour\"\n" + published);
+  EXPECT_NE(one.exit_code, 2) << one.err;
+  EXPECT_EQ(value("solver"), "published job file");
+  EXPECT_EQ(explain("[plan]\nstrategy = \"zigzag\"\n" + published).exit_code, 2);
+  EXPECT_EQ(explain("[plan]\nstrategy = \"tour\"\ngenerations = 100\n").exit_code, 2);
+  EXPECT_EQ(explain("[plan]\nstrategy = \"tour\"\nsolver = \"clairvoyant\"\n").exit_code, 2);
+}
+
+/// One page without scripts: elements, squares, animated visit, convergence, all points.
+TEST(Methods, ElementsHaveAPage) {
+  const ScratchFolder folder;
+  const auto plan = [&](const char* page) {
+    return run_clearcut({"elements", CLEARCUT_SOURCE_DIR "/examples/five_pockets.toml", "--solver",
+                         "published", "--generations", "60", "--html", folder.path(page), "-o",
+                         folder.path("a.ngc")});
+  };
+  EXPECT_NE(plan("a.html").exit_code, 2);
+  const std::string page = read_file(folder.path("a.html"));
+  for (const char* part : {"<h2>Elements", "<h2>Activated, reduced, cut", "animateMotion", "published solver",
+                           "generation", "Table of all points"})
+    EXPECT_THAT(page, HasSubstr(part));
+  EXPECT_THAT(page, Not(HasSubstr("<script")));
+  EXPECT_THAT(page, Not(HasSubstr("http://www.w3.org/1999/xlink")));
+  plan("b.html");
+  EXPECT_EQ(read_file(folder.path("b.html")), page) << "the same seed";
 }
 
 /// The published system on a part: its grid, its algorithm; what it leaves is a figure of the certificate.

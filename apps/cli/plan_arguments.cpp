@@ -84,14 +84,13 @@ void SolverArguments::add_options(CLI::App& command) {
       ->group(group);
 }
 
-std::optional<PublishedSolver> SolverArguments::solver() const {
-  const auto& own = published_;
-  if (named(kSolvers, name_, "--solver").value_or(false)) return own;
-  if (own.generations || own.population || own.selection || own.crossover || own.mutation ||
-      own.crossover_rate || own.mutation_rate || own.most_shared)
+std::optional<VisitSolver> SolverArguments::solver() const {
+  const auto is_published = named(kSolvers, name_, "--solver");
+  if (!is_published.value_or(false) && published_.is_set())
     throw InputError("--solver",
                      "is not published, but settings of that solver are given; add --solver published");
-  return std::nullopt;
+  if (!is_published) return std::nullopt;
+  return VisitSolver{*is_published, published_};
 }
 
 void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
@@ -323,8 +322,8 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
 
 Part PlanArguments::read() const {
   const auto from_job = job();
-  Part part =
-      from_job ? part_of_job(*from_job, read_options(), step_sources_) : read_part(input_, read_options());
+  Part part = from_job ? part_of_job(*from_job, read_options(), step_sources_, step_published_)
+                       : read_part(input_, read_options());
   if (clearance_z_) part.clearance_z = clearance_z_;
   part.diagnostics.append(library().diagnostics);
   return part;
@@ -432,7 +431,6 @@ PlanOptions PlanArguments::options() const {
   for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
   if (direction_) options.direction = direction_named(*direction_, "--direction");
   options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
-  options.bisector_passages = named(kPassages, passage_, "--passage");
   if (start_) options.start = point_of(*start_, "--start");
   options.cutting.feed = feed_of(feed_);
   options.cutting.plunge_feed = feed_of(plunge_feed_);
@@ -440,8 +438,9 @@ PlanOptions PlanArguments::options() const {
   options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
   options.post = post(given.output);
-  options.published_solver = solver_.solver();
-  options.published_grid = named(kGrids, grid_, "--grid").value_or(false);
+  options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
+                       solver_.solver()};
+  options.step_published = step_published_;
   options.objective = objective_.value_or(given.objective.value_or("time"));
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));

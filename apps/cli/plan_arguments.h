@@ -18,8 +18,8 @@ namespace clearcut::cli {
 class SolverArguments {
  public:
   void add_options(CLI::App& command);
-  /// Absent: ours. Throws InputError for an unknown solver, and for settings without the published one.
-  std::optional<PublishedSolver> solver() const;
+  /// Absent: not given. Throws InputError for an unknown solver, and for settings without the published one.
+  std::optional<VisitSolver> solver() const;
 
  private:
   std::optional<std::string> name_;
@@ -66,7 +66,8 @@ class PlanArguments {
 
   std::string input_;
   Sources typed_;
-  mutable StepSources step_sources_;  ///< of the part that was read
+  mutable StepChoices step_published_;  ///< likewise
+  mutable StepSources step_sources_;    ///< of the part that was read
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;

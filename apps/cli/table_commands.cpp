@@ -6,6 +6,7 @@
 #include <clearcut/studies.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -60,6 +61,7 @@ struct ReproduceCommand {
   bool list = false;
   bool all = false;
   bool quiet = false;
+  bool resume = false;
   std::string json;
   std::string html;
 };
@@ -114,23 +116,52 @@ std::vector<const studies::ReproducibleTable*> chosen_tables(const ReproduceComm
   return tables;
 }
 
+/// Made now, or kept from an earlier run.
+studies::NamedReproduction reproduction(const studies::ReproducibleTable& table,
+                                        const std::vector<studies::NamedReproduction>& kept, bool is_quiet) {
+  for (const auto& one : kept)
+    if (one.name == table.name) return one;
+  std::optional<SignOfLife> sign;
+  if (!is_quiet) sign.emplace(fmt::format("reproduce {}, about {:g} s", table.name, table.cost_s));
+  return {table.name, table.place, table.make()};
+}
+
+/// Tables of an earlier run that was asked to write the same file; none where there is no such file yet.
+std::vector<studies::NamedReproduction> kept_tables(const ReproduceCommand& command) {
+  if (!command.resume) return {};
+  if (command.json.empty() || command.json == "-")
+    throw InputError("--resume", "takes up the tables of a file; add --json FILE");
+  if (!std::filesystem::exists(command.json)) return {};
+  return studies::read_reproduction_json(read_file(command.json), command.json);
+}
+
+bool is_among(const std::vector<const studies::ReproducibleTable*>& tables, const std::string& name) {
+  return std::any_of(tables.begin(), tables.end(), [&](const auto* table) { return table->name == name; });
+}
+
+void print_reproduction(const studies::Reproduction& reproduction) {
+  auto text = reproduction.table;
+  if (!reproduction.compared.empty()) text.notes.push_back(reproduction.summary());
+  print_line(plain(text));
+  std::fflush(stdout);
+}
+
+/// The JSON file is there after every table, so that a run that is broken off can be taken up again.
 void reproduce_tables(const ReproduceCommand& command) {
   if (command.list) return print_line(plain(list_of_tables()));
+  const bool is_file = !command.json.empty() && command.json != "-";
+  const auto kept = kept_tables(command);
+  const auto tables = chosen_tables(command);
   std::vector<studies::NamedReproduction> made;
-  for (const auto* table : chosen_tables(command)) {
-    std::optional<SignOfLife> sign;
-    if (!command.quiet) sign.emplace(fmt::format("reproduce {}, about {:g} s", table->name, table->cost_s));
-    made.push_back({table->name, table->place, table->make()});
-    sign.reset();
-    auto text = made.back().reproduction.table;
-    if (!made.back().reproduction.compared.empty()) text.notes.push_back(made.back().reproduction.summary());
-    if (command.json != "-" && command.html != "-") print_line(plain(text));
-    std::fflush(stdout);
+  for (const auto& one : kept)
+    if (!is_among(tables, one.name)) made.push_back(one);
+  for (const auto* table : tables) {
+    made.push_back(reproduction(*table, kept, command.quiet));
+    if (command.json != "-" && command.html != "-") print_reproduction(made.back().reproduction);
+    if (is_file) write_outputs({{command.json, studies::reproduction_json(made)}});
   }
-  std::vector<OutputFile> files;
-  if (!command.json.empty()) files.push_back({command.json, studies::reproduction_json(made)});
-  if (!command.html.empty()) files.push_back({command.html, studies::reproduction_page(made)});
-  write_outputs(files);
+  if (command.json == "-") write_outputs({{command.json, studies::reproduction_json(made)}});
+  if (!command.html.empty()) write_outputs({{command.html, studies::reproduction_page(made)}});
   if (command.quiet || !command.names.empty() || command.all) return;
   for (const auto& table : studies::reproducible_tables())
     if (table.is_long) fmt::print(stderr, "not run, it is long: clearcut reproduce {}\n", table.name);
@@ -193,6 +224,8 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
   command->add_flag("--all", state->all, "The long ones, too");
   command->add_option("--json", state->json, "Tables with every printed cell judged to write (JSON)");
   command->add_option("--html", state->html, "The same as one page to write");
+  command->add_flag("--resume", state->resume,
+                    "Keep the tables that the file of --json has already, make the others");
   command->add_flag("--quiet", state->quiet, "No progress");
   command->callback([state, &exit_code] {
     reproduce_tables(*state);

@@ -52,6 +52,9 @@ struct ResolvedStep {
   double lead = 0;                        ///< radius of arcs, length of lines; 0: none
   std::optional<Radians> lead_angle;      ///< of lines against the pass; absent: arcs
   double cross_z = 0;                     ///< where rapids cross between passes; absolute
+  std::optional<bool> bisector_passages;  ///< of contour methods; absent: the method decides
+  VisitSolver solver;                     ///< of the strategy tour
+  bool published_grid = false;            ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
 
   /// Where the wall is, seen along closed passes.
   bool wall_on_right() const { return (direction == CutDirection::kClimb) == spindle_clockwise; }
@@ -72,9 +75,6 @@ struct ResolvedPlan {
   ContourOrder order = ContourOrder::kInsideOut;
   std::optional<Vec2> start;             ///< where cutting begins; absent: anywhere
   std::optional<double> engagement_deg;  ///< limit; absent: none
-  std::optional<bool> bisector_passages;  ///< of contour methods; absent: those of the published ones
-  std::optional<PublishedSolver> published_solver;  ///< orders grids; absent: ours does
-  bool published_grid = false;                      ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
   Objective objective;
   std::optional<double>
       search_s;  ///< longest search; absent: as long as is worth it, the same on any machine

@@ -331,17 +331,25 @@ void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOpt
   }
 }
 
-/// Options of one kind of strategy, asked for with another, would be ignored without a word.
-void refuse_what_means_nothing(const ResolvedPlan& plan) {
-  for (const ResolvedStep& step : plan.steps) {
-    if (step.strategy == nullptr) continue;
-    const std::string& name = step.strategy->name;
-    const bool has_contours = name == "contour" || plan::contour::contour_rule(name, {});
-    if (plan.bisector_passages && !has_contours)
-      throw InputError("--passage", fmt::format("is for contours; '{}' has none", name));
-    if ((plan.published_grid || plan.published_solver) && name != "tour")
-      throw InputError("--solver",
-                       fmt::format("and --grid are for the strategy tour; '{}' has no grid", name));
+/// What a step asks for that its strategy has not: "" where all is used.
+std::string unused_choice(const ResolvedStep& step) {
+  const std::string name = step.strategy ? step.strategy->name : "auto";
+  const bool has_contours = name == "contour" || plan::contour::contour_rule(name, {});
+  if (step.bisector_passages && !has_contours)
+    return fmt::format("--passage is for contour strategies, '{}' is planned", name);
+  if ((step.published_grid || step.solver.is_published) && name != "tour")
+    return fmt::format("--grid and --solver published are for the strategy tour, '{}' is planned", name);
+  return "";
+}
+
+/// Options of one kind of strategy, asked for with another, are refused where no step can use them, and else said.
+void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostics) {
+  std::size_t unused = 0;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const std::string text = unused_choice(plan.steps[i]);
+    if (text.empty()) continue;
+    if (++unused == plan.steps.size()) throw InputError("plan", text + "; add --strategy");
+    diagnostics.warn(plan.part.workplan[i].name, text);
   }
 }
 
@@ -411,7 +419,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   result.part = plan.part;
   result.values = plan.values;
   resolve::refuse_what_cannot_be(result.part, options);
-  refuse_what_means_nothing(plan);
+  refuse_what_means_nothing(plan, result.part.diagnostics);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto planner = [&](int step, const Attempt& attempt) {

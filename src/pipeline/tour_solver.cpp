@@ -90,6 +90,9 @@ order::ObjectivePtr layer_objective(ObjectiveKind kind, const plan::tour::TourTa
       return machine_time_objective(search.machine, search.feed);
     case ObjectiveKind::kEngagement:
       return engagement_objective(search.engagement_target(), [=] { return raster_engagement(engagement); });
+    case ObjectiveKind::kEngagementInverse:
+      return engagement_objective(
+          search.engagement_target(), [=] { return raster_engagement(engagement); }, inverse_engagement_cost);
     case ObjectiveKind::kEngagementExact:
       break;
   }
@@ -118,12 +121,16 @@ order::Problem grid_problem(const plan::tour::TourTask& task) {
   return problem;
 }
 
-order::Tour published_order(const order::Problem& problem, const order::Objective& objective,
-                            const PublishedOrder& how) {
+order::GeneticResult published_order(const order::Problem& problem, const order::Objective& objective,
+                                     const PublishedOrder& how) {
   if (problem.points.size() < kFewPoints) {
     order::SolveOptions exact;
     exact.stop.rounds = 1;
-    return order::solve(problem, objective, exact).tour;
+    order::GeneticResult few;
+    const auto solution = order::solve(problem, objective, exact);
+    few.tour = solution.tour;
+    few.value = solution.objective;
+    return few;
   }
   const PublishedSolver& published = how.solver;
   order::GeneticOptions genetic;
@@ -144,20 +151,21 @@ order::Tour published_order(const order::Problem& problem, const order::Objectiv
   std::atomic<bool> stop = false;
   const std::stop_callback on_cancel(how.cancel, [&stop] { stop = true; });
   genetic.stop.cancel = &stop;
-  auto tour = order::run_genetic(problem, objective, genetic).tour;
+  auto result = order::run_genetic(problem, objective, genetic);
   throw_if_cancelled(how.cancel);
-  return tour;
+  return result;
 }
 
-plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, MmPerMin feed, bool briefly) {
+plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, bool briefly) {
   const Search search{plan.objective, plan.engagement_deg, plan.search_s, plan.seed,
-                      plan.threads,   plan.machine,        feed,          plan.cancel};
-  return [search, briefly, published = plan.published_solver](const plan::tour::TourTask& task) {
+                      plan.threads,   plan.machine,        step.feed,     plan.cancel};
+  return [search, briefly, solver = step.solver](const plan::tour::TourTask& task) {
     const auto objective = objective_of(
         search.objective, [&](ObjectiveKind kind) { return layer_objective(kind, task, search); });
-    if (published)
+    if (solver.is_published)
       return published_order(grid_problem(task), *objective,
-                             {*published, search.seed, search.seconds, search.cancel});
+                             {solver.published, search.seed, search.seconds, search.cancel})
+          .tour;
     order::SolveOptions solve;
     solve.seed = search.seed;
     solve.threads = search.threads;

@@ -4,9 +4,9 @@
 #include <functional>
 
 #include "model/resolved_plan.h"
+#include "order/genetic/genetic.h"
 #include "order/objective.h"
 #include "order/problem.h"
-#include "order/solve.h"
 #include "plan/tour/tour.h"
 
 namespace clearcut::pipeline {
@@ -33,12 +33,12 @@ struct PublishedOrder {
   std::stop_token cancel;
 };
 
-/// The text's genetic algorithm on any problem. Few points are ordered exactly.
-order::Tour published_order(const order::Problem& problem, const order::Objective& objective,
-                            const PublishedOrder& how);
+/// The text's genetic algorithm on any problem. Few points are ordered exactly, without samples.
+order::GeneticResult published_order(const order::Problem& problem, const order::Objective& objective,
+                                     const PublishedOrder& how);
 
 /// Orders grids by plan.objective. Without plan.search_s the same points give the same order, however
 /// busy the machine. `briefly`: with a fifth of the usual search, which is seldom felt in the order.
-plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, MmPerMin feed, bool briefly = false);
+plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, bool briefly = false);
 
 }  // namespace clearcut::pipeline

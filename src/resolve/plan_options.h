@@ -43,7 +43,6 @@ struct PlanOptions {
   /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
   std::optional<std::string> strategy;
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
-  std::optional<bool> bisector_passages;  ///< of contour methods; absent: those of the published ones
   std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found
   std::optional<double> stepdown;       ///< mm
   std::optional<double> allowance;      ///< mm, on walls
@@ -64,8 +63,8 @@ struct PlanOptions {
   CuttingData cutting;
   Machine machine;
   PostOptions post;
-  std::optional<PublishedSolver> published_solver;  ///< orders grids and elements' squares; absent: ours does
-  bool published_grid = false;  ///< of the strategy tour: Tour eq. 4.8, and nothing else is cut
+  PublishedChoices published;  ///< of every workingstep; goes before those of `step_published`
+  StepChoices step_published;  ///< of the job's operations
   std::string objective = "time";
   std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
   std::optional<double> time_s;     ///< longest search

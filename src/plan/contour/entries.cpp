@@ -37,13 +37,13 @@ constexpr ContourMethod kContourMethods[] = {
 /// rings that are whole.
 Passage passage_of(const ContourMethod& method, const StrategyRequest& request) {
   const bool leads = request.step.lead > 0;
-  if (request.plan.bisector_passages.value_or(false) && leads)
+  if (request.step.bisector_passages.value_or(false) && leads)
     throw InputError("--passage",
                      "rings that begin with leads are not joined; leave out --lead or --passage bisector");
   const std::string name = method.name;
   const bool is_published = name != "contour" && !name.ends_with("-corrected");
   const bool is_asked_for = request.step.strategy != nullptr && request.step.strategy->name == name;
-  return request.plan.bisector_passages.value_or(is_published && is_asked_for && !leads) ? Passage::kBisector
+  return request.step.bisector_passages.value_or(is_published && is_asked_for && !leads) ? Passage::kBisector
                                                                                          : Passage::kShortest;
 }
 

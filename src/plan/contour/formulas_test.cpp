@@ -91,6 +91,11 @@ TEST(Formulas, ResidualVanishesAtKappa) {
   }
 }
 
+/// Eq. 4 as a number: R = 5, alpha = 60 degrees, step 7.01, so overlap 0.299.
+TEST(Formulas, ResidualOfFigure10) {
+  EXPECT_NEAR(residual_size(radians(60), 5, 0.299), -0.98, 1e-9);
+}
+
 TEST(Formulas, PassageOfTheTriangle) {
   EXPECT_NEAR(passage_length(7.01, radians(60)), 14.02, 1e-12);
 }

@@ -70,7 +70,7 @@ Path begun_at(const Path& ring, const Place& place) {
   return path;
 }
 
-/// Rings that one way joins, from the wall inwards, and where each is begun.
+/// Rings that one pass joins, from the wall inwards, and where each is begun.
 struct Run {
   std::vector<std::size_t> rings;
   std::vector<Place> begins;
@@ -94,7 +94,7 @@ class Joiner {
       if (place[i] >= 0 || !layer_.passes[i].closed) continue;
       const Run run = run_from(i);
       for (const std::size_t ring : run.rings) place[ring] = static_cast<int>(joined.size());
-      joined.push_back(run.rings.size() > 1 ? way_of(run) : layer_.passes[i]);
+      joined.push_back(run.rings.size() > 1 ? joined_pass(run) : layer_.passes[i]);
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (!layer_.passes[i].closed && !is_held(layer_.passes[i])) joined.push_back(layer_.passes[i]);
@@ -123,24 +123,24 @@ class Joiner {
     return options_.wall_on_right ? path : reversed(path);
   }
 
-  Pass way_of(const Run& run) {
-    Pass way = layer_.passes[run.rings.front()];
-    way.path.clear();
-    way.closed = way.reversible = false;
+  Pass joined_pass(const Run& run) {
+    Pass joined = layer_.passes[run.rings.front()];
+    joined.path.clear();
+    joined.closed = joined.reversible = false;
     const std::size_t last = run.rings.size() - 1;
     for (std::size_t step = 0; step <= last; ++step) {
       const std::size_t i = options_.outside_in ? step : last - step;
       const Path ring = oriented_ring(run.rings[i], run.begins[i]);
       if (step > 0) {
-        passages_.push_back(Edge::line(way.path.back().to, ring.front().from));
-        way.path.push_back(passages_.back());
+        passages_.push_back(Edge::line(joined.path.back().to, ring.front().from));
+        joined.path.push_back(passages_.back());
       }
-      way.path.insert(way.path.end(), ring.begin(), ring.end());
+      joined.path.insert(joined.path.end(), ring.begin(), ring.end());
     }
-    return way;
+    return joined;
   }
 
-  /// Whether a pass is a passage that a way already runs.
+  /// Whether a pass is a passage that a joined pass already runs.
   bool is_held(const Pass& pass) const {
     if (pass.path.size() != 1) return false;
     const Edge& own = pass.path.front();

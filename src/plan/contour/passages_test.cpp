@@ -29,15 +29,15 @@ class TriangleOfTheFigure : public ::testing::TestWithParam<bool> {};
 TEST_P(TriangleOfTheFigure, IsOneWayOfThePrintedLength) {
   const auto result = planned(Passage::kBisector, GetParam());
   ASSERT_EQ(result.passes.size(), 1u);
-  const Pass& way = result.passes.front();
-  EXPECT_FALSE(way.closed);
-  EXPECT_FALSE(way.reversible);
-  EXPECT_NEAR(length(way.path), 373.4802, 5e-5);
+  const Pass& pass = result.passes.front();
+  EXPECT_FALSE(pass.closed);
+  EXPECT_FALSE(pass.reversible);
+  EXPECT_NEAR(length(pass.path), 373.4802, 5e-5);
   int passages = 0;
-  for (const Edge& edge : way.path) passages += std::abs(edge.length() - 14.02) < 1e-6;
+  for (const Edge& edge : pass.path) passages += std::abs(edge.length() - 14.02) < 1e-6;
   EXPECT_EQ(passages, 2);
-  for (std::size_t i = 1; i < way.path.size(); ++i)
-    EXPECT_NEAR(distance(way.path[i - 1].to, way.path[i].from), 0, 1e-9);
+  for (std::size_t i = 1; i < pass.path.size(); ++i)
+    EXPECT_NEAR(distance(pass.path[i - 1].to, pass.path[i].from), 0, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(CpoKappa, TriangleOfTheFigure, ::testing::Bool());
