@@ -64,8 +64,9 @@ TEST(TextsPage, EveryCommandRuns) {
     const auto result = run_clearcut(arguments_of(item.command, folder));
     EXPECT_THAT(result.exit_code, ::testing::AnyOf(0, 1)) << item.command << "\n" << result.err;
     EXPECT_EQ(item.agreement, "runs") << item.what;
-    if (item.command.find("-o a.ngc") != std::string::npos)
+    if (item.command.find("-o a.ngc") != std::string::npos) {
       EXPECT_TRUE(std::filesystem::remove(folder.path("a.ngc"))) << item.command;
+    }
     ++run;
   }
   EXPECT_GE(run, 20);
@@ -103,6 +104,7 @@ TEST(TextsPage, ReproducedTablesAreTakenUpAgain) {
   text.replace(text.find("Coefficients and steps"), 12, "COEFFICIENTS");
   folder.file("t.json", text);
   const auto resumed = run_clearcut({"reproduce", "captions", "triangle", "--json", json, "--resume"});
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_THAT(resumed.out, ::testing::AllOf(::testing::HasSubstr("COEFFICIENTS and steps"),
                                             ::testing::HasSubstr("CPO-kappa figure 10")));
   EXPECT_EQ(run_clearcut({"reproduce", "captions", "--resume"}).exit_code, 2);

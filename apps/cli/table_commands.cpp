@@ -132,7 +132,9 @@ std::vector<studies::NamedReproduction> kept_tables(const ReproduceCommand& comm
   if (command.json.empty() || command.json == "-")
     throw InputError("--resume", "takes up the tables of a file; add --json FILE");
   if (!std::filesystem::exists(command.json)) return {};
-  return studies::read_reproduction_json(read_file(command.json), command.json);
+  auto kept = studies::read_reproduction_json(read_file(command.json), command.json);
+  forget_input(command.json);
+  return kept;
 }
 
 bool is_among(const std::vector<const studies::ReproducibleTable*>& tables, const std::string& name) {
