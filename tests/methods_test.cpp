@@ -241,7 +241,8 @@ TEST(Methods, JobsChooseThePublishedSystem) {
     return run_clearcut({"plan", job, "-o", folder.path("a.ngc"), "--certificate", folder.path("c.json")});
   };
   const auto value = [&](const std::string& name) {
-    for (const auto& one : nlohmann::json::parse(read_file(folder.path("c.json"))).at("values"))
+    const auto certificate = nlohmann::json::parse(read_file(folder.path("c.json")));
+    for (const auto& one : certificate.at("values"))
       if (one.at("name") == name)
         return one.at("value").get<std::string>() + " " + one.at("origin").get<std::string>();
     return std::string();
