@@ -31,9 +31,9 @@ mutant $formulas '(radius - w)' '(radius - 1.01 * w)' plan_test 'Formulas.*'
 mutant $formulas '(radius - 2 * radius * overlap)' '(radius - 2.02 * radius * overlap)' plan_test 'Formulas.*'
 mutant $formulas 'return step / std::sin(alpha / 2)' 'return 1.01 * step / std::sin(alpha / 2)' plan_test 'Formulas.*:*Triangle*'
 mutant src/plan/contour/side_offsets.cpp 'std::cos(angle / 2)' 'std::cos(angle / 1.98)' plan_test 'SideOffsets.*'
-mutant src/pipeline/compare.cpp 'kTau = 0.177' 'kTau = 0.17877' pipeline_test 'PublishedConstants.*'
-mutant src/pipeline/engagement_model.cpp 'std::expm1(5 *' 'std::expm1(5.05 *' pipeline_test 'PublishedConstants.*'
-mutant src/pipeline/engagement_model.cpp 'kLeast = 0.02' 'kLeast = 0.0202' pipeline_test 'PublishedConstants.*:Engagement.*'
+mutant src/pipeline/selection/compare.cpp 'kTau = 0.177' 'kTau = 0.17877' pipeline_test 'PublishedConstants.*'
+mutant src/pipeline/tour/engagement_model.cpp 'std::expm1(5 *' 'std::expm1(5.05 *' pipeline_test 'PublishedConstants.*'
+mutant src/pipeline/tour/engagement_model.cpp 'kLeast = 0.02' 'kLeast = 0.0202' pipeline_test 'PublishedConstants.*:Engagement.*'
 
 [ "$survived" -eq 0 ] && echo 'every change of 1 % shows'
 exit "$survived"

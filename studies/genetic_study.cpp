@@ -11,13 +11,13 @@
 #include <mutex>
 
 #include "base/error.h"
-#include "base/format.h"
 #include "base/parallel.h"
+#include "base/text/format.h"
 #include "order/genetic/crossover.h"
 #include "order/genetic/mutation.h"
 #include "order/genetic/selection.h"
 #include "order/lattice.h"
-#include "pipeline/tour.h"
+#include "pipeline/tour/tour.h"
 #include "report/picture/chart.h"
 
 namespace clearcut::studies {

@@ -12,9 +12,9 @@
 #include "base/units.h"
 #include "geometry/clearance.h"
 #include "geometry/side_list.h"
-#include "pipeline/compare.h"
 #include "pipeline/run.h"
-#include "pipeline/tool_sets.h"
+#include "pipeline/selection/compare.h"
+#include "pipeline/selection/tool_sets.h"
 
 namespace clearcut::studies {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/units.h"
-#include "pipeline/engagement_model.h"
-#include "pipeline/tour_solver.h"
+#include "pipeline/tour/engagement_model.h"
+#include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
 #include "resolve/prepare.h"
 #include "studies/fishhead.h"

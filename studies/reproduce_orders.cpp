@@ -9,7 +9,7 @@
 #include "geometry/clearance.h"
 #include "order/lattice.h"
 #include "order/solve.h"
-#include "pipeline/tour_solver.h"
+#include "pipeline/tour/tour_solver.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "resolve/prepare.h"

@@ -10,13 +10,13 @@
 #include <numeric>
 #include <optional>
 
-#include "base/file.h"
+#include "base/files/file.h"
 #include "base/parallel.h"
 #include "order/genetic/genetic.h"
 #include "order/lattice.h"
 #include "order/solve.h"
 #include "order/tsplib.h"
-#include "pipeline/tour.h"
+#include "pipeline/tour/tour.h"
 
 namespace clearcut::studies {
 namespace {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/xml_text.h"
+#include "base/text/xml_text.h"
 
 namespace clearcut::studies {
 namespace {

@@ -407,7 +407,8 @@ PlanOptions PlanArguments::options() const {
   options.tools = tools();
   options.tool_cutting = tool_cutting(from_job);
   options.machine = machine(from_job);
-  options.accept = accept_;
+  options.accept = given.accept;
+  options.accept.insert(options.accept.end(), accept_.begin(), accept_.end());
   check_strategies(given);
   options.sources = given.sources;
   if (machine_file_) options.sources.merge(machine_sources(*machine_file_));

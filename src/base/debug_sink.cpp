@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/file.h"
-#include "base/format.h"
-#include "base/xml_text.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
+#include "base/text/xml_text.h"
 
 namespace clearcut::inline base {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <pugixml.hpp>
 
-#include "base/file.h"
+#include "base/files/file.h"
 
 namespace clearcut::inline base {
 namespace {

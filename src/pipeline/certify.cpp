@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "base/digest.h"
 #include "base/error.h"
-#include "base/format.h"
+#include "base/files/digest.h"
+#include "base/text/format.h"
 #include "base/version.h"
 #include "link/link.h"
-#include "model/not_machined.h"
+#include "model/results/not_machined.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "report/motion_text.h"

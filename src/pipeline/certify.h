@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "link/link.h"
+#include "model/options/resolved_plan.h"
 #include "model/pass.h"
-#include "model/resolved_plan.h"
 #include "pipeline/run.h"
 #include "read/gcode/dialect.h"
 #include "verify/verify.h"

@@ -6,12 +6,12 @@
 #include <chrono>
 #include <functional>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/clearance.h"
 #include "order/solve.h"
 #include "pipeline/certify.h"
-#include "pipeline/strategies.h"
-#include "pipeline/tour_solver.h"
+#include "pipeline/selection/strategies.h"
+#include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
 #include "plan/grid/check.h"
 #include "plan/grid/shape.h"

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "model/contest.h"
 #include "model/control.h"
-#include "model/findings.h"
 #include "model/move.h"
-#include "model/resolved_plan.h"
+#include "model/options/resolved_plan.h"
+#include "model/results/contest.h"
+#include "model/results/findings.h"
 #include "read/gcode/dialect.h"
 #include "report/result.h"
 #include "resolve/plan_options.h"

@@ -1,8 +1,8 @@
 #include "pipeline/texts.h"
 
-#include "base/digest.h"
+#include "base/files/digest.h"
 #include "base/version.h"
-#include "pipeline/compare.h"
+#include "pipeline/selection/compare.h"
 #include "report/certificate.h"
 #include "report/contest_table.h"
 #include "report/picture/svg.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "post/block_printer.h"
 #include "post/comment.h"
 #include "post/drill_cycle.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "post/iso_writer.h"
 #include "post/klartext_writer.h"
 #include "post/print_grid.h"

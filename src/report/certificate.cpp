@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/digest.h"
+#include "base/files/digest.h"
 #include "base/units.h"
 #include "report/certificate_question.h"
 #include "report/motion_text.h"

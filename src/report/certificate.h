@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "base/tolerances.h"
-#include "model/contest.h"
-#include "model/findings.h"
 #include "model/machine.h"
+#include "model/options/resolved_plan.h"
 #include "model/part.h"
-#include "model/resolved_plan.h"
+#include "model/results/contest.h"
+#include "model/results/findings.h"
 #include "report/result.h"
 
 namespace clearcut::report {

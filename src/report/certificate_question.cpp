@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/digest.h"
+#include "base/files/digest.h"
 #include "model/tool.h"
 
 namespace clearcut::report {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/file.h"
+#include "base/files/file.h"
 #include "report/certificate.h"
 #include "report/certificate_question.h"
 #include "report/motion_text.h"
@@ -53,7 +53,8 @@ TEST(CertificateSchema, MissesWhatIsTakenOut) {
 TEST(CertificateSeal, BreaksWithEveryField) {
   const Json whole = sample_certificate();
   EXPECT_EQ(whole.at("seal"), seal_of(whole));
-  for (const auto& [path, value] : whole.flatten().items()) {
+  const Json flat = whole.flatten();
+  for (const auto& [path, value] : flat.items()) {
     if (path == "/seal" || value.is_structured()) continue;
     Json altered = whole;
     altered[Json::json_pointer(path)] = value.is_number() ? Json(value.get<double>() + 1e-6) : Json("other");

@@ -79,6 +79,7 @@ TEST(Certificate, FaultsSayWhatWhereAndWhy) {
 TEST(Certificate, WhatIsUnknownIsNullAndNeverClean) {
   Findings findings = sample::findings();
   findings.all.clean = true;
+  findings.faults.clear();
   findings.all.uncut_at.reset();
   EXPECT_TRUE(certificate(findings)["clean"]);
   EXPECT_TRUE(certificate(findings)["uncut_at"].is_null());

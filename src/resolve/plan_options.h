@@ -12,11 +12,11 @@
 #include "base/tolerances.h"
 #include "model/machine.h"
 #include "model/move.h"
-#include "model/origin.h"
+#include "model/options/origin.h"
+#include "model/options/post_options.h"
+#include "model/options/published_solver.h"
+#include "model/options/shop_options.h"
 #include "model/part.h"
-#include "model/post_options.h"
-#include "model/published_solver.h"
-#include "model/shop_options.h"
 #include "model/strategy_entry.h"
 
 namespace clearcut::resolve {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "resolve/names.h"
 #include "resolve/prepare.h"
 #include "resolve/value_list.h"

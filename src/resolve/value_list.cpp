@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "resolve/names.h"
 
 namespace clearcut::resolve {

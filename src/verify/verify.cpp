@@ -5,20 +5,20 @@
 
 #include "verify/blend.h"
 #include "verify/checked_move.h"
-#include "verify/coverage.h"
-#include "verify/faults.h"
-#include "verify/feature_work.h"
+#include "verify/coverage/coverage.h"
+#include "verify/coverage/feature_work.h"
+#include "verify/engagement/forces.h"
+#include "verify/engagement/load.h"
+#include "verify/faults/faults.h"
+#include "verify/faults/gouge.h"
+#include "verify/faults/tabs.h"
 #include "verify/figures.h"
-#include "verify/finished_part.h"
-#include "verify/forces.h"
-#include "verify/gouge.h"
-#include "verify/load.h"
-#include "verify/tabs.h"
+#include "verify/part/finished_part.h"
 
 namespace clearcut::verify {
 namespace {
 
-/// Moves judged as one task.
+/// Number of moves that are checked as one task.
 constexpr std::size_t kChunk = 2000;
 
 void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, const Tolerances& tol) {
@@ -36,12 +36,12 @@ void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, con
   }
 }
 
-/// The deeper of two cuts into the part.
+/// Keeps the deeper of two gouges.
 void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other) {
   if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
 }
 
-/// What the control may cut besides, within its tolerance: corners rounded, arcs of another radius.
+/// Adds the gouges of what the control may cut within its tolerance: rounded corners, arcs of another radius.
 void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>& all,
                      std::span<JudgedMove> moves, const Tolerances& tol) {
   for (JudgedMove& judged : moves) {
@@ -59,8 +59,8 @@ void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>
   }
 }
 
-/// Feed length below which the area within reach cannot be cut in one level: area / (2 R), less the first
-/// disc.
+/// mm; a feed length below which the area within reach cannot be cut in one level: area / (2 R) without the
+/// first disc.
 double lower_bound_of(const FeatureWork& work, const Feature& feature) {
   double perimeter = 0;
   for (const Region& region : feature.target) perimeter += length(region.edges());
@@ -150,7 +150,7 @@ class FindingsBuilder {
     for (FeatureFindings& step : findings_.features) {
       if (part_.workplan[step.workingstep].feature != work.feature) continue;
       for (LayerFindings& layer : step.layers) {
-        // A level that is shorter does not clear the feature.
+        // A level with less feed length does not clear the feature.
         if (layer.figures.feed_mm < bound) continue;
         layer.figures.lower_bound_mm = bound;
         step.figures.lower_bound_mm += bound;

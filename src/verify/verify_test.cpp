@@ -463,6 +463,50 @@ TEST(Verify, AnAllowanceOnTheWallIsLeft) {
   EXPECT_NEAR(findings.all.unreachable_mm2, 4 * (1 - kPi / 4) * 9, 0.5);
 }
 
+TEST(Verify, AStepThatLeavesStockOnTheFloorIsNotAskedForItsCornersThere) {
+  Part part = square_part();
+  part.workplan.push_back(part.workplan[0]);
+  Tool slim = part.tools[0];
+  slim.number = 2;
+  slim.diameter = 3;
+  part.tools.push_back(slim);
+  part.workplan[1].operation.tool = 1;
+  part.workplan[1].operation.allowance_floor = 0.5;
+  const auto program = [](double slim_z) {
+    Writer writer;
+    cut_square_rings(writer, {25, 25}, kRings, 0, -2);
+    writer.leave().tool_change(2);
+    cut_square_rings(writer, {25, 25}, {23.5}, 0, slim_z);
+    return writer.done();
+  };
+  // Down to the floor only the wide cutter was sent.
+  EXPECT_TRUE(verify_program(part, program(-1.5), {}).all.clean)
+      << report_of(verify_program(part, program(-1.5), {}));
+  part.workplan[1].operation.allowance_floor = 0;
+  EXPECT_TRUE(has(verify_program(part, program(-1.5), {}), FaultKind::kUncut));
+}
+
+TEST(Verify, ASlimCutterThatLeavesStockOnWallsIsAskedForNoMore) {
+  Part part = square_part();
+  Tool slim = part.tools[0];
+  slim.number = 2;
+  slim.diameter = 3;
+  part.tools.push_back(slim);
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[1].operation.tool = 1;
+  part.workplan[1].operation.allowance_side = 0.4;
+  const auto program = [](double ring) {
+    Writer writer;
+    cut_square_rings(writer, {25, 25}, kRings, 0, -2);
+    writer.leave().tool_change(2);
+    cut_square_rings(writer, {25, 25}, {ring}, 0, -2);
+    return writer.done();
+  };
+  const Findings right = verify_program(part, program(23.1), {});
+  EXPECT_TRUE(right.all.clean) << report_of(right);
+  EXPECT_TRUE(has(verify_program(part, program(22.8), {}), FaultKind::kUncut));
+}
+
 TEST(Verify, OpenSidesMayBePassedOver) {
   Part part = pocket_part(rectangle(0, 0, 100, 40), 20, -1);
   part.stock = Stock{{{0, 0}, {100, 40}}, -20, 0};

@@ -8,7 +8,7 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// A contour-parallel method by name: its step when the user gives none, and how it treats what steps leave.
+/// A contour-parallel method: its name, its step if none is given, and how it clears what steps leave.
 struct ContourMethod {
   const char* name;
   const char* description;
@@ -54,7 +54,7 @@ Strategy make(const ContourMethod& method, const StrategyRequest& request) {
   options.passage = passage_of(method, request);
   options.machine = request.plan.machine;
   options.feed = request.step.feed;
-  if (request.step.lead > 0) options.effort = 0;  // rings stay whole: leads need a place to begin
+  if (request.step.lead > 0) options.effort = 0;  // rings stay whole, because leads need a place to begin
   options.wall_on_right = request.step.wall_on_right();
   options.outside_in = request.plan.order == ContourOrder::kOutsideIn;
   options.start = request.plan.start;
@@ -70,7 +70,7 @@ StrategyEntry entry_of(const ContourMethod& method) {
   entry.make = [&method](const StrategyRequest& request) { return make(method, request); };
   if (method.residuals != ResidualRule::kOurs) return entry;
   entry.in_auto = AutoUse::kFirst;
-  // Methods that leave nothing by construction.
+  // Methods that leave nothing by construction are compared with it.
   entry.rivals = {"single", "double", "pwid", "loops", "lom-corrected"};
   entry.fallbacks = {"", "0.6", "0.35"};
   return entry;

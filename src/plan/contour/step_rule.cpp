@@ -14,15 +14,16 @@ namespace {
 
 using Kind = StepRule::Kind;
 
-/// mm. Paths longer than the radius by less than this leave nothing that counts.
+/// mm. A path longer than the radius by less than this leaves nothing that counts.
 constexpr double kNoRest = 0.001;
 
-/// The published rule (CPO-rho eq. 8) has w = 1 mm, which makes no sense for cutters under 2 mm: w is at most R / 2.
+/// mm; the overlap w. The published rule (CPO-rho eq. 8) has 1 mm, too much for small cutters: w is at most
+/// R / 2.
 double overlap_of(const StepRule& rule, double radius) {
   return std::min(rule.value, radius / 2);
 }
 
-/// kappa or rho of the contour, with the angle that the rule takes.
+/// kappa or rho of the contour for the angle that the rule uses.
 double coefficient(const Region& contour, const StepRule& rule, double radius) {
   switch (rule.kind) {
     case Kind::kKappa:

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/format.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/job/machine_file.h"
@@ -255,6 +255,7 @@ void read_plan_section(DataSection section, JobFile& job) {
     section.fail_at("engagement", "must be at most 360 degrees");
   job.objective = section.text("objective");
   job.time_s = section.positive("time");
+  job.accept = section.texts("accept");
   if (const auto seed = count(section, "seed", 2e9)) job.seed = static_cast<std::uint64_t>(*seed);
   section.refuse_unknown();
 }

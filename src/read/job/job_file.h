@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "model/machine.h"
-#include "model/origin.h"
+#include "model/options/origin.h"
+#include "model/options/published_solver.h"
+#include "model/options/shop_options.h"
 #include "model/part.h"
-#include "model/published_solver.h"
-#include "model/shop_options.h"
 #include "read/read_options.h"
 #include "read/tools/tool_library.h"
 
@@ -88,6 +88,7 @@ struct JobFile {
   std::optional<std::string> objective;
   std::optional<double> time_s;
   std::optional<std::uint64_t> seed;
+  std::vector<std::string> accept;  ///< conditions that hold at the machine, by name
   Sources sources;  ///< of the keys of [plan], [machine] and [output], and of its machine file
 };
 

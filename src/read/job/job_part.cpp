@@ -5,9 +5,10 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/format.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
 #include "read/common/drawing.h"
+#include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/job/job_file.h"
 #include "read/read_part.h"
@@ -332,7 +333,10 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   const std::string text = read_file(job.part_file.string(), kLargestFile);
   Part part = read_part_text(text, job.part_file.string(), options);
   if (options.overview && part.features.empty()) return part;
-  if (job.stock && !is_step_solid(text)) part.stock = stock_of(*job.stock, part, job.file);
+  if (job.stock && !is_step_solid(text)) {
+    part.stock = stock_of(*job.stock, part, job.file);
+    if (job.stock->x && job.stock->y) open_at_stock_edge(part, options.tol);
+  }
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
   Dresser(job, part, sources, published).run();

@@ -1,7 +1,7 @@
 // The commented job that `init` writes.
 #include <fmt/format.h>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "read/job/job_file.h"
 
 namespace clearcut::read {
@@ -132,6 +132,7 @@ const char* const kRest = R"(
 # objective = "time"       # length, turns, angle, engagement, time
 # time = 10                # longest search, s
 # seed = 1
+# accept = ["g55"]         # conditions of the verdict that hold at the machine, by name
 
 # [[operation]]            # what differs for some features; the same keys as [plan], and:
 # feature = "POCKET*"      # name, * for anything

@@ -9,7 +9,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "read/repair/clean.h"
-#include "read/repair/meetings.h"
+#include "read/repair/crossings/meetings.h"
 
 namespace clearcut::read {
 namespace {

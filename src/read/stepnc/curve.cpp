@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "base/units.h"
 #include "read/common/b_spline.h"
 #include "read/common/curve_fit.h"

@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/boolean.h"
-#include "read/repair/edge_index.h"
+#include "read/repair/crossings/edge_index.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read::stepnc {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/format.h"
-#include "model/not_machined.h"
+#include "base/text/format.h"
+#include "model/results/not_machined.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/parts.h"
 #include "read/stepnc/regions.h"

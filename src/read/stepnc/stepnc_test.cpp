@@ -1,4 +1,4 @@
-// What each entity of ISO 14649 comes to. Files of real writers are read in tests/stepnc_test.cpp.
+// What each entity of ISO 14649 comes to. Files of real writers are read in tests/read/stepnc_test.cpp.
 #include "read/stepnc/stepnc.h"
 
 #include <gmock/gmock.h>

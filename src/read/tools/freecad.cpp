@@ -5,7 +5,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/file.h"
+#include "base/files/file.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/tools/formats.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/format.h"
-#include "base/xml_text.h"
+#include "base/text/format.h"
+#include "base/text/xml_text.h"
 #include "report/picture/chart.h"
 #include "report/picture/grid_picture.h"
 #include "report/picture/palette.h"
