@@ -14,6 +14,22 @@
 namespace clearcut::cli {
 namespace {
 
+/// Whether as published.
+const std::map<std::string, bool> kGrids{{"ours", false}, {"published", true}};
+const std::map<std::string, bool> kSolvers{{"modern", false}, {"published", true}};
+/// Whether along bisectors.
+const std::map<std::string, bool> kPassages{{"bisector", true}, {"shortest", false}};
+template <class Value>
+std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
+                           const char* option) {
+  if (!name) return std::nullopt;
+  const auto found = names.find(*name);
+  if (found != names.end()) return found->second;
+  std::string known;
+  for (const auto& [text, value] : names) known += (known.empty() ? "" : ", ") + text;
+  throw InputError(option, "'" + *name + "' is unknown; use one of " + known);
+}
+
 std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
   if (!mm_per_min) return std::nullopt;
   return MmPerMin::of(*mm_per_min);
@@ -44,6 +60,38 @@ LayerRule operation_rule(const std::string& text) {
 }
 
 }  // namespace
+
+void SolverArguments::add_options(CLI::App& command) {
+  const std::string group = "Published solver";
+  command.add_option("--solver", name_,
+                     "Orders visits: modern, or published (the genetic algorithm of the text)");
+  command
+      .add_option("--generations", published_.generations,
+                  "Of the published solver (until 1000 bring no gain)")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  command.add_option("--population", published_.population, "Individuals (25)")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  command.add_option("--selection", published_.selection, "random, rank, roulette, tournament or truncation")
+      ->group(group);
+  command.add_option("--crossover", published_.crossover, "pmx, ox, erx, cx or eax")->group(group);
+  command.add_option("--mutation", published_.mutation, "exchange, inversion or nearest")->group(group);
+  command.add_option("--crossover-rate", published_.crossover_rate, "Chance of two parents")->group(group);
+  command.add_option("--mutation-rate", published_.mutation_rate, "Chance of a mutation")->group(group);
+  command
+      .add_option("--most-shared", published_.most_shared, "Share of edges that makes two too similar (0.2)")
+      ->group(group);
+}
+
+std::optional<VisitSolver> SolverArguments::solver() const {
+  const auto is_published = named(kSolvers, name_, "--solver");
+  if (!is_published.value_or(false) && published_.is_set())
+    throw InputError("--solver",
+                     "is not published, but settings of that solver are given; add --solver published");
+  if (!is_published) return std::nullopt;
+  return VisitSolver{*is_published, published_};
+}
 
 void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
   if (input_name == "INPUT") {
@@ -135,6 +183,9 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   add_shop_options(command);
   command.add_option("--direction", direction_, "climb or conventional");
   command.add_option("--order", order_, "Contours inside-out (default) or outside-in");
+  command.add_option(
+      "--passage", passage_,
+      "From contour to contour: bisector (of a corner; default of published methods) or shortest");
   command.add_option("--start", start_,
                      "Where the cutting of contours begins, or adaptive clearing goes down: X,Y");
   command.add_option("--feed", feed_, "Cutting feed, mm/min")->transform(as_feed());
@@ -145,6 +196,9 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   command.add_option(
       "--objective", objective_,
       "Of the strategy tour: length, turns, angle, engagement, time, or weights 1:length,20:turns");
+  command.add_option("--grid", grid_,
+                     "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves)");
+  solver_.add_options(command);
   command.add_option("--time", time_, "Longest search, s");
   command.add_option("--seed", seed_, "Seed of the search");
 }
@@ -268,8 +322,8 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
 
 Part PlanArguments::read() const {
   const auto from_job = job();
-  Part part =
-      from_job ? part_of_job(*from_job, read_options(), step_sources_) : read_part(input_, read_options());
+  Part part = from_job ? part_of_job(*from_job, read_options(), step_sources_, step_published_)
+                       : read_part(input_, read_options());
   if (clearance_z_) part.clearance_z = clearance_z_;
   part.diagnostics.append(library().diagnostics);
   return part;
@@ -385,6 +439,9 @@ PlanOptions PlanArguments::options() const {
   options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
   options.post = post(given.output);
+  options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
+                       solver_.solver()};
+  options.step_published = step_published_;
   options.objective = objective_.value_or(given.objective.value_or("time"));
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));

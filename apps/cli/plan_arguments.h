@@ -14,6 +14,18 @@
 #include "certificate_info.h"
 namespace clearcut::cli {
 
+/// --solver and what belongs to the published one, for every command that orders visits.
+class SolverArguments {
+ public:
+  void add_options(CLI::App& command);
+  /// Absent: not given. Throws InputError for an unknown solver, and for settings without the published one.
+  std::optional<VisitSolver> solver() const;
+
+ private:
+  std::optional<std::string> name_;
+  PublishedSolver published_;
+};
+
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {
  public:
@@ -54,7 +66,8 @@ class PlanArguments {
 
   std::string input_;
   Sources typed_;
-  mutable StepSources step_sources_;  ///< of the part that was read
+  mutable StepChoices step_published_;  ///< likewise
+  mutable StepSources step_sources_;    ///< of the part that was read
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;
@@ -91,6 +104,9 @@ class PlanArguments {
   ShopOptions shop_;
   std::optional<std::string> direction_;
   std::optional<std::string> order_;
+  std::optional<std::string> passage_;
+  std::optional<std::string> grid_;
+  SolverArguments solver_;
   std::optional<std::string> start_;
   std::optional<double> feed_;
   std::optional<double> plunge_feed_;

@@ -61,7 +61,10 @@ void add_study_command(CLI::App& app, int& exit_code) {
       "study", "Repeat a Monte-Carlo study of the published genetic algorithm on square lattices");
   auto state = std::make_shared<StudyCommand>();
   auto& options = state->options;
-  command->add_option("NAME", state->name, "population, selection, crossover, mutation, size, time or spread")
+  command
+      ->add_option("NAME", state->name,
+                   "population, selection, crossover, mutation, crossover-rate, mutation-rate, neighbours, "
+                   "sensitivity, size, time or spread")
       ->required();
   command->add_option("-o,--output,--csv", state->csv,
                       "Rows to write (CSV); rows already in it are kept and not run again");

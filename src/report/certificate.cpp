@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files/digest.h"
+#include "base/units.h"
 #include "report/certificate_question.h"
 #include "report/motion_text.h"
 
@@ -205,6 +206,30 @@ Json resolved(const ResolvedValue& value) {
   return json;
 }
 
+/// Contours of published methods; those of others say nothing that layers do not.
+Json contours(const ContourLevels& levels) {
+  Json json;
+  json["feature"] = levels.feature;
+  json["from_wall_mm"] = Json::array();
+  for (const double level : levels.from_wall) json["from_wall_mm"].push_back(number(level));
+  json["coefficients"] = Json::array();
+  for (const ContourCoefficient& one : levels.coefficients) {
+    Json coefficient;
+    coefficient["from_wall_mm"] = number(one.from_wall);
+    coefficient["smallest_angle_deg"] = number(one.smallest_angle * 180 / kPi);
+    coefficient["coefficient"] = number(one.share);
+    coefficient["residual_mm"] = number(one.residual);
+    json["coefficients"].push_back(coefficient);
+  }
+  return json;
+}
+
+void add_contours(Json& json, const CertificateInfo& info) {
+  for (const ContourLevels& one : info.contours)
+    if (!one.coefficients.empty()) json["contours"].push_back(contours(one));
+  if (json.contains("contours") && info.published_s) json["published_time_s"] = number(*info.published_s);
+}
+
 }  // namespace
 
 std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info) {
@@ -226,6 +251,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
     json["features"].push_back(feature(one, info.contests));
   json["faults"] = Json::array();
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
+  add_contours(json, info);
   if (!info.values.empty()) json["values"] = Json::array();
   for (const ResolvedValue& one : info.values) json["values"].push_back(resolved(one));
   json["conditions"] = Json::array();

@@ -12,6 +12,7 @@
 #include "model/part.h"
 #include "model/results/contest.h"
 #include "model/results/findings.h"
+#include "report/result.h"
 
 namespace clearcut::report {
 
@@ -38,6 +39,8 @@ struct CertificateInfo {
   std::optional<double> engagement_limit_deg;
   std::optional<std::string> material;
   std::vector<Contest> contests;  ///< of the workingsteps; empty when a program of unknown origin was judged
+  std::vector<ContourLevels> contours = {};  ///< with the coefficients of published methods
+  std::optional<double> published_s = {};    ///< CPO-rho eq. 9; absent: not asked
   std::vector<ResolvedValue> values = {};  ///< of the plan; empty when a program of unknown origin was judged
 };
 
