@@ -294,7 +294,8 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
   ASSERT_EQ(result.findings.conditions.size(), 2u);
   EXPECT_EQ(result.findings.conditions[0].name, "out-of-reach");
   EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
-  EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
+  EXPECT_THAT(result.findings.conditions[0].text,
+              HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
 }
 
 TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
@@ -343,7 +344,8 @@ TEST(OutOfReach, IsFoundInASecondOnOutlinesOfThousandsOfEdges) {
   const auto result = plan_part(part, options);
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 4) << "s of the processor";
   ASSERT_EQ(result.findings.conditions.size(), 1u);
-  EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));
+  EXPECT_THAT(result.findings.conditions[0].text,
+              HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));
 }
 
 }  // namespace
