@@ -36,7 +36,7 @@ void write_slower(const studies::StudyCase& one, const std::string& folder) {
       fmt::format(", endmill:{}, contour {:.2f} s, {} {:.2f} s", part.tools.front().diameter,
                   one.outcomes.at("contour").time_s, *one.faster, one.outcomes.at(*one.faster).time_s);
   std::filesystem::create_directories(folder);
-  write_outputs({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}});
+  write_outputs({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}}, {});
 }
 
 void compare_at_random(const CompareCommand& command) {
