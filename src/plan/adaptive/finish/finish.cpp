@@ -28,8 +28,7 @@ constexpr double kReach = 5e-4;
 constexpr double kTouched = 1e-6;
 /// Share of the tool radius: a cut round a rest is at least this long.
 constexpr double kLeastRound = 0.3;
-/// Share of the tool radius: finished stretches of wall shorter than this are run over at the cutting feed,
-/// because a link would cost more.
+/// Share of the tool radius: finished stretches of wall shorter than this are run over at the cutting feed: links cost more.
 constexpr double kMergeGap = 1.0;
 /// Shares of the tool radius: distances from a wall at which approach points of trochoidal steps are tried.
 constexpr double kApproachPoints[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};

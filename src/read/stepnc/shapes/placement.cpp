@@ -1,4 +1,4 @@
-#include "read/stepnc/placement.h"
+#include "read/stepnc/shapes/placement.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "read/stepnc/curve.h"
+#include "read/stepnc/shapes/curve.h"
 
 #include <algorithm>
 #include <cmath>

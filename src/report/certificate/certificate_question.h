@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/certificate.h"
+#include "report/certificate/certificate.h"
 
 namespace clearcut::report {
 

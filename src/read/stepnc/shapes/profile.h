@@ -1,7 +1,7 @@
 // Profiles of ISO 14649-10: closed outlines, open outlines, cross-sections swept along a path; travel paths.
 #pragma once
 
-#include "read/stepnc/curve.h"
+#include "read/stepnc/shapes/curve.h"
 
 namespace clearcut::read::stepnc {
 

@@ -1,4 +1,4 @@
-#include "report/certificate.h"
+#include "report/certificate/certificate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

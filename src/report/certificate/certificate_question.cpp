@@ -1,4 +1,4 @@
-#include "report/certificate_question.h"
+#include "report/certificate/certificate_question.h"
 
 #include <array>
 #include <cmath>

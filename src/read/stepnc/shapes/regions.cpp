@@ -8,7 +8,7 @@
 // so that only true walls, those inside S, bound `allowed`. B is first snapped to edges of S that it misses
 // by less than tol.join_gap, and it reaches beyond S where a side is open, so that the union needs no
 // coincident edges.
-#include "read/stepnc/regions.h"
+#include "read/stepnc/shapes/regions.h"
 
 #include <algorithm>
 #include <cmath>

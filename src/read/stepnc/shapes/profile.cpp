@@ -1,4 +1,4 @@
-#include "read/stepnc/profile.h"
+#include "read/stepnc/shapes/profile.h"
 
 #include <algorithm>
 #include <cmath>

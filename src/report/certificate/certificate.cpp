@@ -1,11 +1,11 @@
-#include "report/certificate.h"
+#include "report/certificate/certificate.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/files/digest.h"
-#include "report/certificate_question.h"
+#include "report/certificate/certificate_question.h"
 #include "report/motion_text.h"
 
 namespace clearcut::report {

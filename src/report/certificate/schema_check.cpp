@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "report/certificate_schema.h"
+#include "report/certificate/certificate_schema.h"
 
 namespace clearcut::report {
 namespace {

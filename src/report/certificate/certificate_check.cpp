@@ -1,8 +1,8 @@
-#include "report/certificate_check.h"
+#include "report/certificate/certificate_check.h"
 
 #include "base/error.h"
-#include "report/certificate_question.h"
-#include "report/certificate_schema.h"
+#include "report/certificate/certificate_question.h"
+#include "report/certificate/certificate_schema.h"
 
 namespace clearcut::report {
 namespace {

@@ -1,10 +1,10 @@
-#include "report/certificate_schema.h"
+#include "report/certificate/certificate_schema.h"
 
 #include <gtest/gtest.h>
 
 #include "base/files/file.h"
-#include "report/certificate.h"
-#include "report/certificate_question.h"
+#include "report/certificate/certificate.h"
+#include "report/certificate/certificate_question.h"
 #include "report/motion_text.h"
 #include "report/sample_job.h"
 
