@@ -13,7 +13,7 @@ namespace {
 constexpr double kShare = 0.02;   // of the feature's area
 constexpr double kCorners = 1.0;  // mm2
 constexpr double kSameArea = 1e-9;
-constexpr int kHalvings = 10;     // of the range of diameters that is searched
+constexpr int kHalvings = 10;  // of the range of diameters that is searched
 /// mm. Smaller cutters are not proposed.
 constexpr double kSmallest = 0.1;
 
