@@ -1,7 +1,6 @@
 #include "studies/genetic_study.h"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <charconv>
@@ -379,8 +378,7 @@ std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const Genetic
   const int total = static_cast<int>(study.levels.size()) * study.runs;
   int done = total - static_cast<int>(missing.size());
   std::mutex mutex;
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
+  on_threads(options.threads, [&] {
     parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
       auto rows = one_run(study, missing[i].first, missing[i].second, options.seed);
       const std::lock_guard lock(mutex);

@@ -82,7 +82,7 @@ int run(const ElementsCommand& command) {
                      "needs a job or elements and a program to write: clearcut elements JOB.toml -o OUT.ngc");
   const ElementJob job = job_of(command);
   const ElementsResult result = plan_elements(job, command.options);
-  write_outputs(output_files(command, job, result));
+  write_outputs(output_files(command, job, result), {command.input});
   if (!command.quiet) {
     print(result.plan.part.diagnostics, true);
     if (command.print_points) print_line(plain(points_table(job, result.points)));

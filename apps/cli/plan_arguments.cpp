@@ -59,6 +59,12 @@ LayerRule operation_rule(const std::string& text) {
   return rule;
 }
 
+/// A tool library and the files that its tools lie in.
+void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
+  files.push_back({"tools", library.string()});
+  for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
+}
+
 }  // namespace
 
 void SolverArguments::add_options(CLI::App& command) {
@@ -343,14 +349,21 @@ std::vector<Tool> PlanArguments::tools() const {
   return tools;
 }
 
+std::vector<std::string> PlanArguments::input_paths() const {
+  std::vector<std::string> paths;
+  for (const CertificateFileName& file : input_files()) paths.push_back(file.path);
+  return paths;
+}
+
 std::vector<CertificateFileName> PlanArguments::input_files() const {
   std::vector<CertificateFileName> files;
   const auto job = this->job();
   files.push_back({job ? "job" : "part", input_});
   if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
-  if (tool_library_) files.push_back({"tools", *tool_library_});
-  if (job && !tool_library_ && job->tool_library) files.push_back({"tools", job->tool_library->string()});
+  if (tool_library_) add_library(*tool_library_, files);
+  if (job && !tool_library_ && job->tool_library) add_library(*job->tool_library, files);
   if (machine_file_) files.push_back({"machine", *machine_file_});
+  if (job && !machine_file_ && job->machine_file) files.push_back({"machine", job->machine_file->string()});
   if (after_) files.push_back({"earlier program", *after_});
   if (job && !after_ && job->after) files.push_back({"earlier program", job->after->string()});
   return files;

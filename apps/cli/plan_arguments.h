@@ -45,6 +45,8 @@ class PlanArguments {
   const std::string& input() const { return input_; }
   /// Every file that the options rest on, by its role, those that a job names included.
   std::vector<CertificateFileName> input_files() const;
+  /// The paths alone.
+  std::vector<std::string> input_paths() const;
   const SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
   std::optional<JobFile> job() const;

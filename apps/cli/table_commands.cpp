@@ -43,7 +43,7 @@ void write_slower(const studies::StudyCase& one, const std::string& folder) {
       fmt::format(", endmill:{}, contour {:.2f} s, {} {:.2f} s", part.tools.front().diameter,
                   one.outcomes.at("contour").time_s, *one.faster, one.outcomes.at(*one.faster).time_s);
   std::filesystem::create_directories(folder);
-  write_outputs({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}});
+  write_outputs({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}}, {});
 }
 
 void compare_at_random(const CompareCommand& command) {
@@ -132,9 +132,7 @@ std::vector<studies::NamedReproduction> kept_tables(const ReproduceCommand& comm
   if (command.json.empty() || command.json == "-")
     throw InputError("--resume", "takes up the tables of a file; add --json FILE");
   if (!std::filesystem::exists(command.json)) return {};
-  auto kept = studies::read_reproduction_json(read_file(command.json), command.json);
-  forget_input(command.json);
-  return kept;
+  return studies::read_reproduction_json(read_file(command.json), command.json);
 }
 
 bool is_among(const std::vector<const studies::ReproducibleTable*>& tables, const std::string& name) {
@@ -160,10 +158,10 @@ void reproduce_tables(const ReproduceCommand& command) {
   for (const auto* table : tables) {
     made.push_back(reproduction(*table, kept, command.quiet));
     if (command.json != "-" && command.html != "-") print_reproduction(made.back().reproduction);
-    if (is_file) write_outputs({{command.json, studies::reproduction_json(made)}});
+    if (is_file) write_outputs({{command.json, studies::reproduction_json(made)}}, {});
   }
-  if (command.json == "-") write_outputs({{command.json, studies::reproduction_json(made)}});
-  if (!command.html.empty()) write_outputs({{command.html, studies::reproduction_page(made)}});
+  if (command.json == "-") write_outputs({{command.json, studies::reproduction_json(made)}}, {});
+  if (!command.html.empty()) write_outputs({{command.html, studies::reproduction_page(made)}}, {});
   if (command.quiet || !command.names.empty() || command.all) return;
   for (const auto& table : studies::reproducible_tables())
     if (table.is_long) fmt::print(stderr, "not run, it is long: clearcut reproduce {}\n", table.name);

@@ -51,7 +51,7 @@ void run(TourCommand command) {
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, tour_json(result)});
   if (!command.svg.empty()) files.push_back({command.svg, tour_svg(result)});
-  write_outputs(files);
+  write_outputs(files, {command.input});
   if (command.json != "-") print_line(tour_line(result));
 }
 

@@ -403,6 +403,12 @@ void report_rho(const std::vector<report::ContourLevels>& contours, const Resolv
   }
 }
 
+std::vector<int> tools_in_order(const Part& part) {
+  std::vector<int> numbers;
+  for (const Workingstep& step : part.workplan) numbers.push_back(tool_of(part, step).number);
+  return numbers;
+}
+
 /// How many attempts the choice may plan before any fallback.
 std::size_t candidates_in(const std::vector<ChoiceStep>& steps) {
   std::size_t count = 0;
@@ -453,17 +459,6 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   return result;
 }
 
-/// Numbers of the tools in the order of work, for controls whose programs cannot name them.
-static std::vector<int> tools_in_order(const Part& part, const resolve::PlanOptions& options) {
-  std::vector<int> numbers;
-  const Part prepared = resolve::prepare(part, options);
-  for (const Workingstep& step : prepared.workplan) {
-    const int number = tool_of(prepared, step).number;
-    if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
-  }
-  return numbers;
-}
-
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
                           const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect) {
   read::gcode::ReadControllerOptions reading;
@@ -471,15 +466,20 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   reading.home_z = home_z(options.machine);
   reading.safe_z = part.top_z();
   reading.places = options.machine.places;
-  if (dialect == read::gcode::Dialect::kMarlin) reading.hand_tools = tools_in_order(part, options);
+  const StrategyTable& strategies = strategies_of(options);
+  std::optional<ResolvedPlan> resolved;
+  if (dialect == read::gcode::Dialect::kMarlin) {
+    resolved = resolve::resolve(part, options, strategies);
+    reading.hand_tools = tools_by_hand(tools_in_order(resolved->part));
+  }
   auto read = read::gcode::read_gcode(program, program_name, reading);
   if (reading.hand_tools.size() > 1)
     read.conditions.push_back(
         {"tool-by-hand", "the tools are put in by hand in the order of the part's work, one at each pause",
          0});
   CheckResult result;
-  const ResolvedPlan plan =
-      resolve::resolve(part, numbered_by(read.toolpath, options), strategies_of(options));
+  if (!resolved) resolved = resolve::resolve(part, numbered_by(read.toolpath, options), strategies);
+  const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
   keep_stated_limits(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);

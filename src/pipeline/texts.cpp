@@ -3,7 +3,7 @@
 #include "base/files/digest.h"
 #include "base/version.h"
 #include "pipeline/selection/compare.h"
-#include "report/certificate.h"
+#include "report/certificate/certificate.h"
 #include "report/contest_table.h"
 #include "report/picture/svg.h"
 #include "report/result.h"

@@ -262,7 +262,8 @@ void read_plan_section(DataSection section, JobFile& job) {
 
 void read_machine_section(DataSection section, JobFile& job) {
   Machine base;
-  if (const auto file = section.text("file")) base = read_machine(beside(job.file, *file));
+  if (const auto file = section.text("file")) job.machine_file = beside(job.file, *file);
+  if (job.machine_file) base = read_machine(*job.machine_file);
   job.machine = machine_of_section(section, base);
 }
 
@@ -273,8 +274,7 @@ void note_sources(const DataValue& root, JobFile& job) {
     return found ? key_sources(*found, job.file, Origin::kJobFile) : Sources{};
   };
   const DataValue* machine = root.find("machine");
-  const DataValue* machine_file = machine ? machine->find("file") : nullptr;
-  if (machine_file) job.sources.merge(machine_sources(beside(job.file, machine_file->text)));
+  if (job.machine_file) job.sources.merge(machine_sources(*job.machine_file));
   if (machine) job.sources.merge(machine_sources_of(*machine, job.file, Origin::kJobFile));
   job.plan.sources = of("plan");
   job.sources.merge(job.plan.sources);

@@ -76,6 +76,7 @@ struct JobFile {
   ToolOptions tool_options;
   std::vector<int> tool_numbers;  ///< of the library, in order; empty: all
   std::string preset;             ///< name of the library's preset; "": the first
+  std::optional<std::filesystem::path> machine_file;
   Machine machine;
   CutSettings plan;
   std::vector<OperationRule> operations;
