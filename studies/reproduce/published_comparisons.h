@@ -1,7 +1,7 @@
 // The papers' comparisons of methods, beside ours. Their outlines are not printed: ours stand in, and the tables say so.
 #pragma once
 
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {
 

@@ -1,7 +1,7 @@
 // The Tour text's table 6.4 and figure 6-15: one objective at a time, several at once, and engagement.
 #pragma once
 
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {
 

@@ -1,5 +1,5 @@
 // Repeated studies: resumable, repeatable, and true to what they say they measure.
-#include "studies/genetic_study.h"
+#include "studies/genetic/genetic_study.h"
 
 #include <gtest/gtest.h>
 

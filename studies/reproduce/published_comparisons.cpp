@@ -1,4 +1,4 @@
-#include "studies/published_comparisons.h"
+#include "studies/reproduce/published_comparisons.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/reproduce.h"
+#include "studies/reproduce/reproduce.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
-#include "studies/reproduction_page.h"
+#include "studies/reproduce/reproduction_page.h"
 
 namespace clearcut::studies {
 namespace {

@@ -1,4 +1,4 @@
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/reproduce_scallop.h"
+#include "studies/reproduce/reproduce_scallop.h"
 
 #include <fmt/format.h>
 

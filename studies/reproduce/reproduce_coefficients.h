@@ -1,7 +1,7 @@
 // The tables and figures of CPO-kappa and CPO-rho whose outlines are printed, or that need none.
 #pragma once
 
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {
 

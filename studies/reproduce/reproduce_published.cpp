@@ -1,4 +1,4 @@
-#include "studies/reproduce_published.h"
+#include "studies/reproduce/reproduce_published.h"
 
 #include <fmt/format.h>
 

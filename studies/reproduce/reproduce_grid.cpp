@@ -1,4 +1,4 @@
-#include "studies/reproduce_grid.h"
+#include "studies/reproduce/reproduce_grid.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include "model/design_element.h"
 #include "order/solve.h"
 #include "plan/grid/visit.h"
-#include "studies/published_grids.h"
+#include "studies/reproduce/published_grids.h"
 
 namespace clearcut::studies {
 namespace {

@@ -1,4 +1,4 @@
-#include "studies/published_grids.h"
+#include "studies/reproduce/published_grids.h"
 
 #include <algorithm>
 #include <limits>

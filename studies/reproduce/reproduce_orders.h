@@ -1,7 +1,7 @@
 // The tables and figures of the Tour text that need nothing but an order of points.
 #pragma once
 
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {
 

@@ -1,7 +1,7 @@
 // The table of the grid paper.
 #pragma once
 
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {
 

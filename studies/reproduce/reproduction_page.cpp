@@ -1,4 +1,4 @@
-#include "studies/reproduction_page.h"
+#include "studies/reproduce/reproduction_page.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/reproduce_tour.h"
+#include "studies/reproduce/reproduce_tour.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/reproduce_orders.h"
+#include "studies/reproduce/reproduce_orders.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "plan/common/layers.h"
 #include "resolve/prepare.h"
 #include "studies/fishhead.h"
-#include "studies/published_grids.h"
+#include "studies/reproduce/published_grids.h"
 
 namespace clearcut::studies {
 namespace {

@@ -1,17 +1,17 @@
-#include "studies/reproduce.h"
+#include "studies/reproduce/reproduce.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "studies/published_comparisons.h"
-#include "studies/reproduce_coefficients.h"
-#include "studies/reproduce_grid.h"
-#include "studies/reproduce_objectives.h"
-#include "studies/reproduce_orders.h"
-#include "studies/reproduce_published.h"
-#include "studies/reproduce_scallop.h"
-#include "studies/reproduce_tour.h"
+#include "studies/reproduce/published_comparisons.h"
+#include "studies/reproduce/reproduce_coefficients.h"
+#include "studies/reproduce/reproduce_grid.h"
+#include "studies/reproduce/reproduce_objectives.h"
+#include "studies/reproduce/reproduce_orders.h"
+#include "studies/reproduce/reproduce_published.h"
+#include "studies/reproduce/reproduce_scallop.h"
+#include "studies/reproduce/reproduce_tour.h"
 
 namespace clearcut::studies {
 

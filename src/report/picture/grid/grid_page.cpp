@@ -1,4 +1,4 @@
-#include "report/picture/grid_page.h"
+#include "report/picture/grid/grid_page.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include "base/text/format.h"
 #include "base/text/xml_text.h"
 #include "report/picture/chart.h"
-#include "report/picture/grid_picture.h"
+#include "report/picture/grid/grid_picture.h"
 #include "report/picture/palette.h"
 #include "report/picture/svg_writer.h"
 

@@ -1,7 +1,7 @@
 // The published figures of the text's genetic algorithm beside ours.
 #pragma once
 
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {
 

@@ -1,4 +1,4 @@
-#include "report/picture/grid_picture.h"
+#include "report/picture/grid/grid_picture.h"
 
 #include <fmt/format.h>
 

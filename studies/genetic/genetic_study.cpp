@@ -1,4 +1,4 @@
-#include "studies/genetic_study.h"
+#include "studies/genetic/genetic_study.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +18,7 @@
 #include "order/lattice.h"
 #include "pipeline/tour/tour.h"
 #include "report/picture/chart.h"
+#include "studies/genetic/study_plans.h"
 
 namespace clearcut::studies {
 namespace {
@@ -27,107 +28,6 @@ constexpr const char* kHeader =
     "study,level,objective,side,population,selection,crossover,mutation,replacement,generations,seed,"
     "run,generation,best,mean,worst,fitness_percent,improved_percent,seconds";
 constexpr int kSettings = 11;  // columns before `run`
-
-struct Size {
-  int side = 20;
-  int runs = 20;
-  long long generations = 2000;
-};
-
-/// What the text says of a study, and what ours does by default.
-struct Plan {
-  std::string name, figure, factor;
-  StudyMetric metric = StudyMetric::kFitness;
-  Size ours, published;
-  std::vector<std::string> levels;  ///< sizes, names, or sides
-};
-
-const std::vector<Plan>& plans() {
-  using enum StudyMetric;
-  static const std::vector<Plan> all{
-      {"population",
-       "figure 4-14",
-       "population",
-       kFitness,
-       {20, 20, 2000},
-       {50, 10000, 5'000'000},
-       {"5", "10", "15", "20", "25", "30", "40", "50"}},
-      {"selection",
-       "figure 4-15",
-       "selection",
-       kImproved,
-       {20, 30, 1000},
-       {50, 1100, 5'000'000},
-       order::selection_names()},
-      {"crossover",
-       "figure 4-16",
-       "crossover",
-       kImproved,
-       {20, 30, 1000},
-       {50, 10000, 5'000'000},
-       order::crossover_names()},
-      {"mutation",
-       "figure 4-18",
-       "mutation",
-       kImproved,
-       {20, 30, 1000},
-       {50, 10000, 5'000'000},
-       order::mutation_names()},
-      {"size",
-       "figures 6-1 and 6-2",
-       "side",
-       kFitness,
-       {20, 10, 5000},
-       {50, 2000, 10'000'000},
-       {"5", "10", "15", "20", "25", "30"}},
-      {"time",
-       "figure 6-3",
-       "side",
-       kSeconds,
-       {20, 20, 1000},
-       {50, 2000, 1000},
-       {"5", "10", "15", "20", "25", "30"}},
-      {"crossover-rate",
-       "section 3.9",
-       "crossover rate",
-       kFitness,
-       {20, 10, 2000},
-       {50, 1100, 5'000'000},
-       {"0", "0.1", "0.2", "0.4", "0.8"}},
-      {"mutation-rate",
-       "section 3.9",
-       "mutation rate",
-       kFitness,
-       {20, 10, 2000},
-       {50, 1100, 5'000'000},
-       {"0.2", "0.4", "0.6", "0.8", "1"}},
-      {"neighbours",
-       "section 4.3.2",
-       "neighbours",
-       kFitness,
-       {20, 10, 2000},
-       {50, 1100, 5'000'000},
-       {"4", "8", "16", "24", "48"}},
-      {"sensitivity",
-       "section 3.9, one factor at a time",
-       "changed",
-       kFitness,
-       {20, 20, 2000},
-       {50, 1100, 5'000'000},
-       {"nothing", "population / 2", "population * 2", "crossover rate / 2", "crossover rate * 2",
-        "mutation rate / 2", "neighbours / 2", "neighbours * 2", "shared edges / 2", "shared edges * 2"}},
-      {"spread", "figures 6-4 and 6-5", "none", kFitness, {30, 100, 5000}, {100, 2000, 3'000'000}, {"all"}}};
-  return all;
-}
-
-const Plan& plan_named(const std::string& name) {
-  std::string known;
-  for (const Plan& plan : plans()) {
-    if (plan.name == name) return plan;
-    known += (known.empty() ? "" : ", ") + plan.name;
-  }
-  throw InputError("study", fmt::format("'{}' is unknown; use one of {}", name, known));
-}
 
 /// "population * 2": one factor of the algorithm halved or doubled.
 void change_one(order::GeneticOptions& genetic, const std::string& change) {
@@ -331,19 +231,19 @@ report::ChartCurve fitness_curve(const GeneticStudy& study, const std::vector<St
 const std::vector<std::string>& genetic_study_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Plan& plan : plans()) all.push_back(plan.name);
+    for (const StudyPlan& plan : study_plans()) all.push_back(plan.name);
     return all;
   }();
   return names;
 }
 
 GeneticStudy genetic_study(const std::string& name, const GeneticStudyOptions& options) {
-  const Plan& plan = plan_named(name);
+  const StudyPlan& plan = study_plan(name);
   const std::string& objective = options.objective;
   if (objective != "length" && objective != "turns" && objective != "angle")
     throw InputError("--objective",
                      fmt::format("'{}' has no known optimum; use length, turns or angle", objective));
-  const Size& size = options.published_size ? plan.published : plan.ours;
+  const StudySize& size = options.published_size ? plan.published : plan.ours;
   GeneticStudy study{.name = plan.name, .figure = plan.figure, .factor = plan.factor, .metric = plan.metric};
   study.published_size =
       fmt::format("{} runs of {} generations", plan.published.runs, plan.published.generations);

@@ -1,4 +1,4 @@
-#include "studies/reproduce_coefficients.h"
+#include "studies/reproduce/reproduce_coefficients.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The published system on its own part, from the file to the judged program, beside ours.
 #pragma once
 
-#include "studies/reproduction.h"
+#include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {
 

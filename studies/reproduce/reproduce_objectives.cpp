@@ -1,4 +1,4 @@
-#include "studies/reproduce_objectives.h"
+#include "studies/reproduce/reproduce_objectives.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 #include "plan/common/layers.h"
 #include "resolve/prepare.h"
 #include "studies/fishhead.h"
-#include "studies/published_grids.h"
+#include "studies/reproduce/published_grids.h"
 
 namespace clearcut::studies {
 namespace {
