@@ -104,7 +104,8 @@ class Corrector {
       if (inside < 0 || diagram_.inside[index(inside)] == 0) continue;
       const int b = diagram_.element_near(diagram_.cell[index(twin)], diagram_.nodes[index(inside)].point);
       if (b == a) continue;
-      center_open_[index(a)] = distance(diagram_.element(b), arc.edge.center) >= arc.radius - kSameCircle ? 1 : 0;
+      center_open_[index(a)] =
+          distance(diagram_.element(b), arc.edge.center) >= arc.radius - kSameCircle ? 1 : 0;
     }
   }
 

@@ -37,8 +37,10 @@ constexpr double kMeetSlope = 2;
 /// The cutter state on the wall at s, with the heading turned by `kink` radians off the wall.
 CutterState WallArcs::state_at(double s, double radius, double kink) const {
   const Wall& wall = walls_.wall(at_.wall);
-  return {wall.at(s), rotated(wall.heading(s), kink),          1 / radius, limit_ - kink,
-          radius,     std::min(radius, RadiusShares::kWidestTurn * radius_), kink};
+  return {wall.at(s), rotated(wall.heading(s), kink),
+          1 / radius, limit_ - kink,
+          radius,     std::min(radius, RadiusShares::kWidestTurn * radius_),
+          kink};
 }
 
 /// The arc aimed off the wall at s with the heading `kink` radians off the wall, up to the wall that it
@@ -113,7 +115,7 @@ std::optional<Vec2> WallArcs::approach_point_before(double s, const Edge& arc) c
 /// The candidate changed a little to end on the wall that it meets after `inside` mm; nothing if the cut
 /// could not go on along that wall.
 std::optional<Landing> WallArcs::landing_of(const CutterState& from, const CandidateArc& candidate,
-                                                  double inside) const {
+                                            double inside) const {
   const auto [end, heading] = after(from, candidate, inside);
   WallPlace met = walls_.nearest(end);
   if (!leads_along(met, heading)) return std::nullopt;

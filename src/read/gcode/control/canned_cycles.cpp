@@ -22,7 +22,8 @@ void CannedCycles::set_cycle_words(const Block& block) {
     control_.cycle.level = control_.builder.known(across, control_.line) - control_.frame.shift(across);
   } else if (control_.cycle.code != control_.motion) {
     control_.depends_on_dialect = true;
-    if (!control_.rules.keeps_cycle_words) control_.cycle.z = control_.cycle.r = control_.cycle.peck = std::nullopt;
+    if (!control_.rules.keeps_cycle_words)
+      control_.cycle.z = control_.cycle.r = control_.cycle.peck = std::nullopt;
   }
   control_.cycle.code = control_.motion;
   const char bottom = "XYZ"[across];
@@ -30,7 +31,8 @@ void CannedCycles::set_cycle_words(const Block& block) {
   if (block.has('R')) control_.cycle.r = control_.mm(block.value('R'));
   if (block.has('Q')) control_.cycle.peck = control_.mm(block.value('Q'));
   if (block.has('P')) control_.cycle.dwell = block.value('P') * (control_.rules.dwell_in_ms ? 0.001 : 1);
-  if (!control_.cycle.z || !control_.cycle.r) control_.refuse("drilling cycle without its Z or R word; give both");
+  if (!control_.cycle.z || !control_.cycle.r)
+    control_.refuse("drilling cycle without its Z or R word; give both");
 }
 
 /// In G91, R counts from a height before the cycle and Z from R.
@@ -45,9 +47,9 @@ void CannedCycles::set_cycle_heights(Hole& hole) {
   if (control_.return_said || std::max(level, hole.r) == hole.r) return;
   control_.depends_on_dialect = true;
   control_.condition(control_.modes.return_to_level ? "g98" : "g99",
-            std::string("the program states neither G98 nor G99; the control is in ") +
-                (control_.modes.return_to_level ? "G98 and returns to the height before the cycle"
-                                        : "G99 and returns to R"));
+                     std::string("the program states neither G98 nor G99; the control is in ") +
+                         (control_.modes.return_to_level ? "G98 and returns to the height before the cycle"
+                                                         : "G99 and returns to R"));
 }
 
 double CannedCycles::repeats(const Block& block) const {
@@ -63,7 +65,8 @@ void CannedCycles::execute(const Block& block) {
   if (control_.modes.plane != Plane::kXY) {
     control_.depends_on_dialect = true;
     if (control_.motion == 840 || control_.motion == 740)
-      control_.refuse(g_word(control_.motion) + " outside the XY plane mixes the axes up on LinuxCNC; use G17");
+      control_.refuse(g_word(control_.motion) +
+                      " outside the XY plane mixes the axes up on LinuxCNC; use G17");
   }
   for (const std::size_t axis : {0U, 1U, 2U}) control_.builder.known(axis, control_.line);
   Hole hole;
@@ -90,7 +93,8 @@ void CannedCycles::go_over_hole(const Block& block, const Hole& hole) {
   Target over, down;
   down[axes.across] = hole.r;
   const double at = *control_.builder.position()[axes.across];
-  if (control_.rules.cycle_rises_over ? control_.cycle.level + control_.frame.shift(axes.across) < hole.r : at < hole.r)
+  if (control_.rules.cycle_rises_over ? control_.cycle.level + control_.frame.shift(axes.across) < hole.r
+                                      : at < hole.r)
     control_.builder.rapid(down, control_.line);
   for (const std::size_t axis : {axes.first, axes.second}) {
     if (block.has("XYZ"[axis])) over[axis] = control_.target_of(axis, block);

@@ -64,12 +64,12 @@ struct Control {
   Modes modes;
   std::optional<Target> references[2];  ///< stored by G28.1 and G30.1; places in the work's frame
   int line = 0;
-  int motion = -1;            ///< G word in tenths; -1 none yet
+  int motion = -1;  ///< G word in tenths; -1 none yet
   CycleWords cycle;
   int next_tool = 0;
-  bool tool_said = false;     ///< a T word was seen
-  bool changer = false;       ///< an M6 was seen: pauses no longer change tools
-  bool length_used = false;   ///< a tool length was in force
+  bool tool_said = false;    ///< a T word was seen
+  bool changer = false;      ///< an M6 was seen: pauses no longer change tools
+  bool length_used = false;  ///< a tool length was in force
   bool units_said = false, distance_said = false, plane_said = false, centers_said = false;
   bool return_said = false;
   bool moved = false;

@@ -82,14 +82,15 @@ void ModeWords::set_other(int code, const Block& block) {
     PlaceWords(control_).use_system(code, block);
   } else if (group == Group::kCompensation) {
     control_.refuse(g_word(code) +
-           " cutter radius compensation is not read; post the path of the tool's centre (G40)");
+                    " cutter radius compensation is not read; post the path of the tool's centre (G40)");
   } else if (code == 430 || code == 431 || code == 490) {
     PlaceWords(control_).set_length(code, block);
   } else if (code == 610 || code == 611 || code == 640 || code == 1870) {
     set_path(code, block);
   } else if (code == 51) {
-    control_.condition("blending",
-              "G5.1 lets the control smooth the path within a bound of its own; the exact path is judged");
+    control_.condition(
+        "blending",
+        "G5.1 lets the control smooth the path within a bound of its own; the exact path is judged");
   } else if (group == Group::kUnknown) {
     control_.refuse(g_word(code) + " is not read; post the program without it");
   }
@@ -141,7 +142,8 @@ void ModeWords::save_or_restore(int m) {
 void ModeWords::set_feed_and_drive(const Block& block, double feed_unit) {
   if (block.has('F')) {
     if (block.value('F') < 0) control_.refuse("F word below zero; correct it");
-    control_.modes.feed = block.value('F') * (control_.modes.feed_mode == FeedMode::kInverseTime ? 1 : feed_unit);
+    control_.modes.feed =
+        block.value('F') * (control_.modes.feed_mode == FeedMode::kInverseTime ? 1 : feed_unit);
   }
   const bool seconds = has_g(block, 40) && control_.rules.dwell_by_s;
   if (block.has('S') && !seconds) control_.modes.speed = std::abs(block.value('S'));
@@ -154,9 +156,11 @@ void ModeWords::set_feed_and_drive(const Block& block, double feed_unit) {
 
 /// Without a tool so far it is in the spindle already; otherwise it waits for M6 or a pause.
 void ModeWords::select_tool(const Block& block) {
-  if (block.value('T') < 0 || block.value('T') > 1e6) control_.refuse("T word with an impossible tool; correct it");
+  if (block.value('T') < 0 || block.value('T') > 1e6)
+    control_.refuse("T word with an impossible tool; correct it");
   control_.next_tool = static_cast<int>(block.value('T'));
-  if (control_.builder.drive.tool == 0 || !control_.tool_said) control_.builder.drive.tool = control_.next_tool;
+  if (control_.builder.drive.tool == 0 || !control_.tool_said)
+    control_.builder.drive.tool = control_.next_tool;
   control_.tool_said = true;
 }
 
@@ -172,12 +176,14 @@ void ModeWords::pause() {
   control_.builder.add_event(ControlEventKind::kPause, control_.line);
   if (control_.changer) return;
   if (control_.tool_said) {
-    if (control_.next_tool != control_.builder.drive.tool) control_.builder.change_tool(control_.next_tool, true, control_.line);
+    if (control_.next_tool != control_.builder.drive.tool)
+      control_.builder.change_tool(control_.next_tool, true, control_.line);
   } else if (!control_.options.hand_tools.empty()) {
     hand_tool_ = std::min(hand_tool_ + 1, control_.options.hand_tools.size() - 1);
     control_.builder.change_tool(control_.options.hand_tools[hand_tool_], true, control_.line);
   } else if (!control_.rules.changer) {
-    control_.condition("tool-by-hand", "the program pauses without naming a tool; the same tool stays in the spindle");
+    control_.condition("tool-by-hand",
+                       "the program pauses without naming a tool; the same tool stays in the spindle");
   }
 }
 
@@ -191,10 +197,12 @@ void ModeWords::set_drive(int m, const Block& block) {
   if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
     control_.refuse("subprogram calls are not read; post the program without them");
   }
-  if (m == 990 && block.has('P')) control_.refuse("M99 P jumps to another block; post the program without it");
+  if (m == 990 && block.has('P'))
+    control_.refuse("M99 P jumps to another block; post the program without it");
   if (control_.rules.saves_modes && m >= 700 && m <= 730) return;
   if (std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords)) return;
-  control_.condition("m" + trimmed(m / 10.0, 1), "M" + trimmed(m / 10.0, 1) + " is unknown here and moves nothing");
+  control_.condition("m" + trimmed(m / 10.0, 1),
+                     "M" + trimmed(m / 10.0, 1) + " is unknown here and moves nothing");
 }
 
 void ModeWords::end(int m) {
@@ -207,7 +215,8 @@ void ModeWords::end(int m) {
 void ModeWords::dwell(const Block& block) {
   double seconds = 0;
   if (block.has('P')) {
-    const bool ms = control_.rules.dwell_in_ms && (control_.rules.dialect != Dialect::kHaas || block.is_whole('P'));
+    const bool ms =
+        control_.rules.dwell_in_ms && (control_.rules.dialect != Dialect::kHaas || block.is_whole('P'));
     seconds = block.value('P') * (ms ? 0.001 : 1);
   } else if (control_.rules.dwell_by_x && block.has('X')) {
     seconds = block.value('X');

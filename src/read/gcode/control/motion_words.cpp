@@ -28,7 +28,8 @@ void MotionWords::move(const Block& block) {
   const bool arc_motion = control_.motion == 20 || control_.motion == 30;
   if (!block.has_axis() && !(arc_motion && arc_words)) return;
   if (control_.motion < 0) {
-    control_.condition("motion-mode", "axis words come before any motion word; the control begins with rapids (G0)");
+    control_.condition("motion-mode",
+                       "axis words come before any motion word; the control begins with rapids (G0)");
     control_.motion = 0;
   }
   check_words_said(block);
@@ -47,19 +48,21 @@ void MotionWords::check_words_said(const Block& block) {
     control_.condition("units", "the program states neither G20 nor G21; the control is in mm");
   }
   if (!control_.distance_said && !control_.rules.resets_modes) {
-    control_.condition("g90", "the program states neither G90 nor G91 before it moves; the control is in G90");
+    control_.condition("g90",
+                       "the program states neither G90 nor G91 before it moves; the control is in G90");
   }
   const bool plane_matters = control_.motion != 0 && control_.motion != 10;
-  if (!control_.plane_said && !control_.rules.resets_modes && plane_matters && control_.rules.dialect != Dialect::kMarlin) {
+  if (!control_.plane_said && !control_.rules.resets_modes && plane_matters &&
+      control_.rules.dialect != Dialect::kMarlin) {
     control_.condition("g17", "the program states no plane before its arcs or cycles; the control is in G17");
   }
   if (!control_.rules.points_matter) return;
   for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'R', 'Q'}) {
     if (block.has(letter) && block.is_whole(letter) && block.value(letter) != 0) {
       control_.condition("decimal-point",
-                std::string(1, letter) +
-                    " has no decimal point; the control takes whole numbers as mm or inches, not as "
-                    "increments");
+                         std::string(1, letter) +
+                             " has no decimal point; the control takes whole numbers as mm or inches, not as "
+                             "increments");
     }
   }
 }
@@ -80,7 +83,8 @@ void MotionWords::arc(const Block& block) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     from[axis] = control_.builder.known(axis, control_.line);
     to[axis] = block.has("XYZ"[axis]) ? control_.target_of(axis, block) : from[axis];
-    if (!(std::abs(to[axis]) <= 1e6)) control_.refuse("coordinate beyond any machine; check the number and the units");
+    if (!(std::abs(to[axis]) <= 1e6))
+      control_.refuse("coordinate beyond any machine; check the number and the units");
   }
   const ArcShape shape =
       arc_shape(block, {from[axes.first], from[axes.second]}, {to[axes.first], to[axes.second]});
@@ -100,23 +104,29 @@ ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
   const bool center = block.has(first) || block.has(second);
   if (block.has('R') && center) {
     control_.depends_on_dialect = true;
-    if (!control_.rules.radius_beats_center) control_.refuse("arc with R and with its centre; give one of them");
+    if (!control_.rules.radius_beats_center)
+      control_.refuse("arc with R and with its centre; give one of them");
   }
-  if (block.has('R')) return arc_of_radius(from, to, control_.mm(block.value('R')), turn, rule, control_.builder.place(control_.line));
-  if (!center) control_.refuse(std::string("arc without ") + first + ", " + second + " or R; give its centre");
+  if (block.has('R'))
+    return arc_of_radius(from, to, control_.mm(block.value('R')), turn, rule,
+                         control_.builder.place(control_.line));
+  if (!center)
+    control_.refuse(std::string("arc without ") + first + ", " + second + " or R; give its centre");
   if (control_.rules.centers_set_up && !control_.centers_said) {
     control_.condition("arc-centres",
-              "the program states neither G90.1 nor G91.1; I, J, K count from the arc's start");
+                       "the program states neither G90.1 nor G91.1; I, J, K count from the arc's start");
   }
   const auto center_of = [&](char letter, std::size_t axis, double start) {
     if (!block.has(letter)) return start;
-    return control_.mm(block.value(letter)) + (control_.modes.absolute_centers ? control_.frame.shift(axis) : start);
+    return control_.mm(block.value(letter)) +
+           (control_.modes.absolute_centers ? control_.frame.shift(axis) : start);
   };
   const double turns = block.has('P') ? block.value('P') : 1;
   if (!(turns >= 1 && turns <= kMostTurns) || turns != std::floor(turns))
     control_.refuse("P word is no number of turns; correct it");
   const Vec2 middle{center_of(first, axes.first, from.x), center_of(second, axes.second, from.y)};
-  return arc_about(from, to, middle, turn, static_cast<int>(turns), rule, control_.builder.place(control_.line));
+  return arc_about(from, to, middle, turn, static_cast<int>(turns), rule,
+                   control_.builder.place(control_.line));
 }
 
 void MotionWords::plan_arc(const Block& block, const ArcShape& shape, double z_to) {
@@ -133,7 +143,8 @@ void MotionWords::plan_arc(const Block& block, const ArcShape& shape, double z_t
 
 void MotionWords::upright_arc(const ArcShape& shape, double along) {
   const PlaneAxes axes = axes_of(control_.modes.plane);
-  if (control_.modes.feed_mode == FeedMode::kInverseTime) control_.refuse("arcs outside the XY plane under G93 are not read");
+  if (control_.modes.feed_mode == FeedMode::kInverseTime)
+    control_.refuse("arcs outside the XY plane under G93 are not read");
   control_.builder.note(control_.line, "arcs outside the XY plane are taken as chords within 0.5 um");
   const double across = control_.builder.known(axes.across, control_.line);
   const std::vector<Edge> edges = arc_edges(shape);

@@ -59,10 +59,10 @@ void PlaceWords::go_home(const Block& block, bool first) {
   if (control_.options.places || stored) {
     std::array<double, 3> reference{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      reference[axis] = stored
-                            ? (*stored)[axis].value_or(0)
-                            : (first ? control_.options.places->reference : control_.options.places->second_reference)[axis] -
-                                  control_.frame.machine_zero(axis);
+      reference[axis] = stored ? (*stored)[axis].value_or(0)
+                               : (first ? control_.options.places->reference
+                                        : control_.options.places->second_reference)[axis] -
+                                     control_.frame.machine_zero(axis);
     }
     return go_to_reference(block, reference);
   }
@@ -91,12 +91,13 @@ void PlaceWords::go_to_reference(const Block& block, const std::array<double, 3>
 /// Z is lifted, X and Y stay as far as anything is known. Harmless: Z alone on a machine whose zero is at the top.
 void PlaceWords::go_to_unknown(const Block& block, const std::string& name, bool all, bool harmless) {
   const bool z = all || block.has('Z'), plan = all || block.has('X') || block.has('Y');
-  if (plan && !(z && !all && harmless && control_.builder.at_home_height()) && !control_.builder.at_home_height()) {
-    control_.condition(name,
-              "moves X and Y to a place of the machine at once with Z or below home; the way there is free");
+  if (plan && !(z && !all && harmless && control_.builder.at_home_height()) &&
+      !control_.builder.at_home_height()) {
+    control_.condition(
+        name, "moves X and Y to a place of the machine at once with Z or below home; the way there is free");
   } else if (!harmless) {
-    control_.condition(name,
-              "moves to a place of the machine that the program does not state; taken as straight up to Z " +
+    control_.condition(
+        name, "moves to a place of the machine that the program does not state; taken as straight up to Z " +
                   trimmed(control_.builder.home_z(), 3) + " mm");
   }
   if (z) control_.builder.lift_home(control_.line);
@@ -116,13 +117,14 @@ void PlaceWords::machine_frame(const Block& block) {
   if (!block.has_axis()) return;
   control_.moved = true;
   if (!control_.options.places) {
-    const bool top =
-        control_.rules.home_is_top && block.has('Z') && block.value('Z') == 0 && !block.has('X') && !block.has('Y');
+    const bool top = control_.rules.home_is_top && block.has('Z') && block.value('Z') == 0 &&
+                     !block.has('X') && !block.has('Y');
     return go_to_unknown(block, "g53", false, top);
   }
   Target to;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (block.has("XYZ"[axis])) to[axis] = control_.mm(block.value("XYZ"[axis])) - control_.frame.machine_zero(axis);
+    if (block.has("XYZ"[axis]))
+      to[axis] = control_.mm(block.value("XYZ"[axis])) - control_.frame.machine_zero(axis);
   }
   if (control_.motion == 10) {
     control_.before_feed();
@@ -137,7 +139,8 @@ void PlaceWords::set_offset_table(const Block& block) {
   control_.condition("g10", "G10 writes into the control's tables; they are as the program leaves them");
   const int kind = block.has('L') ? static_cast<int>(block.value('L')) : 2;
   if (kind != 2 && kind != 20) return;
-  if (block.has('R') && block.value('R') != 0) control_.refuse("G10 with a rotation (R) is not read; post without it");
+  if (block.has('R') && block.value('R') != 0)
+    control_.refuse("G10 with a rotation (R) is not read; post without it");
   const int number = block.has('P') ? static_cast<int>(block.value('P')) : 0;
   const int system = number == 0 ? control_.frame.system() : number;
   if (system < 1 || system > Frame::kSystems) control_.refuse("G10 with an impossible P word; correct it");
@@ -149,7 +152,8 @@ void PlaceWords::set_offset_table(const Block& block) {
     if (kind == 20) {
       const int before = control_.frame.system();
       control_.frame.use_system(system);
-      value = control_.frame.origin(system, axis) + control_.builder.known(axis, control_.line) - control_.frame.shift(axis) - value;
+      value = control_.frame.origin(system, axis) + control_.builder.known(axis, control_.line) -
+              control_.frame.shift(axis) - value;
       control_.frame.use_system(before);
     }
     control_.frame.set_origin(system, axis, value, control_.moved);
@@ -173,13 +177,14 @@ void PlaceWords::shift(const Block& block) {
       control_.builder.place_at(axis, value + control_.frame.shift(axis));
     }
     control_.condition(word, "the origin is shifted by " + std::string(local ? "G52" : "G92") +
-                        "; no other shift was in force when the program began");
+                                 "; no other shift was in force when the program began");
   }
 }
 
 void PlaceWords::clear_shift(int code) {
   if (code == 923) {
-    if (!control_.frame.restore_local()) control_.refuse("G92.3 restores an offset from outside the program; post without it");
+    if (!control_.frame.restore_local())
+      control_.refuse("G92.3 restores an offset from outside the program; post without it");
     return;
   }
   control_.frame.clear_local(code == 922);
@@ -187,10 +192,11 @@ void PlaceWords::clear_shift(int code) {
 
 void PlaceWords::use_system(int code, const Block& block) {
   if (code == 541 || code == 1540) {
-    if (!block.has('P')) control_.refuse(g_word(code) + " without its P word; give the number of the work offset");
+    if (!block.has('P'))
+      control_.refuse(g_word(code) + " without its P word; give the number of the work offset");
     const std::string word = lower(g_word(code)) + "-p" + trimmed(block.value('P'), 0);
-    control_.condition(word,
-              g_word(code) + " P" + trimmed(block.value('P'), 0) + " has its origin where the work's is");
+    control_.condition(
+        word, g_word(code) + " P" + trimmed(block.value('P'), 0) + " has its origin where the work's is");
     return;
   }
   const auto* const found = std::find(std::begin(kSystemWords), std::end(kSystemWords), code);
@@ -211,10 +217,11 @@ void PlaceWords::set_length(int code, const Block& block) {
     length.kind = LengthKind::kStatedHeight;
     length.stated_mm = block.has('Z') ? control_.mm(block.value('Z')) : 0;
     control_.condition("tool-length-g43.1",
-              "the tool stood at its stated height when the work was touched off without G43.1");
+                       "the tool stood at its stated height when the work was touched off without G43.1");
   } else if (block.has('H')) {
-    length.kind = block.value('H') == 0 && control_.rules.dialect != Dialect::kLinuxCnc ? LengthKind::kOff
-                                                                                : LengthKind::kNumbered;
+    length.kind = block.value('H') == 0 && control_.rules.dialect != Dialect::kLinuxCnc
+                      ? LengthKind::kOff
+                      : LengthKind::kNumbered;
     length.h = static_cast<int>(block.value('H'));
   } else {
     length.kind = LengthKind::kOfTool;
