@@ -11,6 +11,8 @@
 #include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
+#include "suggest.h"
+#include "terminal.h"
 
 namespace clearcut::cli {
 namespace {
@@ -69,7 +71,7 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
 
 int run(const ElementsCommand& command) {
   if (command.table) {
-    print_line(plain(grid_reduction_table()));
+    print_table(grid_reduction_table());
     return kClean;
   }
   if ((command.input.empty() && command.elements.empty()) || command.output.empty())
@@ -80,10 +82,10 @@ int run(const ElementsCommand& command) {
   write_outputs(output_files(command, job, result));
   if (!command.quiet) {
     print(result.plan.part.diagnostics, true);
-    if (command.print_points) print_line(plain(points_table(job, result.points)));
+    if (command.print_points) print_table(points_table(job, result.points));
     if (command.output != "-") {
-      print_line(plain(element_table(result)));
-      print_line(write_table(result.plan));
+      print_table(element_table(result));
+      print_line(with_colours(write_table(result.plan, output_width())));
     }
   }
   return exit_code_of(result.plan.findings);
@@ -128,16 +130,25 @@ void add_element_options(CLI::App& command, ElementsCommand& state) {
 
 void add_elements_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("elements", "Plan a job of design elements on a grid of squares");
+  command->group("Grids and tours");
   auto state = std::make_shared<ElementsCommand>();
-  command->add_option("JOB", state->input, "Job of lines, arcs, rectangles, holes and slots (TOML)");
+  command->option_defaults()->group("Input");
+  command->add_option("JOB", state->input, "Job of lines, arcs, rectangles, holes and slots (TOML)")
+      ->type_name("FILE");
   add_element_options(*command, *state);
-  command->add_option("-o,--output", state->output, "Program to write (- for standard output)");
-  command->add_option("--certificate", state->certificate, "Certificate to write (JSON)");
-  command->add_option("--svg", state->svg, "Picture of squares, reduced squares and tool impact to write");
-  command->add_option("--points", state->points, "Table of all points to write (CSV)");
+  command->option_defaults()->group("Output");
+  command->add_option("-o,--output", state->output, "Program to write (- for standard output)")
+      ->type_name("FILE");
+  command->add_option("--certificate", state->certificate, "Certificate to write (JSON)")->type_name("FILE");
+  command->add_option("--svg", state->svg, "Picture of squares, reduced squares and tool impact to write")
+      ->type_name("FILE");
+  command->add_option("--points", state->points, "Table of all points to write (CSV)")->type_name("FILE");
   command->add_flag("--print-points", state->print_points, "Print the table of all points");
-  command->add_option("--post", state->options.post.dialect, "Controller (linuxcnc, grbl, fanuc, ...)");
-  command->add_option("--seed", state->options.seed, "Seed of the search");
+  command
+      ->add_option("--post", state->options.post.dialect,
+                   "Controller: linuxcnc (default), grbl, fanuc, haas, heidenhain, mach3, mach4, marlin")
+      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+  command->add_option("--seed", state->options.seed, "Seed of the search (default 1)");
   command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
   command->callback([state, command, &exit_code] {

@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "terminal.h"
+
 namespace clearcut::cli {
 namespace {
 
@@ -40,6 +42,10 @@ void print_warnings(const Diagnostics& diagnostics) {
 void print_line(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+}
+
+void print_table(const TextTable& table, bool as_markdown) {
+  print_line(as_markdown ? markdown(table) : fitted(table, output_width()));
 }
 
 void write_outputs(const std::vector<OutputFile>& files) {

@@ -43,7 +43,13 @@ class PlanArguments {
   std::vector<Tool> tools() const;
   ToolLibrary library() const;
   std::vector<ToolCutting> tool_cutting(const std::optional<JobFile>& job) const;
+  void add_strategy_options(CLI::App& command);
   void add_shop_options(CLI::App& command);
+  void add_entry_options(CLI::App& command);
+  void add_lead_options(CLI::App& command);
+  void add_feed_options(CLI::App& command);
+  void add_stage_options(CLI::App& command);
+  void add_search_options(CLI::App& command);
   void add_post_options(CLI::App& command);
   PostOptions post(const JobOutput& job) const;
   Machine machine(const std::optional<JobFile>& job) const;

@@ -21,13 +21,18 @@ double now_s() {
   return std::chrono::duration<double>(ProgressClock::now() - kStart).count();
 }
 
+/// s, as fast as it went so far; none before the first is done.
+std::optional<double> time_left(std::size_t done, std::size_t of, double spent_s) {
+  if (done == 0 || of <= done) return std::nullopt;
+  const double share = static_cast<double>(done) / static_cast<double>(of);
+  return spent_s * (1 - share) / share;
+}
+
 std::string described(const Progress& at, double spent_s) {
   if (at.stage == Stage::kCertifying) return "certifying the program";
   std::string text = fmt::format("planning: {} of at most {} candidates", at.done, at.most);
-  if (at.done > 0 && at.most > at.done) {
-    const double share = static_cast<double>(at.done) / static_cast<double>(at.most);
-    text += fmt::format(", at most {:.0f} s left", spent_s * (1 - share) / share);
-  }
+  if (const auto left = time_left(at.done, at.most, spent_s))
+    text += fmt::format(", at most {:.0f} s left", *left);
   return text;
 }
 
@@ -40,6 +45,11 @@ ProgressLine::ProgressLine(std::string hint)
       watcher_([this] { watch(); }) {}
 
 ProgressLine::~ProgressLine() {
+  end();
+}
+
+void ProgressLine::end() {
+  if (!watcher_.joinable()) return;
   {
     const std::lock_guard lock(mutex_);
     stopped_ = true;
@@ -59,6 +69,21 @@ void ProgressLine::hear(const Progress& at) {
   at_ = at;
 }
 
+void ProgressLine::count(std::size_t done, std::size_t of, const std::string& things) {
+  const std::lock_guard lock(mutex_);
+  if (!count_) began_s_ = now_s();
+  count_ = Count{done, of, things};
+}
+
+std::string ProgressLine::text() const {
+  const double spent_s = now_s() - began_s_;
+  if (!count_) return at_ ? described(*at_, spent_s) : "preparing";
+  std::string text = fmt::format("{} of {} {} done", count_->done, count_->of, count_->things);
+  if (const auto left = time_left(count_->done, count_->of, spent_s))
+    text += fmt::format(", about {:.0f} s left", *left);
+  return text;
+}
+
 void ProgressLine::watch() {
   const double start = now_s();
   std::unique_lock lock(mutex_);
@@ -72,8 +97,7 @@ void ProgressLine::watch() {
 void ProgressLine::show(double elapsed_s) {
   if (!shown_ && !hint_.empty()) std::fprintf(stderr, "%s\n", hint_.c_str());
   shown_ = true;
-  const std::string line =
-      fmt::format("{} ({:.0f} s)", at_ ? described(*at_, now_s() - began_s_) : "preparing", elapsed_s);
+  const std::string line = fmt::format("{} ({:.0f} s)", text(), elapsed_s);
   std::fprintf(stderr, terminal_ ? "\r\x1b[K%s" : "%s\n", line.c_str());
   std::fflush(stderr);
 }

@@ -4,6 +4,7 @@
 #include <clearcut/error.h>
 
 #include <condition_variable>
+#include <cstddef>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -17,10 +18,14 @@ class ProgressLine {
  public:
   explicit ProgressLine(std::string hint);
   ~ProgressLine();
+  /// Before anything else is printed; the line is cleared.
+  void end();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   /// For the options of a plan; not to be called after this object's end.
   ProgressCallback callback();
+  /// Of several plans or tables: so many `things` are done.
+  void count(std::size_t done, std::size_t of, const std::string& things);
 
  private:
   void watch();
@@ -33,7 +38,13 @@ class ProgressLine {
   std::condition_variable stop_;
   bool stopped_ = false;
   bool shown_ = false;
+  struct Count {
+    std::size_t done, of;
+    std::string things;
+  };
+  std::string text() const;
   std::optional<Progress> at_;
+  std::optional<Count> count_;
   double began_s_;  ///< when this stage began
   std::thread watcher_;
 };

@@ -64,6 +64,20 @@ std::string advice(const std::string& word, const std::vector<std::string>& name
 
 }  // namespace
 
+CLI::Validator for_example(const std::vector<std::string>& names) {
+  return {[](std::string&) { return std::string(); }, "{" + CLI::detail::join(names, ",") + "}"};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return {[names](std::string& text) {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+            const std::string meant = nearest(text, names);
+            return "'" + text + "' is unknown; " + (meant.empty() ? "" : "did you mean '" + meant + "'? ") +
+                   "use one of " + CLI::detail::join(names, ", ");
+          },
+          "{" + CLI::detail::join(names, ",") + "}"};
+}
+
 std::string about_unexpected(const CLI::App& app, const std::vector<std::string>& arguments) {
   const auto parsed = app.get_subcommands();
   if (parsed.empty()) {
