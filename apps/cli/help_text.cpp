@@ -88,7 +88,9 @@ std::string HelpText::make_help(const CLI::App* app, std::string /*name*/,
   for (const auto& line : wrapped(app->get_description(), width)) text += line + "\n";
   if (app->get_parent() != nullptr) return text + "\n" + usage(command) + options_of(command, width);
   text += "\nUsage: clearcut COMMAND [OPTIONS]\n" + commands_text(*app, width) + options_of(command, width);
-  return text + "\n" + app->get_footer() + "\n";
+  text += "\n";
+  for (const auto& line : wrapped(app->get_footer(), width)) text += line + "\n";
+  return text;
 }
 
 }  // namespace clearcut::cli

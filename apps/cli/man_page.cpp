@@ -74,7 +74,8 @@ Width of tables and help where the output is no terminal; 80 when unset.
 
 std::string man_page(const CLI::App& app) {
   const auto commands = commands_of(app);
-  std::string text = ".TH CLEARCUT 1 \"\" \"clearcut " + std::string(kVersion) + "\" \"User Commands\"\n";
+  std::string text =
+      ".TH CLEARCUT 1 \"\" \"clearcut " + std::string(kVersion) + "\" \"User Commands\"\n.ad l\n.nh\n";
   text += ".SH NAME\nclearcut \\- plan 2.5\\-D pocket\\-milling toolpaths and prove them\n";
   text += ".SH SYNOPSIS\n.B clearcut\n.I COMMAND\n[\\fIOPTIONS\\fR]\n.SH DESCRIPTION\n";
   text += roff(app.get_description()) + "\n.SH COMMANDS\n";

@@ -17,7 +17,7 @@ std::vector<std::string> values_of(const std::string& type) {
 }
 
 std::string value_of(const CLI::Option& option, const std::string& type) {
-  if (option.get_type_size() == 0 && option.get_lnames().size() + option.get_snames().size() > 0) return "";
+  if (option.get_items_expected_max() == 0) return "";
   const std::string word = type.substr(0, type.find_first_of(":{ "));
   if (!values_of(type).empty()) return "NAME";
   if (word == "FLOAT" || word == "INT" || word == "UINT" || word == "POSITIVE" || word == "NONNEGATIVE")
@@ -29,7 +29,8 @@ std::string help_of(const CLI::Option& option) {
   const std::string& help = option.get_description();
   const std::string& standard = option.get_default_str();
   const bool says = help.find("default") != std::string::npos;
-  if (says || standard.empty() || standard == "[]" || standard == "{}" || option.get_type_size() == 0)
+  if (says || standard.empty() || standard == "[]" || standard == "{}" ||
+      option.get_items_expected_max() == 0)
     return help;
   return help + " (default " + standard + ")";
 }

@@ -102,10 +102,10 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
 
 void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.option_defaults()->group("Tools");
-  command.add_option("--tool", tools_,
-                     "KIND:DIAMETER[:T3][:flutes=2][:corner=0.5][:name=N][:noplunge]; "
-                     "kinds: endmill, facemill, bullnose, "
-                     "ball, drill, reamer (repeatable)");
+  command.add_option(
+      "--tool", tools_,
+      "KIND:DIAMETER, then any of :T3 :flutes=2 :corner=0.5 :length=20 :name=N :noplunge; kinds: "
+      "endmill, facemill, bullnose, ball, drill, reamer (repeatable)");
   command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml")
       ->type_name("FILE");
 }

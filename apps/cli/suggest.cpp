@@ -84,6 +84,12 @@ std::string about_unexpected(const CLI::App& app, const std::vector<std::string>
     const auto first = std::find_if(arguments.begin(), arguments.end(), [](const std::string& one) {
       return !one.empty() && one.front() != '-';
     });
+    if (!arguments.empty() && arguments.front().starts_with("-") &&
+        !nearest(arguments.front(), option_names(app)).empty())
+      return "'" + arguments.front() + "' is no option; " +
+             advice(arguments.front(), option_names(app), "clearcut --help");
+    if (first != arguments.end() && *first == "help")
+      return "'help' is no command; say clearcut --help, or clearcut COMMAND --help";
     if (first == arguments.end() && !arguments.empty())
       return "'" + arguments.front() +
              "' comes before a command; name one: clearcut plan, see clearcut --help";

@@ -62,7 +62,7 @@ void add_genetic_options(CLI::App& command, TourOptions& options) {
   command
       .add_option("--patience", genetic.patience, "Generations without gain that end the run (default 40000)")
       ->group(group);
-  command.add_option("--generations", genetic.stop.rounds, "Most generations")
+  command.add_option("--generations", genetic.stop.rounds, "Most generations (default: no limit)")
       ->capture_default_str()
       ->group(group);
 }

@@ -181,7 +181,7 @@ TEST(Tables, FitEightyColumnsAndTheWidthAskedFor) {
   const auto part = folder.file("square.json", kSquare);
   const auto out = folder.path("out.ngc");
   EXPECT_LE(widest_line(run_clearcut({"compare", part, "--tool", "endmill:16"}).out), 80U);
-  EXPECT_LE(widest_line(run_clearcut({"reproduce", "lengths"}).out), 80U);
+  EXPECT_LE(widest_line(run_clearcut({"reproduce", "coefficients"}).out), 80U);
   ::setenv("COLUMNS", "60", 1);
   const auto narrow = run_clearcut({"compare", part, "--tool", "endmill:16"});
   ::setenv("COLUMNS", "200", 1);
