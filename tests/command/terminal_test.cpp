@@ -108,18 +108,25 @@ TEST(ManPage, AndCompletionAreTakenByTheirPrograms) {
     folder.file(what, run_clearcut({"generate", what}).out);
   const auto run = [](const std::string& line) { return std::system((line + " >/dev/null").c_str()); };
   EXPECT_EQ(run("bash -n " + folder.path("bash")), 0);
-  if (has_program("zsh")) EXPECT_EQ(run("zsh -n " + folder.path("zsh")), 0);
-  if (has_program("fish")) EXPECT_EQ(run("fish -n " + folder.path("fish")), 0);
-  if (has_program("mandoc")) EXPECT_EQ(run("mandoc -T lint -W error " + folder.path("man")), 0);
-  if (has_program("groff"))
+  if (has_program("zsh")) {
+    EXPECT_EQ(run("zsh -n " + folder.path("zsh")), 0);
+  }
+  if (has_program("fish")) {
+    EXPECT_EQ(run("fish -n " + folder.path("fish")), 0);
+  }
+  if (has_program("mandoc")) {
+    EXPECT_EQ(run("mandoc -T lint -W error " + folder.path("man")), 0);
+  }
+  if (has_program("groff")) {
     EXPECT_EQ(run("test -z \"$(groff -man -ww -z " + folder.path("man") + " 2>&1)\""), 0);
+  }
 }
 
 /// What bash offers for a line.
 std::string offered(const ScratchFolder& folder, const std::string& words, int at) {
   const std::string script = "source " + folder.path("c") + "; COMP_WORDS=(" + words +
                              "); COMP_CWORD=" + std::to_string(at) + "; _clearcut; echo \"${COMPREPLY[@]}\"";
-  std::system(("bash -c '" + script + "' >" + folder.path("out")).c_str());
+  EXPECT_EQ(std::system(("bash -c '" + script + "' >" + folder.path("out")).c_str()), 0);
   return read_file(folder.path("out"));
 }
 
