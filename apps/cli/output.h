@@ -18,7 +18,8 @@ void print_line(const std::string& text);
 /// As wide as the terminal, or for a Markdown page.
 void print_table(const TextTable& table, bool as_markdown = false);
 
-/// All of the files or (InputError) none; those named "-" go to standard output, last.
-void write_outputs(const std::vector<OutputFile>& files);
+/// All of the files or (InputError) none; those named "-" go to standard output, last. None of `inputs` (files that were read for
+/// them) is replaced. A signal that ends the program waits meanwhile, so that no temporary file stays behind.
+void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
 
 }  // namespace clearcut::cli

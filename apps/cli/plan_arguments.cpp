@@ -15,6 +15,11 @@
 namespace clearcut::cli {
 namespace {
 
+/// Whether as published.
+const std::map<std::string, bool> kGrids{{"ours", false}, {"published", true}};
+/// Whether along bisectors.
+const std::map<std::string, bool> kPassages{{"bisector", true}, {"shortest", false}};
+
 std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
   if (!mm_per_min) return std::nullopt;
   return MmPerMin::of(*mm_per_min);
@@ -42,6 +47,12 @@ LayerRule operation_rule(const std::string& text) {
   LayerRule rule = rule_named(text.substr(0, colon), "--op");
   rule.pattern = text.substr(colon + 1);
   return rule;
+}
+
+/// A tool library and the files that its tools lie in.
+void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
+  files.push_back({"tools", library.string()});
+  for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
 }
 
 }  // namespace
@@ -168,6 +179,10 @@ void PlanArguments::add_strategy_options(CLI::App& command) {
       ->check(one_of({"climb", "conventional"}));
   command.add_option("--order", order_, "Contours inside-out (default) or outside-in")
       ->check(one_of({"inside-out", "outside-in"}));
+  command
+      .add_option("--passage", passage_,
+                  "From contour to contour: bisector (of a corner; default of published methods) or shortest")
+      ->check(one_of({"bisector", "shortest"}));
   command.add_option("--start", start_,
                      "Where the cutting of contours begins, or adaptive clearing goes down: X,Y");
 }
@@ -179,8 +194,14 @@ void PlanArguments::add_search_options(CLI::App& command) {
                   "Of the strategy tour: length, turns, angle, engagement, time (default), or weights "
                   "1:length,20:turns")
       ->check(for_example({"length", "turns", "angle", "engagement", "time"}));
+  command
+      .add_option("--grid", grid_,
+                  "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves)")
+      ->check(one_of({"ours", "published"}));
   command.add_option("--time", time_, "Longest search, s (default: as long as it gains)");
   command.add_option("--seed", seed_, "Seed of the search (default 1)");
+  solver_.add_options(command);
+  command.option_defaults()->group("Search");
 }
 
 void PlanArguments::add_feed_options(CLI::App& command) {
@@ -346,8 +367,8 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
 
 Part PlanArguments::read() const {
   const auto from_job = job();
-  Part part =
-      from_job ? part_of_job(*from_job, read_options(), step_sources_) : read_part(input_, read_options());
+  Part part = from_job ? part_of_job(*from_job, read_options(), step_sources_, step_published_)
+                       : read_part(input_, read_options());
   if (clearance_z_) part.clearance_z = clearance_z_;
   part.diagnostics.append(library().diagnostics);
   return part;
@@ -367,14 +388,21 @@ std::vector<Tool> PlanArguments::tools() const {
   return tools;
 }
 
+std::vector<std::string> PlanArguments::input_paths() const {
+  std::vector<std::string> paths;
+  for (const CertificateFileName& file : input_files()) paths.push_back(file.path);
+  return paths;
+}
+
 std::vector<CertificateFileName> PlanArguments::input_files() const {
   std::vector<CertificateFileName> files;
   const auto job = this->job();
   files.push_back({job ? "job" : "part", input_});
   if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
-  if (tool_library_) files.push_back({"tools", *tool_library_});
-  if (job && !tool_library_ && job->tool_library) files.push_back({"tools", job->tool_library->string()});
+  if (tool_library_) add_library(*tool_library_, files);
+  if (job && !tool_library_ && job->tool_library) add_library(*job->tool_library, files);
   if (machine_file_) files.push_back({"machine", *machine_file_});
+  if (job && !machine_file_ && job->machine_file) files.push_back({"machine", job->machine_file->string()});
   if (after_) files.push_back({"earlier program", *after_});
   if (job && !after_ && job->after) files.push_back({"earlier program", job->after->string()});
   return files;
@@ -463,6 +491,9 @@ PlanOptions PlanArguments::options() const {
   options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
   options.post = post(given.output);
+  options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
+                       solver_.solver()};
+  options.step_published = step_published_;
   options.objective = objective_.value_or(given.objective.value_or("time"));
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));

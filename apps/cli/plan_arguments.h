@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "certificate_info.h"
+#include "solver_arguments.h"
+
 namespace clearcut::cli {
 
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
@@ -33,6 +35,8 @@ class PlanArguments {
   const std::string& input() const { return input_; }
   /// Every file that the options rest on, by its role, those that a job names included.
   std::vector<CertificateFileName> input_files() const;
+  /// The paths alone.
+  std::vector<std::string> input_paths() const;
   const SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
   std::optional<JobFile> job() const;
@@ -60,7 +64,8 @@ class PlanArguments {
 
   std::string input_;
   Sources typed_;
-  mutable StepSources step_sources_;  ///< of the part that was read
+  mutable StepChoices step_published_;  ///< likewise
+  mutable StepSources step_sources_;    ///< of the part that was read
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;
@@ -97,6 +102,9 @@ class PlanArguments {
   ShopOptions shop_;
   std::optional<std::string> direction_;
   std::optional<std::string> order_;
+  std::optional<std::string> passage_;
+  std::optional<std::string> grid_;
+  SolverArguments solver_;
   std::optional<std::string> start_;
   std::optional<double> feed_;
   std::optional<double> plunge_feed_;

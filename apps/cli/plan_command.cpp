@@ -122,9 +122,10 @@ int run(PlanCommand command) {
   const PlanOptions options = command.arguments.options();
   if (command.output.empty() && command.explain) return explain(part, options);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
-  check_outputs(output_names(command));
+  const std::vector<std::string> inputs = command.arguments.input_paths();
+  check_outputs(output_names(command), inputs);
   const PlanResult result = planned(command, part, options);
-  write_outputs(output_files(command, options, result));
+  write_outputs(output_files(command, options, result), inputs);
   if (command.explain) print_line(write_values(result.part, result.values, output_width()));
   if (command.quiet) {
     if (command.output != "-") print_line(with_colours(verdict_and_reasons(result.findings)));

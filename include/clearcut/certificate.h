@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/files/digest.h"
-#include "report/certificate_check.h"
+#include "report/certificate/certificate_check.h"
 
 namespace clearcut {
 

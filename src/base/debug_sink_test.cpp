@@ -84,5 +84,16 @@ TEST_F(Frames, NumbersThatAreNotFiniteAreLeftOutAndCounted) {
   EXPECT_THAT(text, Not(HasSubstr("nan")));
 }
 
+TEST_F(Frames, HoldArcsAndNotTheirCentres) {
+  SvgFrames frames(folder_, "flat");
+  frames.arc(0, 0, 10, 0, 5, 1000, true, "blue");  // sagitta 0.0125, centre far away
+  frames.frame("round");
+  frames.arc(1, 0, 0, 1, 0, 0, false, "green");  // three quarters of a circle of radius 1
+  frames.finish();
+  ASSERT_EQ(frames.written().size(), 2u);
+  EXPECT_THAT(well_formed(frames.written()[0]), HasSubstr("width=\"1060\" height=\"81\""));
+  EXPECT_THAT(well_formed(frames.written()[1]), HasSubstr("width=\"1060\" height=\"1080\""));
+}
+
 }  // namespace
 }  // namespace clearcut::inline base

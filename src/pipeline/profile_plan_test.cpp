@@ -294,7 +294,27 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
   ASSERT_EQ(result.findings.conditions.size(), 2u);
   EXPECT_EQ(result.findings.conditions[0].name, "out-of-reach");
   EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
-  EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
+  EXPECT_THAT(result.findings.conditions[0].text,
+              HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
+}
+
+TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
+  // A slot of 2 mm beside a square: most of it is too narrow for the cutter.
+  const std::string slot = dxf("0\nLWPOLYLINE\n8\nPOCKET_D2\n90\n8\n70\n1\n" + [] {
+    std::string points;
+    for (const Vec2 p : {Vec2{0, 0}, {10, 0}, {10, 4}, {40, 4}, {40, 6}, {10, 6}, {10, 10}, {0, 10}})
+      points += "10\n" + std::to_string(p.x) + "\n20\n" + std::to_string(p.y) + "\n";
+    return points;
+  }());
+  const Part part = read::read_part_text(slot, "slot.dxf", asking());
+  resolve::PlanOptions options = with_mill("endmill:4");
+  const auto result = plan_part(part, options);
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kConditional);
+  EXPECT_THAT(result.program, HasSubstr("CONDITIONS: OUT-OF-REACH"));
+  options.accept = {"out-of-reach"};
+  EXPECT_EQ(verdict_of(plan_part(part, options).findings), Verdict::kClean);
+  const Part square = read::read_part_text(dxf(rectangle("POCKET_D2", 0, 0, 60, 40)), "square.dxf", asking());
+  EXPECT_EQ(verdict_of(plan_part(square, with_mill("endmill:10")).findings), Verdict::kClean);
 }
 
 /// A comb of slots whose sides wave: thousands of short edges, none of which a wide cutter comes into.
@@ -324,7 +344,8 @@ TEST(OutOfReach, IsFoundInASecondOnOutlinesOfThousandsOfEdges) {
   const auto result = plan_part(part, options);
   EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 4) << "s of the processor";
   ASSERT_EQ(result.findings.conditions.size(), 1u);
-  EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));
+  EXPECT_THAT(result.findings.conditions[0].text,
+              HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "link/slot_feed.h"
 #include "model/results/not_machined.h"
 #include "pipeline/certify.h"
+#include "pipeline/contour_results.h"
 #include "pipeline/progress_meter.h"
 #include "pipeline/selection/choice.h"
 #include "pipeline/selection/strategies.h"
@@ -24,6 +25,8 @@
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "plan/common/walls.h"
+#include "plan/contour/entries.h"
+#include "plan/contour/step_rule.h"
 #include "plan/profile/profile.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
@@ -329,12 +332,32 @@ void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOpt
   }
 }
 
-std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
-  std::vector<report::ContourLevels> contours;
-  for (const Section& section : toolpath.sections) {
-    if (!section.contours.empty()) contours.push_back({section.label, section.contours});
+/// What a step asks for that its strategy has not: "" where all is used.
+std::string unused_choice(const ResolvedStep& step) {
+  const std::string name = step.strategy ? step.strategy->name : "auto";
+  const bool has_contours = name == "contour" || plan::contour::contour_rule(name, {});
+  if (step.bisector_passages && !has_contours)
+    return fmt::format("--passage is for contour strategies, '{}' is planned", name);
+  if ((step.published_grid || step.solver.is_published) && name != "tour")
+    return fmt::format("--grid and --solver published are for the strategy tour, '{}' is planned", name);
+  return "";
+}
+
+/// Options of one kind of strategy, asked for with another, are refused where no step can use them, and else said.
+void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostics) {
+  std::size_t unused = 0;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const std::string text = unused_choice(plan.steps[i]);
+    if (text.empty()) continue;
+    if (++unused == plan.steps.size()) throw InputError("plan", text + "; add --strategy");
+    diagnostics.warn(plan.part.workplan[i].name, text);
   }
-  return contours;
+}
+
+std::vector<int> tools_in_order(const Part& part) {
+  std::vector<int> numbers;
+  for (const Workingstep& step : part.workplan) numbers.push_back(tool_of(part, step).number);
+  return numbers;
 }
 
 /// How many attempts the choice may plan before any fallback.
@@ -359,6 +382,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   result.part = plan.part;
   result.values = plan.values;
   resolve::refuse_what_cannot_be(result.part, options);
+  refuse_what_means_nothing(plan, result.part.diagnostics);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto planner = [&](int step, const Attempt& attempt) {
@@ -380,20 +404,10 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   add_out_of_reach(result.part, plan, result.findings);
   sign(result, toolpath, plan);
   report_notes(choice, works, plan, result.part);
-  result.contours = contours_of(toolpath);
+  result.contours = contours_of(toolpath, plan);
+  report_rho(result.contours, plan, result.part);
   result.contests = choice.contests();
   return result;
-}
-
-/// Numbers of the tools in the order of work, for controls whose programs cannot name them.
-static std::vector<int> tools_in_order(const Part& part, const resolve::PlanOptions& options) {
-  std::vector<int> numbers;
-  const Part prepared = resolve::prepare(part, options);
-  for (const Workingstep& step : prepared.workplan) {
-    const int number = tool_of(prepared, step).number;
-    if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
-  }
-  return numbers;
 }
 
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
@@ -403,15 +417,20 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   reading.home_z = home_z(options.machine);
   reading.safe_z = part.top_z();
   reading.places = options.machine.places;
-  if (dialect == read::gcode::Dialect::kMarlin) reading.hand_tools = tools_in_order(part, options);
+  const StrategyTable& strategies = strategies_of(options);
+  std::optional<ResolvedPlan> resolved;
+  if (dialect == read::gcode::Dialect::kMarlin) {
+    resolved = resolve::resolve(part, options, strategies);
+    reading.hand_tools = tools_by_hand(tools_in_order(resolved->part));
+  }
   auto read = read::gcode::read_gcode(program, program_name, reading);
   if (reading.hand_tools.size() > 1)
     read.conditions.push_back(
         {"tool-by-hand", "the tools are put in by hand in the order of the part's work, one at each pause",
          0});
   CheckResult result;
-  const ResolvedPlan plan =
-      resolve::resolve(part, numbered_by(read.toolpath, options), strategies_of(options));
+  if (!resolved) resolved = resolve::resolve(part, numbered_by(read.toolpath, options), strategies);
+  const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
   keep_stated_limits(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);

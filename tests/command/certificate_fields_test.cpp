@@ -6,7 +6,7 @@
 
 #include "pipeline/run.h"
 #include "read/read_part.h"
-#include "report/certificate.h"
+#include "report/certificate/certificate.h"
 
 namespace clearcut {
 namespace {

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <polyclipping/clipper.hpp>
 
-#include "base/debug_sink.h"
 #include "base/random.h"
 #include "base/units.h"
 #include "geometry/boolean.h"
@@ -121,24 +120,6 @@ class Checker {
   double worst = 0;
 };
 
-void draw(DebugSink& sink, const Region& region, const char* color) {
-  for (const Edge& e : region.edges()) {
-    if (e.is_arc()) {
-      sink.arc(e.from.x, e.from.y, e.to.x, e.to.y, e.center.x, e.center.y, e.turn == Turn::kCounterClockwise,
-               color);
-    } else {
-      sink.line(e.from.x, e.from.y, e.to.x, e.to.y, color);
-    }
-  }
-}
-
-void leave_picture(const std::string& name, const Region& region, const Regions& result) {
-  SvgFrames frames(std::filesystem::path(CLEARCUT_BINARY_DIR) / "debug", name);
-  frames.frame("inset");
-  draw(frames, region, "black");
-  for (const Region& r : result) draw(frames, r, "red");
-}
-
 ClipperLib::Path to_clipper(const Loop& loop) {
   ClipperLib::Path path;
   for (const Vec2 p : flattened(loop, 1e-4))
@@ -229,10 +210,7 @@ std::string check_case(const std::string& name, const RandomRegion& c, int seed,
         fault = "area " + std::to_string(ours) + ", peer's " + std::to_string(peers);
       }
     }
-    if (!fault.empty()) {
-      leave_picture(name, c.region, results[i]);
-      return name + ": " + fault;
-    }
+    if (!fault.empty()) return name + ": " + fault;
   }
   return {};
 }

@@ -67,8 +67,7 @@ resolve::PlanOptions options_of(const Case& c, bool inch) {
   options.stepdown = c.example.stepdown;
   options.post.dialect = c.dialect;
   options.post.inch = inch;
-  options.accept = {"out-of-reach"};  // sharp corners of the outlines
-  if (c.dialect == "marlin") options.accept.push_back("tool-by-hand");  // its programs cannot name their tools
+  if (c.dialect == "marlin") options.accept = {"tool-by-hand"};  // its programs cannot name their tools
   return options;
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/files/file.h"
-#include "support/definitions.h"
+#include "support/sources/definitions.h"
 
 namespace clearcut {
 namespace {

@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
 #include "base/error.h"
-#include "base/files/file_guard.h"
+#include "base/files/output_names.h"
 
 namespace clearcut::inline base {
 namespace {
@@ -43,14 +41,8 @@ void write_special(const OutputFile& file) {
   if (!out) throw InputError(file.path, "cannot be written; check that it has room");
 }
 
-/// What a link points to is replaced, not the link.
-std::string target_of(const std::string& path) {
-  std::error_code ignored;
-  return fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored).string() : path;
-}
-
 std::string temporary_name(const std::string& path) {
-  return fmt::format("{}.{}.tmp", target_of(path), ::getpid());
+  return fmt::format("{}.{}.tmp", target_of(path).string(), ::getpid());
 }
 
 void write_temporary(const OutputFile& file) {
@@ -69,33 +61,9 @@ void remove_temporaries(const std::vector<OutputFile>& files) {
   }
 }
 
-/// While files are written a signal that ends the program waits, so that no temporary file stays behind.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    caught() = 0;
-    struct sigaction hold {};
-    hold.sa_handler = [](int signal) { caught() = signal; };
-    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &hold, &before_[i]);
-  }
-  ~SignalsHeld() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
-    if (caught() != 0) ::raise(caught());
-  }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-  void give_up_if_interrupted() const {
-    if (caught() != 0) throw InputError("", "interrupted; nothing was written");
-  }
-
- private:
-  static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
-  static volatile std::sig_atomic_t& caught() {
-    static volatile std::sig_atomic_t signal = 0;
-    return signal;
-  }
-  std::array<struct sigaction, kSignals.size()> before_{};
-};
+void give_up_if(const std::function<bool()>& interrupted) {
+  if (interrupted && interrupted()) throw InputError("", "interrupted; nothing was written");
+}
 
 }  // namespace
 
@@ -114,21 +82,20 @@ std::string read_file(const std::string& path, std::size_t limit) {
       throw InputError(path, fmt::format("is larger than {} bytes, too large to read", limit));
   }
   if (in.bad()) throw InputError(path, "cannot be read to its end");
-  remember_input(path);
   return bytes;
 }
 
-void write_files(const std::vector<OutputFile>& files) {
+void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs,
+                 const std::function<bool()>& interrupted) {
   std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.path);
-  check_outputs(names);
-  SignalsHeld signals;
+  check_outputs(names, inputs);
   try {
     for (const auto& file : files) {
-      signals.give_up_if_interrupted();
+      give_up_if(interrupted);
       if (is_replaced(file)) write_temporary(file);
     }
-    signals.give_up_if_interrupted();
+    give_up_if(interrupted);
     for (const auto& file : files) {
       if (is_special(file)) write_special(file);
     }

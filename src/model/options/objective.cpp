@@ -9,9 +9,10 @@
 namespace clearcut::inline model {
 namespace {
 
-constexpr std::array kKinds{ObjectiveKind::kLength,     ObjectiveKind::kTurns,
-                            ObjectiveKind::kAngle,      ObjectiveKind::kTime,
-                            ObjectiveKind::kEngagement, ObjectiveKind::kEngagementExact};
+constexpr std::array kKinds{ObjectiveKind::kLength,         ObjectiveKind::kTurns,
+                            ObjectiveKind::kAngle,          ObjectiveKind::kTime,
+                            ObjectiveKind::kEngagement,     ObjectiveKind::kEngagementInverse,
+                            ObjectiveKind::kEngagementExact};
 
 ObjectiveKind kind_named(const std::string& name, const std::string& place) {
   std::string names;
@@ -45,6 +46,8 @@ const char* name_of(ObjectiveKind kind) {
       return "time";
     case ObjectiveKind::kEngagement:
       return "engagement";
+    case ObjectiveKind::kEngagementInverse:
+      return "engagement-inverse";
     case ObjectiveKind::kEngagementExact:
       break;
   }

@@ -7,8 +7,16 @@
 
 namespace clearcut::inline model {
 
-enum class ObjectiveKind { kLength, kTurns, kAngle, kTime, kEngagement, kEngagementExact };
-/// "length", "turns", "angle", "time", "engagement", "engagement-exact".
+enum class ObjectiveKind {
+  kLength,
+  kTurns,
+  kAngle,
+  kTime,
+  kEngagement,
+  kEngagementInverse,
+  kEngagementExact
+};
+/// "length", "turns", "angle", "time", "engagement", "engagement-inverse", "engagement-exact".
 const char* name_of(ObjectiveKind kind);
 
 struct ObjectiveTerm {

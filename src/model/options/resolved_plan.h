@@ -13,6 +13,7 @@
 #include "model/options/objective.h"
 #include "model/options/origin.h"
 #include "model/options/post_options.h"
+#include "model/options/published_solver.h"
 #include "model/options/stepover.h"
 #include "model/part.h"
 #include "model/work_material.h"
@@ -51,6 +52,9 @@ struct ResolvedStep {
   double lead = 0;                        ///< radius of arcs, length of lines; 0: none
   std::optional<Radians> lead_angle;      ///< of lines against the pass; absent: arcs
   double cross_z = 0;                     ///< where rapids cross between passes; absolute
+  std::optional<bool> bisector_passages;  ///< of contour methods; absent: the method decides
+  VisitSolver solver;                     ///< of the strategy tour
+  bool published_grid = false;            ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
 
   /// Where the wall is, seen along closed passes.
   bool wall_on_right() const { return (direction == CutDirection::kClimb) == spindle_clockwise; }

@@ -1,7 +1,5 @@
 #include "pipeline/selection/choice.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -33,8 +31,7 @@ bool is_worthwhile(const StrategyEntry& strategy, const ClearedSize& known, doub
 
 template <typename Work>
 void in_parallel(std::size_t count, int threads, Work&& work) {
-  tbb::task_arena arena(threads);
-  arena.execute([&] { parallel_for(std::size_t{0}, count, work); });
+  on_threads(threads, [&] { parallel_for(std::size_t{0}, count, work); });
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace clearcut::pipeline {
 namespace {
 
 plan::tour::TourSolver solver_for(const StrategyRequest& request) {
-  return tour_solver(request.plan, request.step.feed, request.briefly);
+  return tour_solver(request.plan, request.step, request.briefly);
 }
 
 StrategyTable all_strategies() {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kShare = 0.02;   // of the feature's area
 constexpr double kCorners = 1.0;  // mm2
 constexpr double kSameArea = 1e-9;
-constexpr int kHalvings = 10;     // of the range of diameters that is searched
+constexpr int kHalvings = 10;  // of the range of diameters that is searched
 /// mm. Smaller cutters are not proposed.
 constexpr double kSmallest = 0.1;
 
@@ -62,7 +62,8 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
                              " mm2 has " + trimmed(fits, 2) + " mm"
                        : "; no cutter of 0.1 mm or more reaches it";
     }
-    conditions.push_back({"out-of-reach", text, 0});
+    const bool little = left <= std::max(kShare * whole, kCorners);
+    conditions.push_back({"out-of-reach", text, 0, little ? "at most 2 percent or 1 mm2" : ""});
   }
   return conditions;
 }

@@ -219,8 +219,9 @@ class ExactEngagement final : public EngagementModel {
 
 class Engagement final : public order::Objective {
  public:
-  Engagement(double target, std::function<std::unique_ptr<EngagementModel>()> make)
-      : target_(target), make_(std::move(make)) {}
+  using Cost = double (*)(double);
+  Engagement(double target, std::function<std::unique_ptr<EngagementModel>()> make, Cost cost)
+      : target_(target), make_(std::move(make)), cost_(cost) {}
   std::string name() const override { return "engagement"; }
   std::string unit() const override { return ""; }
   bool path_dependent() const override { return true; }
@@ -228,24 +229,26 @@ class Engagement final : public order::Objective {
     return path_value(moves)->of(tour);
   }
   std::unique_ptr<order::PathValue> path_value(const order::Moves& /*moves*/) const override {
-    return std::make_unique<Value>(target_, make_());
+    return std::make_unique<Value>(target_, make_(), cost_);
   }
   Linear linear() const override { return {.exact = false}; }
 
  private:
   struct Value final : order::PathValue {
-    Value(double wanted, std::unique_ptr<EngagementModel> of_points)
-        : target(wanted), model(std::move(of_points)) {}
+    Value(double wanted, std::unique_ptr<EngagementModel> of_points, Cost of_deviation)
+        : target(wanted), model(std::move(of_points)), cost(of_deviation) {}
     double of(std::span<const int> tour) override {
       double sum = 0;
-      for (const double share : model->along(tour)) sum += engagement_cost(share - target);
+      for (const double share : model->along(tour)) sum += cost(share - target);
       return sum;
     }
     double target;
     std::unique_ptr<EngagementModel> model;
+    Cost cost;
   };
   double target_;
   std::function<std::unique_ptr<EngagementModel>()> make_;
+  Cost cost_;
 };
 
 }  // namespace
@@ -301,9 +304,16 @@ double engagement_cost(double deviation) {
   return deviation <= 0 ? -deviation : std::expm1(5 * deviation);
 }
 
+double inverse_engagement_cost(double deviation) {
+  constexpr double kLeast = 0.02;  // of the circle: the accuracy of the raster model
+  if (deviation > 0) return engagement_cost(deviation);
+  return 1 - kLeast / std::max(-deviation, kLeast);
+}
+
 order::ObjectivePtr engagement_objective(double target,
-                                         std::function<std::unique_ptr<EngagementModel>()> make) {
-  return std::make_shared<Engagement>(target, std::move(make));
+                                         std::function<std::unique_ptr<EngagementModel>()> make,
+                                         double (*cost)(double)) {
+  return std::make_shared<Engagement>(target, std::move(make), cost);
 }
 
 }  // namespace clearcut::pipeline

@@ -65,8 +65,13 @@ std::unique_ptr<EngagementModel> exact_engagement(EngagementTask task);
 /// above the target).
 double engagement_cost(double deviation);
 
-/// Sum of engagement_cost over the moves. `make` gives a fresh model for the objective's points.
+/// The reward of Tour eq. 4.22 as a cost: 1 / |deviation| below the target, counted from the largest that the raster model can
+/// tell and divided by it, so that the cost is 0 at the target and nears 1 far below; above the target as engagement_cost.
+double inverse_engagement_cost(double deviation);
+
+/// Sum of `cost` of the deviation over the moves. `make` gives a fresh model for the objective's points.
 order::ObjectivePtr engagement_objective(double target,
-                                         std::function<std::unique_ptr<EngagementModel>()> make);
+                                         std::function<std::unique_ptr<EngagementModel>()> make,
+                                         double (*cost)(double) = engagement_cost);
 
 }  // namespace clearcut::pipeline

@@ -89,6 +89,14 @@ TEST(Engagement, TooMuchCostsMoreThanTooLittle) {
   EXPECT_GT(engagement_cost(0.2), 2 * engagement_cost(0.1));
 }
 
+/// Eq. 4.22: the reward is 1 / |deviation|, the penalty grows exponentially.
+TEST(Engagement, TheInverseRewardIsSteepNearTheTarget) {
+  EXPECT_EQ(inverse_engagement_cost(0), 0);
+  const auto reward = [](double deviation) { return (1 - inverse_engagement_cost(deviation)) / 0.02; };
+  for (const double below : {0.02, 0.05, 0.1, 0.5}) EXPECT_NEAR(reward(-below), 1 / below, 1e-9);
+  EXPECT_EQ(inverse_engagement_cost(0.1), engagement_cost(0.1));
+}
+
 TEST(TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
   plan::tour::TourTask task;
   task.points = grid_task().points;
@@ -100,9 +108,11 @@ TEST(TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
   for (const char* objective : {"length", "time", "1:length,20:turns,5:engagement"}) {
     ResolvedPlan plan;
     plan.objective = parse_objective(objective, "objective");
-    const auto one = tour_solver(plan, MmPerMin::of(1000))(task);
+    ResolvedStep step;
+    step.feed = MmPerMin::of(1000);
+    const auto one = tour_solver(plan, step)(task);
     plan.threads = 2;
-    EXPECT_EQ(tour_solver(plan, MmPerMin::of(1000))(task), one) << objective;
+    EXPECT_EQ(tour_solver(plan, step)(task), one) << objective;
   }
 }
 

@@ -107,6 +107,9 @@ order::ObjectivePtr objective_for(const order::Problem& problem, const TourOptio
     const auto task = [&] { return engagement_task(problem, options); };
     if (kind == ObjectiveKind::kEngagement)
       return engagement_objective(target, [given = task()] { return raster_engagement(given); });
+    if (kind == ObjectiveKind::kEngagementInverse)
+      return engagement_objective(
+          target, [given = task()] { return raster_engagement(given); }, inverse_engagement_cost);
     if (kind == ObjectiveKind::kEngagementExact)
       return engagement_objective(target, [given = task()] { return exact_engagement(given); });
     return single_objective(kind, options.feed);

@@ -10,7 +10,7 @@
 namespace clearcut::pipeline {
 
 struct TourOptions {
-  /// length, turns, angle, time, engagement, engagement-exact, or weights "0.5:length,20:turns"
+  /// length, turns, angle, time, engagement, engagement-inverse, engagement-exact, or weights "0.5:length,20:turns"
   std::string objective = "length";
   std::optional<bool> closed;  ///< default: TSPLIB files closed, lattices open
   double time_s = 10;

@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "base/progress.h"
+#include "order/genetic/genetic.h"
 #include "order/solve.h"
 #include "pipeline/tour/engagement_model.h"
 
@@ -16,6 +17,10 @@ namespace {
 /// Seconds of one core for a population, and rounds, where nobody says how long to search.
 constexpr double kEffort = 0.1, kBriefEffort = 0.02;
 constexpr long long kRounds = 2;
+/// Tour 4.3.3: "1000 generations without any improvement".
+constexpr long long kPublishedPatience = 1000;
+/// Fewer points make no population.
+constexpr std::size_t kFewPoints = 5;
 
 class MachineTime final : public order::Objective {
  public:
@@ -85,6 +90,9 @@ order::ObjectivePtr layer_objective(ObjectiveKind kind, const plan::tour::TourTa
       return machine_time_objective(search.machine, search.feed);
     case ObjectiveKind::kEngagement:
       return engagement_objective(search.engagement_target(), [=] { return raster_engagement(engagement); });
+    case ObjectiveKind::kEngagementInverse:
+      return engagement_objective(
+          search.engagement_target(), [=] { return raster_engagement(engagement); }, inverse_engagement_cost);
     case ObjectiveKind::kEngagementExact:
       break;
   }
@@ -113,12 +121,51 @@ order::Problem grid_problem(const plan::tour::TourTask& task) {
   return problem;
 }
 
-plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, MmPerMin feed, bool briefly) {
+order::GeneticResult published_order(const order::Problem& problem, const order::Objective& objective,
+                                     const PublishedOrder& how) {
+  if (problem.points.size() < kFewPoints) {
+    order::SolveOptions exact;
+    exact.stop.rounds = 1;
+    order::GeneticResult few;
+    const auto solution = order::solve(problem, objective, exact);
+    few.tour = solution.tour;
+    few.value = solution.objective;
+    return few;
+  }
+  const PublishedSolver& published = how.solver;
+  order::GeneticOptions genetic;
+  genetic.patience = kPublishedPatience;
+  genetic.seed = how.seed;
+  if (published.generations) {
+    genetic.stop.rounds = *published.generations;
+    genetic.patience = *published.generations;
+  }
+  genetic.population = genetic.children = published.population.value_or(genetic.population);
+  genetic.selection = published.selection.value_or(genetic.selection);
+  genetic.crossover = published.crossover.value_or(genetic.crossover);
+  genetic.mutation = published.mutation.value_or(genetic.mutation);
+  genetic.crossover_rate = published.crossover_rate.value_or(genetic.crossover_rate);
+  genetic.mutation_rate = published.mutation_rate.value_or(genetic.mutation_rate);
+  genetic.most_shared = published.most_shared.value_or(genetic.most_shared);
+  if (how.seconds) genetic.stop.seconds = *how.seconds;
+  std::atomic<bool> stop = false;
+  const std::stop_callback on_cancel(how.cancel, [&stop] { stop = true; });
+  genetic.stop.cancel = &stop;
+  auto result = order::run_genetic(problem, objective, genetic);
+  throw_if_cancelled(how.cancel);
+  return result;
+}
+
+plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, bool briefly) {
   const Search search{plan.objective, plan.engagement_deg, plan.search_s, plan.seed,
-                      plan.threads,   plan.machine,        feed,          plan.cancel};
-  return [search, briefly](const plan::tour::TourTask& task) {
+                      plan.threads,   plan.machine,        step.feed,     plan.cancel};
+  return [search, briefly, solver = step.solver](const plan::tour::TourTask& task) {
     const auto objective = objective_of(
         search.objective, [&](ObjectiveKind kind) { return layer_objective(kind, task, search); });
+    if (solver.is_published)
+      return published_order(grid_problem(task), *objective,
+                             {solver.published, search.seed, search.seconds, search.cancel})
+          .tour;
     order::SolveOptions solve;
     solve.seed = search.seed;
     solve.threads = search.threads;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "model/options/resolved_plan.h"
+#include "order/genetic/genetic.h"
 #include "order/objective.h"
 #include "order/problem.h"
 #include "plan/tour/tour.h"
@@ -24,8 +25,20 @@ order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed
 /// An open path through the points of a grid, along its legal ways.
 order::Problem grid_problem(const plan::tour::TourTask& task);
 
+/// How the text's genetic algorithm is run.
+struct PublishedOrder {
+  PublishedSolver solver;
+  std::uint64_t seed = 1;
+  std::optional<double> seconds;  ///< at most; absent: as the solver says
+  std::stop_token cancel;
+};
+
+/// The text's genetic algorithm on any problem. Few points are ordered exactly, without samples.
+order::GeneticResult published_order(const order::Problem& problem, const order::Objective& objective,
+                                     const PublishedOrder& how);
+
 /// Orders grids by plan.objective. Without plan.search_s the same points give the same order, however
 /// busy the machine. `briefly`: with a fifth of the usual search, which is seldom felt in the order.
-plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, MmPerMin feed, bool briefly = false);
+plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, bool briefly = false);
 
 }  // namespace clearcut::pipeline

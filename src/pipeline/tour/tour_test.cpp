@@ -20,7 +20,7 @@ double value_after(const std::string& objective, double time_s) {
 }
 
 TEST(TourEngagement, BothModelsAreObjectivesOnLattices) {
-  for (const char* objective : {"engagement", "engagement-exact"}) {
+  for (const char* objective : {"engagement", "engagement-inverse", "engagement-exact"}) {
     const auto result = solve_tour("6x6", asking(objective));
     EXPECT_EQ(result.solution.tour.size(), 36u) << objective;
     EXPECT_GT(result.solution.objective, 0) << objective;

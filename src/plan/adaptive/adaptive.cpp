@@ -10,6 +10,7 @@
 #include "plan/adaptive/entry_regions.h"
 #include "plan/adaptive/finish/finish.h"
 #include "plan/adaptive/parameters.h"
+#include "plan/adaptive/step_pictures.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 
 namespace clearcut::plan::adaptive {
@@ -86,6 +87,7 @@ class AdaptivePlanner {
         remaining_({legal}, radius_, layer.stock),
         links_(clearance.axis(), layer.tool_radius + layer.wall_stock, 2 * radius_),
         path_(remaining_, links_),
+        pictures_(options.pictures, legal, path_),
         finder_(front_, clearance, remaining_, layer, limit, options.start),
         clearing_(remaining_, path_,
                   {front_, legal, RadiusShares::kWallPitch * radius_, residual_between_cuts(radius_, limit)},
@@ -103,7 +105,8 @@ class AdaptivePlanner {
     if (open_) cut_from_outside();
     clear_entry_regions();
     enter_what_is_left();
-    if (!finish_.run(open_, retracts_ == Retracts::kFew ? kFewRests : kMostRests) &&
+    pictures_.after("cuts from wall to wall");
+    if (!finish_.run(open_, retracts_ == Retracts::kFew ? kFewRests : kMostRests, pictures_) &&
         retracts_ == Retracts::kFew)
       return std::nullopt;
     return path_.take_passes();
@@ -194,6 +197,7 @@ class AdaptivePlanner {
   /// A spiral in the entry region and a cut that goes on from it. A last thin turn of the spiral mostly cuts
   /// air, so it is added only if no cut leads on without it.
   void clear_entry_region(const Disc& entry_region) {
+    pictures_.after("cuts from wall to wall");
     path_.open(entry_region, entry_circle_, limit_, finder_.hole_at(entry_region.center));
     const Walls walls = clearing_.walls;
     const std::size_t spiral = remaining_.cuts();
@@ -205,6 +209,7 @@ class AdaptivePlanner {
       round = go_round();
     }
     path_.append(round, {});
+    pictures_.after("spiral");
   }
 
   /// A cut that goes on from the last turn of the spiral.
@@ -260,6 +265,7 @@ class AdaptivePlanner {
   RemainingStock remaining_;
   ClearLinks links_;
   ClearingPath path_;
+  StepPictures pictures_;
   EntryRegionFinder finder_;
   WallCuts clearing_;
   AdaptiveFinish finish_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "base/debug_sink.h"
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "model/layer.h"
@@ -22,6 +23,8 @@ struct AdaptiveOptions {
   std::optional<double> widest_helix;
   /// Asked before each cut; plan_adaptive throws Cancelled if a stop was requested.
   std::stop_token cancel;
+  /// Takes a picture after each step; null: none.
+  DebugSink* pictures = nullptr;
 };
 
 /// Plans the passes of one layer with limited engagement.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 
 namespace clearcut::plan {
@@ -17,20 +17,6 @@ constexpr double kLevelMargin = 0.0006;
 
 /// mm. Regions up to this size may be specks of flattening: their distance to the boundary is checked.
 constexpr double kSpeck = 0.05;
-
-/// Joins numbers 0..n-1 into sets.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 using Pieces = std::vector<AxisPiece>;
 
@@ -110,14 +96,14 @@ class TreeBuilder {
   /// The pieces in connected groups. The axis of a connected region is connected, so each group belongs to
   /// one region.
   static std::vector<Pieces> groups_of(const Pieces& pieces) {
-    std::map<int, std::size_t> index;
+    std::map<int, int> index;
     for (const auto& piece : pieces) {
-      index.emplace(piece.low_id, index.size());
-      index.emplace(piece.high_id, index.size());
+      index.emplace(piece.low_id, static_cast<int>(index.size()));
+      index.emplace(piece.high_id, static_cast<int>(index.size()));
     }
-    DisjointSets sets(index.size());
+    DisjointSets sets(static_cast<int>(index.size()));
     for (const auto& piece : pieces) sets.join(index[piece.low_id], index[piece.high_id]);
-    std::map<std::size_t, std::size_t> number;
+    std::map<int, std::size_t> number;
     std::vector<Pieces> groups;
     for (const auto& piece : pieces) {
       const auto [it, added] = number.emplace(sets.find(index[piece.low_id]), groups.size());

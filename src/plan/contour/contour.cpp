@@ -21,6 +21,7 @@
 #include "geometry/route/legal_area.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
+#include "plan/contour/passages.h"
 #include "plan/contour/passes.h"
 #include "plan/contour/search.h"
 #include "plan/contour/step_rule.h"
@@ -193,7 +194,10 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
     result = plan_inside_out(layer, inside_out, FaceRing::kOnEdge, tol);
   result.outside_in = options.outside_in;
   result.start = options.start;
-  if (options.outside_in) reverse_paths(result);
+  if (options.passage == Passage::kBisector)
+    join_along_bisectors(result, options);
+  else if (options.outside_in)
+    reverse_paths(result);
   if (options.start) begin_at(*options.start, result);
   return result;
 }
@@ -230,7 +234,8 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
     if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);
   }
   const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
-  if (ours && closed_all_round(layer)) shorten_passes(domains, job, layer, options, tol, result);
+  if (ours && options.passage == Passage::kShortest && closed_all_round(layer))
+    shorten_passes(domains, job, layer, options, tol, result);
   return result;
 }
 

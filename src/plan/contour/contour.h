@@ -50,9 +50,16 @@ enum class ResidualRule {
   kPassages  ///< passages from each contour to the next along the bisector of a single smallest angle (CPO-rho 3.2)
 };
 
+/// How the cutter gets from a contour to the next.
+enum class Passage {
+  kShortest,  ///< as linking finds it
+  kBisector   ///< along a corner's bisector (CPO-kappa eq. 3); plan/contour/passages.h
+};
+
 struct ContourOptions {
   StepRule step;
   ResidualRule residuals = ResidualRule::kOurs;
+  Passage passage = Passage::kShortest;
   /// How long to search for shorter paths at the widest step. 0: not at all, under a millisecond; 1: some
   /// tenths of a second for an ordinary pocket.
   double effort = 1;

@@ -1,7 +1,5 @@
 #include "plan/contour/search.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -74,7 +72,7 @@ void in_parallel(std::size_t count, const Work& work) {
     const WorkBudget own = WorkBudget::unlimited();
     work(i);
   };
-  tbb::this_task_arena::isolate([&] { parallel_for(std::size_t{0}, count, uncounted); });
+  isolated_parallel_for(std::size_t{0}, count, uncounted);
 }
 
 /// Compares candidate plans for one component.

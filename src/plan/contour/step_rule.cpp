@@ -126,6 +126,31 @@ double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, co
   return step_after(ring, inside, rule.contours[index], radius);
 }
 
+std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& rule, double radius,
+                                       double first_level, const Tolerances& tol) {
+  constexpr double kSame = 1e-6;  // mm
+  std::vector<ContourStep> all, merged;
+  for (const auto& region : allowed) {
+    const auto step_of = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
+      return std::max(step_after(ring, inside, rule, radius), 1e-3 * radius);
+    };
+    for (const RingNode& ring : ring_tree(Clearance(region, tol), region, first_level, step_of, tol)) {
+      const double step = ring.children.empty() ? 0 : ring.next_level - ring.level;
+      all.push_back({ring.level, smallest_angle(ring.contour), step});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const ContourStep& a, const ContourStep& b) { return a.from_wall < b.from_wall; });
+  for (const ContourStep& one : all) {
+    if (merged.empty() || one.from_wall - merged.back().from_wall >= kSame) {
+      merged.push_back(one);
+    } else if (one.smallest_angle < merged.back().smallest_angle) {
+      merged.back() = one;
+    }
+  }
+  return merged;
+}
+
 Rest worst_rest(const Regions& allowed, const StepRule& rule, double radius, const Tolerances& tol) {
   Rest worst;
   for (const auto& region : allowed) {

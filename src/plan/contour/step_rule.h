@@ -16,6 +16,18 @@ namespace clearcut::plan::contour {
 double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, const StepRule& rule,
                   double radius);
 
+/// A contour, and the step that its smallest angle asks for.
+struct ContourStep {
+  double from_wall = 0;       ///< mm
+  double smallest_angle = 0;  ///< radians, between successive edges; pi where all is smooth or reflex
+  double step = 0;            ///< mm to the contours inside it; 0: there are none
+};
+
+/// All contours of a rule in a closed area, from the wall inwards, first at `first_level`; of several at one distance the one
+/// with the sharpest corner.
+std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& rule, double radius,
+                                       double first_level, const Tolerances& tol);
+
 /// The worst place that contours of a rule leave before anything is added to clear it; its cause is kNone if
 /// they leave nothing. `allowed`: where the cutter may be; the first contour is `radius` mm inside it.
 Rest worst_rest(const Regions& allowed, const StepRule& rule, double radius, const Tolerances& tol);

@@ -20,8 +20,12 @@ StrategyEntry entry(std::function<TourSolver(const StrategyRequest&)> solver_for
   entry.name = "tour";
   entry.description = "a grid of places in the order a search finds best, then along the walls";
   entry.make = [solver_for = std::move(solver_for)](const StrategyRequest& request) {
-    const auto grid =
-        request.stepover.is_given() ? parse_tour_grid(request.stepover.text) : TourGridOptions{};
+    auto grid = request.stepover.is_given() ? parse_tour_grid(request.stepover.text) : TourGridOptions{};
+    if (request.step.published_grid) {
+      grid.published = true;
+      if (!request.stepover.is_given())
+        grid.pitch = 1;  // Tour 4.2.4: the diameter, where no engagement is asked for
+    }
     return once_per_outline([grid, solve = solver_for(request), tol = request.plan.tol](const Layer& layer) {
       return plan_tour(layer, grid, solve, tol);
     });

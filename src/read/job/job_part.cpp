@@ -190,7 +190,8 @@ void leave_nothing(Operation& operation, const std::string& place, Sources& sour
 /// Applies tools, plan and operation rules to a part.
 class Dresser {
  public:
-  Dresser(const JobFile& job, Part& part, StepSources& sources) : job_(job), part_(part), sources_(sources) {}
+  Dresser(const JobFile& job, Part& part, StepSources& sources, StepChoices& published)
+      : job_(job), part_(part), sources_(sources), published_(published) {}
 
   void run() {
     set_tools();
@@ -294,6 +295,7 @@ class Dresser {
       // What roughing leaves on the walls is not left by finishing, unless its own rule says so.
       if (is_finishing(*source.settings)) leave_nothing(operation, source.place, sources);
       apply_settings(*source.settings, part_, source.place, operation);
+      published_[step_key(planned.step)].merge(source.settings->published);
       sources.merge(source.settings->sources);
     }
     return std::move(planned.step);
@@ -302,6 +304,7 @@ class Dresser {
   const JobFile& job_;
   Part& part_;
   StepSources& sources_;
+  StepChoices& published_;
   std::vector<Planned> steps_;
   std::map<int, CuttingPreset> presets_;
 };
@@ -314,10 +317,11 @@ std::vector<LibraryTool> tools_of_job(const JobFile& job) {
 
 Part part_of_job(const JobFile& job, const ReadOptions& over) {
   StepSources sources;
-  return part_of_job(job, over, sources);
+  StepChoices published;
+  return part_of_job(job, over, sources, published);
 }
 
-Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources) {
+Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources, StepChoices& published) {
   if (capitals(job.part_file.extension().string()) == ".TOML") {
     throw InputError(job.file, "the part of a job cannot be a job; name the drawing or program");
   }
@@ -335,7 +339,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   }
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
-  Dresser(job, part, sources).run();
+  Dresser(job, part, sources, published).run();
   return part;
 }
 

@@ -11,8 +11,8 @@
 #include "model/results/not_machined.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/parts.h"
-#include "read/stepnc/regions.h"
 #include "read/stepnc/setup.h"
+#include "read/stepnc/shapes/regions.h"
 #include "stock/stacking.h"
 
 namespace clearcut::read::stepnc {

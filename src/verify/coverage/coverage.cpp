@@ -6,6 +6,7 @@
 #include <map>
 
 #include "verify/coverage/swath_cover.h"
+#include "verify/coverage/wall_film.h"
 #include "verify/part/legal_centers.h"
 
 namespace clearcut::verify {
@@ -35,6 +36,7 @@ class CoverageProof {
   /// `fine`: counts residuals down to a fraction of the tolerance, to measure the area of what is left.
   CoverageProof(const CoverageQuestion& question, const Tolerances& tol, bool fine)
       : question_(question),
+        film_(question),
         tol_(tol),
         fine_(fine),
         widest_(fine ? tol.uncut / kFineShare
@@ -137,7 +139,7 @@ class CoverageProof {
     if (beside_target(cell, parents.outline, near.outline)) return true;
     ConvexPolygon part = part_in_target(cell, near.outline);
     if (part.empty()) return true;
-    if (may_have_film() && all_in_film(cell, part)) return true;
+    if (film_.may_be() && film_.holds_on_one_wall(part, cell.center, cell.reach())) return true;
     if (cell.half <= question_.flat && take_covered(part, near.swaths)) return true;
     const bool within_reach = list_legals(cell, part, parents.legals, near.legals);
     if (cell.legality == Legality::kNone) {
@@ -329,54 +331,9 @@ class CoverageProof {
   }
 
   bool count_unreachable(const Cell& cell, const Near& near) {
-    if (cell.on_outline || may_have_film()) return count_corner(cell, near);
+    if (cell.on_outline || film_.may_be()) return count_corner(cell, near);
     result_.unreachable_mm2 += 4 * cell.half * cell.half;
     return true;
-  }
-
-  bool may_have_film() const { return question_.allowance > 0 || question_.part->greatest_lean() > 0; }
-
-  /// Whether p lies in what is to be left on a wall.
-  bool in_film(Vec2 p) const {
-    if (!may_have_film()) return false;
-    const double lean = question_.part->greatest_lean();
-    bool found = false;
-    const std::vector<Wall>& walls = question_.part->walls();
-    question_.part->wall_tree().nearest(p, question_.allowance + lean, [&](int i) {
-      found = found || (walls[i].stands_at(question_.z) &&
-                        distance(walls[i].edge, p) <
-                            question_.allowance + question_.part->lean(walls[i], question_.z, p));
-      return false;
-    });
-    return found;
-  }
-
-  /// Whether all of `part` lies in what is to be left on one wall: within the allowance, or inside a wall
-  /// with draft.
-  bool all_in_film(const Cell& cell, const ConvexPolygon& part) const {
-    const double greatest = question_.allowance + question_.part->greatest_lean();
-    const std::vector<Wall>& walls = question_.part->walls();
-    bool found = false;
-    question_.part->wall_tree().nearest(cell.center, greatest, [&](int i) {
-      found = found || (walls[i].stands_at(question_.z) && film_holds(walls[i], cell, part));
-      return false;
-    });
-    return found;
-  }
-
-  bool film_holds(const Wall& wall, const Cell& cell, const ConvexPolygon& part) const {
-    const double film = question_.allowance + wall.lean(question_.z);
-    if (wall.edge.is_arc()) {
-      if (distance(wall.edge, cell.center) + cell.reach() > film) return false;
-    } else if (excess_over(part, {wall.edge, film}) > kRounding) {
-      return false;
-    }
-    const std::vector<Edge> ends = wall.flat_ends(question_.z);
-    return std::all_of(ends.begin(), ends.end(), [&](const Edge& end) {
-      const Vec2 outward = left_of(end.tangent_at(0));
-      return std::all_of(part.points().begin(), part.points().end(),
-                         [&](Vec2 p) { return dot(p - end.from, outward) <= kRounding; });
-    });
   }
 
   /// Adds the part of a cell that no centre reaches; the program is known to have cut the rest as far as
@@ -398,12 +355,12 @@ class CoverageProof {
     const double area = 4 * cell.half * cell.half;
     const bool beyond = least > question_.flat;
     if (2 * cell.half <= question_.flat / kCornerCells) {
-      if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) && !in_film(cell.center)) {
+      if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) && !film_.holds(cell.center)) {
         result_.unreachable_mm2 += area;
       }
       return true;
     }
-    if (cell.on_outline || least - cell.reach() <= question_.flat || may_have_film()) return false;
+    if (cell.on_outline || least - cell.reach() <= question_.flat || film_.may_be()) return false;
     result_.unreachable_mm2 += area;
     return true;
   }
@@ -425,6 +382,7 @@ class CoverageProof {
   }
 
   const CoverageQuestion& question_;
+  const WallFilm film_;
   const Tolerances& tol_;
   const bool fine_;
   const double widest_;  ///< mm; what is left up to this width is no fault

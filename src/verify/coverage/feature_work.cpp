@@ -1,13 +1,12 @@
 #include "verify/coverage/feature_work.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <exception>
 #include <span>
 #include <stop_token>
-#include <thread>
 
+#include "base/parallel.h"
 #include "base/progress.h"
 #include "verify/blend.h"
 
@@ -24,22 +23,14 @@ constexpr double kSwathSweep = 2.0;
 /// Cancelled.
 void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
   std::vector<std::exception_ptr> thrown(tasks.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size() && !cancel.stop_requested(); i = next++) {
-      try {
-        tasks[i]();
-      } catch (...) {
-        thrown[i] = std::current_exception();
-      }
+  const auto work = [&](std::size_t i) {
+    try {
+      if (!cancel.stop_requested()) tasks[i]();
+    } catch (...) {
+      thrown[i] = std::current_exception();
     }
   };
-  {
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < std::min<int>(threads, static_cast<int>(tasks.size())); ++i)
-      helpers.emplace_back(work);
-    work();
-  }
+  on_threads(threads, [&] { parallel_for(std::size_t{0}, tasks.size(), work); });
   for (const std::exception_ptr& exception : thrown) {
     if (exception) std::rethrow_exception(exception);
   }

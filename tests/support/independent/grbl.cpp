@@ -90,68 +90,26 @@ class Grbl {
 
   int enter(int group) { return block_.groups.insert(group).second ? kOk : kModalGroup; }
 
+  /// Modal groups of the G words it knows, in tenths; 0: those that hold for their block alone.
+  static inline const std::map<int, int> kGroups{
+      {0, 1},    {10, 1},   {20, 1},   {30, 1},   {800, 1},  {40, 0},   {100, 0}, {280, 0}, {300, 0},
+      {920, 0},  {281, 0},  {301, 0},  {921, 0},  {530, 0},  {170, 2},  {180, 2}, {190, 2}, {900, 3},
+      {910, 3},  {911, 4},  {930, 5},  {940, 5},  {200, 6},  {210, 6},  {400, 7}, {431, 8}, {490, 8},
+      {540, 12}, {550, 12}, {560, 12}, {570, 12}, {580, 12}, {590, 12}, {610, 13}};
+
   int take_g(float value) {
     const int tenths = static_cast<int>(std::lround(value * 10));
     if (tenths % 10 != 0 && tenths != 911 && tenths != 431 && tenths != 921 && tenths != 281 &&
         tenths != 301) {
       return tenths == 901 ? kUnsupported : kNotInteger;
     }
-    switch (tenths) {
-      case 0:
-      case 10:
-      case 20:
-      case 30:
-      case 800:
-        block_.motion = tenths / 10;
-        return enter(1);
-      case 40:
-        block_.dwell = true;
-        return enter(0);
-      case 100:
-      case 280:
-      case 300:
-      case 920:
-        block_.other_axis_use = true;
-        return enter(0);
-      case 281:
-      case 301:
-      case 921:
-      case 530:
-        return enter(0);
-      case 170:
-      case 180:
-      case 190:
-        return enter(2);
-      case 900:
-      case 910:
-        absolute_ = tenths == 900;
-        return enter(3);
-      case 911:
-        return enter(4);
-      case 930:
-      case 940:
-        return enter(5);
-      case 200:
-      case 210:
-        unit_ = tenths == 200 ? 25.4F : 1.0F;
-        return enter(6);
-      case 400:
-        return enter(7);
-      case 431:
-      case 490:
-        return enter(8);
-      case 540:
-      case 550:
-      case 560:
-      case 570:
-      case 580:
-      case 590:
-        return enter(12);
-      case 610:
-        return enter(13);
-      default:
-        return kUnsupported;
-    }
+    if (tenths <= 30 || tenths == 800) block_.motion = tenths / 10;
+    if (tenths == 40) block_.dwell = true;
+    if (tenths == 100 || tenths == 280 || tenths == 300 || tenths == 920) block_.other_axis_use = true;
+    if (tenths == 900 || tenths == 910) absolute_ = tenths == 900;
+    if (tenths == 200 || tenths == 210) unit_ = tenths == 200 ? 25.4F : 1.0F;
+    const auto group = kGroups.find(tenths);
+    return group == kGroups.end() ? kUnsupported : enter(group->second);
   }
 
   int take_m(float value) {

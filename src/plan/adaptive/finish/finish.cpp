@@ -28,8 +28,7 @@ constexpr double kReach = 5e-4;
 constexpr double kTouched = 1e-6;
 /// Share of the tool radius: a cut round a rest is at least this long.
 constexpr double kLeastRound = 0.3;
-/// Share of the tool radius: finished stretches of wall shorter than this are run over at the cutting feed,
-/// because a link would cost more.
+/// Share of the tool radius: shorter finished stretches of wall are run over, because a link would cost more.
 constexpr double kMergeGap = 1.0;
 /// Shares of the tool radius: distances from a wall at which approach points of trochoidal steps are tried.
 constexpr double kApproachPoints[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
@@ -45,7 +44,8 @@ constexpr int kMostAside = 400;
 constexpr int kMostTrochoidalSteps = 300;
 /// Greatest number of times that all walls are cut by trochoidal steps.
 constexpr int kMostRounds = 30;
-/// Share of the tool radius: how far on both sides the wall is cut along if something stands at its end.
+/// Share of the tool radius: wall on both sides of a wall's end that is cut along if something still stands
+/// there.
 constexpr double kBeyondEnd = 0.2;
 
 }  // namespace
@@ -61,11 +61,15 @@ AdaptiveFinish::AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, co
       cuts_(remaining, path, {legal, kFinePitch * radius_, ResidualLimits::kWall}, area, limit,
             {kMergeGap * radius_, RadiusShares::kWallPitch * radius_}) {}
 
-bool AdaptiveFinish::run(bool open, int most_rests) {
+bool AdaptiveFinish::run(bool open, int most_rests, StepPictures& pictures) {
   follow_walls();
+  pictures.after("walls and corners");
   cut_walls();
   if (open) cut_wall_ends();
-  return cut_rests(open, most_rests);
+  pictures.after("trochoidal steps");
+  const bool all = cut_rests(open, most_rests);
+  pictures.after("rests");
+  return all;
 }
 
 /// Cuts along the walls within the limit and round corners from one wall to the next; thick material is cut
@@ -129,8 +133,7 @@ void AdaptiveFinish::cut_without_stop(const Corner& corner, double from) {
   cuts_.walls.set_stops(places_of(all_corners_));
 }
 
-/// mm along the corner's first wall from the cutter to the corner; infinite if the cutter is not on that
-/// wall.
+/// mm along the corner's first wall from the cutter to the corner; infinite if the cutter is not on it.
 double AdaptiveFinish::ahead(const Corner& corner) const {
   const Wall& wall = cuts_.walls.wall(corner.place.wall);
   if (distance(cuts_.walls.point(corner.place), path_.at()) > RadiusShares::kCornerReach * radius_)
@@ -164,8 +167,7 @@ std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, dou
   return WallPlace{corner.place.wall, round->end};
 }
 
-/// Cuts what walls still touch: by trochoidal steps while these remove anything, else straight along; the
-/// nearest stretch first.
+/// Cuts what walls still touch, the nearest stretch first: by trochoidal steps, else straight along.
 void AdaptiveFinish::cut_walls() {
   int round = 0;
   for (auto stretches = unfinished(); !stretches.empty(); stretches = unfinished()) {
@@ -180,8 +182,7 @@ void AdaptiveFinish::cut_walls() {
   }
 }
 
-/// Where a wall leaves the stock, a corner of the target may stand beyond the last mark: cuts a little past
-/// it.
+/// Where a wall leaves the stock, a corner of the target may stand beyond the last mark: cuts past it.
 void AdaptiveFinish::cut_wall_ends() {
   for (const Region& region : target_) {
     for (const Edge& edge : region.edges()) {
@@ -221,8 +222,7 @@ std::vector<WallStretch>::const_iterator AdaptiveFinish::nearest_stretch(
                           [&](const WallStretch& a, const WallStretch& b) { return far(a) < far(b); });
 }
 
-/// Cuts a stretch by trochoidal steps within the limit, each from a clear place of the wall. True if they
-/// removed anything.
+/// Cuts a stretch by trochoidal steps within the limit, each from a clear place of the wall. True if any cut.
 bool AdaptiveFinish::cut_in_trochoidal_steps(const WallStretch& stretch) {
   const Walls& walls = cuts_.walls;
   TrochoidalSteps steps(remaining_, walls.wall(stretch.wall), limit_);
@@ -319,8 +319,7 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
   path_.cut(stretch, {});
 }
 
-/// Cuts the rests, the places that the exact check of the cover finds. False if `most` of them were cut and
-/// some are left.
+/// Cuts the rests that the exact check of the cover finds. False if `most` were cut and some are left.
 bool AdaptiveFinish::cut_rests(bool open, int most) {
   for (int left = most; left > 0;) {
     const auto holes =
@@ -344,8 +343,7 @@ std::vector<Vec2> AdaptiveFinish::rests(const Cover& cover, bool open) const {
   return holes;
 }
 
-/// Holes that reach beyond the target may have no vertex inside it. They cross its border, which is sampled
-/// here.
+/// Holes that reach beyond the target may have no vertex inside it. They cross its border, sampled here.
 void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& holes) const {
   for (const Region& region : target_) {
     for (const Edge& edge : region.edges()) {

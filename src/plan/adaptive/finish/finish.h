@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plan/adaptive/corners/corners.h"
+#include "plan/adaptive/step_pictures.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 #include "plan/common/cover.h"
 
@@ -21,8 +22,8 @@ class AdaptiveFinish {
 
   /// Runs all steps in this order: along walls within the limit; round corners; trochoidal steps where
   /// material still stands along walls; the rests that the exact check of the cover finds. `open`: the target
-  /// has open sides. Cuts up to `most_rests` rests one by one; false if more were left.
-  bool run(bool open, int most_rests);
+  /// has open sides. Cuts up to `most_rests` rests one by one; false if more were left. `pictures` get one for each step.
+  bool run(bool open, int most_rests, StepPictures& pictures);
   /// One cut that begins at a clear place beside the material and ends at a wall or in the open; see
   /// Tracer::cut_on.
   Path cut_on(Vec2 from, Vec2 heading) { return cuts_.tracer.cut_on(from, heading, 0); }
