@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "certificate_info.h"
-#include "commands.h"
-#include "help_text.h"
-#include "suggest.h"
-#include "terminal.h"
+#include "arguments/certificate_info.h"
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "terminal/help_text.h"
+#include "terminal/terminal.h"
 
 namespace {
 
@@ -28,6 +28,7 @@ void complain(std::string message) {
 
 void add_commands(CLI::App& app, int& exit_code) {
   add_plan_command(app, exit_code);
+  add_batch_command(app, exit_code);
   add_verify_command(app, exit_code);
   add_check_command(app, exit_code);
   add_info_command(app, exit_code);

@@ -31,8 +31,9 @@ using ::testing::Not;
 const std::string kExamples = std::string(CLEARCUT_SOURCE_DIR) + "/examples/";
 const std::string kSquare = R"({"name": "square", "units": "mm",
   "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2})";
-const std::array<const char*, 12> kCommands{"plan",    "verify", "check",    "info", "init",      "convert",
-                                            "compare", "tools",  "elements", "tour", "reproduce", "study"};
+const std::array<const char*, 13> kCommands{"plan", "batch",     "verify",  "check", "info",
+                                            "init", "convert",   "compare", "tools", "elements",
+                                            "tour", "reproduce", "study"};
 
 std::size_t widest_line(const std::string& text) {
   std::size_t widest = 0;
@@ -178,7 +179,8 @@ TEST(Json, SaysWhatAPartHolds) {
   const auto json = nlohmann::json::parse(run_clearcut({"info", kExamples + "fishhead.p21", "--json"}).out);
   EXPECT_EQ(json.at("schema"), "clearcut-info-1");
   EXPECT_FALSE(json.at("features").empty());
-  EXPECT_GT(json["features"][0].at("largest_cutter_mm"), 0);
+  EXPECT_TRUE(json["features"][0].at("largest_cutter_mm").is_null()) << "the face is open: any cutter fits";
+  EXPECT_NEAR(json["features"][3].at("largest_cutter_mm").get<double>(), 35, 0.01);
   EXPECT_EQ(json.at("features").size(), json.at("workingsteps").size());
   EXPECT_TRUE(json.at("asks").empty());
 }
@@ -249,7 +251,9 @@ std::vector<std::string> quick_plan(const ScratchFolder& folder) {
 
 TEST(Colours, AreForTheVerdictOnATerminalAlone) {
   const ScratchFolder folder;
-  const auto call = quick_plan(folder);
+  auto call = quick_plan(folder);
+  EXPECT_THAT(on_terminal(call, {}).shown, HasSubstr("verdict: \x1b[33mCONDITIONAL\x1b[0m"));
+  call.insert(call.end(), {"--accept", "out-of-reach"});
   EXPECT_THAT(on_terminal(call, {}).shown, HasSubstr("verdict: \x1b[32mCLEAN\x1b[0m"));
   EXPECT_THAT(on_terminal(call, {{"NO_COLOR", "1"}}).shown, HasSubstr("verdict: CLEAN"));
   EXPECT_THAT(on_terminal(call, {{"TERM", "dumb"}}).shown, HasSubstr("verdict: CLEAN"));

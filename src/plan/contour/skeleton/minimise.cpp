@@ -16,7 +16,9 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/spatial/box_tree.h"
 #include "geometry/spatial/cell_grid.h"
+#include "plan/contour/skeleton/symmetric_matrix.h"
 
 namespace clearcut::plan::contour {
 namespace {
@@ -29,32 +31,6 @@ constexpr double kSoft = 0.01;
 constexpr double kDamping = 0.02;
 /// Stiffness of the witnesses in the last step, 1 / radius.
 constexpr double kStiffest = 2e4;
-
-/// A symmetric 2 x 2 matrix.
-struct Sym2 {
-  double xx = 0, xy = 0, yy = 0;
-  Sym2& operator+=(const Sym2& o) {
-    xx += o.xx;
-    xy += o.xy;
-    yy += o.yy;
-    return *this;
-  }
-  friend Sym2 operator*(const Sym2& m, double k) { return {m.xx * k, m.xy * k, m.yy * k}; }
-  friend Vec2 operator*(const Sym2& m, Vec2 v) { return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y}; }
-  Sym2 inverse() const {
-    const double det = xx * yy - xy * xy;
-    return {yy / det, -xy / det, xx / det};
-  }
-  /// this * inner * this
-  Sym2 around(const Sym2& inner) const {
-    const Vec2 c0 = inner * Vec2{xx, xy}, c1 = inner * Vec2{xy, yy};
-    return {xx * c0.x + xy * c0.y, xx * c1.x + xy * c1.y, xy * c1.x + yy * c1.y};
-  }
-};
-
-Sym2 outer_product(Vec2 u) {
-  return {u.x * u.x, u.x * u.y, u.y * u.y};
-}
 
 Vec2 nearest_on_ring(const Path& ring, Vec2 p, Vec2* tangent = nullptr) {
   Vec2 best;
@@ -365,6 +341,7 @@ struct BandMinimiser::Impl {
     candidates_.clear();
     const double far = limit_ + 2 * skin_, near = limit_ - 2 * skin_;
     measure_bands();
+    tree_is_built_ = false;
     sort_bands_into_grid(far);
     for (std::uint32_t w = 0; w < paths_.witnesses.size(); ++w) {
       Witness& witness = paths_.witnesses[w];
@@ -390,25 +367,30 @@ struct BandMinimiser::Impl {
     moved_since_listing_ = 0;
   }
 
-  std::uint32_t nearest_band(Vec2 p) const {
-    std::uint32_t best = 0;
-    double best_distance = std::numeric_limits<double>::infinity();
-    for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) {
-      double t = 0;
-      const double d = norm_squared(offset_from_band(i, p, t));
-      if (d >= best_distance) continue;
-      best_distance = d;
-      best = i;
+  /// The first of those nearest to p, however far.
+  std::uint32_t nearest_band(Vec2 p) {
+    if (!tree_is_built_) {
+      tree_.build(static_cast<std::uint32_t>(paths_.bands.size()),
+                  [&](std::uint32_t i) { return box_of(i); });
+      tree_is_built_ = true;
     }
-    return best;
+    return tree_.nearest(p, [&](std::uint32_t i) {
+      double t = 0;
+      return norm_squared(offset_from_band(i, p, t));
+    });
+  }
+
+  Box box_of(std::uint32_t band) const {
+    Box box;
+    box.add(paths_.at(paths_.bands[band].a));
+    box.add(paths_.at(paths_.bands[band].b));
+    return box;
   }
 
   void sort_bands_into_grid(double far) {
     safe_.assign(paths_.bands.size(), 0);
     for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) {
-      Box box;
-      box.add(paths_.at(paths_.bands[i].a));
-      box.add(paths_.at(paths_.bands[i].b));
+      const Box box = box_of(i);
       grid_.for_cells(box.grown(far), [&](std::size_t cell, Vec2) { bands_in_.add(cell, i); });
       safe_[i] = job_.legal->surely_holds(box.grown(2 * skin_));
     }
@@ -431,6 +413,8 @@ struct BandMinimiser::Impl {
   double moved_since_listing_ = 0;
   CellGrid grid_;
   CellLists bands_in_, fixed_in_;
+  BoxTree tree_;  ///< bands where they were when they were listed; built when a witness far from all asks
+  bool tree_is_built_ = false;
   std::vector<Segment> segments_;
   std::vector<char> safe_;  ///< for each band: whether it cannot leave the legal area before the next listing
 };
