@@ -1,4 +1,4 @@
-#include "solver_arguments.h"
+#include "arguments/solver_arguments.h"
 
 namespace clearcut::cli {
 namespace {

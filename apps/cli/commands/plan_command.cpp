@@ -9,11 +9,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "certificate_info.h"
-#include "commands.h"
-#include "output.h"
-#include "plan_arguments.h"
-#include "progress.h"
+#include "arguments/certificate_info.h"
+#include "arguments/plan_arguments.h"
+#include "commands/commands.h"
+#include "terminal/output.h"
+#include "terminal/progress.h"
+#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {
@@ -68,7 +69,7 @@ void take_outputs_from(const JobFile& job, PlanCommand& command) {
 int explain(const Part& part, const PlanOptions& options) {
   const ResolvedPlan plan = resolve_plan(part, options);
   print(plan.part.diagnostics, true);
-  print_line(write_values(plan.part, plan.values));
+  print_line(write_values(plan.part, plan.values, table_width()));
   return kClean;
 }
 
@@ -125,16 +126,16 @@ int run(PlanCommand command) {
   check_outputs(output_names(command), inputs);
   const PlanResult result = planned(command, part, options);
   write_outputs(output_files(command, options, result), inputs);
-  if (command.explain) print_line(write_values(result.part, result.values));
+  if (command.explain) print_line(write_values(result.part, result.values, table_width()));
   if (command.quiet) {
-    if (command.output != "-") print_line(verdict_and_reasons(result.findings));
+    if (command.output != "-") print_line(with_colours(verdict_and_reasons(result.findings)));
   } else {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
       for (const auto& name : names_not_machined(result.part.diagnostics))
         print_line("NOT MACHINED: " + name);
-      if (options.strategy.value_or("auto") == "auto") print_line(write_contest_table(result));
-      print_line(write_table(result));
+      if (options.strategy.value_or("auto") == "auto") print_line(write_contest_table(result, table_width()));
+      print_line(with_colours(write_table(result, table_width())));
     }
   }
   return exit_code_of(result.findings);
@@ -145,11 +146,13 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
   state->arguments.add_part_options(command, "INPUT");
   state->arguments.add_tool_options(command);
   state->arguments.add_cutting_options(command);
-  command.add_option("-o,--output", state->output, "Program to write (- for standard output)");
-  command.add_option("--certificate", state->certificate, "Certificate to write (JSON)");
-  command.add_option("--svg", state->svg, "Picture to write");
-  command.add_option("--report", state->html, "Animated report to write (HTML)");
-  command.add_option("--result", state->result, "Segments to write: x y to x y per line");
+  command.option_defaults()->group("Output");
+  command.add_option("-o,--output", state->output, "Program to write (- for standard output)")
+      ->type_name("FILE");
+  command.add_option("--certificate", state->certificate, "Certificate to write (JSON)")->type_name("FILE");
+  command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
+  command.add_option("--report", state->html, "Animated report to write (HTML)")->type_name("FILE");
+  command.add_option("--result", state->result, "Segments to write: x y to x y per line")->type_name("FILE");
   command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   return state;
@@ -159,6 +162,7 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
 
 void add_plan_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("plan", "Plan a part, write its program and certify it");
+  command->group("Planning");
   auto state = declare(*command);
   command->callback([state, command, &exit_code] {
     state->arguments.take_sources(*command);

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "certificate_info.h"
-#include "solver_arguments.h"
+#include "arguments/certificate_info.h"
+#include "arguments/solver_arguments.h"
 
 namespace clearcut::cli {
 
@@ -46,7 +46,13 @@ class PlanArguments {
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
   ToolLibrary library() const;
+  void add_strategy_options(CLI::App& command);
   void add_shop_options(CLI::App& command);
+  void add_entry_options(CLI::App& command);
+  void add_lead_options(CLI::App& command);
+  void add_feed_options(CLI::App& command);
+  void add_stage_options(CLI::App& command);
+  void add_search_options(CLI::App& command);
   void add_post_options(CLI::App& command);
   PostOptions post(PostOptions of_job) const;
   Machine machine(const Machine& of_job) const;

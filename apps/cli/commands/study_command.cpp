@@ -8,8 +8,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "commands.h"
-#include "output.h"
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "terminal/output.h"
 
 namespace clearcut::cli {
 namespace {
@@ -50,7 +51,7 @@ void run(StudyCommand& command) {
   if (!command.svg.empty()) files.push_back({command.svg, studies::study_svg(study, rows)});
   write_outputs(files, {});
   const auto table = studies::study_table(study, rows);
-  if (!command.quiet && command.csv != "-") print_line(command.as_markdown ? markdown(table) : plain(table));
+  if (!command.quiet && command.csv != "-") print_table(table, command.as_markdown);
 }
 
 }  // namespace
@@ -58,25 +59,40 @@ void run(StudyCommand& command) {
 void add_study_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand(
       "study", "Repeat a Monte-Carlo study of the published genetic algorithm on square lattices");
+  command->group("Research");
   auto state = std::make_shared<StudyCommand>();
   auto& options = state->options;
+  command->option_defaults()->group("Study");
   command
       ->add_option("NAME", state->name,
                    "population, selection, crossover, mutation, crossover-rate, mutation-rate, neighbours, "
-                   "sensitivity, size, time or spread")
-      ->required();
-  command->add_option("-o,--output,--csv", state->csv,
-                      "Rows to write (CSV); rows already in it are kept and not run again");
-  command->add_option("--svg", state->svg, "Box plots and curves to write");
-  command->add_option("--runs", options.runs, "Runs of each level")->check(CLI::PositiveNumber);
-  command->add_option("--generations", options.generations, "Generations of each run")
+                   "sensitivity, "
+                   "size, time or spread")
+      ->required()
+      ->check(one_of({"population", "selection", "crossover", "mutation", "crossover-rate", "mutation-rate",
+                      "neighbours", "sensitivity", "size", "time", "spread"}));
+  command
+      ->add_option("-o,--output,--csv", state->csv,
+                   "Rows to write (CSV); rows already in it are kept and not run again")
+      ->type_name("FILE");
+  command->add_option("--svg", state->svg, "Box plots and curves to write")->type_name("FILE");
+  command->add_option("--runs", options.runs, "Runs of each level")
+      ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command->add_option("--side", options.side, "Points along a side of the lattice");
-  command->add_option("--objective", options.objective, "length, turns or angle");
+  command->add_option("--generations", options.generations, "Generations of each run")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command->add_option("--side", options.side, "Points along a side of the lattice")->capture_default_str();
+  command->add_option("--objective", options.objective, "length, turns or angle")
+      ->capture_default_str()
+      ->check(one_of({"length", "turns", "angle"}));
   command->add_flag("--published", options.published_size,
                     "Runs, generations and lattices of the text: days");
-  command->add_option("--seed", options.seed, "Seed of the first run");
-  command->add_option("--threads", options.threads, "Threads; 0: all cores")->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", options.seed, "Seed of the first run")->capture_default_str();
+  command->add_option("--threads", options.threads, "Threads; 0: all cores")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  command->option_defaults()->group("Output");
   command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
   command->callback([state, &exit_code] {

@@ -9,17 +9,21 @@
 #include <memory>
 #include <utility>
 
-#include "certificate_info.h"
-#include "commands.h"
-#include "output.h"
-#include "plan_arguments.h"
+#include "arguments/certificate_info.h"
+#include "arguments/plan_arguments.h"
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "terminal/output.h"
+#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {
 
 /// Options that hold one element each, with what they ask for.
 constexpr std::array<std::pair<const char*, const char*>, 5> kElementOptions{
-    {{"line", "Groove: X1,Y1,X2,Y2[:T2][:depth=MM][:stepdown=MM][:feed=MM/MIN][:id=NAME]"},
+    {{"line",
+      "Groove: X1,Y1,X2,Y2, then any of :T2 :depth=MM :stepdown=MM :feed=MM/MIN :id=NAME, as after all of "
+      "these"},
      {"arc", "Curved groove: X1,Y1,X2,Y2,RADIUS,cw|ccw[:...]"},
      {"pocket", "Rectangle: X,Y,LENGTH,WIDTH[:corner=upper-right][:...]"},
      {"hole", "Hole: X,Y,DIAMETER[:...]"},
@@ -75,7 +79,7 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
 
 int run(const ElementsCommand& command) {
   if (command.table) {
-    print_line(plain(studies::grid_reduction_table()));
+    print_table(studies::grid_reduction_table());
     return kClean;
   }
   if ((command.input.empty() && command.elements.empty()) || command.output.empty())
@@ -86,10 +90,10 @@ int run(const ElementsCommand& command) {
   write_outputs(output_files(command, job, result), {command.input});
   if (!command.quiet) {
     print(result.plan.part.diagnostics, true);
-    if (command.print_points) print_line(plain(points_table(job, result.points)));
+    if (command.print_points) print_table(points_table(job, result.points));
     if (command.output != "-") {
-      print_line(plain(element_table(result)));
-      print_line(write_table(result.plan));
+      print_table(element_table(result));
+      print_line(with_colours(write_table(result.plan, table_width())));
     }
   }
   return exit_code_of(result.plan.findings);
@@ -134,19 +138,31 @@ void add_element_options(CLI::App& command, ElementsCommand& state) {
 
 void add_elements_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("elements", "Plan a job of design elements on a grid of squares");
+  command->group("Grids and tours");
   auto state = std::make_shared<ElementsCommand>();
-  command->add_option("JOB", state->input, "Job of lines, arcs, rectangles, holes and slots (TOML)");
+  command->option_defaults()->group("Input");
+  command->add_option("JOB", state->input, "Job of lines, arcs, rectangles, holes and slots (TOML)")
+      ->type_name("FILE");
   add_element_options(*command, *state);
-  command->add_option("-o,--output", state->output, "Program to write (- for standard output)");
-  command->add_option("--certificate", state->certificate, "Certificate to write (JSON)");
-  command->add_option("--svg", state->svg, "Picture of squares, reduced squares and tool impact to write");
-  command->add_option("--html", state->html,
-                      "Page to write: elements, tools, squares, animated visit, convergence, all points");
-  command->add_option("--points", state->points, "Table of all points to write (CSV)");
+  command->option_defaults()->group("Output");
+  command->add_option("-o,--output", state->output, "Program to write (- for standard output)")
+      ->type_name("FILE");
+  command->add_option("--certificate", state->certificate, "Certificate to write (JSON)")->type_name("FILE");
+  command->add_option("--svg", state->svg, "Picture of squares, reduced squares and tool impact to write")
+      ->type_name("FILE");
+  command
+      ->add_option("--html", state->html,
+                   "Page to write: elements, tools, squares, animated visit, convergence, all points")
+      ->type_name("FILE");
+  command->add_option("--points", state->points, "Table of all points to write (CSV)")->type_name("FILE");
   command->add_flag("--print-points", state->print_points, "Print the table of all points");
-  command->add_option("--post", state->options.post.dialect, "Controller (linuxcnc, grbl, fanuc, ...)");
-  command->add_option("--seed", state->options.seed, "Seed of the search");
+  command
+      ->add_option("--post", state->options.post.dialect,
+                   "Controller: linuxcnc (default), grbl, fanuc, haas, heidenhain, mach3, mach4, marlin")
+      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+  command->add_option("--seed", state->options.seed, "Seed of the search (default 1)");
   state->solver.add_options(*command);
+  command->option_defaults()->group("Output");
   command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
   command->callback([state, command, &exit_code] {

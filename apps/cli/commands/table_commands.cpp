@@ -1,4 +1,4 @@
-// compare and reproduce: commands that print tables.
+// compare, tools and reproduce: commands that print tables.
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <clearcut/part.h>
@@ -7,34 +7,42 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 
-#include "commands.h"
-#include "output.h"
-#include "plan_arguments.h"
+#include "arguments/plan_arguments.h"
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "terminal/json_tables.h"
+#include "terminal/output.h"
+#include "terminal/progress.h"
 
 namespace clearcut::cli {
 
 namespace {
 
+const std::string kStops = "Ctrl-C stops.";
+
+/// How the answer of a command is printed.
+struct Answer {
+  bool as_markdown = false;
+  bool as_json = false;
+  void add_options(CLI::App& command) {
+    command.option_defaults()->group("Output");
+    auto* page = command.add_flag("--markdown", as_markdown, "Print a Markdown table");
+    command.add_flag("--json", as_json, "Print JSON")->excludes(page);
+  }
+};
+
 /// What compare is asked for besides a part.
 struct CompareCommand {
   PlanArguments arguments;
-  bool as_markdown = false;
+  Answer answer;
   int random = 0;
   std::string slower;
 };
-
-void print_table(const TextTable& table, bool as_markdown) {
-  print_line(as_markdown ? markdown(table) : plain(table));
-}
 
 /// A pocket on which a rival is faster than ours, as an outline whose name says by how much.
 void write_slower(const studies::StudyCase& one, const std::string& folder) {
@@ -48,11 +56,28 @@ void write_slower(const studies::StudyCase& one, const std::string& folder) {
 
 void compare_at_random(const CompareCommand& command) {
   const auto options = command.arguments.options();
+  if (command.answer.as_json)
+    throw InputError("--json", "is for the comparison of a part; leave out --random");
+  ProgressLine line(kStops);
+  std::size_t done = 0;
   const auto study =
       studies::study_methods(command.random, options.seed, options, [&](const studies::StudyCase& one) {
         if (one.faster && !command.slower.empty()) write_slower(one, command.slower);
+        line.count(++done, static_cast<std::size_t>(command.random), "pockets");
       });
-  print_table(studies::study_table(study), command.as_markdown);
+  line.end();
+  print_table(studies::study_table(study), command.answer.as_markdown);
+}
+
+void compare_part(const CompareCommand& command) {
+  const Part part = command.arguments.read();
+  const PlanOptions options = command.arguments.options();
+  ProgressLine line(kStops);
+  const auto runs = run_strategies(
+      part, options, [&](std::size_t done, std::size_t of) { line.count(done, of, "strategies"); });
+  line.end();
+  if (command.answer.as_json) return print_line(strategies_json(part, runs));
+  print_table(strategy_table(part, options, runs), command.answer.as_markdown);
 }
 
 /// What reproduce is asked for.
@@ -64,37 +89,6 @@ struct ReproduceCommand {
   bool resume = false;
   std::string json;
   std::string html;
-};
-
-/// Says on standard error every few seconds that a table is still being made.
-class SignOfLife {
- public:
-  explicit SignOfLife(std::string what) : what_(std::move(what)), thread_([this] { tell(); }) {}
-  ~SignOfLife() {
-    {
-      const std::lock_guard lock(mutex_);
-      done_ = true;
-    }
-    changed_.notify_one();
-    thread_.join();
-  }
-  SignOfLife(const SignOfLife&) = delete;
-  SignOfLife& operator=(const SignOfLife&) = delete;
-
- private:
-  void tell() {
-    constexpr int kEverySeconds = 3;
-    std::unique_lock lock(mutex_);
-    for (int seconds = kEverySeconds;; seconds += kEverySeconds) {
-      if (changed_.wait_for(lock, std::chrono::seconds(kEverySeconds), [this] { return done_; })) return;
-      fmt::print(stderr, "{}: {} s\n", what_, seconds);
-    }
-  }
-  std::string what_;
-  bool done_ = false;
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::thread thread_;  // last: it uses the others
 };
 
 TextTable list_of_tables() {
@@ -121,8 +115,8 @@ studies::NamedReproduction reproduction(const studies::ReproducibleTable& table,
                                         const std::vector<studies::NamedReproduction>& kept, bool is_quiet) {
   for (const auto& one : kept)
     if (one.name == table.name) return one;
-  std::optional<SignOfLife> sign;
-  if (!is_quiet) sign.emplace(fmt::format("reproduce {}, about {:g} s", table.name, table.cost_s));
+  std::optional<ProgressLine> line;
+  if (!is_quiet) line.emplace(kStops).expect("reproduce " + table.name, table.cost_s);
   return {table.name, table.place, table.make()};
 }
 
@@ -142,13 +136,13 @@ bool is_among(const std::vector<const studies::ReproducibleTable*>& tables, cons
 void print_reproduction(const studies::Reproduction& reproduction) {
   auto text = reproduction.table;
   if (!reproduction.compared.empty()) text.notes.push_back(reproduction.summary());
-  print_line(plain(text));
+  print_table(text);
   std::fflush(stdout);
 }
 
 /// The JSON file is there after every table, so that a run that is broken off can be taken up again.
 void reproduce_tables(const ReproduceCommand& command) {
-  if (command.list) return print_line(plain(list_of_tables()));
+  if (command.list) return print_table(list_of_tables());
   const bool is_file = !command.json.empty() && command.json != "-";
   const auto kept = kept_tables(command);
   const auto tables = chosen_tables(command);
@@ -171,59 +165,89 @@ void reproduce_tables(const ReproduceCommand& command) {
 
 void add_compare_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("compare", "Plan a part by every strategy and rival, in one table");
+  command->group("Choosing");
   auto state = std::make_shared<CompareCommand>();
   state->arguments.add_part_options(*command, "INPUT");
   state->arguments.add_tool_options(*command);
   state->arguments.add_cutting_options(*command);
   command->get_option("INPUT")->required(false);
-  command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
+  state->answer.add_options(*command);
+  command->option_defaults()->group("Study at random");
   command
       ->add_option("--random", state->random, "Compare the contour methods on so many random pockets instead")
       ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--slower", state->slower,
-                      "Folder for outlines on which a published method is faster than ours");
+  command
+      ->add_option("--slower", state->slower,
+                   "Folder for outlines on which a published method is faster than ours")
+      ->type_name("FOLDER");
   command->callback([state, &exit_code] {
     exit_code = kClean;
     if (state->random > 0) return compare_at_random(*state);
     if (state->arguments.input().empty())
       throw InputError("compare", "give a part, or --random and how many");
-    print_table(compare_strategies(state->arguments.read(), state->arguments.options()), state->as_markdown);
+    compare_part(*state);
   });
 }
 
+namespace {
+
+struct ToolsCommand {
+  PlanArguments arguments;
+  ToolSpeeds speeds;
+  Answer answer;
+};
+
+void compare_cutters(const ToolsCommand& command) {
+  const Part part = command.arguments.read();
+  const PlanOptions options = command.arguments.options();
+  ProgressLine line(kStops);
+  const auto comparison = compare_tools(part, command.speeds, options, [&](std::size_t done, std::size_t of) {
+    line.count(done, of, "plans");
+  });
+  line.end();
+  if (command.answer.as_json) return print_line(tools_json(part, comparison));
+  print_table(tool_table(part, command.speeds, comparison), command.answer.as_markdown);
+}
+
+}  // namespace
+
 void add_tools_command(CLI::App& app, int& exit_code) {
-  struct ToolsCommand {
-    PlanArguments arguments;
-    ToolSpeeds speeds;
-    bool as_markdown = false;
-  };
   auto* command = app.add_subcommand("tools", "Plan a part with each of several cutters, in one table");
+  command->group("Choosing");
   auto state = std::make_shared<ToolsCommand>();
   state->arguments.add_part_options(*command, "INPUT");
   state->arguments.add_tool_options(*command);
   state->arguments.add_cutting_options(*command);
+  command->option_defaults()->group("Feeds and speeds");
   command->add_option("--cutting-speed", state->speeds.cutting_speed,
-                      "At the circumference, m/min: gives the spindle");
+                      "At the circumference, m/min: gives the spindle (default 100)");
   command->add_option("--feed-per-tooth", state->speeds.feeds_per_tooth,
                       "mm, one for each tool or one for all: gives the feed");
   command->add_option("--tool-change", state->speeds.tool_change_s, "Time of a tool change in a sequence, s")
+      ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
+  state->answer.add_options(*command);
   command->callback([state, &exit_code] {
-    print_table(tool_table(state->arguments.read(), state->speeds, state->arguments.options()),
-                state->as_markdown);
+    compare_cutters(*state);
     exit_code = kClean;
   });
 }
 
 void add_reproduce_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("reproduce", "Print the published tables beside our figures");
+  command->group("Research");
   auto state = std::make_shared<ReproduceCommand>();
-  command->add_option("TABLE", state->names, "Tables by name; default all but the long ones");
+  std::vector<std::string> names;
+  for (const auto& table : studies::reproducible_tables()) names.push_back(table.name);
+  command->option_defaults()->group("Input");
+  command->add_option("TABLE", state->names, "Tables by name, see --list; default all but the long ones")
+      ->check(one_of(names));
   command->add_flag("--list", state->list, "List the tables and what each costs, and run nothing");
   command->add_flag("--all", state->all, "The long ones, too");
-  command->add_option("--json", state->json, "Tables with every printed cell judged to write (JSON)");
-  command->add_option("--html", state->html, "The same as one page to write");
+  command->option_defaults()->group("Output");
+  command->add_option("--json", state->json, "Tables with every printed cell judged to write (JSON)")
+      ->type_name("FILE");
+  command->add_option("--html", state->html, "The same as one page to write")->type_name("FILE");
   command->add_flag("--resume", state->resume,
                     "Keep the tables that the file of --json has already, make the others");
   command->add_flag("--quiet", state->quiet, "No progress");

@@ -4,10 +4,12 @@
 
 #include <memory>
 
-#include "certificate_info.h"
-#include "commands.h"
-#include "output.h"
-#include "plan_arguments.h"
+#include "arguments/certificate_info.h"
+#include "arguments/plan_arguments.h"
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "terminal/output.h"
+#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {
@@ -67,21 +69,29 @@ int run(const VerifyCommand& command) {
   write_outputs(files, inputs);
   if (!command.quiet) print(result.part.diagnostics, true);
   if (command.json != "-")
-    print_line(command.quiet ? verdict_and_reasons(result.findings)
-                             : dialect_line(command, result) + write_table(result));
+    print_line(with_colours(command.quiet
+                                ? verdict_and_reasons(result.findings)
+                                : dialect_line(command, result) + write_table(result, table_width())));
   return exit_code_of(result.findings);
 }
 
 std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
   auto state = std::make_shared<VerifyCommand>();
-  command.add_option("PROGRAM", state->program, "Program of any CAM: G-code or Klartext")->required();
+  command.add_option("PROGRAM", state->program, "Program of any CAM: G-code or Klartext")
+      ->required()
+      ->type_name("FILE");
   state->arguments.add_part_options(command, "--part");
   state->arguments.add_tool_options(command);
-  command.add_option("--dialect", state->dialect,
-                     "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
-                     "(default: recognised)");
-  command.add_option("--json", state->json, "Certificate to write (- for standard output)");
-  command.add_option("--svg", state->svg, "Picture to write");
+  command.option_defaults()->group("Input");
+  command
+      .add_option("--dialect", state->dialect,
+                  "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
+                  "(default: recognised)")
+      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+  command.option_defaults()->group("Output");
+  command.add_option("--json", state->json, "Certificate to write (- for standard output)")
+      ->type_name("FILE");
+  command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   return state;
 }
@@ -90,6 +100,7 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
 
 void add_verify_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("verify", "Judge any program against a part");
+  command->group("Checking");
   auto state = declare(*command);
   command->callback([state, &exit_code] { exit_code = run(*state); });
 }

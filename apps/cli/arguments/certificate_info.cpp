@@ -1,4 +1,4 @@
-#include "certificate_info.h"
+#include "arguments/certificate_info.h"
 
 #include <clearcut/certificate.h>
 #include <clearcut/file.h>

@@ -1,4 +1,4 @@
-#include "quantities.h"
+#include "arguments/quantities.h"
 
 #include <clearcut/text.h>
 

@@ -1,10 +1,12 @@
-#include "output.h"
+#include "terminal/output.h"
 
 #include <clearcut/error.h>
 
 #include <array>
 #include <csignal>
 #include <cstdio>
+
+#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {
@@ -65,6 +67,10 @@ void print_warnings(const Diagnostics& diagnostics) {
 void print_line(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+}
+
+void print_table(const TextTable& table, bool as_markdown) {
+  print_line(as_markdown ? markdown(table) : fitted(table, table_width()));
 }
 
 void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {

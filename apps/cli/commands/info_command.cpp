@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "commands.h"
-#include "output.h"
-#include "plan_arguments.h"
+#include "arguments/plan_arguments.h"
+#include "commands/commands.h"
+#include "terminal/json_tables.h"
+#include "terminal/output.h"
 
 namespace clearcut::cli {
 namespace {
@@ -79,7 +82,6 @@ void print_overview(const std::string& file, const DrawingOverview& overview) {
   }
   if (overview.outlines.size() > kMost)
     print_line(fmt::format("  and {} more", overview.outlines.size() - kMost));
-  if (!overview.question.empty()) print_line("to be said: " + overview.question);
 }
 
 bool has_depths(const DrawingOverview& overview) {
@@ -87,27 +89,44 @@ bool has_depths(const DrawingOverview& overview) {
                      [](const auto& one) { return one.depth.has_value(); });
 }
 
+const std::string kNoDepth = "how deep; --depth MM, or in layers' names as in POCKET_D5";
+
+/// What must be said before a drawing can be planned.
+std::vector<std::string> asked_of(const DrawingOverview& overview) {
+  std::vector<std::string> asks;
+  if (!overview.question.empty()) asks.push_back(overview.question);
+  if (!has_depths(overview)) asks.push_back(kNoDepth);
+  return asks;
+}
+
+void print_info(const PlanArguments& arguments, bool as_json) {
+  DrawingOverview overview;
+  Part part = arguments.read_overview(overview);
+  const bool drawing = part.features.empty();
+  const auto asks = drawing ? asked_of(overview) : std::vector<std::string>{};
+  const Diagnostics found = part.diagnostics;
+  if (drawing && asks.empty()) part = arguments.read();
+  if (as_json) return print_line(info_json(part, overview, asks));
+  print(found, true);
+  if (drawing) print_overview(part.source_file, overview);
+  for (const auto& ask : asks) print_line("to be said: " + ask);
+  if (asks.empty()) print_part(part);
+}
+
 }  // namespace
 
 void add_info_command(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("info", "Say what a part holds, which cutters fit, and what was found wrong");
+  command->group("Reading");
   auto state = std::make_shared<PlanArguments>();
+  auto as_json = std::make_shared<bool>(false);
   state->add_part_options(*command, "INPUT");
-  command->callback([state, &exit_code] {
+  command->option_defaults()->group("Output");
+  command->add_flag("--json", *as_json, "Print JSON");
+  command->callback([state, as_json, &exit_code] {
+    print_info(*state, *as_json);
     exit_code = kClean;
-    DrawingOverview overview;
-    Part part = state->read_overview(overview);
-    const bool drawing = part.features.empty();
-    print(part.diagnostics, true);
-    if (drawing) print_overview(part.source_file, overview);
-    if (drawing && (!has_depths(overview) || !overview.question.empty())) {
-      if (!has_depths(overview))
-        print_line("to be said: how deep; --depth MM, or in layers' names as in POCKET_D5");
-      return;
-    }
-    if (drawing) part = state->read();
-    print_part(part);
   });
 }
 

@@ -1,4 +1,4 @@
-#include "suggest.h"
+#include "arguments/suggest.h"
 
 #include <algorithm>
 
@@ -64,12 +64,32 @@ std::string advice(const std::string& word, const std::vector<std::string>& name
 
 }  // namespace
 
+CLI::Validator for_example(const std::vector<std::string>& names) {
+  return {[](std::string&) { return std::string(); }, "{" + CLI::detail::join(names, ",") + "}"};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return {[names](std::string& text) {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+            const std::string meant = nearest(text, names);
+            return "'" + text + "' is unknown; " + (meant.empty() ? "" : "did you mean '" + meant + "'? ") +
+                   "use one of " + CLI::detail::join(names, ", ");
+          },
+          "{" + CLI::detail::join(names, ",") + "}"};
+}
+
 std::string about_unexpected(const CLI::App& app, const std::vector<std::string>& arguments) {
   const auto parsed = app.get_subcommands();
   if (parsed.empty()) {
     const auto first = std::find_if(arguments.begin(), arguments.end(), [](const std::string& one) {
       return !one.empty() && one.front() != '-';
     });
+    if (!arguments.empty() && arguments.front().starts_with("-") &&
+        !nearest(arguments.front(), option_names(app)).empty())
+      return "'" + arguments.front() + "' is no option; " +
+             advice(arguments.front(), option_names(app), "clearcut --help");
+    if (first != arguments.end() && *first == "help")
+      return "'help' is no command; say clearcut --help, or clearcut COMMAND --help";
     if (first == arguments.end() && !arguments.empty())
       return "'" + arguments.front() +
              "' comes before a command; name one: clearcut plan, see clearcut --help";

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "commands.h"
-#include "output.h"
-#include "plan_arguments.h"
+#include "arguments/plan_arguments.h"
+#include "commands/commands.h"
+#include "terminal/output.h"
 
 namespace clearcut::cli {
 namespace {
@@ -27,11 +27,13 @@ std::string converted(Part& part, const PlanArguments& arguments, const std::str
 
 void add_convert_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("convert", "Write a part as outline JSON or STEP-NC");
+  command->group("Reading");
   auto state = std::make_shared<PlanArguments>();
   auto output = std::make_shared<std::string>();
   state->add_part_options(*command, "INPUT");
   state->add_tool_list_options(*command);
-  command->add_option("-o,--output", *output, "File to write: .json or .p21")->required();
+  command->option_defaults()->group("Output");
+  command->add_option("-o,--output", *output, "File to write: .json or .p21")->required()->type_name("FILE");
   command->callback([state, output, &exit_code] {
     Part part = state->read();
     write_outputs({{*output, converted(part, *state, *output)}}, state->input_paths());
@@ -42,10 +44,12 @@ void add_convert_command(CLI::App& app, int& exit_code) {
 
 void add_init_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("init", "Write a commented job file for a part");
+  command->group("Reading");
   auto state = std::make_shared<PlanArguments>();
   auto output = std::make_shared<std::string>();
   state->add_part_options(*command, "INPUT");
-  command->add_option("-o,--output", *output, "Job to write (default: standard output)");
+  command->option_defaults()->group("Output");
+  command->add_option("-o,--output", *output, "Job to write (default: standard output)")->type_name("FILE");
   command->callback([state, output, &exit_code] {
     const std::string path = output->empty() ? "-" : *output;
     write_outputs({{path, job_text(state->read(), state->input(), state->solid())}}, state->input_paths());

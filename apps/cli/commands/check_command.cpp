@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "certificate_info.h"
-#include "commands.h"
-#include "output.h"
+#include "arguments/certificate_info.h"
+#include "commands/commands.h"
+#include "terminal/output.h"
 
 namespace clearcut::cli {
 namespace {
@@ -121,11 +121,16 @@ int run(const CheckCommand& command) {
 void add_check_command(CLI::App& app, int& exit_code) {
   auto* command =
       app.add_subcommand("check", "Check a certificate: its form, its seal and the files it rests on");
+  command->group("Checking");
   auto state = std::make_shared<CheckCommand>();
+  command->option_defaults()->group("Input");
   command->add_option("CERTIFICATE", state->certificate, "Certificate that plan or verify has written")
-      ->required();
-  command->add_option("--program", state->program, "The program, where it lies elsewhere now");
-  command->add_option("--part", state->parts, "An input file, where it lies elsewhere now (repeatable)");
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--program", state->program, "The program, where it lies elsewhere now")
+      ->type_name("FILE");
+  command->add_option("--part", state->parts, "An input file, where it lies elsewhere now (repeatable)")
+      ->type_name("FILE");
   command->add_flag("--again", state->again, "Compute the certificate again and compare every field");
   command->callback([state, &exit_code] { exit_code = run(*state); });
 }
