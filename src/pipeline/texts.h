@@ -48,6 +48,12 @@ std::string write_picture(const CheckResult& result);
 /// One HTML page that plays the machining and needs no other file.
 std::string write_page(const PlanResult& result, const resolve::PlanOptions& options);
 
+/// The page for the machine: zero, stock, tools, operations, notes, as HTML. `program_name`: as it was written or read.
+std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,
+                              const std::string& program_name);
+std::string write_setup_sheet(const CheckResult& result, const resolve::PlanOptions& options,
+                              const std::string& program_name);
+
 /// The feed moves as plain numbers, x y to x y, in mm.
 std::string write_segments(const PlanResult& result);
 

@@ -18,6 +18,7 @@ inline int exit_code_of(const Findings& findings) {
 
 void add_plan_command(CLI::App& app, int& exit_code);
 void add_verify_command(CLI::App& app, int& exit_code);
+void add_setup_sheet_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
 void add_elements_command(CLI::App& app, int& exit_code);

@@ -25,6 +25,7 @@ struct PlanCommand {
   std::string certificate;
   std::string svg;
   std::string html;
+  std::string sheet;
   std::string result;
   bool quiet = false;
   bool explain = false;
@@ -45,6 +46,7 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
   add(command.certificate, [&] { return write_certificate(result, options, basis_of(command)); });
   add(command.svg, [&] { return write_picture(result); });
   add(command.html, [&] { return write_page(result, options); });
+  add(command.sheet, [&] { return write_setup_sheet(result, options, file_name(command.output)); });
   add(command.result, [&] { return write_segments(result); });
   return files;
 }
@@ -62,6 +64,7 @@ void take_outputs_from(const JobFile& job, PlanCommand& command) {
   take(command.certificate, job.output.certificate);
   take(command.svg, job.output.svg);
   take(command.html, job.output.report);
+  take(command.sheet, job.output.setup_sheet);
   take(command.result, job.output.result);
 }
 
@@ -75,8 +78,8 @@ int explain(const Part& part, const PlanOptions& options) {
 
 std::vector<std::string> output_names(const PlanCommand& command) {
   std::vector<std::string> names;
-  for (const auto* name :
-       {&command.output, &command.certificate, &command.svg, &command.html, &command.result}) {
+  for (const auto* name : {&command.output, &command.certificate, &command.svg, &command.html, &command.sheet,
+                           &command.result}) {
     if (!name->empty()) names.push_back(*name);
   }
   return names;
@@ -152,6 +155,8 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
   command.add_option("--certificate", state->certificate, "Certificate to write (JSON)")->type_name("FILE");
   command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
   command.add_option("--report", state->html, "Animated report to write (HTML)")->type_name("FILE");
+  command.add_option("--setup-sheet", state->sheet, "Set-up sheet to write (HTML, prints on one page)")
+      ->type_name("FILE");
   command.add_option("--result", state->result, "Segments to write: x y to x y per line")->type_name("FILE");
   command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");

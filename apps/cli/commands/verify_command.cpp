@@ -19,6 +19,7 @@ struct VerifyCommand {
   std::string program;
   std::string json;
   std::string svg;
+  std::string sheet;
   std::optional<std::string> dialect;
   bool quiet = false;
 };
@@ -64,6 +65,9 @@ int run(const VerifyCommand& command) {
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, found.certificate});
   if (!command.svg.empty()) files.push_back({command.svg, write_picture(result)});
+  if (!command.sheet.empty())
+    files.push_back(
+        {command.sheet, write_setup_sheet(result, command.arguments.options(), file_name(command.program))});
   std::vector<std::string> inputs = command.arguments.input_paths();
   inputs.push_back(command.program);
   write_outputs(files, inputs);
@@ -75,7 +79,8 @@ int run(const VerifyCommand& command) {
   return exit_code_of(result.findings);
 }
 
-std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
+/// The program, the part and the tools: what verify and setup-sheet ask alike.
+std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
   auto state = std::make_shared<VerifyCommand>();
   command.add_option("PROGRAM", state->program, "Program of any CAM: G-code or Klartext")
       ->required()
@@ -88,10 +93,17 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
                   "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
                   "(default: recognised)")
       ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+  return state;
+}
+
+std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
+  auto state = declare_question(command);
   command.option_defaults()->group("Output");
   command.add_option("--json", state->json, "Certificate to write (- for standard output)")
       ->type_name("FILE");
   command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
+  command.add_option("--setup-sheet", state->sheet, "Set-up sheet to write (HTML, prints on one page)")
+      ->type_name("FILE");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   return state;
 }
@@ -102,6 +114,19 @@ void add_verify_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("verify", "Judge any program against a part");
   command->group("Checking");
   auto state = declare(*command);
+  command->callback([state, &exit_code] { exit_code = run(*state); });
+}
+
+void add_setup_sheet_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("setup-sheet",
+                                     "Write the page for the machine: zero, stock, tools, operations, times");
+  command->group("Planning");
+  auto state = declare_question(*command);
+  command->option_defaults()->group("Output");
+  command->add_option("-o,--output", state->sheet, "Set-up sheet to write (HTML, prints on one page)")
+      ->required()
+      ->type_name("FILE");
+  command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   command->callback([state, &exit_code] { exit_code = run(*state); });
 }
 

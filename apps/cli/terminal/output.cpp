@@ -5,6 +5,7 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 
 #include "terminal/terminal.h"
 
@@ -71,6 +72,10 @@ void print_line(const std::string& text) {
 
 void print_table(const TextTable& table, bool as_markdown) {
   print_line(as_markdown ? markdown(table) : fitted(table, table_width()));
+}
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
 }
 
 void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {

@@ -18,6 +18,9 @@ void print_line(const std::string& text);
 /// As wide as the terminal, or for a Markdown page.
 void print_table(const TextTable& table, bool as_markdown = false);
 
+/// The name of a file without its folder.
+std::string file_name(const std::string& path);
+
 /// All of the files or (InputError) none; those named "-" go to standard output, last. None of `inputs` (files that were read for
 /// them) is replaced. A signal that ends the program waits meanwhile, so that no temporary file stays behind.
 void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
