@@ -30,6 +30,7 @@ void add_init_command(CLI::App& app, int& exit_code);
 void add_tour_command(CLI::App& app, int& exit_code);
 void add_study_command(CLI::App& app, int& exit_code);
 void add_generate_command(CLI::App& app, int& exit_code);
+void add_serve_command(CLI::App& app, int& exit_code);
 void add_batch_command(CLI::App& app, int& exit_code);
 
 }  // namespace clearcut::cli
