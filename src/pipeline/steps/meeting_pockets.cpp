@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"
 #include "stock/at_depth.h"
@@ -87,8 +88,10 @@ bool runs_into(const Feature& other, const Regions& around, const Tolerances& to
 }  // namespace
 
 MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Tolerances& tol) : tol_(tol) {
-  const Feature& pocket = feature_of(part, part.workplan[static_cast<std::size_t>(workingstep)]);
-  if (pocket.kind != FeatureKind::kClosedPocket) return;
+  const Workingstep& step = part.workplan[static_cast<std::size_t>(workingstep)];
+  const Feature& pocket = feature_of(part, step);
+  const bool leaves_stock = !closed_all_round(pocket) && step.operation.allowance_side > 0;
+  if (pocket.kind != FeatureKind::kClosedPocket && !leaves_stock) return;
   const Box here = box(pocket.target).grown(kTouching);
   std::optional<Regions> around;  // made for the first that asks: most pockets lie alone
   for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
@@ -115,15 +118,20 @@ void MeetingPockets::widen(Layer& layer) {
   const bool upright = std::all_of(open.begin(), open.end(),
                                    [](const Feature* other) { return other->wall_slope.radians() == 0; });
   if (!upright || open != last_open_ || !plan::same_outline(layer.allowed, last_allowed_)) {
-    last_widened_ = widened(layer, open);
+    last_added_ = added_to(layer, open);
     last_allowed_ = layer.allowed;
     last_open_ = open;
   }
-  if (last_widened_) layer.target = layer.allowed = *last_widened_;
+  if (!last_added_) return;
+  const Regions wide = unite(layer.allowed, *last_added_, tol_);
+  layer.target = plan::closed_all_round(layer)
+                     ? wide
+                     : unite(layer.target, subtract(*last_added_, layer.allowed, tol_), tol_);
+  layer.allowed = wide;
 }
 
-std::optional<Regions> MeetingPockets::widened(const Layer& layer,
-                                               const std::vector<const Feature*>& open) const {
+std::optional<Regions> MeetingPockets::added_to(const Layer& layer,
+                                                const std::vector<const Feature*>& open) const {
   Regions wide = layer.allowed;
   for (const Feature* other : open)
     wide = united_over_hairlines(
@@ -137,8 +145,7 @@ std::optional<Regions> MeetingPockets::widened(const Layer& layer,
   // A little more than by itself, or the two leave slivers all along where they are the same.
   const Regions gained = subtract(with_others, reached(layer.allowed, tol_.uncut / 2), tol_);
   if (gained.empty()) return std::nullopt;
-  const Regions beside = dilate(gained, around, tol_);
-  return unite(layer.allowed, intersect(wide, beside, tol_), tol_);
+  return intersect(wide, dilate(gained, around, tol_), tol_);
 }
 
 }  // namespace clearcut::pipeline
