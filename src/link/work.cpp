@@ -84,7 +84,7 @@ Work::Work(const std::vector<LayerPasses>& layers, double tool_radius) : tool_ra
   before_.resize(items_.size());
   after_.resize(items_.size());
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (items_[i].pass == 0) add_rings(i);
+    if (items_[i].pass == 0) add_layer(i);
   }
   layers_may_mix_ = items_.size() <= kMostMixed;
   if (layers_may_mix_) add_depths();
@@ -95,10 +95,12 @@ void Work::add(std::size_t before, std::size_t after) {
   after_[before].push_back(after);
 }
 
-/// Adds the precedence of rings of the layer whose first pass is item `first`.
-void Work::add_rings(std::size_t first) {
+/// Adds the precedence within the layer whose first pass is item `first`: stated by passes, and of rings.
+void Work::add_layer(std::size_t first) {
   const LayerWork& layer = layer_of(first);
   for (std::size_t p = 0; p < layer.layer().passes.size(); ++p) {
+    for (const int before : layer.layer().passes[p].after)
+      add(first + static_cast<std::size_t>(before), first + p);
     const int later = layer.later_of_tree_edge(p);
     if (later < 0) continue;
     const auto parent = static_cast<std::size_t>(layer.layer().passes[p].parent);
@@ -115,14 +117,22 @@ void Work::add_depths() {
   }
 }
 
+/// LayerWork::part_around of where a pass begins: asked for many pairs of passes, found once.
+int Work::part_of_start(std::size_t layer, std::size_t item) {
+  const auto found = part_of_start_.find({layer, item});
+  if (found != part_of_start_.end()) return found->second;
+  const int part = layers_[layer].part_around(pass(item).path.front().from);
+  part_of_start_.emplace(std::pair{layer, item}, part);
+  return part;
+}
+
 /// Whether `low` has to wait for `high`. Entries and leads stay beside their pass, in the connected part of
 /// the legal area in which it begins.
-bool Work::is_above(std::size_t high, std::size_t low) const {
+bool Work::is_above(std::size_t high, std::size_t low) {
   if (!items_[high].swept.overlaps(items_[low].path.grown(kBeside * tool_radius_))) return false;
-  const LayerWork& layer = layer_of(high);
-  if (layer.parts() < 2) return true;
-  const int part = layer.part_around(pass(high).path.front().from);
-  if (part < 0 || part == layer.part_around(pass(low).path.front().from)) return true;
+  if (layer_of(high).parts() < 2) return true;
+  const int part = part_of_start(items_[high].layer, high);
+  if (part < 0 || part == part_of_start(items_[high].layer, low)) return true;
   return sweeps_meet(pass(high).path, pass(low).path, tool_radius_);
 }
 

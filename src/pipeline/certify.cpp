@@ -149,7 +149,7 @@ std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
   for (const LayerPasses& layer : layers) {
     if (layer.strategy != "contour") continue;
     for (const Pass& pass : layer.passes) {
-      if (pass.closed) levels.push_back(pass.offset);
+      if (pass.closed && pass.offset > 0) levels.push_back(pass.offset);
     }
   }
   std::sort(levels.begin(), levels.end());
@@ -225,8 +225,9 @@ void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
 
 Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
-               const ResolvedPlan& plan) {
+               const ResolvedPlan& plan, std::map<int, verify::ToolLimits> limits) {
   verify::VerifyOptions verify = verify_options(plan);
+  verify.tool_limits = std::move(limits);
   verify.control = &control;
   verify.accepted = plan.accept;
   verify.needs_tool_length = has_tool_lengths(dialect) && plan.post.length_offset;

@@ -2,6 +2,7 @@
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <clearcut/report.h>
+#include <clearcut/studies.h>
 
 #include <array>
 #include <map>
@@ -78,7 +79,7 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
 
 int run(const ElementsCommand& command) {
   if (command.table) {
-    print_table(grid_reduction_table());
+    print_table(studies::grid_reduction_table());
     return kClean;
   }
   if ((command.input.empty() && command.elements.empty()) || command.output.empty())
@@ -92,7 +93,7 @@ int run(const ElementsCommand& command) {
     if (command.print_points) print_table(points_table(job, result.points));
     if (command.output != "-") {
       print_table(element_table(result));
-      print_line(with_colours(write_table(result.plan, output_width())));
+      print_line(with_colours(write_table(result.plan, table_width())));
     }
   }
   return exit_code_of(result.plan.findings);

@@ -69,7 +69,7 @@ void take_outputs_from(const JobFile& job, PlanCommand& command) {
 int explain(const Part& part, const PlanOptions& options) {
   const ResolvedPlan plan = resolve_plan(part, options);
   print(plan.part.diagnostics, true);
-  print_line(write_values(plan.part, plan.values, output_width()));
+  print_line(write_values(plan.part, plan.values, table_width()));
   return kClean;
 }
 
@@ -126,7 +126,7 @@ int run(PlanCommand command) {
   check_outputs(output_names(command), inputs);
   const PlanResult result = planned(command, part, options);
   write_outputs(output_files(command, options, result), inputs);
-  if (command.explain) print_line(write_values(result.part, result.values, output_width()));
+  if (command.explain) print_line(write_values(result.part, result.values, table_width()));
   if (command.quiet) {
     if (command.output != "-") print_line(with_colours(verdict_and_reasons(result.findings)));
   } else {
@@ -134,9 +134,8 @@ int run(PlanCommand command) {
     if (command.output != "-") {
       for (const auto& name : names_not_machined(result.part.diagnostics))
         print_line("NOT MACHINED: " + name);
-      if (options.strategy.value_or("auto") == "auto")
-        print_line(write_contest_table(result, output_width()));
-      print_line(with_colours(write_table(result, output_width())));
+      if (options.strategy.value_or("auto") == "auto") print_line(write_contest_table(result, table_width()));
+      print_line(with_colours(write_table(result, table_width())));
     }
   }
   return exit_code_of(result.findings);

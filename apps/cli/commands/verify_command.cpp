@@ -71,7 +71,7 @@ int run(const VerifyCommand& command) {
   if (command.json != "-")
     print_line(with_colours(command.quiet
                                 ? verdict_and_reasons(result.findings)
-                                : dialect_line(command, result) + write_table(result, output_width())));
+                                : dialect_line(command, result) + write_table(result, table_width())));
   return exit_code_of(result.findings);
 }
 

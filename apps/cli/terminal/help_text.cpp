@@ -82,7 +82,7 @@ std::string commands_text(const CLI::App& app, std::size_t width) {
 
 std::string HelpText::make_help(const CLI::App* app, std::string /*name*/,
                                 CLI::AppFormatMode /*mode*/) const {
-  const std::size_t width = std::min(output_width(), kWidest);
+  const std::size_t width = std::min(text_width(), kWidest);
   const CommandText command = text_of(*app);
   std::string text;
   for (const auto& line : wrapped(app->get_description(), width)) text += line + "\n";

@@ -70,7 +70,7 @@ void print_line(const std::string& text) {
 }
 
 void print_table(const TextTable& table, bool as_markdown) {
-  print_line(as_markdown ? markdown(table) : fitted(table, output_width()));
+  print_line(as_markdown ? markdown(table) : fitted(table, table_width()));
 }
 
 void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -15,19 +16,21 @@ namespace {
 
 constexpr std::size_t kDefaultWidth = 80;
 constexpr std::size_t kLeastWidth = 40;
+/// Wider than any table.
+constexpr std::size_t kUnbroken = 100000;
 
 bool is_set(const char* variable) {
   const char* value = std::getenv(variable);
   return value != nullptr && *value != '\0';
 }
 
-std::size_t width_given() {
+std::optional<std::size_t> width_given() {
   winsize size{};
   if (::isatty(STDOUT_FILENO) != 0 && ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
     return size.ws_col;
   const char* columns = std::getenv("COLUMNS");
   const int width = columns == nullptr ? 0 : std::atoi(columns);
-  return width > 0 ? static_cast<std::size_t>(width) : kDefaultWidth;
+  return width > 0 ? std::optional(static_cast<std::size_t>(width)) : std::nullopt;
 }
 
 /// Only calls that are safe in a signal handler. The temporary files of an output are held back from this (base/files).
@@ -66,8 +69,12 @@ std::string coloured(const std::string& line) {
 
 }  // namespace
 
-std::size_t output_width() {
-  return std::max(width_given(), kLeastWidth);
+std::size_t text_width() {
+  return std::max(width_given().value_or(kDefaultWidth), kLeastWidth);
+}
+
+std::size_t table_width() {
+  return std::max(width_given().value_or(kUnbroken), kLeastWidth);
 }
 
 bool shows_colours() {

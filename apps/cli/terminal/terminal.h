@@ -6,8 +6,12 @@
 
 namespace clearcut::cli {
 
-/// Columns for tables and help: those of the terminal, else COLUMNS, else 80; never below 40.
-std::size_t output_width();
+/// Columns for help: those of the terminal, else COLUMNS, else 80; never below 40.
+std::size_t text_width();
+
+/// Columns for tables: those of the terminal, else COLUMNS; in a file or a pipe tables are not broken, so that programs find each
+/// row on one line.
+std::size_t table_width();
 
 /// Whether standard output shows colours: a terminal that is not "dumb", and NO_COLOR is unset or empty.
 bool shows_colours();
