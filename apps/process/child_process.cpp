@@ -49,7 +49,7 @@ bool connect_streams(const ChildPlace& place) {
   if (!connect_streams(place)) _exit(kNotStarted);
   close_range(3, ~0U, 0);  // connections of others
   if (!place.folder.empty() && chdir(place.folder.c_str()) != 0) _exit(kNotStarted);
-  limit(RLIMIT_AS, limits.bytes);
+  if (kLimitsMemory) limit(RLIMIT_AS, limits.bytes);
   limit(RLIMIT_FSIZE, limits.file_bytes);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);

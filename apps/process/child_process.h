@@ -8,6 +8,13 @@
 
 namespace clearcut::process {
 
+/// Sanitizers reserve more address space than any limit leaves: such a build has none.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kLimitsMemory = false;
+#else
+inline constexpr bool kLimitsMemory = true;
+#endif
+
 struct ChildLimits {
   double seconds = 0;            ///< wall clock; 0: none
   std::uint64_t bytes = 0;       ///< of address space; 0: none

@@ -78,7 +78,7 @@ void serve_with(const Settings& settings) {
 int main(int argc, char** argv) {
   try {
     if (argc != 2) throw InputError("clearcut-serve", "is run by `clearcut serve`; run that");
-    limit_memory();
+    if (process::kLimitsMemory) limit_memory();
     serve_with(settings_of(argv[1]));
     return 0;
   } catch (const InputError& error) {
