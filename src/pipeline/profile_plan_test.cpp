@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "base/units.h"
+#include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
 

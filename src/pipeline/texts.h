@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "report/certificate/certificate.h"
 

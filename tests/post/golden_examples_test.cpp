@@ -9,6 +9,7 @@
 #include <ostream>
 
 #include "base/files/file.h"
+#include "pipeline/check.h"
 #include "pipeline/elements.h"
 #include "pipeline/run.h"
 #include "post/post.h"
