@@ -21,8 +21,8 @@ resolve::PlanOptions with_tools_of(const Toolpath& toolpath, resolve::PlanOption
   std::set<int> called;
   for (const Section& section : toolpath.sections) called.insert(section.tool_number);
   const auto is_called = [&](const Tool& tool) { return called.count(tool.number) > 0; };
-  if (called.empty() || static_cast<std::size_t>(std::count_if(options.tools.begin(), options.tools.end(), is_called)) !=
-      called.size())
+  if (called.empty() || static_cast<std::size_t>(std::count_if(options.tools.begin(), options.tools.end(),
+                                                               is_called)) != called.size())
     return options;
   for (std::size_t i = options.tools.size(); i-- > 0;) {
     if (is_called(options.tools[i])) continue;
@@ -88,9 +88,9 @@ std::map<int, verify::ToolLimits> limits_of_other_tools(const Part& prepared,
     Operation stated;
     stated.tool = static_cast<int>(i);
     resolve::take_tool_cutting(stated, options);
-    limits[prepared.tools[i].number] = {options.stepdown ? options.stepdown : stated.stepdown,
-                                        options.cutting.plunge_feed ? options.cutting.plunge_feed
-                                                                    : stated.cutting.plunge_feed};
+    limits[prepared.tools[i].number] = {
+        options.stepdown ? options.stepdown : stated.stepdown,
+        options.cutting.plunge_feed ? options.cutting.plunge_feed : stated.cutting.plunge_feed};
   }
   for (const Workingstep& step : prepared.workplan) limits.erase(tool_of(prepared, step).number);
   return limits;
@@ -133,9 +133,8 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.dialect = read.dialect;
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
-  result.findings =
-      judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
-            limits_of_other_tools(result.part, asked));
+  result.findings = judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
+                          limits_of_other_tools(result.part, asked));
   add_out_of_reach(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   return result;
