@@ -7,7 +7,7 @@ PRECOMPILED ?= ON
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=$(PRECOMPILED) $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test python format lint-viewer test-browser clean
+.PHONY: all setup build demo test python packages reproduce-packages docs format lint-viewer test-browser clean
 all: build
 
 setup:
@@ -28,12 +28,29 @@ demo:
 test: build
 	@ctest --preset release
 
-# The Python module in build/python/python, its wheel, and its tests. PYTHONPATH=build/python/python is all it needs.
+# The Python module in build/release/python, its wheel, and its tests. PYTHONPATH=build/release/python is all it needs.
 python:
 	@scripts/setup.sh build python
-	@cmake --preset python -DPython_EXECUTABLE=/usr/bin/python3 > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
-	@cmake --build --preset python --target _core clearcut
-	@scripts/python_tests.sh build/python/apps/cli/clearcut build/python
+	@$(call configure,-DCLEARCUT_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
+	@cmake --build --preset release --target _core clearcut
+	@scripts/python_tests.sh $(BUILD)/apps/cli/clearcut $(BUILD)
+
+# Debian packages, a tarball and what they consist of, in build/packages/out; then they are tried in a fresh root.
+packages:
+	@scripts/setup.sh build python solids packages
+	@scripts/packaging/make.sh
+	@scripts/packaging/try.sh build/packages/out
+
+# The documentation as pages that open from disk: build/docs/site/index.html.
+docs:
+	@scripts/setup.sh build python docs
+	@$(call configure,-DCLEARCUT_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
+	@cmake --build --preset release --target _core clearcut clearcut_library
+	@scripts/docs/make.sh $(BUILD)
+
+# All packages a second time, elsewhere and without a compiler cache: they have to be the same to the byte. Takes as long as a first build.
+reproduce-packages:
+	@scripts/packaging/reproduce.sh build/packages/out
 
 format:
 	@scripts/format.sh

@@ -10,6 +10,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 # No contraction of a*b+c: the same bytes on every machine.
 target_compile_options(clearcut_options INTERFACE -ffp-contract=off)
+# Functions may be inlined although they could be replaced when the library is loaded: nobody replaces ours, and position
+# independent code then costs nothing in planning time.
+target_compile_options(clearcut_options INTERFACE -fno-semantic-interposition)
+# No path of the build in what is built: the same bytes from any folder.
+target_compile_options(clearcut_options INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
 if(CLEARCUT_SANITIZE)
   target_compile_options(clearcut_options INTERFACE -fsanitize=${CLEARCUT_SANITIZE} -fno-omit-frame-pointer

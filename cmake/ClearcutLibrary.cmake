@@ -1,7 +1,10 @@
 # The library clearcut::clearcut: every stage in one archive, its headers, and what find_package and pkg-config need to find it.
+# With CLEARCUT_SHARED_LIBRARY the same objects are a shared library as well, clearcut::shared.
 # clearcut_add_library(MODULE...): from the modules that were added; after clearcut_link_packages().
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
+
+option(CLEARCUT_SHARED_LIBRARY "Build libclearcut.so beside the archive" OFF)
 
 function(clearcut_add_library)
   set(objects "")
@@ -12,21 +15,38 @@ function(clearcut_add_library)
     endif()
   endforeach()
   add_library(clearcut_library STATIC ${objects})
-  add_library(clearcut::clearcut ALIAS clearcut_library)
-  set_target_properties(clearcut_library PROPERTIES OUTPUT_NAME clearcut EXPORT_NAME clearcut LINKER_LANGUAGE CXX)
-  target_compile_features(clearcut_library PUBLIC cxx_std_20)
+  clearcut_describe_library(clearcut_library clearcut)
+  if(CLEARCUT_SHARED_LIBRARY)
+    add_library(clearcut_shared SHARED ${objects})
+    clearcut_describe_library(clearcut_shared shared)
+    # Versions that differ in the last number alone can take each other's place.
+    set_target_properties(clearcut_shared PROPERTIES VERSION ${PROJECT_VERSION}
+      SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    target_link_options(clearcut_shared PRIVATE -Wl,-Bsymbolic-functions -Wl,--no-undefined)
+  endif()
+endfunction()
+
+# What both kinds have in common; `name` is theirs in the namespace clearcut::.
+function(clearcut_describe_library target name)
+  add_library(clearcut::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME clearcut EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+  target_compile_features(${target} PUBLIC cxx_std_20)
   # In the tree headers lie where they are written; installed, all of them are below include/clearcut.
-  target_include_directories(clearcut_library PUBLIC
+  target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
     $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  # What the archive calls. Headers of other packages are not among ours, so users need none of their include folders.
-  target_link_libraries(clearcut_library PRIVATE fmt::fmt OpenSSL::Crypto PkgConfig::polyclipping TBB::tbb pugixml::pugixml
+  # What the library calls. Headers of other packages are not among ours, so users need none of their include folders.
+  target_link_libraries(${target} PRIVATE fmt::fmt OpenSSL::Crypto PkgConfig::polyclipping TBB::tbb pugixml::pugixml
     PkgConfig::tomlplusplus)
 endfunction()
 
 function(clearcut_install_library)
   set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/clearcut)
   install(TARGETS clearcut_library EXPORT clearcutTargets COMPONENT development)
+  if(CLEARCUT_SHARED_LIBRARY)
+    install(TARGETS clearcut_shared EXPORT clearcutTargets
+      LIBRARY COMPONENT library NAMELINK_COMPONENT development)
+  endif()
   install(EXPORT clearcutTargets NAMESPACE clearcut:: DESTINATION ${package_folder} COMPONENT development)
   configure_package_config_file(cmake/clearcutConfig.cmake.in ${PROJECT_BINARY_DIR}/clearcutConfig.cmake
     INSTALL_DESTINATION ${package_folder})

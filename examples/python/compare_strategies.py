@@ -6,6 +6,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import numpy
 
 import clearcut
 
@@ -24,8 +25,17 @@ for axis, (strategy, plan) in zip(axes, plans.items()):
     moves = plan.moves
     cuts = moves.kind != clearcut.Moves.kinds.index("rapid")
     deepest = cuts & (moves.z == moves.z.min())
-    segments = [[(x0, y0), (x1, y1)] for x0, y0, x1, y1 in
-                zip(moves.from_x[deepest], moves.from_y[deepest], moves.x[deepest], moves.y[deepest])]
+    # An arc turns from its start to its end about its centre, a line is its two ends.
+    turn = moves.turn[deepest]
+    fx, fy, tx, ty, cx, cy = (column[deepest] for column in (
+        moves.from_x, moves.from_y, moves.x, moves.y, moves.center_x, moves.center_y))
+    begin, end = numpy.arctan2(fy - cy, fx - cx), numpy.arctan2(ty - cy, tx - cx)
+    sweep = turn * ((turn * (end - begin) - 1e-9) % (2 * numpy.pi) + 1e-9)
+    share = numpy.linspace(0, 1, 33)[:, None]
+    radius = numpy.hypot(fx - cx, fy - cy)
+    x = numpy.where(turn, cx + radius * numpy.cos(begin + share * sweep), fx + share * (tx - fx))
+    y = numpy.where(turn, cy + radius * numpy.sin(begin + share * sweep), fy + share * (ty - fy))
+    segments = list(numpy.stack([x, y], axis=-1).transpose(1, 0, 2))
     axis.add_collection(matplotlib.collections.LineCollection(segments, linewidths=0.6))
     axis.set_title(f"{strategy}\n{plan.findings.all.time_s:.0f} s, {plan.verdict}")
     axis.autoscale()

@@ -1,6 +1,6 @@
 """Builds the wheel (PEP 517) with CMake: no other package is needed.
 
-Environment  CLEARCUT_BUILD_DIR  where to compile (default build/python); kept, so that a second wheel takes seconds
+Environment  CLEARCUT_BUILD_DIR  where to compile (default build/release, as `make` does); kept, so that a second wheel takes seconds
              CMAKE_ARGS          more arguments for CMake's configuration
              SOURCE_DATE_EPOCH   time of the files in the wheel (default 1980): the same sources give the same bytes
 """
@@ -43,12 +43,13 @@ def metadata():
 
 def compiled():
     """The folder that holds the package with its compiled part."""
-    build = Path(os.environ.get("CLEARCUT_BUILD_DIR", ROOT / "build" / "python"))
+    build = Path(os.environ.get("CLEARCUT_BUILD_DIR", ROOT / "build" / "release"))
     configure = ["cmake", "-S", ROOT, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DCLEARCUT_PYTHON=ON"]
     if not (build / "CMakeCache.txt").exists():
         configure += ["-G", "Ninja"] if _has("ninja") else []
         configure += ["-DCLEARCUT_TESTS=OFF"]
-    configure += [f"-DPython_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
+    # The interpreter itself: pip's may lie in a virtual environment that is gone before the next build.
+    configure += [f"-DPython_EXECUTABLE={Path(sys.executable).resolve()}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
     subprocess.run(configure, check=True)
     subprocess.run(["cmake", "--build", build, "--target", "_core"], check=True)
     return build / "python" / "clearcut"
@@ -83,7 +84,10 @@ def write_wheel(folder, files):
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     package = compiled()
-    files = {f"clearcut/{file.name}": file.read_bytes() for file in package.iterdir() if file.is_file()}
+    # What was compiled for another interpreter in the same folder is left out.
+    suffix = sysconfig.get_config_var("EXT_SUFFIX")
+    files = {f"clearcut/{file.name}": file.read_bytes() for file in package.iterdir()
+             if file.is_file() and (file.suffix != ".so" or file.name.endswith(suffix))}
     return write_wheel(wheel_directory, files)
 
 
@@ -100,3 +104,7 @@ def build_sdist(sdist_directory, config_settings=None):
         for file in listed.splitlines():
             archive.add(ROOT / file, f"{name}/{file}")
     return f"{name}.tar.gz"
+
+
+if __name__ == "__main__":
+    print(metadata(), end="")

@@ -64,7 +64,8 @@ void add_reader(py::module_& module, const char* name, const char* first, const 
 }
 
 GivenPart part_of_text(const std::string& text, const std::string& name, const ReadOptions& options) {
-  return {read_part_text(text, name, options), {{"part", name, sha256_hex(text)}}};
+  // No file of that name is read, so one may be written: the first pocket of an example is called as its results are.
+  return {read_part_text(text, name, options), {{"part", name + " (text)", sha256_hex(text)}}};
 }
 
 GivenPart part_of_file(const std::string& file, const std::string&, const ReadOptions& options) {

@@ -237,25 +237,6 @@ class Ending(unittest.TestCase):
         self.assertGreater(len(counted), 10)
 
 
-class Leaks(unittest.TestCase):
-    def test_nothing_is_left_behind(self):
-        def resident():
-            with open("/proc/self/statm") as file:
-                return int(file.read().split()[1]) * 4096
-
-        square = clearcut.part([[0, 0], [20, 0], [20, 20], [0, 20]], depth=1)
-
-        def work():
-            for _ in range(200):
-                plan = clearcut.plan(square, tools="endmill:8", strategy="zigzag", threads=1)
-                plan.moves.x, plan.findings, plan.part, plan.certificate()
-
-        work()
-        before = resident()
-        work()
-        self.assertLess(resident() - before, 8e6)
-
-
 class Own(unittest.TestCase):
     """Strategies written in Python."""
 

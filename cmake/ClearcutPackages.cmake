@@ -1,0 +1,68 @@
+# Debian packages by CPack (`make packages`; docs/installing.md): clearcut, libclearcut0.1, libclearcut-dev, python3-clearcut. Included last,
+# because it asks which targets there are. What is installed without a component belongs to the package of the command.
+set(version ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(names "tools|clearcut" "library|libclearcut${version}" "development|libclearcut-dev" "python|python3-clearcut")
+set(CPACK_COMPONENTS_ALL "")
+set(sbom ${PROJECT_BINARY_DIR}/sbom)
+
+# Every package has a folder of its own for its licence, its changes and what it is made of.
+find_program(gzip gzip REQUIRED)
+execute_process(COMMAND ${gzip} -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz)
+foreach(pair ${names})
+  string(REPLACE "|" ";" pair ${pair})
+  list(GET pair 0 component)
+  list(GET pair 1 package)
+  string(TOUPPER ${component} upper)
+  list(APPEND CPACK_COMPONENTS_ALL ${component})
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
+  set(folder ${CMAKE_INSTALL_DATADIR}/doc/${package})
+  install(FILES packaging/copyright ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${folder} COMPONENT ${component})
+  install(DIRECTORY ${sbom}/ DESTINATION ${folder} COMPONENT ${component} OPTIONAL)
+endforeach()
+
+# The bill of materials tells what the built programs load, so it is made after them.
+find_package(Python 3.9 REQUIRED COMPONENTS Interpreter)
+set(built "")
+foreach(target clearcut clearcut-solids clearcut_shared _core)
+  if(TARGET ${target})
+    list(APPEND built $<TARGET_FILE:${target}>)
+  endif()
+endforeach()
+add_custom_target(sbom ALL COMMAND ${CMAKE_COMMAND} -E rm -rf ${sbom}
+  COMMAND Python::Interpreter ${PROJECT_SOURCE_DIR}/scripts/packaging/sbom.py ${sbom} ${PROJECT_VERSION}
+  ${built} VERBATIM)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME clearcut)
+set(CPACK_PACKAGE_VENDOR "The Clearcut authors")
+set(CPACK_PACKAGE_CONTACT "The Clearcut authors <maintainers@clearcut.invalid>")
+set(CPACK_PACKAGE_CHECKSUM SHA256)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY >=)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(what "Clearcut plans 2.5-D pocket-milling toolpaths and proves them: nothing reachable is left\n uncut, no wall is gouged, no rapid runs through material.")
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "plans 2.5-D milling programs and proves them\n ${what}\n .\n This package holds the command.")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "planning and proof of milling programs, the library\n ${what}\n .\n This package holds the shared library.")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "planning and proof of milling programs, for C++\n ${what}\n .\n This package holds headers, archive, and what CMake and pkg-config need.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+  "libclearcut${version} (= ${PROJECT_VERSION}), libfmt-dev, libtbb-dev, libpugixml-dev, libtomlplusplus-dev, libpolyclipping-dev, libssl-dev, pkg-config")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "planning and proof of milling programs, for Python\n ${what}\n .\n This package holds the module for Debian's Python.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+math(EXPR next "${Python_VERSION_MINOR} + 1")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "clearcut, python3-shapely, python3-pandas")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/postinst ${PROJECT_SOURCE_DIR}/packaging/prerm)
+include(CPack)

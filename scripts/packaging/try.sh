@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Tries packages in a fresh Debian 12: try.sh FOLDER_OF_PACKAGES. Made anew by mmdebstrap (as root; what is downloaded is Debian's),
+# thrown away after: the command plans, Python imports, CMake finds, the tarball runs on what a bare Debian has, and after removal no file is
+# left. CLEARCUT_BASE names a tarball of a bare Debian to start from.
+set -euo pipefail
+packages=$(realpath "$1")
+source=$(cd "$(dirname "$0")/../.." && pwd)
+if [ "$(id -u)" -ne 0 ] || ! command -v mmdebstrap > /dev/null; then
+  echo "not tried: needs root and mmdebstrap" >&2
+  exit 0
+fi
+scratch=$(mktemp -d)
+root=$scratch/root
+# What is still mounted is not followed into.
+trap 'umount -q "$root/proc" || true; rm -rf --one-file-system "$scratch"' EXIT
+mkdir "$root"
+if [ -n "${CLEARCUT_BASE:-}" ]; then
+  tar -C "$root" -xf "$CLEARCUT_BASE"
+else
+  # From where this machine takes its packages, where it says so.
+  sources=$(find /etc/apt/sources.list.d -name debian.sources)
+  mmdebstrap --quiet --variant=minbase --mode=root --dpkgopt=force-unsafe-io bookworm "$root" ${sources:+"$sources"}
+fi
+mount -t proc proc "$root/proc"
+cp /etc/resolv.conf "$root/etc/" 2> /dev/null || true
+echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/unsafe-io"
+mkdir "$root/try"
+cp "$packages"/*.deb "$source/examples/bracket.json" "$root/try/"
+cp -r "$source/examples/embed" "$root/try/"
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive bash -euc "cd /try; $1"; }
+install() { inside "apt-get install -y -qq --no-install-recommends $1 > /try/apt.log 2>&1 || { cat /try/apt.log; exit 1; }"; }
+step() { printf '%-12s %s\n' "$1" "$2"; }
+plan='plan bracket.json --tool endmill:6 --quiet -o'
+
+# Before anything is installed: the tarball has what it needs.
+mkdir "$root/opt/a folder"
+tar -C "$root/opt/a folder" -xf "$packages"/clearcut-*.tar.xz --strip-components=1
+inside "'/opt/a folder/bin/clearcut' $plan tarball.ngc"
+[ ! -x "$root/opt/a folder/bin/clearcut-solids" ] || {
+  cp "$source/examples/bracket.step" "$root/try/"
+  inside "'/opt/a folder/bin/clearcut' info bracket.step > /dev/null"
+}
+step tarball "plans, reads a solid, on a bare Debian, in '/opt/a folder'"
+
+inside "apt-get update -qq"
+install "python3-minimal"
+install "./clearcut_*.deb"
+inside "clearcut $plan package.ngc && cmp package.ngc tarball.ngc && clearcut info bracket.json > /dev/null"
+step clearcut "plans; the same bytes as the tarball's"
+install "./python3-clearcut_*.deb"
+inside "python3 -c '
+import clearcut, importlib.metadata
+plan = clearcut.plan(\"bracket.json\", tools=\"endmill:6\")
+assert plan.clean and plan.program == open(\"package.ngc\").read()
+assert importlib.metadata.version(\"clearcut\") == clearcut.__version__'"
+inside "PYTHONPATH='/opt/a folder/lib/python3/dist-packages' python3 -c '
+import clearcut
+assert clearcut.__file__.startswith(\"/opt\") and clearcut.plan(\"bracket.json\", tools=\"endmill:6\").clean'"
+step python3 "imports and plans the same program, packaged and from the tarball"
+install "./libclearcut0*.deb ./libclearcut-dev_*.deb g++ cmake make"
+for how in OFF ON; do
+  inside "rm -rf built && cmake -S embed -B built -DEMBED_PKG_CONFIG=$how > /dev/null && cmake --build built > /dev/null && built/embed > /dev/null"
+done
+inside "sed s/clearcut::clearcut/clearcut::shared/ -i embed/CMakeLists.txt && cmake -S embed -B shared > /dev/null && cmake --build shared > /dev/null &&
+  ldd shared/embed | grep -q libclearcut.so.0 && shared/embed > /dev/null"
+step libclearcut "found by find_package and pkg-config, archive and shared; the example is built and runs"
+
+inside "apt-get purge -y -qq clearcut python3-clearcut libclearcut-dev 'libclearcut0*' > /dev/null 2>&1; ! dpkg -l '*clearcut*' 2> /dev/null | grep -q '^[ih]'"
+left=$(inside "rm -rf '/opt/a folder'; find / -xdev -path /try -prune -o -name '*clearcut*' -print | grep -v -e ^/proc || true")
+[ -z "$left" ] || { echo "left behind: $left" >&2; exit 1; }
+step removal "leaves no file"
