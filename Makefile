@@ -14,7 +14,7 @@ setup:
 	@scripts/setup.sh
 
 build:
-	@scripts/setup.sh build demo test
+	@scripts/setup.sh build demo test server
 	@$(call configure,-DCLEARCUT_TESTS=ON)
 	@cmake --build --preset release
 
