@@ -62,6 +62,7 @@ lint-viewer:
 # The report page in a browser: plays, steps, clicks, screenshots. Skipped where chromium or npm is absent.
 test-browser: build
 	@scripts/viewer_browser_test.sh $(BUILD)/apps/cli/clearcut
+	@scripts/serve_browser_test.sh $(BUILD)/apps/cli/clearcut
 
 clean:
 	rm -rf build out

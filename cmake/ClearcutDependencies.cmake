@@ -15,6 +15,8 @@ option(CLEARCUT_STEP_SOLIDS "Read STEP solids, where Open CASCADE is found" ON)
 if(CLEARCUT_STEP_SOLIDS)
   find_package(OpenCASCADE QUIET)
 endif()
+# Optional: without it `clearcut serve` says which package is missing.
+pkg_check_modules(httplib QUIET IMPORTED_TARGET cpp-httplib)
 
 # One interface library per role, so that a module never names a package.
 add_library(clearcut_testing INTERFACE)

@@ -6,7 +6,7 @@ set(viewer_source ${PROJECT_BINARY_DIR}/generated/report/html_page.cpp)
 file(GLOB viewer_files CONFIGURE_DEPENDS ${viewer_folder}/*.js ${viewer_folder}/*.css ${viewer_folder}/*.html)
 add_custom_command(OUTPUT ${viewer_source}
   COMMAND ${CMAKE_COMMAND} -DFOLDER=${viewer_folder} -DTEMPLATE=${viewer_template} -DOUTPUT=${viewer_source}
-          -P ${PROJECT_SOURCE_DIR}/cmake/EmbedViewer.cmake
+          -DSTYLE=viewer.css -DBODY=body.html -P ${PROJECT_SOURCE_DIR}/cmake/EmbedViewer.cmake
   COMMAND ${CMAKE_COMMAND} -E touch ${viewer_source}
   DEPENDS ${viewer_files} ${viewer_folder}/scripts.txt ${viewer_template} ${PROJECT_SOURCE_DIR}/cmake/EmbedViewer.cmake
   COMMENT "Embedding the viewer" VERBATIM)

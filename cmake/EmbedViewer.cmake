@@ -1,11 +1,16 @@
-# cmake -DFOLDER=src/report/viewer -DTEMPLATE=html_page.cpp.in -DOUTPUT=html_page.cpp -P EmbedViewer.cmake
-# Writes the viewer's files into the template as texts. The scripts are joined in the order of scripts.txt with an empty
-# line between two; every other byte stays.
+# cmake -DFOLDER=src/report/viewer -DTEMPLATE=html_page.cpp.in -DOUTPUT=html_page.cpp -DSTYLE=viewer.css -DBODY=body.html
+#   [-DAPART=ON] -P EmbedViewer.cmake
+# Writes a page's files into the template as texts. The scripts are joined in the order of scripts.txt with an empty
+# line between two; every other byte stays. APART: the files are served one by one, and do not lie within one another.
 cmake_minimum_required(VERSION 3.25)
 
 function(read_text variable file)
   file(READ "${FOLDER}/${file}" text)
-  foreach(forbidden "]]>" "</script" ")viewer\"")
+  set(ends ")viewer\"")
+  if(NOT APART)
+    list(APPEND ends "]]>" "</script")
+  endif()
+  foreach(forbidden IN LISTS ends)
     string(FIND "${text}" "${forbidden}" at)
     if(NOT at EQUAL -1)
       message(FATAL_ERROR "${FOLDER}/${file} holds ${forbidden}, which would end the text it is embedded in")
@@ -14,8 +19,8 @@ function(read_text variable file)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
-read_text(viewer_style viewer.css)
-read_text(viewer_body body.html)
+read_text(viewer_style ${STYLE})
+read_text(viewer_body ${BODY})
 file(STRINGS "${FOLDER}/scripts.txt" scripts)
 file(GLOB present RELATIVE "${FOLDER}" "${FOLDER}/*.js")
 foreach(script IN LISTS present)

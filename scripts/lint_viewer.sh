@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lint_viewer.sh: ESLint over the page's scripts and style (src/report/viewer), installed by npm into build/lint-viewer as
-# the lock file says. Fails on any finding.
+# lint_viewer.sh: ESLint over the scripts and styles of the report (src/report/viewer) and of the server's page
+# (apps/serve/page), installed by npm into build/lint-viewer as the lock file says. Fails on any finding.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source=src/report/viewer kit=build/lint-viewer
@@ -12,3 +12,4 @@ if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit
 fi
 cp "$source/lint.mjs" "$kit/"
 node "$kit/lint.mjs" "$source"
+node "$kit/lint.mjs" apps/serve/page may-fetch

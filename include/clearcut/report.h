@@ -15,6 +15,7 @@ using pipeline::write_contest_table;
 using pipeline::write_page;
 using pipeline::write_picture;
 using pipeline::write_segments;
+using pipeline::write_setup_sheet;
 using pipeline::write_table;
 using pipeline::write_values;
 using report::CertificateFile;

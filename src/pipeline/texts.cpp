@@ -7,6 +7,7 @@
 #include "report/contest_table.h"
 #include "report/picture/svg.h"
 #include "report/result.h"
+#include "report/sheet/setup_sheet.h"
 #include "report/table.h"
 #include "report/value_table.h"
 #include "report/viewer/html.h"
@@ -32,6 +33,15 @@ report::CertificateInfo certificate_info(const resolve::PlanOptions& options, co
 
 double eq9_time(const PlanResult& result) {
   return published_time(result.findings.all.time_naive_s, result.findings.all.turns);
+}
+
+report::SetupSheetInfo sheet_info(const resolve::PlanOptions& options, const std::string& program_name,
+                                  const std::string& dialect) {
+  report::SetupSheetInfo info;
+  info.program_name = program_name;
+  info.dialect = dialect;
+  info.inch = options.post.inch;
+  return info;
 }
 
 CertificateBasis basis_of_input(const Part& part, const std::string& command, const std::string& input) {
@@ -73,20 +83,20 @@ std::string write_certificate(const CheckResult& result, const resolve::PlanOpti
   return write_certificate(result, options, basis_of_input(result.part, "verify", input), program);
 }
 
-std::string write_values(const Part& part, const std::vector<ResolvedValue>& values) {
-  return report::plain(report::value_table(part, values));
+std::string write_values(const Part& part, const std::vector<ResolvedValue>& values, std::size_t width) {
+  return report::fitted(report::value_table(part, values), width);
 }
 
-std::string write_table(const PlanResult& result) {
-  return report::table(result.part, result.findings);
+std::string write_table(const PlanResult& result, std::size_t width) {
+  return report::table(result.part, result.findings, width);
 }
 
-std::string write_table(const CheckResult& result) {
-  return report::table(result.part, result.findings);
+std::string write_table(const CheckResult& result, std::size_t width) {
+  return report::table(result.part, result.findings, width);
 }
 
-std::string write_contest_table(const PlanResult& result) {
-  return report::plain(report::contest_table(result.contests));
+std::string write_contest_table(const PlanResult& result, std::size_t width) {
+  return report::fitted(report::contest_table(result.contests), width);
 }
 
 std::string write_picture(const PlanResult& result) {
@@ -99,6 +109,18 @@ std::string write_picture(const CheckResult& result) {
 
 std::string write_page(const PlanResult& result, const resolve::PlanOptions& options) {
   return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
+}
+
+std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,
+                              const std::string& program_name) {
+  return report::setup_sheet(result.part, result.toolpath, result.findings,
+                             sheet_info(options, program_name, options.post.dialect));
+}
+
+std::string write_setup_sheet(const CheckResult& result, const resolve::PlanOptions& options,
+                              const std::string& program_name) {
+  return report::setup_sheet(result.part, result.toolpath, result.findings,
+                             sheet_info(options, program_name, std::string(name_of(result.dialect))));
 }
 
 std::string write_segments(const PlanResult& result) {

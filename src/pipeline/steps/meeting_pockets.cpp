@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"
 #include "stock/at_depth.h"
@@ -15,6 +16,71 @@ namespace {
 /// mm. Outlines that are no farther apart touch; what reaches no farther beyond an outline does not count.
 constexpr double kTouching = 0.005;
 
+/// mm. A wall thinner than this between two outlines is rounding of the drawing's numbers; the verifier finds none either.
+constexpr double kHairline = 1e-5;
+/// mm. Outlines this near to each other are the same to polygon booleans.
+constexpr double kSame = 5e-10;
+
+std::vector<Edge> edges_of(const Regions& regions) {
+  std::vector<Edge> edges;
+  for (const Region& region : regions) {
+    const std::vector<Edge> own = region.edges();
+    edges.insert(edges.end(), own.begin(), own.end());
+  }
+  return edges;
+}
+
+/// Whether an end or the middle of `edge` lies a hairline beside the other, outside of `others`.
+bool is_hairline_beside(const Edge& edge, const Edge& other, const Regions& others) {
+  const Vec2 places[] = {edge.from, edge.at(0.5), edge.to};
+  return std::any_of(std::begin(places), std::end(places), [&](Vec2 p) {
+    const double d = distance(other, p);
+    return d > kSame && d < kHairline && !contains(others, p);
+  });
+}
+
+/// Whether a wall thinner than kHairline stands anywhere between the two areas.
+bool hairline_between(const Regions& a, const Regions& b) {
+  const std::vector<Edge> edges = edges_of(a), others = edges_of(b);
+  return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+    const Box near = edge.box().grown(kHairline);
+    return std::any_of(others.begin(), others.end(), [&](const Edge& other) {
+      return near.overlaps(other.box()) &&
+             (is_hairline_beside(edge, other, b) || is_hairline_beside(other, edge, a));
+    });
+  });
+}
+
+Loop shifted(const Loop& loop, Vec2 by) {
+  Loop moved = loop;
+  for (Edge& edge : moved) {
+    edge.from = edge.from + by;
+    edge.to = edge.to + by;
+    edge.center = edge.center + by;
+  }
+  return moved;
+}
+
+Regions shifted(const Regions& regions, Vec2 by) {
+  Regions moved;
+  for (const Region& region : regions) {
+    std::vector<Loop> islands;
+    for (const Loop& island : region.islands()) islands.push_back(shifted(island, by));
+    moved.push_back(Region::from_valid_loops(shifted(region.outer(), by), std::move(islands)));
+  }
+  return moved;
+}
+
+/// Both areas as one, also where only a hairline parts them: far thinner than offsets are made.
+Regions united_over_hairlines(const Regions& a, const Regions& b, const Tolerances& tol) {
+  Regions all = unite(a, b, tol);
+  if (!hairline_between(a, b)) return all;
+  constexpr double kAside = 1.5 * kHairline;  // along the nearer axis it crosses walls of any direction
+  for (const Vec2 aside : {Vec2{kAside, 0}, Vec2{-kAside, 0}, Vec2{0, kAside}, Vec2{0, -kAside}})
+    all = unite(all, shifted(b, aside), tol);
+  return all;
+}
+
 bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
   return !intersect(other.allowed, around, tol).empty() && !subtract(other.allowed, around, tol).empty();
 }
@@ -22,8 +88,10 @@ bool runs_into(const Feature& other, const Regions& around, const Tolerances& to
 }  // namespace
 
 MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Tolerances& tol) : tol_(tol) {
-  const Feature& pocket = feature_of(part, part.workplan[static_cast<std::size_t>(workingstep)]);
-  if (pocket.kind != FeatureKind::kClosedPocket) return;
+  const Workingstep& step = part.workplan[static_cast<std::size_t>(workingstep)];
+  const Feature& pocket = feature_of(part, step);
+  const bool leaves_stock = !closed_all_round(pocket) && step.operation.allowance_side > 0;
+  if (pocket.kind != FeatureKind::kClosedPocket && !leaves_stock) return;
   const Box here = box(pocket.target).grown(kTouching);
   std::optional<Regions> around;  // made for the first that asks: most pockets lie alone
   for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
@@ -50,19 +118,24 @@ void MeetingPockets::widen(Layer& layer) {
   const bool upright = std::all_of(open.begin(), open.end(),
                                    [](const Feature* other) { return other->wall_slope.radians() == 0; });
   if (!upright || open != last_open_ || !plan::same_outline(layer.allowed, last_allowed_)) {
-    last_widened_ = widened(layer, open);
+    last_added_ = added_to(layer, open);
     last_allowed_ = layer.allowed;
     last_open_ = open;
   }
-  if (last_widened_) layer.target = layer.allowed = *last_widened_;
+  if (!last_added_) return;
+  const Regions wide = unite(layer.allowed, *last_added_, tol_);
+  layer.target = plan::closed_all_round(layer)
+                     ? wide
+                     : unite(layer.target, subtract(*last_added_, layer.allowed, tol_), tol_);
+  layer.allowed = wide;
 }
 
-std::optional<Regions> MeetingPockets::widened(const Layer& layer,
-                                               const std::vector<const Feature*>& open) const {
+std::optional<Regions> MeetingPockets::added_to(const Layer& layer,
+                                                const std::vector<const Feature*>& open) const {
   Regions wide = layer.allowed;
   for (const Feature* other : open)
-    wide =
-        unite(wide, stock::at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol_), tol_);
+    wide = united_over_hairlines(
+        wide, stock::at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol_), tol_);
   const double around = 2 * (layer.tool_radius + layer.wall_stock);
   const Regions near = dilate(layer.allowed, around, tol_);
   const auto reached = [&](const Regions& allowed, double more) {
@@ -72,8 +145,7 @@ std::optional<Regions> MeetingPockets::widened(const Layer& layer,
   // A little more than by itself, or the two leave slivers all along where they are the same.
   const Regions gained = subtract(with_others, reached(layer.allowed, tol_.uncut / 2), tol_);
   if (gained.empty()) return std::nullopt;
-  const Regions beside = dilate(gained, around, tol_);
-  return unite(layer.allowed, intersect(wide, beside, tol_), tol_);
+  return intersect(wide, dilate(gained, around, tol_), tol_);
 }
 
 }  // namespace clearcut::pipeline

@@ -73,6 +73,7 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
     if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, plan.tol);
     if (stands.empty() || !closed_all_round(feature) || layer.z >= feature.top_z) {
       layer.target = overrun(stands, layer.allowed, plan);
+      if (!layer.target.empty() && !closed_all_round(feature)) met.widen(layer);
     } else if (!met.empty()) {
       met.widen(layer);
     }

@@ -210,6 +210,7 @@ JobOutput output_of(DataSection section) {
   out.certificate = section.text("certificate");
   out.svg = section.text("svg");
   out.report = section.text("report");
+  out.setup_sheet = section.text("setup_sheet");
   out.result = section.text("result");
   section.refuse_unknown();
   return out;

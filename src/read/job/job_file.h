@@ -51,7 +51,7 @@ struct OperationRule {
 
 /// What is to be written, as given; relative to the job's folder.
 struct JobOutput {
-  std::optional<std::string> program, post, certificate, svg, report, result;
+  std::optional<std::string> program, post, certificate, svg, report, setup_sheet, result;
   std::optional<bool> inch;
   // Switches of the post.
   std::optional<int> decimals;

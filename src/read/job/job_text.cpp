@@ -167,6 +167,7 @@ const char* const kRest = R"(
 # certificate = "out.json"
 # svg = "out.svg"
 # report = "out.html"
+# setup_sheet = "setup.html"
 )";
 
 }  // namespace

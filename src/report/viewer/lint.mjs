@@ -1,6 +1,6 @@
-// node lint.mjs FOLDER: ESLint over the scripts of FOLDER, joined in the order of scripts.txt as the page holds them, and
-// over its style sheet. Findings are told as file:line:column; any finding fails.
-import { readFileSync } from 'node:fs';
+// node lint.mjs FOLDER [may-fetch]: ESLint over the scripts of FOLDER, joined in the order of scripts.txt as the page holds them, and
+// over its style sheets. may-fetch: a page with a server of its own. Findings are told as file:line:column; any finding fails.
+import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import css from '@eslint/css';
 import js from '@eslint/js';
@@ -8,6 +8,7 @@ import { Linter } from 'eslint';
 import globals from 'globals';
 
 const folder = process.argv[2] ?? '.';
+const forbidden = ['XMLHttpRequest', 'WebSocket', 'localStorage', ...(process.argv[3] === 'may-fetch' ? [] : ['fetch'])];
 const text = name => readFileSync(join(folder, name), 'utf8');
 
 const scriptRules = [js.configs.recommended, {
@@ -16,7 +17,7 @@ const scriptRules = [js.configs.recommended, {
   rules: {
     'eqeqeq': 'error', 'no-var': 'error', 'prefer-const': 'error', 'no-use-before-define': ['error', { functions: false, variables: false }],
     'no-eval': 'error', 'no-implied-eval': 'error', 'no-throw-literal': 'error',
-    'no-restricted-globals': ['error', 'fetch', 'XMLHttpRequest', 'WebSocket', 'localStorage'],
+    'no-restricted-globals': ['error', ...forbidden],
     'no-restricted-properties': ['error', { property: 'innerHTML' }, { property: 'outerHTML' }, { property: 'insertAdjacentHTML' }],
     'max-lines-per-function': ['error', 50], 'complexity': ['error', 15],
   },
@@ -48,7 +49,9 @@ function tell(messages, placeOf) {
 const linter = new Linter({ configType: 'flat' });
 const { code, places } = joined(text('scripts.txt').trim().split('\n'));
 let found = tell(linter.verify(code, scriptRules, 'page.js'), line => places[line - 1] ?? places.at(-1));
-found += tell(linter.verify(text('viewer.css'), styleRules.map(rule => ({ files: ['**/*.css'], ...rule })), 'viewer.css'),
-  line => ({ name: 'viewer.css', line }));
-console.log(found === 0 ? 'the viewer: no findings' : `the viewer: ${found} findings`);
+for (const name of readdirSync(folder).filter(one => one.endsWith('.css'))) {
+  const rules = styleRules.map(rule => ({ files: ['**/*.css'], ...rule }));
+  found += tell(linter.verify(text(name), rules, name), line => ({ name, line }));
+}
+console.log(found === 0 ? `${folder}: no findings` : `${folder}: ${found} findings`);
 process.exit(found === 0 ? 0 : 1);

@@ -1,0 +1,87 @@
+// clearcut serve: hands its settings to the server, a program of its own that lies beside this one.
+#include <clearcut/error.h>
+#include <unistd.h>
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "commands/commands.h"
+
+namespace clearcut::cli {
+namespace {
+
+struct ServeCommand {
+  int port = 8080;
+  std::string listen = "127.0.0.1";
+  std::vector<std::string> hosts;
+  int jobs = 0;
+  double seconds = 600;
+  double megabytes = 0;
+  double upload_megabytes = 32;
+  double keep_minutes = 15;
+};
+
+constexpr double kMegabyte = 1 << 20;
+constexpr double kMinute = 60;
+
+std::string settings_json(const ServeCommand& command, const std::string& self) {
+  return nlohmann::json{{"command", self},
+                        {"port", command.port},
+                        {"listen", command.listen},
+                        {"hosts", command.hosts},
+                        {"jobs", command.jobs},
+                        {"seconds", command.seconds},
+                        {"bytes", static_cast<std::uint64_t>(command.megabytes * kMegabyte)},
+                        {"upload", static_cast<std::uint64_t>(command.upload_megabytes * kMegabyte)},
+                        {"keep_seconds", command.keep_minutes * kMinute}}
+      .dump();
+}
+
+/// Does not come back.
+void serve(const ServeCommand& command) {
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+  const std::string server = (self.parent_path() / "clearcut-serve").string();
+  std::string name = "clearcut-serve", settings = settings_json(command, self.string());
+  const std::array<char*, 3> words{name.data(), settings.data(), nullptr};
+  ::execv(server.c_str(), words.data());
+  throw InputError("serve", "this build has no server; install libcpp-httplib-dev and build again");
+}
+
+void add_limits(CLI::App& command, ServeCommand& state) {
+  command.option_defaults()->group("Limits");
+  command.add_option("--jobs", state.jobs, "Plans and checks at once; others wait (default: all cores)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--plan-time", state.seconds, "Longest time for one of them, s (default 600)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--plan-memory", state.megabytes,
+                  "Most memory for one of them, MB (default: the machine's by the number of jobs)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--upload", state.upload_megabytes, "Largest request, MB (default 32)")
+      ->check(CLI::Range(0.001, 4096.0));
+  command.add_option("--keep", state.keep_minutes, "Minutes that results can be fetched (default 15)")
+      ->check(CLI::PositiveNumber);
+}
+
+}  // namespace
+
+void add_serve_command(CLI::App& app, int& /*exit_code*/) {
+  auto* command = app.add_subcommand("serve", "Plan and check in a browser, and for other programs (HTTP)");
+  command->group("Planning");
+  auto state = std::make_shared<ServeCommand>();
+  command->option_defaults()->group("Network");
+  command->add_option("--port", state->port, "Port to listen on; 0: any that is free (default 8080)")
+      ->check(CLI::Range(0, 65535));
+  command->add_option(
+      "--listen", state->listen,
+      "Address to listen on (default 127.0.0.1, which other machines cannot reach; 0.0.0.0: all)");
+  command->add_option("--host", state->hosts, "Further name that browsers may call it by (repeatable)");
+  add_limits(*command, *state);
+  command->callback([state] { serve(*state); });
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,250 @@
+// What each route does.
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+
+#include <fstream>
+
+#include "serve/routes.h"
+#include "serve/upload.h"
+
+namespace clearcut::serve {
+namespace {
+
+using httplib::ContentReader;
+using httplib::Request;
+using httplib::Response;
+namespace fs = std::filesystem;
+
+/// Counts somebody who holds a connection for long.
+class Place {
+ public:
+  explicit Place(std::atomic<std::size_t>& count) : count_(count), number_(++count) {}
+  ~Place() { --count_; }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+  std::size_t number() const { return number_; }
+
+ private:
+  std::atomic<std::size_t>& count_;
+  std::size_t number_;
+};
+
+constexpr double kHeartbeat = 10;  // s between signs of life of events
+constexpr double kLongestUpload = 60;
+
+/// Reads the form into `upload`. Throws Refusal. `response` says where the request is too large to be read.
+void read_form(const Request& request, const Response& response, const ContentReader& content,
+               Upload& upload) {
+  if (!request.is_multipart_form_data()) throw Refusal{400, "send a form with files: multipart/form-data"};
+  std::optional<Refusal> refusal;
+  const auto began = Clock::now();
+  const auto guarded = [&](const auto& action) {
+    try {
+      if (std::chrono::duration<double>(Clock::now() - began).count() > kLongestUpload)
+        throw Refusal{408, "the files came too slowly"};
+      action();
+      return true;
+    } catch (const Refusal& found) {
+      refusal = found;
+      return false;
+    }
+  };
+  const bool whole = content(
+      [&](const httplib::MultipartFormData& field) {
+        return guarded([&] { upload.begin(field.name, field.filename); });
+      },
+      [&](const char* data, std::size_t size) { return guarded([&] { upload.add(data, size); }); });
+  if (refusal) throw *refusal;
+  if (!whole && response.status == 413) throw Refusal{413, kTooLarge};
+  if (!whole) throw Refusal{400, "the request ended early, or is no form"};
+  upload.finish();
+}
+
+bool is_job(const std::string& name) {
+  return fs::path(name).extension() == ".toml";
+}
+
+/// Words of the request's options, checked. Throws Refusal.
+std::vector<std::string> option_words(const Upload& upload, const std::vector<KnownOption>& options) {
+  try {
+    const std::string part = upload.file_of("part");
+    if (is_job(part)) check_job(read_file((upload.folder() / part).string()), part);
+    return checked_words(words_of(upload.text_of("options")), options, upload.files());
+  } catch (const InputError& error) {
+    throw Refusal{400, error.what()};
+  }
+}
+
+WorkPtr new_work(Service& service, Upload& upload, const std::string& id) {
+  if (!service.works.has_room()) throw Refusal{503, "too many plans wait; try again later"};
+  return std::make_shared<Work>(id, upload.take());
+}
+
+/// Answers with what `action` refuses.
+template <typename Action>
+void refusing(Response& response, const Action& action) {
+  try {
+    action();
+  } catch (const Refusal& refusal) {
+    if (refusal.status == 503) response.set_header("Retry-After", "5");
+    if (refusal.status != 503)
+      response.set_header("Connection", "close");  // the rest of the request is not read
+    answer_refusal(response, refusal.status, refusal.text);
+  }
+}
+
+WorkPtr work_of(Service& service, const Request& request, Response& response) {
+  WorkPtr work = service.works.find(request.matches[1]);
+  if (!work) answer_refusal(response, 404, "there is no plan of that name, or no more");
+  return work;
+}
+
+const std::vector<std::pair<std::string, std::string>> kResultFiles{{"program", "program.ngc"},
+                                                                    {"certificate", "certificate.json"},
+                                                                    {"report", "report.html"},
+                                                                    {"picture", "picture.svg"},
+                                                                    {"text", "text.txt"}};
+
+std::string file_of_result(const std::string& path) {
+  const std::string name = path.substr(path.rfind('/') + 1);
+  for (const auto& [result, file] : kResultFiles) {
+    if (result == name) return file;
+  }
+  return "";
+}
+
+/// A file as it lies there, in pieces; the work keeps it alive.
+void stream_file(const WorkPtr& work, const std::string& file, const std::string& type, Response& response) {
+  const fs::path path = work->folder / "results" / file;
+  std::error_code absent;
+  const auto size = fs::file_size(path, absent);
+  const auto stream = std::make_shared<std::ifstream>(path, std::ios::binary);
+  if (absent || !*stream) return answer_refusal(response, 404, "there is no such result");
+  if (size == 0) return response.set_content("", type);
+  response.set_content_provider(
+      size, type, [work, stream](std::size_t at, std::size_t length, httplib::DataSink& sink) {
+        constexpr std::size_t kPiece = 1U << 16;
+        std::string piece(std::min(kPiece, length), '\0');
+        stream->seekg(static_cast<std::streamoff>(at));
+        stream->read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        return stream->gcount() > 0 && sink.write(piece.data(), static_cast<std::size_t>(stream->gcount()));
+      });
+}
+
+}  // namespace
+
+void post_plan(Service& service, const Request& request, Response& response, const ContentReader& content) {
+  refusing(response, [&] {
+    const std::string id = new_id();
+    Upload upload(service.folder / id / "work", service.settings.upload);
+    read_form(request, response, content, upload);
+    const std::string part = upload.file_of("part");
+    if (part.empty()) throw Refusal{400, "the part is missing; send its file as the field 'part'"};
+    const auto options = option_words(upload, service.plan_options);
+    const WorkPtr work = new_work(service, upload, id);
+    work->part = part;
+    work->words = {"plan", part};
+    work->words.insert(work->words.end(), options.begin(), options.end());
+    work->words.insert(work->words.end(),
+                       {"--output=results/program.ngc", "--certificate=results/certificate.json",
+                        "--svg=results/picture.svg", "--report=results/report.html"});
+    service.works.add(work, true);
+    answer_json(response, 202,
+                {{"id", id},
+                 {"status", "/plan/" + id},
+                 {"events", "/plan/" + id + "/events"},
+                 {"command", work->words}});
+  });
+}
+
+void get_plan(Service& service, const Request& request, Response& response) {
+  if (const WorkPtr work = work_of(service, request, response))
+    answer_json(response, 200, service.works.status(work));
+}
+
+void drop_plan(Service& service, const Request& request, Response& response) {
+  if (!service.works.drop(request.matches[1]))
+    return answer_refusal(response, 404, "there is no plan of that name, or no more");
+  answer_json(response, 200, {{"state", "cancelled"}});
+}
+
+void get_events(Service& service, const Request& request, Response& response) {
+  const WorkPtr work = work_of(service, request, response);
+  if (!work) return;
+  const auto place = std::make_shared<Place>(service.followers);
+  if (place->number() > service.settings.most_followers) {
+    response.set_header("Retry-After", "5");
+    return answer_refusal(response, 503, "too many connections follow plans; ask for the state instead");
+  }
+  const auto seen = std::make_shared<unsigned>(~0U);
+  response.set_chunked_content_provider(
+      "text/event-stream", [&service, work, place, seen](std::size_t, httplib::DataSink& sink) {
+        const auto status = service.works.next_status(work, *seen, kHeartbeat);
+        const std::string text =
+            status ? "data: " + status->dump(-1, ' ', false, Json::error_handler_t::replace) + "\n\n"
+                   : ": still here\n\n";
+        const bool arrived = sink.write(text.data(), text.size());
+        const bool is_last = status && (*status)["state"] != "waiting" && (*status)["state"] != "running";
+        if (is_last) sink.done();
+        return arrived && (is_last || !service.works.is_stopped());
+      });
+}
+
+void get_result(Service& service, const Request& request, Response& response) {
+  const WorkPtr work = work_of(service, request, response);
+  if (!work) return;
+  const std::string file = file_of_result(request.path);
+  const std::string type = [&] {
+    for (const Route& route : routes()) {
+      if (route.path == "/plan/{id}" + request.path.substr(request.path.rfind('/'))) return route.type;
+    }
+    return std::string("text/plain");
+  }();
+  // A page of its own origin that may run its scripts and fetch nothing.
+  if (file == "report.html" || file == "picture.svg")
+    response.set_header(
+        "Content-Security-Policy",
+        "sandbox allow-scripts allow-downloads; default-src 'none'; script-src 'unsafe-inline'; "
+        "style-src 'unsafe-inline'; img-src data: blob:; frame-ancestors 'self'");
+  stream_file(work, file, type, response);
+}
+
+void post_check(Service& service, const Request& request, Response& response, const ContentReader& content) {
+  refusing(response, [&] {
+    const Place place(service.checks);
+    if (place.number() > service.settings.most_waiting / 2)
+      throw Refusal{503, "too many checks run; try again later"};
+    const std::string id = new_id();
+    Upload upload(service.folder / id / "work", service.settings.upload);
+    read_form(request, response, content, upload);
+    const std::string program = upload.file_of("program"), part = upload.file_of("part");
+    if (program.empty()) throw Refusal{400, "the program is missing; send its file as the field 'program'"};
+    if (part.empty())
+      throw Refusal{400, "the part is missing; send what the program is to make as the field 'part'"};
+    const auto options = option_words(upload, service.check_options);
+    const WorkPtr work = new_work(service, upload, id);
+    work->words = {"verify", program, "--part=" + part};
+    work->words.insert(work->words.end(), options.begin(), options.end());
+    work->words.emplace_back("--json=results/certificate.json");
+    service.works.add(work, false);
+    service.works.wait(work);
+    Json json = service.works.status(work);
+    for (const char* own : {"id", "results"}) json.erase(own);
+    const fs::path certificate = work->folder / "results/certificate.json",
+                   text = work->folder / "results/text.txt";
+    if (fs::exists(certificate))
+      json["certificate"] = Json::parse(read_file(certificate.string()), nullptr, false);
+    if (fs::exists(text)) json["text"] = read_file(text.string());
+    answer_json(response, 200, json);
+  });
+}
+
+Service::Service(const Settings& given, fs::path place, std::string options_json)
+    : settings(given),
+      folder(std::move(place)),
+      options(std::move(options_json)),
+      plan_options(known_options(options, "plan")),
+      check_options(known_options(options, "verify")),
+      works(settings) {}
+
+}  // namespace clearcut::serve

@@ -1,0 +1,91 @@
+// The tab that checks a program of any CAM against the part it is for.
+
+const check = { files: null };
+const mostLines = 20000;  // of a program that are shown
+
+function checkOptions() {
+  const words = [];
+  const add = (name, value) => { if (value.trim()) words.push(`${name} ${quoted(value.trim())}`); };
+  const diameter = element('check-diameter').value.trim();
+  if (diameter) add('--tool', `${element('check-kind').value}:${diameter}`);
+  add('--depth', element('check-depth').value);
+  add('--dialect', element('dialect').value);
+  words.push(element('check-options').value.trim());
+  return words.filter(word => word).join(' ');
+}
+
+function showCheckCommand() {
+  const program = check.files.of('program'), part = check.files.of('part');
+  const whole = program && part;
+  element('check-command').textContent = whole ? `clearcut verify ${quoted(program.name)} --part ${quoted(part.name)} ${checkOptions()}` : '';
+  element('check-go').disabled = !whole;
+}
+
+/** The line of the program that a fault names, 0 where it names none. */
+function lineOf(fault) { return Number(fault.line ?? 0); }
+
+function showLine(number) {
+  const line = element('check-lines').children[number - 1];
+  if (!line) return;
+  line.classList.add('fault');
+  line.scrollIntoView({ block: 'center' });
+}
+
+function faultLine(text, line, kind) {
+  const item = made('li', text, { class: kind });
+  if (line > 0) {
+    const button = made('button', `Line ${line}`, { type: 'button' });
+    button.addEventListener('click', () => showLine(line));
+    item.append(button);
+  }
+  return item;
+}
+
+async function showProgram(program, faults) {
+  const lines = (await program.text()).trimEnd().split(/\r?\n/);
+  const marked = new Set(faults.map(lineOf));
+  const shown = lines.length <= mostLines;
+  element('check-lines').hidden = element('check-lines-title').hidden = !shown;
+  if (shown) element('check-lines').replaceChildren(...lines.map((text, i) => made('li', text || ' ', marked.has(i + 1) ? { class: 'fault' } : {})));
+}
+
+function showCheck(state, program) {
+  const verdict = element('check-verdict');
+  verdict.textContent = state.verdict;
+  verdict.className = `verdict ${state.verdict}`;
+  const faults = state.certificate?.faults ?? [];
+  const conditions = (state.certificate?.conditions ?? []).filter(one => !one.met);
+  element('check-summary').textContent = faults.length === 0 ? 'no fault found' : `${faults.length} ${faults.length === 1 ? 'fault' : 'faults'}`;
+  element('check-faults').replaceChildren(
+    ...faults.map(fault => faultLine(fault.text, lineOf(fault), 'fault')),
+    ...conditions.map(one => faultLine(one.text ?? one.name, 0, 'condition')));
+  fillList(element('check-messages'), state.messages);
+  element('check-notes').hidden = state.messages.length === 0;
+  element('check-text').textContent = state.text ?? '';
+  element('check-result').hidden = false;
+  say(element('check-status'), `Done: ${state.verdict}.`);
+  showProgram(program, faults);
+}
+
+async function startCheck(event) {
+  event.preventDefault();
+  const program = check.files.of('program');
+  element('check-result').hidden = true;
+  element('check-go').disabled = true;
+  say(element('check-status'), 'Checking …');
+  try {
+    const state = await asked('/check', { method: 'POST', body: check.files.form(checkOptions()) });
+    if (state.state === 'done') showCheck(state, program);
+    else say(element('check-status'), state.message, true);
+  } catch (error) {
+    say(element('check-status'), error.message, true);
+  }
+  element('check-go').disabled = false;
+}
+
+function setUpCheck() {
+  check.files = new ChosenFiles(document.querySelector('[data-files=check]'), element('check-files'), element('check-list'), ['program', 'part', 'file'], showCheckCommand);
+  element('check-form').addEventListener('submit', startCheck);
+  element('check-form').addEventListener('input', showCheckCommand);
+  showCheckCommand();
+}

@@ -1,0 +1,37 @@
+'use strict';
+// Small helpers of the page.
+
+const element = id => document.getElementById(id);
+
+/** An element of that kind with text and attributes. */
+function made(kind, text, attributes = {}) {
+  const one = document.createElement(kind);
+  if (text) one.textContent = text;
+  for (const [name, value] of Object.entries(attributes)) one.setAttribute(name, value);
+  return one;
+}
+
+function fillList(list, texts) { list.replaceChildren(...texts.map(text => made('li', text))); }
+
+function fillSelect(select, values, first) {
+  const options = values.map(value => made('option', value, { value }));
+  if (first) options.unshift(made('option', first, { value: '' }));
+  select.replaceChildren(...options);
+}
+
+/** Says what is going on; errors are told apart. */
+function say(status, text, isError = false) {
+  status.textContent = text;
+  status.classList.toggle('error', isError);
+}
+
+/** A word as a shell takes it. */
+function quoted(word) { return /^[\w@%+=:,./-]+$/.test(word) ? word : `"${word.replaceAll('"', '')}"`; }
+
+/** The answer as JSON; throws an Error with the server's own words. */
+async function asked(path, request) {
+  const answer = await fetch(path, request).catch(() => { throw new Error('The server does not answer. Is it still running?'); });
+  const json = await answer.json().catch(() => ({}));
+  if (!answer.ok) throw new Error(json.error || `The server answers ${answer.status}.`);
+  return json;
+}

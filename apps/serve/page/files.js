@@ -1,0 +1,75 @@
+// Lists of files that were chosen or dropped, each with what it is for.
+
+const partKinds = ['dxf', 'svg', 'step', 'stp', 'p21', 'stpnc', '238', 'json', 'edges', 'toml'];
+const programKinds = ['ngc', 'nc', 'gcode', 'tap', 'cnc', 'h', 'mpf', 'txt', 'gc', 'eia', 'min'];
+const kindOf = name => name.slice(name.lastIndexOf('.') + 1).toLowerCase();
+
+/** A list of files with their roles: 'part', 'program' or 'file'. */
+class ChosenFiles {
+  constructor(drop, input, list, roles, changed) {
+    this.entries = [];
+    this.list = list;
+    this.roles = roles;
+    this.changed = changed;
+    input.addEventListener('change', () => { this.add(input.files); input.value = ''; });
+    drop.addEventListener('dragover', event => { event.preventDefault(); drop.classList.add('over'); });
+    drop.addEventListener('dragleave', () => drop.classList.remove('over'));
+    drop.addEventListener('drop', event => {
+      event.preventDefault();
+      drop.classList.remove('over');
+      this.add(event.dataTransfer.files);
+    });
+  }
+
+  add(files) {
+    for (const file of files) {
+      this.entries = this.entries.filter(entry => entry.file.name !== file.name);
+      this.entries.push({ file, role: this.likelyRole(file.name) });
+    }
+    this.show();
+  }
+
+  /** What a file of that name is for, where its role is not taken. */
+  likelyRole(name) {
+    const kind = kindOf(name);
+    if (this.roles.includes('program') && programKinds.includes(kind) && !this.of('program')) return 'program';
+    return partKinds.includes(kind) && !this.of('part') ? 'part' : 'file';
+  }
+
+  of(role) { return this.entries.find(entry => entry.role === role)?.file; }
+
+  setRole(chosen, role) {
+    for (const entry of this.entries) if (role !== 'file' && entry.role === role) entry.role = 'file';
+    chosen.role = role;
+    this.show();
+  }
+
+  show() {
+    this.list.replaceChildren(...this.entries.map(entry => this.line(entry)));
+    this.changed();
+  }
+
+  line(entry) {
+    const line = made('li');
+    const role = made('select', '', { 'aria-label': `What ${entry.file.name} is` });
+    const words = { part: 'the part', program: 'the program', file: 'named by another' };
+    role.replaceChildren(...this.roles.map(value => made('option', words[value], { value })));
+    role.value = entry.role;
+    role.addEventListener('change', () => this.setRole(entry, role.value));
+    const remove = made('button', 'Remove', { type: 'button', 'aria-label': `Remove ${entry.file.name}` });
+    remove.addEventListener('click', () => {
+      this.entries = this.entries.filter(one => one !== entry);
+      this.show();
+    });
+    line.append(made('span', entry.file.name, { class: 'name' }), role, remove);
+    return line;
+  }
+
+  /** As a form for the server. */
+  form(options) {
+    const form = new FormData();
+    form.append('options', options);
+    for (const entry of this.entries) form.append(entry.role, entry.file, entry.file.name);
+    return form;
+  }
+}

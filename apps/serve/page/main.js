@@ -1,0 +1,48 @@
+// Tabs, and what the command itself says of its options.
+
+const tabs = ['plan', 'check'];
+
+function showTab(name) {
+  for (const one of tabs) {
+    const chosen = one === name;
+    element(one).hidden = !chosen;
+    element(`tab-${one}`).setAttribute('aria-selected', String(chosen));
+    element(`tab-${one}`).tabIndex = chosen ? 0 : -1;
+  }
+}
+
+function setUpTabs() {
+  tabs.forEach((name, i) => {
+    const tab = element(`tab-${name}`);
+    tab.addEventListener('click', () => showTab(name));
+    tab.addEventListener('keydown', event => {
+      if (event.key !== 'ArrowRight' && event.key !== 'ArrowLeft') return;
+      const next = tabs[(i + 1) % tabs.length];
+      showTab(next);
+      element(`tab-${next}`).focus();
+    });
+  });
+  // A file dropped beside a list must not replace the page.
+  for (const kind of ['dragover', 'drop']) document.addEventListener(kind, event => event.preventDefault());
+}
+
+const toolKinds = ['endmill', 'facemill', 'bullnose', 'ball', 'drill', 'reamer'];
+
+async function setUpOptions() {
+  const options = await asked('/options');
+  const values = (command, name) => options[command].find(one => one.names.includes(name))?.values ?? [];
+  fillSelect(element('unit'), values('plan', '--unit'), 'as the file says');
+  fillSelect(element('strategy'), values('plan', '--strategy').filter(name => name !== 'auto'), 'the fastest');
+  fillSelect(element('post'), values('plan', '--post').filter(name => name !== 'linuxcnc'), 'linuxcnc');
+  fillSelect(element('dialect'), values('verify', '--dialect'), 'recognise it');
+  for (const [list, command] of [['plan-names', 'plan'], ['check-names', 'verify']]) {
+    const usable = options[command].filter(one => !one.positional && !['Output', 'Help'].includes(one.group));
+    element(list).replaceChildren(...usable.map(one => made('option', '', { value: `${one.names.at(-1)}${one.value ? ' ' : ''}`, label: one.help.slice(0, 80) })));
+  }
+}
+
+for (const id of ['tool-kind', 'check-kind']) fillSelect(element(id), toolKinds);
+setUpTabs();
+setUpPlan();
+setUpCheck();
+setUpOptions().catch(error => say(element('plan-status'), error.message, true));

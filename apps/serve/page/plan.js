@@ -1,0 +1,146 @@
+// The tab that plans.
+
+const plan = { files: null, id: '', events: null };
+
+/** Files that say their tools themselves. */
+const saysTools = name => ['toml', 'p21', 'stpnc', '238'].includes(kindOf(name));
+
+function planOptions() {
+  const words = [];
+  const add = (name, value) => { if (value.trim()) words.push(`${name} ${quoted(value.trim())}`); };
+  const diameter = element('tool-diameter').value.trim();
+  if (diameter) add('--tool', `${element('tool-kind').value}:${diameter}`);
+  add('--depth', element('depth').value);
+  add('--unit', element('unit').value);
+  add('--strategy', element('strategy').value);
+  add('--post', element('post').value);
+  words.push(element('plan-options').value.trim());
+  return words.filter(word => word).join(' ');
+}
+
+function showPlanCommand() {
+  const part = plan.files.of('part');
+  element('plan-command').textContent = part ? `clearcut plan ${quoted(part.name)} ${planOptions()} -o program.ngc` : '';
+  element('plan-go').disabled = !part;
+}
+
+function planFilesChanged() {
+  const part = plan.files.of('part');
+  const diameter = element('tool-diameter');
+  if (part && !diameter.dataset.typed) diameter.value = saysTools(part.name) ? '' : '6';
+  if (part && !plan.id) say(element('plan-status'), `${part.name} is ready to be planned.`);
+  showPlanCommand();
+}
+
+function progressText(state) {
+  if (state.state === 'waiting') return state.ahead > 0 ? `Waiting; ${state.ahead} before it.` : 'Waiting for its turn.';
+  const seconds = Math.round(state.seconds ?? 0);
+  const progress = state.progress;
+  if (!progress) return `Reading and preparing … ${seconds} s`;
+  if (progress.stage === 'certifying') return `Certifying the program … ${seconds} s`;
+  const left = progress.left_s ? `, at most ${progress.left_s} s left` : '';
+  return `Planning: ${progress.done} of at most ${progress.most} candidates … ${seconds} s${left}`;
+}
+
+function showProgress(state) {
+  const bar = element('plan-progress');
+  bar.hidden = false;
+  if (state.progress?.most > 0 && state.progress.stage === 'planning') {
+    bar.max = state.progress.most;
+    bar.value = state.progress.done;
+  } else {
+    bar.removeAttribute('value');
+  }
+  say(element('plan-status'), progressText(state));
+}
+
+const downloads = [['program', 'Program', '.ngc'], ['certificate', 'Certificate', '.json'], ['report', 'Report', '.html'], ['picture', 'Picture', '.svg'], ['text', 'Figures', '.txt']];
+
+function showDownloads(results, stem) {
+  const there = downloads.filter(([name]) => results[name]);
+  element('plan-downloads').replaceChildren(...there.map(([name, title, ending]) => {
+    const line = made('li');
+    line.append(made('a', title, { href: results[name], download: stem + ending }));
+    return line;
+  }));
+}
+
+function showPlan(state) {
+  const verdict = element('plan-verdict');
+  verdict.textContent = state.verdict;
+  verdict.className = `verdict ${state.verdict}`;
+  element('plan-summary').textContent = `planned and certified in ${state.seconds.toFixed(1)} s`;
+  showDownloads(state.results, plan.files.of('part')?.name.replace(/\.[^.]*$/, '') ?? 'program');
+  fillList(element('plan-messages'), state.messages);
+  element('plan-notes').hidden = state.messages.length === 0;
+  element('plan-report').src = state.results.report;
+  element('plan-result').hidden = false;
+  say(element('plan-status'), `Done: ${state.verdict}.`);
+}
+
+function endPlan() {
+  plan.events?.close();
+  plan.events = null;
+  element('plan-progress').hidden = true;
+  element('plan-cancel').hidden = true;
+  element('plan-go').disabled = !plan.files.of('part');
+}
+
+function hearPlan(state) {
+  if (state.state === 'waiting' || state.state === 'running') return showProgress(state);
+  endPlan();
+  if (state.state === 'done') return showPlan(state);
+  say(element('plan-status'), state.message || 'Cancelled.', state.state === 'failed');
+}
+
+function followPlan(id) {
+  plan.events = new EventSource(`/plan/${id}/events`);
+  plan.events.onmessage = event => hearPlan(JSON.parse(event.data));
+  plan.events.onerror = async () => {
+    plan.events?.close();
+    try {
+      const state = await asked(`/plan/${id}`);
+      hearPlan(state);
+      if (plan.events) setTimeout(() => followPlan(id), 1000);
+    } catch (error) {
+      endPlan();
+      say(element('plan-status'), error.message, true);
+    }
+  };
+}
+
+async function startPlan(event) {
+  event.preventDefault();
+  if (plan.id) asked(`/plan/${plan.id}`, { method: 'DELETE' }).catch(() => {});  // its results are not wanted any more
+  plan.id = '';
+  element('plan-result').hidden = true;
+  element('plan-report').removeAttribute('src');
+  element('plan-go').disabled = true;
+  say(element('plan-status'), 'Sending the files …');
+  try {
+    const answer = await asked('/plan', { method: 'POST', body: plan.files.form(planOptions()) });
+    plan.id = answer.id;
+    element('plan-cancel').hidden = false;
+    followPlan(answer.id);
+  } catch (error) {
+    endPlan();
+    say(element('plan-status'), error.message, true);
+  }
+}
+
+async function cancelPlan() {
+  const id = plan.id;
+  plan.id = '';
+  endPlan();
+  say(element('plan-status'), 'Cancelled.');
+  await asked(`/plan/${id}`, { method: 'DELETE' }).catch(() => {});
+}
+
+function setUpPlan() {
+  plan.files = new ChosenFiles(document.querySelector('[data-files=plan]'), element('plan-files'), element('plan-list'), ['part', 'file'], planFilesChanged);
+  element('plan-form').addEventListener('submit', startPlan);
+  element('plan-form').addEventListener('input', showPlanCommand);
+  element('tool-diameter').addEventListener('input', event => { event.target.dataset.typed = '1'; });
+  element('plan-cancel').addEventListener('click', cancelPlan);
+  showPlanCommand();
+}

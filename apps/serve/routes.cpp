@@ -1,0 +1,170 @@
+#include "serve/routes.h"
+
+#include <clearcut/version.h>
+
+#include <map>
+
+#include "serve/page_text.h"
+
+namespace clearcut::serve {
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+
+const std::vector<std::pair<int, std::string>> kUpload{{400, "the request cannot be used; the text says why"},
+                                                       {413, "larger than this server takes"},
+                                                       {503, "too much is going on; try again later"}};
+
+std::vector<std::pair<int, std::string>> with_upload(std::vector<std::pair<int, std::string>> answers) {
+  answers.insert(answers.end(), kUpload.begin(), kUpload.end());
+  return answers;
+}
+
+Route file_route(const std::string& path, const std::string& summary, const char* text,
+                 const std::string& type) {
+  Route route{"GET", path, summary, {}, {{200, summary}}, type, {}, {}};
+  route.handler = [text, type](Service&, const Request&, Response& response) {
+    response.set_content(text, type);
+  };
+  return route;
+}
+
+std::vector<Route> result_routes() {
+  const std::pair<int, std::string> unknown{404, "no plan of that name, or no such result"};
+  std::vector<Route> out;
+  for (const auto& [name, what, type] :
+       std::initializer_list<std::tuple<const char*, const char*, const char*>>{
+           {"program", "The program for the controller", "text/plain; charset=utf-8"},
+           {"certificate", "The certificate", "application/json"},
+           {"report", "The page that plays the machining", "text/html; charset=utf-8"},
+           {"picture", "The picture", "image/svg+xml"},
+           {"text", "What the command prints", "text/plain; charset=utf-8"}})
+    out.push_back(
+        {"GET", std::string("/plan/{id}/") + name, what, {}, {{200, what}, unknown}, type, get_result, {}});
+  return out;
+}
+
+/// A text that the service holds or makes.
+Route text_route(const std::string& path, const std::string& summary,
+                 std::function<std::string(Service&)> text) {
+  Route route{"GET", path, summary, {}, {{200, summary}}, "application/json", {}, {}};
+  route.handler = [text = std::move(text)](Service& service, const Request&, Response& response) {
+    response.set_content(text(service), "application/json");
+  };
+  return route;
+}
+
+std::vector<Route> plan_routes() {
+  const std::pair<int, std::string> unknown{404, "no plan of that name"};
+  const std::string json = "application/json";
+  std::vector<Route> out;
+  out.push_back(
+      {"POST",
+       "/plan",
+       "Plan a part: its file, further files that it or the options name, options as on the command line",
+       {"part", "file", "options"},
+       with_upload({{202, "queued; where its state and events are"}}),
+       json,
+       {},
+       post_plan});
+  out.push_back(
+      {"GET", "/plan/{id}", "State of a plan", {}, {{200, "the state"}, unknown}, json, get_plan, {}});
+  out.push_back({"DELETE",
+                 "/plan/{id}",
+                 "Cancel a plan and forget it",
+                 {},
+                 {{200, "gone"}, unknown},
+                 json,
+                 drop_plan,
+                 {}});
+  out.push_back(
+      {"GET",
+       "/plan/{id}/events",
+       "The state whenever it changes, as server-sent events, until the end",
+       {},
+       {{200, "events"}, unknown, {503, "too many connections follow plans; ask for the state instead"}},
+       "text/event-stream",
+       get_events,
+       {}});
+  return out;
+}
+
+std::vector<Route> all_routes() {
+  std::vector<Route> out;
+  out.push_back(file_route("/", "The page for people", kPageHtml, "text/html; charset=utf-8"));
+  out.push_back(file_route("/app.js", "Its script", kPageScript, "text/javascript; charset=utf-8"));
+  out.push_back(file_route("/app.css", "Its style", kPageStyle, "text/css; charset=utf-8"));
+  out.push_back(text_route("/openapi.json", "This description", [](Service&) { return openapi_json(); }));
+  out.push_back(text_route("/options", "Options of every command, as the command line takes them",
+                           [](Service& service) { return service.options; }));
+  for (auto& route : plan_routes()) out.push_back(std::move(route));
+  for (auto& route : result_routes()) out.push_back(std::move(route));
+  out.push_back({"POST",
+                 "/check",
+                 "Judge any program against the part it is for",
+                 {"program", "part", "file", "options"},
+                 with_upload({{200, "verdict and faults"}}),
+                 "application/json",
+                 {},
+                 post_check});
+  return out;
+}
+
+Json form_of(const Route& route) {
+  const Json file{{"type", "string"}, {"format", "binary"}}, files{{"type", "array"}, {"items", file}},
+      text{{"type", "string"}};
+  Json fields = Json::object();
+  for (const auto& field : route.form)
+    fields[field] = field == "options" ? text : field == "file" ? files : file;
+  const Json schema{
+      {"type", "object"}, {"properties", fields}, {"required", Json::array({route.form.front()})}};
+  return {{"required", true}, {"content", {{"multipart/form-data", {{"schema", schema}}}}}};
+}
+
+Json operation_of(const Route& route) {
+  Json answers = Json::object();
+  for (const auto& [status, text] : route.answers) {
+    const bool is_good = status < 300;
+    answers[std::to_string(status)] = {
+        {"description", text},
+        {"content",
+         {{is_good ? route.type.substr(0, route.type.find(';')) : "application/json", Json::object()}}}};
+  }
+  Json operation{{"summary", route.summary}, {"responses", answers}};
+  if (route.path.find("{id}") != std::string::npos)
+    operation["parameters"] =
+        Json::array({{{"name", "id"}, {"in", "path"}, {"required", true}, {"schema", {{"type", "string"}}}}});
+  if (!route.form.empty()) operation["requestBody"] = form_of(route);
+  return operation;
+}
+
+}  // namespace
+
+const std::vector<Route>& routes() {
+  static const std::vector<Route> all = all_routes();
+  return all;
+}
+
+std::string openapi_json() {
+  Json paths = Json::object();
+  for (const Route& route : routes()) {
+    std::string method = route.method;
+    for (char& c : method) c = static_cast<char>(std::tolower(c));
+    paths[route.path][method] = operation_of(route);
+  }
+  const Json all{
+      {"openapi", "3.1.0"}, {"info", {{"title", "clearcut serve"}, {"version", kVersion}}}, {"paths", paths}};
+  return all.dump(1) + "\n";
+}
+
+void answer_json(Response& response, int status, const Json& json) {
+  response.status = status;
+  response.set_content(json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n", "application/json");
+}
+
+void answer_refusal(Response& response, int status, const std::string& text) {
+  answer_json(response, status, {{"error", text}});
+}
+
+}  // namespace clearcut::serve

@@ -1,0 +1,61 @@
+// What the server answers: a table of routes, from which the description for programs is made.
+#pragma once
+
+#include <httplib.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "serve/option_words.h"
+#include "serve/settings.h"
+#include "serve/work_list.h"
+
+namespace clearcut::serve {
+
+/// What the routes share.
+struct Service {
+  const Settings& settings;
+  std::filesystem::path folder;  ///< of the session
+  std::string options;           ///< of plan and verify, as JSON
+  std::vector<KnownOption> plan_options, check_options;
+  WorkList works;
+  std::atomic<std::size_t> followers = 0;  ///< connections with events
+  std::atomic<std::size_t> checks = 0;     ///< that somebody waits for
+
+  Service(const Settings& given, std::filesystem::path place, std::string options_json);
+};
+
+struct Route {
+  std::string method;                                ///< GET, POST, DELETE
+  std::string path;                                  ///< as OpenAPI writes it: /plan/{id}/events
+  std::string summary;                               ///< one line
+  std::vector<std::string> form;                     ///< fields of the form that it takes
+  std::vector<std::pair<int, std::string>> answers;  ///< status, and what it means
+  std::string type = "application/json";             ///< of the answer
+  std::function<void(Service&, const httplib::Request&, httplib::Response&)> handler;
+  /// For requests with a form, read as it comes.
+  std::function<void(Service&, const httplib::Request&, httplib::Response&, const httplib::ContentReader&)>
+      reader;
+};
+
+const std::vector<Route>& routes();
+
+/// OpenAPI 3.1.
+std::string openapi_json();
+
+/// {"error": "..."}
+void answer_refusal(httplib::Response& response, int status, const std::string& text);
+void answer_json(httplib::Response& response, int status, const Json& json);
+
+// The handlers, by route.
+void post_plan(Service& service, const httplib::Request& request, httplib::Response& response,
+               const httplib::ContentReader& content);
+void get_plan(Service& service, const httplib::Request& request, httplib::Response& response);
+void drop_plan(Service& service, const httplib::Request& request, httplib::Response& response);
+void get_events(Service& service, const httplib::Request& request, httplib::Response& response);
+void get_result(Service& service, const httplib::Request& request, httplib::Response& response);
+void post_check(Service& service, const httplib::Request& request, httplib::Response& response,
+                const httplib::ContentReader& content);
+
+}  // namespace clearcut::serve

@@ -1,0 +1,145 @@
+#include "serve/server.h"
+
+#include <clearcut/error.h>
+
+#include <chrono>
+#include <regex>
+#include <thread>
+
+#include "serve/guard.h"
+#include "serve/upload.h"
+
+namespace clearcut::serve {
+namespace {
+
+using httplib::Request;
+using httplib::Response;
+using Answered = httplib::Server::HandlerResponse;
+
+constexpr std::size_t kThreads = 160;   // more than those who follow plans and those who wait for a check
+constexpr time_t kLongestSilence = 10;  // s of a connection in the middle of a request
+
+/// A thread that runs out of memory over a request drops that connection alone.
+class Threads : public httplib::TaskQueue {
+ public:
+  void enqueue(std::function<void()> action) override {
+    pool_.enqueue([action = std::move(action)] {
+      try {
+        action();
+      } catch (const std::exception&) {  // nobody is left to be told
+      }
+    });
+  }
+  void shutdown() override { pool_.shutdown(); }
+
+ private:
+  httplib::ThreadPool pool_{kThreads};
+};
+
+/// "/plan/([0-9a-f]+)/events"
+std::string pattern_of(const std::string& path) {
+  return std::regex_replace(path, std::regex("\\{id\\}"), "([0-9a-f]{32})");
+}
+
+/// The page is its own and loads nothing from elsewhere; nothing stays in the browser's store.
+httplib::Headers usual_headers() {
+  return {{"X-Content-Type-Options", "nosniff"},
+          {"Referrer-Policy", "no-referrer"},
+          {"Cache-Control", "no-store"},
+          {"Cross-Origin-Resource-Policy", "same-origin"}};
+}
+
+const char* const kPagePolicy =
+    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+    "frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+}  // namespace
+
+Server::Server(Service& service) : service_(service) {
+  server_.new_task_queue = [] { return new Threads; };
+  limit();
+  guard();
+  add_routes();
+}
+
+void Server::limit() {
+  server_.set_payload_max_length(service_.settings.upload + (1U << 16));  // headers of the form's fields
+  server_.set_read_timeout(kLongestSilence);
+  server_.set_write_timeout(kLongestSilence);
+  // One request a connection: what is left of one that was refused is never taken for another.
+  server_.set_keep_alive_max_count(1);
+  server_.set_default_headers(usual_headers());
+}
+
+void Server::guard() {
+  const bool is_open = !is_loopback(service_.settings.listen);
+  server_.set_pre_routing_handler([this, is_open](const Request& request, Response& response) {
+    const Caller caller{request.get_header_value("Host"), request.get_header_value("Origin"),
+                        request.get_header_value("Sec-Fetch-Site"), request.path == "/"};
+    const auto refused = refusal_of(caller, service_.settings.hosts, is_open);
+    if (refused) answer_refusal(response, 403, *refused);
+    if (!refused && request.has_header("Range"))
+      answer_refusal(response, 416, "parts of a file are not served");
+    return response.status > 0 ? Answered::Handled : Answered::Unhandled;
+  });
+  server_.set_error_handler([](const Request&, Response& response) {
+    if (!response.body.empty()) return;
+    const bool unknown = response.status == 404;
+    answer_refusal(response, response.status,
+                   unknown ? "there is nothing of that name; GET /openapi.json lists what there is"
+                   : response.status == 413 ? kTooLarge
+                                            : "the request cannot be used");
+  });
+  server_.set_exception_handler([](const Request&, Response& response, std::exception_ptr) {
+    answer_refusal(response, 500, "internal fault of the server");
+  });
+  server_.set_post_routing_handler([](const Request&, Response& response) {
+    if (!response.has_header("Content-Security-Policy"))
+      response.set_header("Content-Security-Policy", kPagePolicy);
+  });
+}
+
+void Server::add_routes() {
+  for (const Route& route : routes()) {
+    const std::string pattern = pattern_of(route.path);
+    const auto call = [this, &route](const Request& request, Response& response) {
+      route.handler(service_, request, response);
+    };
+    if (route.reader) {
+      server_.Post(pattern, [this, &route](const Request& request, Response& response,
+                                           const httplib::ContentReader& content) {
+        route.reader(service_, request, response, content);
+      });
+    } else if (route.method == "GET") {
+      server_.Get(pattern, call);
+    } else {
+      server_.Delete(pattern, call);
+    }
+  }
+}
+
+int Server::bind() {
+  const Settings& settings = service_.settings;
+  if (settings.port == 0) {
+    const int port = server_.bind_to_any_port(settings.listen);
+    if (port > 0) return port;
+  } else if (server_.bind_to_port(settings.listen, settings.port)) {
+    return settings.port;
+  }
+  throw InputError("--port", "cannot be listened on (" + settings.listen + ", " +
+                                 std::to_string(settings.port) +
+                                 "); another program may have it: name another, or 0 for any");
+}
+
+void Server::run() {
+  server_.listen_after_bind();
+}
+
+void Server::stop() {
+  for (int i = 0; i < 1000 && !server_.is_running(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  service_.works.stop();
+  server_.stop();
+}
+
+}  // namespace clearcut::serve

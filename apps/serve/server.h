@@ -1,0 +1,27 @@
+// The server itself: listens, lets in who may come in, and hands on to the routes.
+#pragma once
+
+#include "serve/routes.h"
+
+namespace clearcut::serve {
+
+class Server {
+ public:
+  explicit Server(Service& service);
+  /// The port that it listens on. Throws InputError where it is taken.
+  int bind();
+  /// Until stop().
+  void run();
+  /// From another thread.
+  void stop();
+
+ private:
+  void guard();
+  void add_routes();
+  void limit();
+
+  Service& service_;
+  httplib::Server server_;
+};
+
+}  // namespace clearcut::serve

@@ -1,0 +1,66 @@
+// One plan or check: what is asked, how far it is, what came of it.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace clearcut::serve {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+enum class WorkState : unsigned char { kWaiting, kRunning, kDone, kFailed, kCancelled };
+
+std::string name_of(WorkState state);
+
+/// What its end was, as read from its folder.
+struct WorkEnd {
+  WorkState state = WorkState::kDone;
+  int exit_code = 0;
+  std::string verdict;  ///< of the certificate; "" where there is none
+  std::string message;  ///< one line: why there is no result
+};
+
+/// Everything but `folder`, `words` and `is_cancelled` is guarded by the list's mutex.
+struct Work {
+  std::string id;
+  std::filesystem::path
+      folder;  ///< files of the request and results/; the one around it is removed in the end
+  std::vector<std::string> words;
+  std::string part;  ///< name of the part's file
+  std::atomic<bool> is_cancelled = false;
+
+  WorkState state = WorkState::kWaiting;
+  WorkEnd end;
+  Json progress;                      ///< last said: stage, done, most
+  std::vector<std::string> messages;  ///< warnings and notes, in their order
+  unsigned version = 0;               ///< counts changes
+  Clock::time_point began, ended;
+
+  Work(std::string name, std::filesystem::path place) : id(std::move(name)), folder(std::move(place)) {}
+  ~Work();
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+};
+
+/// Reads what the child says on its standard error: lines of progress (JSON) and messages.
+class ChildTalk {
+ public:
+  explicit ChildTalk(std::filesystem::path log) : log_(std::move(log)) {}
+  /// What was said since the last call; whole lines alone.
+  void read(Json& progress, std::vector<std::string>& messages);
+
+ private:
+  std::filesystem::path log_;
+  std::uintmax_t at_ = 0;
+  std::string rest_;
+};
+
+/// Verdict and message from the folder of a child that ended with this code.
+WorkEnd end_of(const std::filesystem::path& folder, int exit_code, const std::vector<std::string>& messages);
+
+}  // namespace clearcut::serve

@@ -1,0 +1,71 @@
+// All plans and checks of the session: a queue, so many at once, and results for a while.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "serve/settings.h"
+#include "serve/work.h"
+
+namespace clearcut::serve {
+
+using WorkPtr = std::shared_ptr<Work>;
+
+class WorkList {
+ public:
+  explicit WorkList(const Settings& settings);
+  /// Ends what runs.
+  ~WorkList();
+  WorkList(const WorkList&) = delete;
+  WorkList& operator=(const WorkList&) = delete;
+
+  /// Whether another may join.
+  bool has_room() const;
+  /// Queues it; its folder is removed with the last who knows it. `is_kept`: it can be found by its name afterwards.
+  void add(const WorkPtr& work, bool is_kept);
+  /// Null where there is none, or no more.
+  WorkPtr find(const std::string& id) const;
+  /// Stops it where it runs, and forgets it. "No" where there is none.
+  bool drop(const std::string& id);
+
+  /// The state as the interface says it.
+  Json status(const WorkPtr& work) const;
+  /// The same once its version is not `seen` any more, which it becomes; null after `seconds` without a change.
+  std::optional<Json> next_status(const WorkPtr& work, unsigned& seen, double seconds) const;
+  /// Waits for its end.
+  void wait(const WorkPtr& work) const;
+  /// Everything ends, and everybody who waits comes back.
+  void stop();
+  bool is_stopped() const;
+
+ private:
+  void work_on();
+  void run(const WorkPtr& work);
+  WorkEnd end_of_child(Work& work);
+  void listen(Work& work, ChildTalk& talk);
+  void keep_house();
+  void forget_old();
+  bool is_ended(const Work& work) const;
+  Json status_locked(const Work& work) const;
+
+  const Settings& settings_;
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  std::deque<WorkPtr> waiting_;
+  std::vector<WorkPtr> running_;
+  std::map<std::string, WorkPtr> kept_;
+  bool is_stopped_ = false;
+  std::vector<std::jthread> threads_;
+};
+
+/// A name that nobody guesses.
+std::string new_id();
+
+}  // namespace clearcut::serve

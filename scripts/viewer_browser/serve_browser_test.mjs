@@ -1,0 +1,94 @@
+// node serve_browser_test.mjs FOLDER BROWSER ADDRESS: what a person does with the page of `clearcut serve`, and whether it follows.
+// FOLDER holds square.json and large.json; screenshots go to FOLDER/pictures.
+import { readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { resolve } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const [folder, executablePath] = process.argv.slice(2, 4).map(argument => resolve(argument));
+const address = process.argv[4], axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+let failed = 0;
+function check(right, what) {
+  console.log((right ? 'ok      ' : 'FAILED  ') + what);
+  if (!right) ++failed;
+}
+
+const browser = await chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync'] });
+
+async function open(width, height, colorScheme) {
+  // axe is put into the page, which its policy forbids to everybody else.
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce', bypassCSP: false });
+  const page = await context.newPage();
+  page.on('pageerror', error => check(false, 'no error: ' + error.message));
+  page.on('console', message => { if (message.type() === 'error') check(false, 'no console error: ' + message.text()); });
+  page.on('request', request => { if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) check(false, 'no other address: ' + request.url()); });
+  await page.goto(address, { timeout: 60000 });
+  return page;
+}
+
+async function isAccessible(page, what) {
+  const found = await page.evaluate(`${axe}; axe.run(document, { iframes: false, runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] })`);
+  check(found.violations.length === 0, `${what}: no findings of axe ` + found.violations.map(one => `${one.id} ${one.nodes[0].target}`).join(', '));
+}
+
+const fits = page => page.evaluate('document.documentElement.scrollWidth <= innerWidth');
+const picture = name => `${folder}/pictures/${name}.png`;
+
+async function plans(page) {
+  await page.setInputFiles('#plan-files', `${folder}/square.json`);
+  await page.fill('#plan-options', '--accept out-of-reach');
+  check((await page.textContent('#plan-command')).startsWith('clearcut plan square.json --tool endmill:6'), 'the command line is shown');
+  await page.click('#plan-go');
+  await page.waitForSelector('#plan-result:not([hidden])', { timeout: 120000 });
+  check(await page.textContent('#plan-verdict') === 'CLEAN', 'a plan ends with its verdict');
+  const frame = page.frame({ url: /\/report$/ });
+  await frame.waitForSelector('#play', { timeout: 60000 });
+  check(await frame.isVisible('#play'), 'the report plays in the frame');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#plan-downloads a')]);
+  await download.saveAs(`${folder}/square.ngc`);
+  check(download.suggestedFilename() === 'square.ngc' && readFileSync(`${folder}/square.ngc`, 'utf8').includes('G1'), 'the program is downloaded');
+}
+
+async function cancels(page) {
+  await page.setInputFiles('#plan-files', `${folder}/large.json`);
+  await page.selectOption('#plan-list li:last-child select', 'part');
+  await page.fill('#tool-diameter', '1');
+  await page.click('#plan-go');
+  await page.waitForFunction(() => /Planning|Reading/.test(document.getElementById('plan-status').textContent), null, { timeout: 60000 });
+  await page.click('#plan-cancel');
+  check(await page.textContent('#plan-status') === 'Cancelled.', 'a plan is cancelled');
+}
+
+async function checks(page) {
+  await page.focus('#tab-plan');
+  await page.keyboard.press('ArrowRight');
+  check(await page.isVisible('#check') && !await page.isVisible('#plan'), 'tabs are changed by keys');
+  writeFileSync(`${folder}/wrong.ngc`, 'G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X-20 Y25\nG0 Z-1\nG1 X70 F900\nG0 Z5\nM30\n');
+  await page.setInputFiles('#check-files', [`${folder}/wrong.ngc`, `${folder}/square.json`]);
+  await page.fill('#check-diameter', '6');
+  await page.click('#check-go');
+  await page.waitForSelector('#check-result:not([hidden])', { timeout: 120000 });
+  check(await page.textContent('#check-verdict') === 'FAULTY', 'a wrong program is FAULTY');
+  check(await page.locator('#check-faults li').count() > 0, 'its faults are listed');
+  check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
+}
+
+const page = await open(1366, 768, 'light');
+await isAccessible(page, 'the empty page');
+await plans(page);
+await page.screenshot({ path: picture('serve-1366') });
+await isAccessible(page, 'the page with a plan');
+check(await fits(page), 'nothing overflows at 1366');
+await cancels(page);
+await checks(page);
+await page.screenshot({ path: picture('serve-check-1366') });
+await isAccessible(page, 'the page with a check');
+const phone = await open(390, 844, 'dark');
+await plans(phone);
+check(await fits(phone), 'nothing overflows at 390');
+await phone.screenshot({ path: picture('serve-390-dark'), fullPage: true });
+await isAccessible(phone, 'the dark page on a phone');
+await browser.close();
+console.log(failed === 0 ? 'the page of the server: all is well' : `the page of the server: ${failed} failed`);
+process.exit(failed === 0 ? 0 : 1);

@@ -1,0 +1,88 @@
+#include "report/sheet/sheet_facts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/text/format.h"
+
+namespace clearcut::report {
+namespace {
+
+/// mm. Nearer than this to a side is on it.
+constexpr double kOnSide = 1e-6;
+
+/// Where zero lies between two sides.
+std::string between(double low, double high, const std::string& low_side, const std::string& high_side,
+                    const std::string& middle, const std::string& beyond, double unit_mm,
+                    const std::string& unit) {
+  if (std::abs(low) <= kOnSide) return low_side;
+  if (std::abs(high) <= kOnSide) return high_side;
+  if (std::abs(low + high) <= kOnSide) return middle;
+  const std::string away = trimmed(std::abs(low) / unit_mm, unit_mm == 1 ? 3 : 4) + " " + unit + " ";
+  return away + (low < 0 ? beyond : "before") + " the " + low_side;
+}
+
+}  // namespace
+
+Extents extents_of(const Toolpath& toolpath, bool with_rapids) {
+  Extents extents;
+  extents.low = std::numeric_limits<double>::infinity();
+  extents.high = -extents.low;
+  for (const Section& section : toolpath.sections) {
+    for (const Move& move : section.moves) {
+      if (is_rapid(move.kind) && !with_rapids) continue;
+      extents.plan.add(move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box());
+      extents.low = std::min({extents.low, move.z_from, move.z_to});
+      extents.high = std::max({extents.high, move.z_from, move.z_to});
+    }
+  }
+  return extents;
+}
+
+double stickout_of(const Part& part, const Toolpath& toolpath, int tool) {
+  double low = part.top_z();
+  for (const Section& section : toolpath.sections) {
+    if (section.tool_number != tool) continue;
+    for (const Move& move : section.moves) low = std::min({low, move.z_from, move.z_to});
+  }
+  return std::ceil(part.top_z() - low + kAboveTop);
+}
+
+std::vector<int> tools_called(const Toolpath& toolpath) {
+  std::vector<int> numbers;
+  for (const Section& section : toolpath.sections) {
+    if (std::find(numbers.begin(), numbers.end(), section.tool_number) == numbers.end())
+      numbers.push_back(section.tool_number);
+  }
+  return numbers;
+}
+
+int tool_changes(const Toolpath& toolpath) {
+  int changes = 0;
+  for (std::size_t i = 1; i < toolpath.sections.size(); ++i)
+    changes += toolpath.sections[i].tool_number != toolpath.sections[i - 1].tool_number ? 1 : 0;
+  return changes;
+}
+
+double time_of_tool(const Findings& findings, int tool) {
+  double seconds = 0;
+  for (const FeatureFindings& one : findings.features)
+    seconds += one.tool_number == tool ? one.figures.time_s : 0;
+  return seconds;
+}
+
+std::string zero_on(const Stock& stock, double unit_mm, const std::string& unit) {
+  const Box& plan = stock.plan;
+  return "X: " +
+         between(plan.min.x, plan.max.x, "left side", "right side", "middle of the width", "right of",
+                 unit_mm, unit) +
+         "; Y: " +
+         between(plan.min.y, plan.max.y, "front side", "back side", "middle of the depth", "behind", unit_mm,
+                 unit) +
+         "; Z: " +
+         between(stock.z_bottom, stock.z_top, "underside", "top", "middle of the height", "above", unit_mm,
+                 unit);
+}
+
+}  // namespace clearcut::report

@@ -1,0 +1,38 @@
+// What a set-up sheet states, as numbers and sentences.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/move.h"
+#include "model/part.h"
+#include "model/results/findings.h"
+
+namespace clearcut::report {
+
+/// Where the tips of all tools go, mm.
+struct Extents {
+  Box plan;
+  double low = 0, high = 0;
+};
+/// Of cuts alone, or of rapids, too. Nothing moves: an empty box.
+Extents extents_of(const Toolpath& toolpath, bool with_rapids);
+
+/// How far a tool has to stand out of its holder, mm: down to its deepest cut below the top of the material, and kAboveTop more.
+inline constexpr double kAboveTop = 5;
+double stickout_of(const Part& part, const Toolpath& toolpath, int tool);
+
+/// Numbers of the tools in the order in which the program calls them, each once.
+std::vector<int> tools_called(const Toolpath& toolpath);
+
+/// How often the program changes from one tool to another.
+int tool_changes(const Toolpath& toolpath);
+
+/// Seconds of the operations that a tool cuts.
+double time_of_tool(const Findings& findings, int tool);
+
+/// Where X0 Y0 Z0 lies on the stock: "left side, front side, top", "middle of the width, ...", "20 mm right of the left side".
+/// `unit_mm` and `unit`: what lengths are printed in.
+std::string zero_on(const Stock& stock, double unit_mm, const std::string& unit);
+
+}  // namespace clearcut::report

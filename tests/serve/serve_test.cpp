@@ -1,0 +1,326 @@
+// clearcut serve as browsers, programs and strangers meet it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <thread>
+
+#include "base/files/file.h"
+#include "serve/server_process.h"
+
+namespace clearcut {
+namespace {
+
+using nlohmann::json;
+using test_support::answer_to;
+using test_support::form_of;
+using test_support::ScratchFolder;
+using test_support::ServerProcess;
+using test_support::state_at_end;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+const std::string kSquare = R"({"name": "square", "units": "mm",
+  "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2})";
+const std::string kOptions = "--tool endmill:6 --strategy contour --accept out-of-reach";
+/// Minutes of work: a small cutter on a large pocket.
+const std::string kLarge = R"({"name": "large", "units": "mm",
+  "outer": [[0,0,0.1],[400,0,0.2],[400,300,0.1],[0,300,0.3]], "islands": [[[200,150,1],[150,150,1]]],
+  "top": 0, "depth": 5})";
+
+std::string posted(const ServerProcess& server, const httplib::MultipartFormDataItems& form) {
+  auto client = server.client();
+  const auto answer = client.Post("/plan", form);
+  if (!answer || answer->status != 202) throw std::runtime_error(answer ? answer->body : "no answer");
+  return json::parse(answer->body).at("id");
+}
+
+std::string fetched(const ServerProcess& server, const std::string& path) {
+  auto client = server.client();
+  const auto answer = client.Get(path);
+  return answer && answer->status == 200 ? answer->body : "no answer to " + path;
+}
+
+/// Waits until `holds`, at most ten seconds.
+template <typename Condition>
+bool soon(const Condition& holds) {
+  for (int i = 0; i < 200; ++i) {
+    if (holds()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return holds();
+}
+
+TEST(Serve, ShowsThePageAndDescribesItsRoutes) {
+  const ServerProcess server;
+  auto client = server.client();
+  const auto page = client.Get("/");
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->status, 200);
+  EXPECT_THAT(page->body, HasSubstr("<!doctype html>"));
+  EXPECT_THAT(page->get_header_value("Content-Security-Policy"), HasSubstr("default-src 'none'"));
+  EXPECT_THAT(fetched(server, "/app.js"), HasSubstr("EventSource"));
+  EXPECT_THAT(fetched(server, "/options"), HasSubstr("--stepdown"));
+  const auto unknown = client.Get("/etc/passwd");
+  EXPECT_EQ(unknown->status, 404);
+  EXPECT_THAT(unknown->body, HasSubstr("error"));
+}
+
+/// Every route of the description is there, and answers as it says.
+TEST(Serve, DescriptionHoldsForEveryRoute) {
+  const ServerProcess server;
+  auto client = server.client();
+  const auto description = json::parse(fetched(server, "/openapi.json"));
+  EXPECT_EQ(description.at("openapi"), "3.1.0");
+  int count = 0;
+  for (const auto& [path, methods] : description.at("paths").items()) {
+    std::string place = path;
+    const auto id = place.find("{id}");
+    if (id != std::string::npos) place.replace(id, 4, std::string(32, '0'));
+    for (const auto& [method, operation] : methods.items()) {
+      ++count;
+      const auto answer = method == "get"      ? client.Get(place)
+                          : method == "delete" ? client.Delete(place)
+                                               : client.Post(place, "x", "text/plain");
+      ASSERT_TRUE(answer) << method << " " << path;
+      EXPECT_TRUE(operation.at("responses").contains(std::to_string(answer->status)))
+          << method << " " << path << " answers " << answer->status;
+      EXPECT_THAT(answer->body, Not(HasSubstr("nothing of that name"))) << path;
+    }
+  }
+  EXPECT_EQ(count, 15);
+}
+
+/// Runs the command in a folder with the part, as the server does.
+void plan_by_command(const ScratchFolder& folder, const std::string& options) {
+  folder.file("square.json", kSquare);
+  std::filesystem::create_directory(folder.path("results"));
+  const std::string line =
+      "cd " + folder.path("") + " && COLUMNS=100 " + CLEARCUT_COMMAND + " plan square.json " + options +
+      " --output=results/program.ngc --certificate=results/certificate.json"
+      " --svg=results/picture.svg --report=results/report.html >results/text.txt 2>/dev/null";
+  ASSERT_EQ(std::system(line.c_str()), 0);
+}
+
+TEST(Serve, PlansWithTheCommandsOwnBytes) {
+  const ServerProcess server;
+  const std::string id = posted(server, form_of("square.json", kSquare, kOptions));
+  const json state = state_at_end(server, id);
+  EXPECT_EQ(state.at("state"), "done") << state.dump();
+  EXPECT_EQ(state.at("verdict"), "CLEAN");
+  EXPECT_EQ(state.at("exit_code"), 0);
+  const ScratchFolder folder;
+  plan_by_command(folder, "--tool=endmill:6 --strategy=contour --accept=out-of-reach");
+  for (const auto& [name, file] : std::map<std::string, std::string>{{"program", "program.ngc"},
+                                                                     {"certificate", "certificate.json"},
+                                                                     {"report", "report.html"},
+                                                                     {"picture", "picture.svg"},
+                                                                     {"text", "text.txt"}}) {
+    const std::string result = fetched(server, state.at("results").at(name));
+    EXPECT_EQ(result, read_file(folder.path("results/" + file))) << name;
+    EXPECT_THAT(result, Not(HasSubstr("clearcut-serve-"))) << name;
+  }
+}
+
+TEST(Serve, TwentyClientsPlanAtOnce) {
+  const ServerProcess server({"--jobs", "2"});
+  std::vector<std::string> programs(20);
+  {
+    std::vector<std::jthread> clients;
+    for (auto& program : programs)
+      clients.emplace_back([&] {
+        const json state = state_at_end(server, posted(server, form_of("square.json", kSquare, kOptions)));
+        program =
+            state.at("state") == "done" ? fetched(server, state.at("results").at("program")) : state.dump();
+      });
+  }
+  EXPECT_THAT(programs.front(), HasSubstr("G1"));
+  for (const auto& program : programs) EXPECT_EQ(program, programs.front());
+}
+
+TEST(Serve, ChecksAProgram) {
+  const ServerProcess server;
+  const ScratchFolder folder;
+  plan_by_command(folder, kOptions);
+  const std::string program = read_file(folder.path("results/program.ngc"));
+  const auto checked = [&](const std::string& text) {
+    auto form = form_of("square.json", kSquare, "--tool endmill:6 --accept out-of-reach");
+    form.push_back({"program", text, "square.ngc", "text/plain"});
+    auto client = server.client();
+    const auto answer = client.Post("/check", form);
+    return answer ? json::parse(answer->body) : json();
+  };
+  EXPECT_EQ(checked(program).value("verdict", ""), "CLEAN");
+  const json wrong =
+      checked("G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X-20 Y25\nG0 Z-1\nG1 X70 F900\nG0 Z5\nM30\n");
+  EXPECT_EQ(wrong.value("verdict", ""), "FAULTY") << wrong.dump();
+  EXPECT_FALSE(wrong.at("certificate").at("faults").empty());
+}
+
+struct Refused {
+  httplib::MultipartFormDataItems form;
+  std::string says;
+};
+
+/// No request names a file of the machine, by whatever way.
+TEST(Serve, RefusesWhatItMustNotDo) {
+  const ServerProcess server;
+  auto client = server.client();
+  const auto square = [](const std::string& options) { return form_of("square.json", kSquare, options); };
+  for (const Refused& one : std::vector<Refused>{
+           {form_of("../square.json", kSquare, ""), "plain name"},
+           {form_of("/etc/square.json", kSquare, ""), "plain name"},
+           {form_of("..\\square.json", kSquare, ""), "plain name"},
+           {form_of(".bashrc", kSquare, ""), "plain name"},
+           {form_of("-o.json", kSquare, ""), "plain name"},
+           {form_of("results", kSquare, ""), "plain name"},
+           {square("--tools /etc/passwd"), "was not sent"},
+           {square("--machine=../../machine.toml"), "was not sent"},
+           {square("--after square.ngc"), "was not sent"},
+           {square("--output /tmp/x.ngc"), "not for the server"},
+           {square("--svg=x.svg"), "not for the server"},
+           {square("-o x.ngc"), "no option"},
+           {square("/etc/passwd"), "no option"},
+           {square("--nonsense 3"), "no option"},
+           {square("--help"), "not for the server"},
+           {square("--tool 'endmill:6"), "quote"},
+           {form_of("job.toml", "[part]\nfile = \"/etc/passwd\"\n", ""), "job.toml:2"},
+           {form_of("job.toml", "[machine]\nfile = '../m.toml'  # mm/min\n", ""), "plain names"},
+           {form_of("job.toml", "tools.library = \"\\u002fx.tbl\"\n", ""), "plain names"},
+           {form_of("job.toml", "[plan]\nafter = \"#/../x.ngc\"\n", ""), "plain names"},
+           {form_of("job.toml", "[plan]\nafter = \"\"\"\n/etc/passwd\"\"\"\n", ""), "several lines"},
+           {{{"options", "", "", ""}}, "part is missing"},
+           {{{"picture", "x", "x.png", ""}}, "no field"}}) {
+    const auto answer = client.Post("/plan", one.form);
+    ASSERT_TRUE(answer) << one.says;
+    EXPECT_EQ(answer->status, 400) << answer->body;
+    EXPECT_THAT(json::parse(answer->body).value("error", ""), HasSubstr(one.says));
+  }
+  EXPECT_EQ(server.files_of_plans(), 0U);
+}
+
+/// A job may name what came with it.
+TEST(Serve, PlansAJobWithTheFilesItNames) {
+  const ServerProcess server;
+  const std::string job =
+      "# Feeds are mm/min.\n[part]\nfile = \"square.json\"  # an outline, not /etc\n"
+      "[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 6\n[output]\nprogram = \"x.ngc\"\nreport = "
+      "\"x.html\"\n";
+  auto form = form_of("job.toml", job, "--accept out-of-reach");
+  form.push_back({"file", kSquare, "square.json", "application/json"});
+  const json state = state_at_end(server, posted(server, form));
+  EXPECT_EQ(state.at("state"), "done") << state.dump();
+  EXPECT_EQ(state.value("verdict", ""), "CLEAN");
+}
+
+TEST(Serve, SaysWhyAPartCannotBePlanned) {
+  const ServerProcess server;
+  const json state = state_at_end(server, posted(server, form_of("square.json", "{", kOptions)));
+  EXPECT_EQ(state.at("state"), "failed");
+  EXPECT_EQ(state.at("exit_code"), 2);
+  EXPECT_THAT(state.value("message", ""), HasSubstr("square.json"));
+  EXPECT_THAT(state.dump(), Not(HasSubstr("clearcut-serve-")));
+}
+
+TEST(Serve, AnswersOwnNamesAndPagesAlone) {
+  const ServerProcess server;
+  auto client = server.client();
+  const std::string own = "127.0.0.1:" + std::to_string(server.port());
+  const auto status = [&](const httplib::Headers& headers) {
+    return client.Get("/options", headers)->status;
+  };
+  EXPECT_EQ(status({{"Host", own}}), 200);
+  EXPECT_EQ(status({{"Host", "localhost:8080"}}), 200);
+  EXPECT_EQ(status({{"Host", own}, {"Origin", "http://" + own}}), 200);
+  for (const char* host : {"evil.example", "evil.example:80", "127.0.0.1.evil.example",
+                           "localhost.evil.example", "10.0.0.1", "[::2]", "localhost:x", "@localhost"})
+    EXPECT_EQ(status({{"Host", host}}), 403) << host;
+  for (const char* origin :
+       {"http://evil.example", "null", "http://127.0.0.1:1", "https://evil.example:8080"})
+    EXPECT_EQ(status({{"Host", own}, {"Origin", origin}}), 403) << origin;
+  EXPECT_EQ(status({{"Host", own}, {"Sec-Fetch-Site", "cross-site"}}), 403);
+  EXPECT_EQ(status({{"Host", own}, {"Range", "bytes=0-1,0-1"}}), 416);
+  EXPECT_THAT(answer_to(server.port(), "GET /options HTTP/1.1\r\n\r\n"), HasSubstr("403"));
+  // What follows a refused request is no request.
+  const std::string hidden = "GET /options HTTP/1.1\r\nHost: localhost\r\n\r\n";
+  const std::string carrier =
+      "POST /plan HTTP/1.1\r\nHost: localhost\r\nOrigin: http://evil.example\r\nContent-Type: text/plain\r\n";
+  const std::string both = answer_to(
+      server.port(), carrier + "Content-Length: " + std::to_string(hidden.size()) + "\r\n\r\n" + hidden);
+  EXPECT_THAT(both, Not(HasSubstr("200 OK")));
+  EXPECT_THAT(both, Not(HasSubstr("--stepdown")));
+}
+
+TEST(Serve, TakesNoLargeAndNoBrokenRequests) {
+  const ServerProcess server({"--upload", "0.1"});
+  auto client = server.client();
+  const auto large = client.Post("/plan", form_of("large.json", std::string(200'000, 'x'), ""));
+  // The connection may be closed before the answer is read.
+  EXPECT_TRUE(!large || large->status == 413) << large->body;
+  const std::string head =
+      "POST /plan HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: multipart/form-data; boundary=b\r\n";
+  const std::string start =
+      "--b\r\nContent-Disposition: form-data; name=\"part\"; filename=\"a.json\"\r\n\r\n{";
+  EXPECT_THAT(answer_to(server.port(), head + "Content-Length: 5000\r\n\r\n" + start, true),
+              Not(HasSubstr("202")));
+  EXPECT_THAT(answer_to(server.port(), head + "Content-Length: 999999999999\r\n\r\n" + start),
+              HasSubstr("413"));
+  EXPECT_THAT(answer_to(server.port(), "GET /" + std::string(20000, 'a') + " HTTP/1.1\r\n\r\n", true),
+              Not(HasSubstr("200 OK")));
+  EXPECT_TRUE(soon([&] { return server.files_of_plans() == 0; }));
+  EXPECT_EQ(state_at_end(server, posted(server, form_of("square.json", kSquare, kOptions))).at("verdict"),
+            "CLEAN");
+}
+
+TEST(Serve, StandsNoise) {
+  const ServerProcess server;
+  std::mt19937 random(7);
+  const std::vector<std::string> starts{
+      "", "GET ", "GET / HTTP/1.1\r\n", "POST /plan HTTP/1.1\r\nHost: localhost\r\n",
+      "POST /plan HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; "
+      "boundary=b\r\nContent-Length: 300\r\n\r\n--b\r\n"};
+  for (int i = 0; i < 1000; ++i) {
+    std::string bytes = starts[random() % starts.size()];
+    const std::size_t size = random() % 300;
+    for (std::size_t k = 0; k < size; ++k) bytes += static_cast<char>(random() % 256);
+    answer_to(server.port(), bytes + "\r\n\r\n", true);
+  }
+  EXPECT_EQ(state_at_end(server, posted(server, form_of("square.json", kSquare, kOptions))).at("verdict"),
+            "CLEAN");
+}
+
+TEST(Serve, CancelsAPlanAndForgetsIt) {
+  const ServerProcess server;
+  const std::string id = posted(server, form_of("large.json", kLarge, "--tool endmill:1"));
+  auto client = server.client();
+  EXPECT_TRUE(soon([&] { return json::parse(client.Get("/plan/" + id)->body).contains("progress"); }));
+  EXPECT_EQ(client.Delete("/plan/" + id)->status, 200);
+  EXPECT_EQ(client.Get("/plan/" + id)->status, 404);
+  EXPECT_EQ(client.Delete("/plan/" + id)->status, 404);
+  EXPECT_TRUE(soon([&] { return server.files_of_plans() == 0; }));
+}
+
+TEST(Serve, LeavesNothingBehindWhenItEndsOrIsKilledWhilePlanning) {
+  for (const int signal : {SIGTERM, SIGINT, SIGKILL}) {
+    ServerProcess server;
+    const std::string id = posted(server, form_of("large.json", kLarge, "--tool endmill:1"));
+    auto client = server.client();
+    EXPECT_TRUE(
+        soon([&] { return json::parse(client.Get("/plan/" + id)->body).value("state", "") == "running"; }));
+    EXPECT_GT(server.files_of_plans(), 0U);
+    const int status = server.end(signal);
+    if (signal != SIGKILL) {
+      EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    }
+    EXPECT_TRUE(soon([&] { return server.left_behind().empty(); })) << signal;
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
