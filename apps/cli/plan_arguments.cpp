@@ -73,8 +73,8 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
 void PlanArguments::add_drawing_options(CLI::App& command) {
   command.add_option(
       "--op", operations_,
-      "KIND:SELECTION, what outlines of a drawing are for: pocket, profile, inside, drill, engrave, "
-      "face, island or ignore, with a depth as in profile_d6; the selection is a layer, a colour, outer "
+      "KIND:SELECTION, what outlines of a drawing are for: pocket, profile, inside, drill, engrave, vcarve, "
+      "chamfer, face, island or ignore, with a depth as in profile_d6; the selection is a layer, a colour, outer "
       "or numbers of `info` (repeatable)");
   command.add_option("--tabs", tabs_.count, "Tabs that hold what a profile cuts free, of each profile")
       ->check(CLI::Range(0, 100));
@@ -93,9 +93,9 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
 
 void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.add_option("--tool", tools_,
-                     "KIND:DIAMETER[:T3][:flutes=2][:corner=0.5][:name=N][:noplunge]; "
+                     "KIND:DIAMETER[:60deg][:tip=0.2][:T3][:flutes=2][:corner=0.5][:length=L][:name=N][:noplunge]; "
                      "kinds: endmill, facemill, bullnose, "
-                     "ball, drill, reamer (repeatable)");
+                     "ball, drill, reamer, vbit, chamfer, spotdrill (repeatable)");
   command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml");
 }
 
@@ -159,6 +159,13 @@ void PlanArguments::add_post_options(CLI::App& command) {
   command.add_flag("--no-tool-change", no_tool_change_, "A pause (M0) instead of M6");
   command.add_flag("--no-length-offset", no_length_offset_, "No G43");
   command.add_flag("--exact-stop", exact_stop_, "G61 instead of blending");
+  command
+      .add_option("--work-offset", work_offset_, "Where the part's zero is: G54 (default) to G59")
+      ->check(CLI::IsMember({"G54", "G55", "G56", "G57", "G58", "G59"}, CLI::ignore_case));
+  command.add_option("--program-number", program_number_, "O word of Fanuc and Haas programs")
+      ->check(CLI::Range(1, 99999));
+  command.add_flag("--block-numbers", block_numbers_, "N words");
+  command.add_flag("--optional-stop", optional_stop_, "M1 before every tool but the first");
   command.add_option("--spindle-wait", spindle_wait_, "Seconds to wait after the spindle starts")
       ->check(CLI::NonNegativeNumber);
 }
@@ -171,6 +178,10 @@ PostOptions PlanArguments::post(const JobOutput& job) const {
   post.arcs = !no_arcs_ && job.arcs.value_or(true);
   post.tool_changer = !no_tool_change_ && job.tool_change.value_or(true);
   post.length_offset = !no_length_offset_ && job.length_offset.value_or(true);
+  if (work_offset_) post.work_offset = std::stoi(work_offset_->substr(1));
+  if (program_number_) post.program_name = std::to_string(*program_number_);
+  post.block_numbers = block_numbers_;
+  post.optional_stop = optional_stop_;
   post.exact_stop = exact_stop_ || job.exact_stop.value_or(false);
   if (const auto wait = spindle_wait_ ? spindle_wait_ : job.spindle_wait)
     post.spindle_wait = Seconds::of(*wait);

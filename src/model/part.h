@@ -28,7 +28,9 @@ enum class FeatureKind {
   kRoundHole,
   kOutsideProfile,
   kInsideProfile,
-  kEngraving
+  kEngraving,
+  kVCarving,  ///< as deep as a cone's width at the top allows
+  kChamfer    ///< the upper edge of a wall
 };
 const char* name_of(FeatureKind kind);
 
@@ -50,6 +52,17 @@ struct ProfileCut {
   bool closed = true;
   double beyond = 0;      ///< mm; how far floor_z lies below the material
   std::vector<Tab> tabs;  ///< in the layers of this feature
+};
+
+/// Lettering and ornament whose depth is that of a cone that touches the outline on both sides.
+struct VCarving {
+  std::optional<double> limit;  ///< mm below the top: a flat floor where the cone would go deeper
+};
+
+/// The upper edge of a wall, broken by the flank of a cone. mm.
+struct Chamfer {
+  double depth = 0;  ///< down the wall
+  double width = 0;  ///< into the part; that of the cutter's angle
 };
 
 /// A prismatic volume to remove: every point of `target` down to `floor_z`.
@@ -74,6 +87,10 @@ struct Feature {
   bool through = false;
   /// Profiles and engraving: what the cutter's centre follows. Their target and allowed depend on the cutter: the kerf.
   std::optional<ProfileCut> profile = {};
+  /// V-carving only; its wall_slope and floor_z are those of the cutter.
+  std::optional<VCarving> carving = {};
+  /// Chamfers only: along `profile`, whose side is that where the cutter is.
+  std::optional<Chamfer> chamfer = {};
 };
 
 /// How far beyond the stock an open side's `allowed` region reaches, mm.
@@ -150,6 +167,9 @@ struct Part {
 /// What a step works with and on.
 const Tool& tool_of(const Part& part, const Workingstep& step);
 const Feature& feature_of(const Part& part, const Workingstep& step);
+
+/// Whether the cutter makes the feature by its own shape along lines in space, rather than clearing it layer by layer.
+bool is_carved(const Feature& feature, const Tool& tool);
 
 /// Whether walls bound the feature on all sides, so that the cutter can leave it upwards alone.
 bool closed_all_round(const Feature& feature);

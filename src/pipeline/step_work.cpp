@@ -6,6 +6,7 @@
 #include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "pipeline/carve_step.h"
 #include "pipeline/holes.h"
 #include "pipeline/meeting_pockets.h"
 #include "plan/common/layers.h"
@@ -154,6 +155,11 @@ std::vector<StepWork> step_works(const ResolvedPlan& plan) {
     StepWork work;
     work.workingstep = static_cast<int>(i);
     work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), plan.tol);
+    work.hole = carve_step(work.workingstep, plan);
+    if (work.hole) {
+      works.push_back(std::move(work));
+      continue;
+    }
     const auto standing = standing_layers(work.workingstep, plan);
     work.hole = hole_step(standing, work.workingstep, plan);
     work.layers = layers_left(standing, work.workingstep, plan);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/error.h"
 #include "base/format.h"
 #include "post/block_printer.h"
 #include "post/comment.h"
@@ -41,7 +42,7 @@ class IsoWriter {
         rules_(rules_for(options, dialect)),
         feed_grid_(options.inch, options.inch ? 3 : 2),
         safe_z_(rules_.grid.ticks(safe_z)),
-        out_(dialect) {}
+        out_(dialect, options.block_numbers) {}
 
   std::string program(const Toolpath& toolpath);
 
@@ -49,6 +50,7 @@ class IsoWriter {
   static StepRules rules_for(const PostOptions& options, const IsoDialect& dialect);
 
   void begin_program();
+  std::string safe_start() const;
   void set_path_control();
   void write_section(const Section& section);
   void end_program();
@@ -116,8 +118,18 @@ void IsoWriter::begin_program() {
   out_.comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   const std::string_view units = options_.inch ? "G20" : dialect_.metric;
   if (!units.empty()) out_.line(units);
-  out_.line(dialect_.safe_start);
+  out_.line(safe_start());
   set_path_control();
+}
+
+/// With the work offset that is asked for in place of the first.
+std::string IsoWriter::safe_start() const {
+  std::string words(dialect_.safe_start);
+  const std::size_t at = words.find("G54");
+  if (at == std::string::npos && options_.work_offset != 54)
+    throw InputError("--work-offset", std::string(dialect_.name) + " has no work offsets; set its zero at the part's");
+  if (at != std::string::npos) words.replace(at, 3, "G" + std::to_string(options_.work_offset));
+  return words;
 }
 
 /// Blending may use half of the gouge tolerance; rounding the words needs less than the rest. Q0: no merging.
@@ -189,6 +201,7 @@ void IsoWriter::change_tool(int number) {
   set_coolant(false);
   set_spindle({});
   home();
+  if (options_.optional_stop && held_.tool != 0) out_.line("M1");
   out_.comment(tool_change_comment(part_, number));
   if (changes_tools()) {
     load_by_changer(number);

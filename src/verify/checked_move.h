@@ -41,9 +41,6 @@ inline double flat_radius_of(const Tool& tool) {
   return std::max(0.0, tool.radius() - tool.corner_radius);
 }
 
-/// Radius at `height` mm above the tip: there a cutter that runs deeper clears as much. mm.
-double radius_at(const Tool& tool, double height);
-
 struct JudgedMove {
   const Move* move = nullptr;
   const Tool* tool = nullptr;  ///< null: unknown

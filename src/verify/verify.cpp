@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "verify/blend.h"
+#include "verify/carving.h"
 #include "verify/checked_move.h"
 #include "verify/coverage.h"
 #include "verify/faults.h"
@@ -13,6 +14,7 @@
 #include "verify/forces.h"
 #include "verify/gouge.h"
 #include "verify/load.h"
+#include "verify/shaped_cutter.h"
 #include "verify/tabs.h"
 
 namespace clearcut::verify {
@@ -28,9 +30,18 @@ void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, con
       before = nullptr;
       continue;
     }
+    if (judged.tool && is_conical(*judged.tool)) {
+      judged.gouge = judged.feeds() ? shaped_gouge_of(finished, *judged.move, *judged.tool, tol.gouge)
+                                    : gouge_of(finished, *judged.move, judged.radius(), tol.gouge, false);
+      before = nullptr;
+      continue;
+    }
     const bool joined = before && before->move->path.to == judged.move->path.from &&
                         before->move->z_to == judged.move->z_from && before->radius() == judged.radius();
     judged.gouge = gouge_of(finished, *judged.move, judged.radius(), tol.gouge, joined);
+    // A ball is narrower below: where its cylinder would cut, its own shape decides.
+    if (judged.gouge && judged.tool->kind == ToolKind::kBallEndMill)
+      judged.gouge = shaped_gouge_of(finished, *judged.move, *judged.tool, tol.gouge);
     const bool spared = !judged.gouge || judged.gouge->depth < judged.radius() / 2;
     before = spared && !judged.gouge.value_or(Gouge{}).floor ? &judged : nullptr;
   }
@@ -41,12 +52,28 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
   if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
 }
 
+/// The same for a cone, which may be as far off its path as the control may leave it.
+void judge_shaped_liberty(const FinishedPart& finished, const std::vector<JudgedMove>& all, JudgedMove& judged,
+                          const Tolerances& tol) {
+  const double before = &judged == all.data() ? 0 : (&judged - 1)->path_tolerance;
+  const double off = std::max({judged.doubt, judged.path_tolerance, before});
+  if (off <= 0) return;
+  Tool wider = *judged.tool;
+  wider.diameter += 2 * off;
+  wider.tip_diameter += 2 * off;
+  keep_deeper(judged.gouge, shaped_gouge_of(finished, *judged.move, wider, tol.gouge));
+}
+
 /// What the control may cut besides, within its tolerance: corners rounded, arcs of another radius.
 void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>& all,
                      std::span<JudgedMove> moves, const Tolerances& tol) {
   for (JudgedMove& judged : moves) {
     const double radius = judged.radius();
     if (radius <= 0) continue;
+    if (judged.tool && is_conical(*judged.tool)) {
+      judge_shaped_liberty(finished, all, judged, tol);
+      continue;
+    }
     if (judged.doubt > 0)
       keep_deeper(judged.gouge, gouge_of(finished, *judged.move, radius + judged.doubt, tol.gouge, false));
     if (&judged == all.data()) continue;
@@ -90,8 +117,8 @@ void add_coverage(Figures& figures, const LevelCoverage& level) {
 class FindingsBuilder {
  public:
   FindingsBuilder(const Part& part, const JudgedProgram& program, const std::vector<FeatureWork>& works,
-                  const VerifyOptions& options)
-      : part_(part), program_(program), works_(works), options_(options) {}
+                  const std::vector<CarvingWork>& carvings, const VerifyOptions& options)
+      : part_(part), program_(program), works_(works), carvings_(carvings), options_(options) {}
 
   Findings build() {
     std::vector<const JudgedMove*> all;
@@ -107,6 +134,7 @@ class FindingsBuilder {
     findings_.all = figures_of(all, part_.top_z());
     for (std::size_t i = 0; i < by_step.size(); ++i) add_feature(static_cast<int>(i), by_step[i]);
     for (const FeatureWork& work : works_) judge_coverage(work);
+    for (const CarvingWork& work : carvings_) add_carving(work);
     sort_worst_first(findings_.faults);
     set_clean();
     return std::move(findings_);
@@ -132,6 +160,17 @@ class FindingsBuilder {
       feature.layers.push_back({heights[i], figures_of(by_layer[i], part_.top_z())});
     }
     findings_.features.push_back(std::move(feature));
+  }
+
+  void add_carving(const CarvingWork& work) {
+    const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
+    FeatureFindings& found = findings_.features[static_cast<std::size_t>(work.last_workingstep)];
+    for (Figures* figures : {&findings_.all, &found.figures}) {
+      if (work.left_mm <= figures->uncut_thickness_mm) continue;
+      figures->uncut_thickness_mm = work.left_mm;
+      figures->uncut_at = Place{work.worst, work.worst_z, 0};
+    }
+    for (Fault& fault : faults_of_carving(feature, work, options_.tol)) findings_.faults.push_back(std::move(fault));
   }
 
   void judge_coverage(const FeatureWork& work) {
@@ -183,6 +222,7 @@ class FindingsBuilder {
   const Part& part_;
   const JudgedProgram& program_;
   const std::vector<FeatureWork>& works_;
+  const std::vector<CarvingWork>& carvings_;
   const VerifyOptions& options_;
   Findings findings_;
 };
@@ -193,6 +233,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   const FinishedPart finished(part);
   JudgedProgram program = judged_program(part, toolpath, options.machine, options.earlier, options.control);
   std::vector<FeatureWork> works = works_of(part);
+  std::vector<CarvingWork> carvings = carvings_of(part);
 
   std::vector<std::function<void()>> tasks;
   tasks.push_back([&] {
@@ -206,8 +247,10 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
       judge_liberties(finished, program.moves, chunk, options.tol);
     });
   }
+  for (CarvingWork& work : carvings)
+    tasks.push_back([&part, &program, &options, &work] { judge_carving(part, program, options.tol, work); });
   judge_works(part, finished, program, options, works, std::move(tasks));
-  Findings findings = FindingsBuilder(part, program, works, options).build();
+  Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   if (findings.all.load)
     findings.all.thin_wall = thinnest_wall(finished, findings.all.load->max_force_n, *options.material);
   return findings;

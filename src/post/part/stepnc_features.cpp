@@ -174,6 +174,7 @@ class FeatureWriter {
   std::string write() {
     switch (feature_.kind) {
       case FeatureKind::kClosedPocket:
+      case FeatureKind::kVCarving:
         return closed_pocket();
       case FeatureKind::kPlanarFace:
         return planar_face();
@@ -186,6 +187,7 @@ class FeatureWriter {
       case FeatureKind::kOutsideProfile:
       case FeatureKind::kInsideProfile:
       case FeatureKind::kEngraving:
+      case FeatureKind::kChamfer:
         return outside_profile();
       case FeatureKind::kOpenPocket:
         break;

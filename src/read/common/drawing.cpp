@@ -177,9 +177,27 @@ Feature face_of(const DrawnGroup& group, const Region& region, double depth, con
   return feature;
 }
 
+/// Without a depth as deep as the bit's cone asks for; until a bit is chosen that of a cone of 90 degrees.
+Feature carving_of(const DrawnGroup& group, Region region, const ReadOptions& options) {
+  const std::optional<double> asked = options.depth ? options.depth : group.depth;
+  VCarving carving;
+  if (asked) carving.limit = checked_depth(*asked, group.where);
+  const double widest = Clearance(region, options.tol).max();
+  Feature feature = blank_feature(group, std::min(widest, carving.limit.value_or(widest)), options);
+  feature.kind = FeatureKind::kVCarving;
+  feature.target = {std::move(region)};
+  feature.allowed = feature.target;
+  feature.carving = carving;
+  return feature;
+}
+
 void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
                         std::vector<Feature>& out) {
   if (shaped.regions.empty() && shaped.lines.empty()) return;
+  if (shaped.group.role == LayerRole::kVCarve) {
+    for (Region& region : shaped.regions) out.push_back(carving_of(shaped.group, std::move(region), options));
+    return;
+  }
   const double depth = depth_of(shaped.group, options, diagnostics);
   switch (shaped.group.role) {
     case LayerRole::kInside:
@@ -205,6 +223,7 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
 /// Faces first, then pockets and holes, engraving, and what frees the part last: inner cut-outs before outer ones.
 int turn_of(const Feature& feature) {
   if (feature.kind == FeatureKind::kPlanarFace) return 0;
+  if (feature.carving) return 2;
   if (!feature.profile) return 1;
   return feature.profile->side == ProfileSide::kOn ? 2 : 3;
 }

@@ -55,6 +55,7 @@ std::optional<LayerRole> role_of_word(std::string_view word) {
     if (word == profile) return LayerRole::kProfile;
   }
   if (word == "INSIDE") return LayerRole::kInside;
+  if (word == "VCARVE" || word == "CARVE") return LayerRole::kVCarve;
   if (word == "ENGRAVE") return LayerRole::kEngrave;
   if (word == "CHAMFER") return LayerRole::kChamfer;
   if (word == "FACE") return LayerRole::kFace;

@@ -15,11 +15,12 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::array<std::pair<const char*, LayerRole>, 10> kRoleNames{{{"pocket", LayerRole::kPocket},
+constexpr std::array<std::pair<const char*, LayerRole>, 11> kRoleNames{{{"pocket", LayerRole::kPocket},
                                                                         {"profile", LayerRole::kProfile},
                                                                         {"inside", LayerRole::kInside},
                                                                         {"drill", LayerRole::kHole},
                                                                         {"engrave", LayerRole::kEngrave},
+                                                                        {"vcarve", LayerRole::kVCarve},
                                                                         {"chamfer", LayerRole::kChamfer},
                                                                         {"face", LayerRole::kFace},
                                                                         {"island", LayerRole::kIsland},

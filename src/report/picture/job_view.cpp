@@ -46,6 +46,12 @@ const char* words_for(ToolKind kind) {
       return "drill";
     case ToolKind::kReamer:
       return "reamer";
+    case ToolKind::kVBit:
+      return "V-bit";
+    case ToolKind::kChamferMill:
+      return "chamfer mill";
+    case ToolKind::kSpotDrill:
+      return "spot drill";
     case ToolKind::kOther:
       return "tool";
   }

@@ -1,0 +1,211 @@
+#include "verify/shaped_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace clearcut::verify {
+namespace {
+
+/// mm. Stretches of a path that are no longer are not halved again.
+constexpr double kShortest = 2e-4;
+constexpr int kSections = 40;
+constexpr double kGolden = 0.6180339887498949;
+/// mm. Side of a square of the grid that moves are found by, and how many buckets it is folded into.
+constexpr double kCell = 1;
+constexpr std::size_t kBuckets = 1U << 14U;
+
+/// How far a tip at height z has to stay from the outline of a wall.
+double distance_needed(const Wall& wall, const Tool& tool, double z, bool leans_here) {
+  if (z >= wall.z_high) return 0;
+  if (!leans_here || wall.slope <= 0) return radius_at(tool, wall.z_high - z);
+  double most = 0;
+  const auto look = [&](double height) {
+    if (height >= z && height >= wall.z_low && height <= wall.z_high)
+      most = std::max(most, radius_at(tool, height - z) + wall.lean(height));
+  };
+  look(std::max(z, wall.z_low));
+  look(wall.z_high);
+  if (is_conical(tool)) {
+    look(z + cone_height(tool));
+  } else if (wall.z_high > z) {
+    look(std::min(wall.z_high, z + tool.radius()));
+    most = std::max(most, tool.radius() + wall.lean(std::min(wall.z_high, z + tool.radius())));
+  }
+  return most;
+}
+
+class ShapedJudge {
+ public:
+  ShapedJudge(const FinishedPart& part, const Move& move, const Tool& tool, double slack)
+      : part_(part), move_(move), tool_(tool), slack_(slack) {
+    const double run = move.is_vertical() ? 0 : move.path.length();
+    const double down = std::abs(move.z_to - move.z_from);
+    steepest_ = is_conical(tool) ? std::max(flank_slope(tool), 0.0) : kBallSlope;
+    // mm that the excess changes at most over the whole move; leaning walls add their slope.
+    rate_ = run + down * (steepest_ + kWallSlope);
+    half_ = run / 2;
+  }
+
+  std::optional<Gouge> judge() {
+    const double low = std::min(move_.z_from, move_.z_to);
+    if (low >= part_.top_z()) return std::nullopt;
+    part_.wall_tree().within(at(0.5), half_ + tool_.radius() + part_.greatest_lean(),
+                             [&](int i) { against_wall(part_.walls()[static_cast<std::size_t>(i)]); });
+    for (const double t : {0.0, 0.5, 1.0}) against_inside(t);
+    return worst_;
+  }
+
+ private:
+  /// What a ball's radius changes for each mm of height is without bound at its tip; its judge looks at sections alone.
+  static constexpr double kBallSlope = 10;
+  static constexpr double kWallSlope = 2;
+
+  Vec2 at(double t) const { return move_.is_vertical() ? move_.path.from : move_.path.at(t); }
+  double z_at(double t) const { return move_.z_from + (move_.z_to - move_.z_from) * t; }
+
+  double excess(const Wall& wall, double t) const {
+    const Vec2 p = at(t);
+    const bool leans = wall.slope > 0 && part_.is_inside(wall.feature, p);
+    return distance_needed(wall, tool_, z_at(t), leans) - distance(wall.edge, p);
+  }
+
+  void against_wall(const Wall& wall) {
+    double worst_t = 0, worst = -HUGE_VAL;
+    const auto look = [&](double t) {
+      const double e = excess(wall, t);
+      if (e > worst) worst = e, worst_t = t;
+      return e;
+    };
+    const double first = look(0), last = look(1);
+    if (!move_.is_vertical()) {
+      if ((first + last + rate_) / 2 <= 0) return;
+      if (!wall.edge.is_arc() && !move_.path.is_arc()) {
+        by_sections(look);
+      } else {
+        by_halves(look, 0, first, 1, last, worst);
+      }
+    }
+    if (worst > 0) keep(wall, worst_t, worst);
+  }
+
+  template <typename Look>
+  static void by_sections(Look look) {
+    double low = 0, high = 1, a = 1 - kGolden, b = kGolden, fa = look(a), fb = look(b);
+    for (int i = 0; i < kSections; ++i) {
+      if (fa < fb) {
+        low = a, a = b, fa = fb;
+        fb = look(b = low + kGolden * (high - low));
+      } else {
+        high = b, b = a, fb = fa;
+        fa = look(a = high - kGolden * (high - low));
+      }
+    }
+  }
+
+  template <typename Look>
+  void by_halves(Look look, double a, double fa, double b, double fb, const double& worst) {
+    const double above = (fa + fb + rate_ * (b - a)) / 2;
+    if (above <= std::max(slack_ / 2, worst) || (b - a) * rate_ < kShortest) return;
+    const double middle = (a + b) / 2, fm = look(middle);
+    by_halves(look, a, fa, middle, fm, worst);
+    by_halves(look, middle, fm, b, fb, worst);
+  }
+
+  void keep(const Wall& wall, double t, double sideways) {
+    const double upwards = is_conical(tool_) ? sideways / steepest_ : sideways;
+    const double depth = std::min({sideways, upwards, wall.z_high - z_at(t)});
+    if (depth <= 0 || (worst_ && depth <= worst_->depth)) return;
+    worst_ = Gouge{depth, at(t), z_at(t), false, wall.feature};
+  }
+
+  /// The tip itself may be below a floor or inside a wall.
+  void against_inside(double t) {
+    const double height = part_.height(at(t)), z = z_at(t);
+    if (height <= z + slack_ || (worst_ && height - z <= worst_->depth)) return;
+    worst_ = Gouge{height - z, at(t), z, true, -1};
+  }
+
+  const FinishedPart& part_;
+  const Move& move_;
+  const Tool& tool_;
+  double slack_;
+  double steepest_ = 0, rate_ = 0, half_ = 0;
+  std::optional<Gouge> worst_;
+};
+
+/// Place along a straight move where a cone stands lowest over p, if it went on without end.
+double lowest_place(const Move& move, const Tool& tool, Vec2 p) {
+  const Vec2 along = move.path.to - move.path.from;
+  const double length = norm(along), near = dot(p - move.path.from, along) / (length * length);
+  const double aside = std::abs(cross(p - move.path.from, along)) / length;
+  const double rise = (move.z_to - move.z_from) / length, steep = rise * flank_slope(tool);
+  if (std::abs(steep) >= 1) return rise < 0 ? 1 : 0;
+  return near - steep * aside / std::sqrt(1 - steep * steep) / length;
+}
+
+}  // namespace
+
+std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move, const Tool& tool,
+                                     double slack) {
+  return ShapedJudge(part, move, tool, slack).judge();
+}
+
+std::optional<double> height_at(const Tool& tool, double distance) {
+  if (distance > tool.radius()) return std::nullopt;
+  if (is_conical(tool)) return std::max(0.0, distance - tool.tip_diameter / 2) / flank_slope(tool);
+  const double round = tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
+  const double out = std::max(0.0, distance - (tool.radius() - round));
+  return round - std::sqrt(std::max(0.0, round * round - out * out));
+}
+
+CutHeights::CutHeights() : cells_(kBuckets) {}
+
+std::size_t CutHeights::cell_of(double x, double y) {
+  const auto column = static_cast<std::int64_t>(std::floor(x / kCell));
+  const auto row = static_cast<std::int64_t>(std::floor(y / kCell));
+  const auto mixed = static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15ULL +
+                     static_cast<std::uint64_t>(row) * 0xC2B2AE3D27D4EB4FULL;
+  return static_cast<std::size_t>(mixed >> 50U) % kBuckets;
+}
+
+void CutHeights::add(const Move& move, const Tool& tool) {
+  const std::size_t index = entries_.size();
+  entries_.push_back({&move, &tool});
+  const Box box = (move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box()).grown(tool.radius());
+  for (double x = std::floor(box.min.x / kCell) * kCell; x <= box.max.x; x += kCell) {
+    for (double y = std::floor(box.min.y / kCell) * kCell; y <= box.max.y; y += kCell) {
+      auto& cell = cells_[cell_of(x + kCell / 2, y + kCell / 2)];
+      if (cell.empty() || cell.back() != index) cell.push_back(index);
+    }
+  }
+}
+
+double CutHeights::at(Vec2 p) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : cells_[cell_of(p.x, p.y)]) {
+    const Move& move = *entries_[i].move;
+    const Tool& tool = *entries_[i].tool;
+    if (std::min(move.z_from, move.z_to) >= lowest) continue;
+    const auto look = [&](double t) {
+      const double c = std::clamp(t, 0.0, 1.0);
+      const Vec2 center = move.is_vertical() ? move.path.from : move.path.at(c);
+      const double z = move.is_vertical() ? std::min(move.z_from, move.z_to)
+                                          : move.z_from + (move.z_to - move.z_from) * c;
+      if (const auto above = height_at(tool, distance(center, p))) lowest = std::min(lowest, z + *above);
+    };
+    if (move.is_vertical()) {
+      look(0);
+      continue;
+    }
+    look(nearest(move.path, p).t);
+    if (move.z_from == move.z_to) continue;
+    look(0);
+    look(1);
+    if (is_conical(tool) && !move.path.is_arc()) look(lowest_place(move, tool, p));
+  }
+  return lowest;
+}
+
+}  // namespace clearcut::verify
