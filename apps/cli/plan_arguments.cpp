@@ -74,7 +74,7 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
   command.add_option(
       "--op", operations_,
       "KIND:SELECTION, what outlines of a drawing are for: pocket, profile, inside, drill, engrave, vcarve, "
-      "chamfer, face, island or ignore, with a depth as in profile_d6; the selection is a layer, a colour, outer "
+      "face, island or ignore, with a depth as in profile_d6; the selection is a layer, a colour, outer "
       "or numbers of `info` (repeatable)");
   command.add_option("--tabs", tabs_.count, "Tabs that hold what a profile cuts free, of each profile")
       ->check(CLI::Range(0, 100));
@@ -92,10 +92,11 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
 }
 
 void PlanArguments::add_tool_list_options(CLI::App& command) {
-  command.add_option("--tool", tools_,
-                     "KIND:DIAMETER[:60deg][:tip=0.2][:T3][:flutes=2][:corner=0.5][:length=L][:name=N][:noplunge]; "
-                     "kinds: endmill, facemill, bullnose, "
-                     "ball, drill, reamer, vbit, chamfer, spotdrill (repeatable)");
+  command.add_option(
+      "--tool", tools_,
+      "KIND:DIAMETER[:60deg][:tip=0.2][:T3][:flutes=2][:corner=0.5][:length=L][:name=N][:noplunge]; "
+      "kinds: endmill, facemill, bullnose, "
+      "ball, drill, reamer, vbit, chamfer, spotdrill (repeatable)");
   command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml");
 }
 
@@ -159,8 +160,7 @@ void PlanArguments::add_post_options(CLI::App& command) {
   command.add_flag("--no-tool-change", no_tool_change_, "A pause (M0) instead of M6");
   command.add_flag("--no-length-offset", no_length_offset_, "No G43");
   command.add_flag("--exact-stop", exact_stop_, "G61 instead of blending");
-  command
-      .add_option("--work-offset", work_offset_, "Where the part's zero is: G54 (default) to G59")
+  command.add_option("--work-offset", work_offset_, "Where the part's zero is: G54 (default) to G59")
       ->check(CLI::IsMember({"G54", "G55", "G56", "G57", "G58", "G59"}, CLI::ignore_case));
   command.add_option("--program-number", program_number_, "O word of Fanuc and Haas programs")
       ->check(CLI::Range(1, 99999));

@@ -24,14 +24,14 @@ Track begun_at(Track track, std::size_t piece) {
 }
 
 /// How a track may be entered, and how far away that is.
-struct Beginning {
+struct TrackStart {
   double distance = std::numeric_limits<double>::infinity();
   std::size_t piece = 0;
   bool backwards = false;
 };
 
-Beginning nearest_beginning(const Track& track, Vec2 from) {
-  Beginning best;
+TrackStart nearest_start(const Track& track, Vec2 from) {
+  TrackStart best;
   const auto offer = [&](Vec2 at, std::size_t piece, bool backwards) {
     const double d = distance(from, at);
     if (d < best.distance) best = {d, piece, backwards};
@@ -98,9 +98,9 @@ Section link_tracks(std::vector<std::vector<Track>> sets, double clear_z, const 
   for (std::vector<Track>& set : sets) {
     while (!set.empty()) {
       std::size_t next = 0;
-      Beginning best;
+      TrackStart best;
       for (std::size_t i = 0; i < set.size(); ++i) {
-        const Beginning one = nearest_beginning(set[i], linker.at());
+        const TrackStart one = nearest_start(set[i], linker.at());
         if (one.distance < best.distance) best = one, next = i;
       }
       Track track = std::move(set[next]);

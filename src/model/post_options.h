@@ -20,7 +20,7 @@ struct PostOptions {
   bool tool_changer = true;         ///< false: a pause (M0) instead of M6
   bool length_offset = true;        ///< false: no G43
   bool exact_stop = false;          ///< G61 instead of blending, where the control knows it
-  bool continuous = false;  ///< where the control states no bound: no G61, corners are rounded by its own
+  bool continuous = false;     ///< where the control states no bound: no G61, corners are rounded by its own
   int work_offset = 54;        ///< G54 to G59: where the part's zero is
   bool block_numbers = false;  ///< N words, in tens
   bool optional_stop = false;  ///< M1 before every tool but the first

@@ -11,10 +11,10 @@ struct ToolName {
   ToolKind kind;
   const char* name;
 };
-constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},  {ToolKind::kFaceMill, "facemill"},
-                               {ToolKind::kBallEndMill, "ball"}, {ToolKind::kBullNoseEndMill, "bullnose"},
-                               {ToolKind::kDrill, "drill"},      {ToolKind::kReamer, "reamer"},
-                               {ToolKind::kVBit, "vbit"},        {ToolKind::kChamferMill, "chamfer"},
+constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},     {ToolKind::kFaceMill, "facemill"},
+                               {ToolKind::kBallEndMill, "ball"},    {ToolKind::kBullNoseEndMill, "bullnose"},
+                               {ToolKind::kDrill, "drill"},         {ToolKind::kReamer, "reamer"},
+                               {ToolKind::kVBit, "vbit"},           {ToolKind::kChamferMill, "chamfer"},
                                {ToolKind::kSpotDrill, "spotdrill"}, {ToolKind::kOther, "other"}};
 
 }  // namespace
@@ -55,8 +55,9 @@ double radius_at(const Tool& tool, double height) {
 }
 
 bool clears_floors(const Tool& tool) {
-  return tool.kind != ToolKind::kDrill && tool.kind != ToolKind::kReamer && tool.kind != ToolKind::kSpotDrill &&
-         tool.kind != ToolKind::kVBit && tool.kind != ToolKind::kChamferMill;
+  return tool.kind != ToolKind::kDrill && tool.kind != ToolKind::kReamer &&
+         tool.kind != ToolKind::kSpotDrill && tool.kind != ToolKind::kVBit &&
+         tool.kind != ToolKind::kChamferMill;
 }
 
 }  // namespace clearcut::inline model

@@ -34,7 +34,7 @@ struct Tool {
   double corner_radius = 0;  ///< 0 flat
   int teeth = 2;
   std::optional<double> flute_length;
-  bool center_cutting = true;  ///< may plunge straight down
+  bool center_cutting = true;             ///< may plunge straight down
   std::optional<Radians> tip_angle = {};  ///< cones: between opposite flanks
   double tip_diameter = 0;                ///< cones: of the flat at the tip
   double radius() const { return diameter / 2; }

@@ -62,7 +62,8 @@ plan::carve::TrackSets tracks_of(int workingstep, const ResolvedPlan& plan) {
   shape.cusp = kCusp;
   plan::carve::TrackSets sets;
   for (const Region& region : feature.target) {
-    for (auto& set : plan::carve::carve_region(region, shape, cleared_before(workingstep, region, plan), plan.tol))
+    for (auto& set :
+         plan::carve::carve_region(region, shape, cleared_before(workingstep, region, plan), plan.tol))
       sets.push_back(std::move(set));
   }
   return sets;

@@ -127,7 +127,8 @@ std::string IsoWriter::safe_start() const {
   std::string words(dialect_.safe_start);
   const std::size_t at = words.find("G54");
   if (at == std::string::npos && options_.work_offset != 54)
-    throw InputError("--work-offset", std::string(dialect_.name) + " has no work offsets; set its zero at the part's");
+    throw InputError("--work-offset",
+                     std::string(dialect_.name) + " has no work offsets; set its zero at the part's");
   if (at != std::string::npos) words.replace(at, 3, "G" + std::to_string(options_.work_offset));
   return words;
 }

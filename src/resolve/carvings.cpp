@@ -78,9 +78,10 @@ Workingstep floor_step(const Workingstep& step, int mill, const Part& part, cons
 void shape_groove(Feature& feature, const Tool& tool) {
   const double depth = feature.top_z - feature.floor_z;
   if (is_conical(tool) && depth > cone_height(tool)) {
-    throw InputError(feature.name, fmt::format("it is {} mm deep and the flanks of {} end {} mm above its tip; "
-                                               "use less depth or a wider bit",
-                                               trimmed(depth, 3), size_of(tool), trimmed(cone_height(tool), 3)));
+    throw InputError(feature.name,
+                     fmt::format("it is {} mm deep and the flanks of {} end {} mm above its tip; "
+                                 "use less depth or a wider bit",
+                                 trimmed(depth, 3), size_of(tool), trimmed(cone_height(tool), 3)));
   }
   const double radius = radius_at(tool, depth);
   const Tolerances tol;
@@ -115,10 +116,11 @@ void shape_carvings(Part& part, const PlanOptions& options, StepSources& sources
         if (!has_mill(part.tools)) {
           throw InputError(
               feature.name,
-              fmt::format("it is up to {} mm wide and {} reaches its walls down to {} mm: the floor between them "
-                          "needs an end mill; give one besides, for example --tool endmill:3{}",
-                          trimmed(2 * widest, 3), size_of(tool), trimmed(feature.top_z - feature.floor_z, 3),
-                          feature.carving->limit ? ", or allow more depth" : ", or a wider bit"));
+              fmt::format(
+                  "it is up to {} mm wide and {} reaches its walls down to {} mm: the floor between them "
+                  "needs an end mill; give one besides, for example --tool endmill:3{}",
+                  trimmed(2 * widest, 3), size_of(tool), trimmed(feature.top_z - feature.floor_z, 3),
+                  feature.carving->limit ? ", or allow more depth" : ", or a wider bit"));
         }
         const int mill = floor_mill(feature, part.tools, options.tol);
         if (mill >= 0) workplan.push_back(floor_step(step, mill, part, options, sources));

@@ -40,9 +40,9 @@ double required_length(const std::string& text, const std::string& place, const 
 
 std::string kind_names() {
   std::string names;
-  for (const auto kind : {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill,
-                          ToolKind::kBallEndMill, ToolKind::kDrill, ToolKind::kReamer, ToolKind::kVBit,
-                          ToolKind::kChamferMill, ToolKind::kSpotDrill}) {
+  for (const auto kind :
+       {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill, ToolKind::kBallEndMill,
+        ToolKind::kDrill, ToolKind::kReamer, ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kSpotDrill}) {
     names += (names.empty() ? "" : ", ") + std::string(name_of(kind));
   }
   return names;
@@ -91,7 +91,8 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   } else {
     throw InputError(
         place,
-        fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, 60deg, tip=, name=, noplunge", word));
+        fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, 60deg, tip=, name=, noplunge",
+                    word));
   }
 }
 
@@ -100,9 +101,10 @@ void check_cone(const Tool& tool, const std::string& place) {
   const bool cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
                     tool.kind == ToolKind::kSpotDrill;
   if (cone && !tool.tip_angle)
-    throw InputError(place, fmt::format("a {0} needs the angle between its flanks, for example {0}:{1}deg:{2}",
-                                        name_of(tool.kind), tool.kind == ToolKind::kVBit ? 60 : 90,
-                                        trimmed(tool.diameter, 4)));
+    throw InputError(
+        place,
+        fmt::format("a {0} needs the angle between its flanks, for example {0}:{1}deg:{2}",
+                    name_of(tool.kind), tool.kind == ToolKind::kVBit ? 60 : 90, trimmed(tool.diameter, 4)));
   if (!cone && (tool.tip_angle || tool.tip_diameter > 0))
     throw InputError(place, fmt::format("a {} has no tip angle and no tip diameter", name_of(tool.kind)));
   if (tool.tip_diameter < 0 || tool.tip_diameter >= tool.diameter)

@@ -38,7 +38,8 @@ std::vector<Workingstep> last_milling_steps(const Part& part) {
   std::vector<Workingstep> last;
   for (const Workingstep& step : part.workplan) {
     const Feature& feature = feature_of(part, step);
-    if (!clears_floors(tool_of(part, step)) || feature.carving || is_carved(feature, tool_of(part, step))) continue;
+    if (!clears_floors(tool_of(part, step)) || feature.carving || is_carved(feature, tool_of(part, step)))
+      continue;
     std::erase_if(last, [&](const Workingstep& other) { return other.feature == step.feature; });
     last.push_back(step);
   }

@@ -27,7 +27,8 @@ const Tool* carver_of(const Part& part, int feature) {
   const Tool* carver = nullptr;
   for (const Workingstep& step : part.workplan) {
     const bool known = step.operation.tool >= 0 && step.operation.tool < static_cast<int>(part.tools.size());
-    if (step.feature != feature || !known || !is_carved(part.features[static_cast<std::size_t>(feature)], tool_of(part, step)))
+    if (step.feature != feature || !known ||
+        !is_carved(part.features[static_cast<std::size_t>(feature)], tool_of(part, step)))
       continue;
     if (!carver || tool_of(part, step).tip_diameter < carver->tip_diameter) carver = &tool_of(part, step);
   }
@@ -44,7 +45,8 @@ class CarvingJudge {
         outline_(feature_.target) {
     const Box here = box(feature_.target);
     for (const JudgedMove& judged : program.moves) {
-      if (!judged.feeds() || !judged.tool || judged.radius() <= 0 || judged.low_z() >= feature_.top_z) continue;
+      if (!judged.feeds() || !judged.tool || judged.radius() <= 0 || judged.low_z() >= feature_.top_z)
+        continue;
       const Move& move = *judged.move;
       const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
       if (!path.grown(judged.radius()).overlaps(here)) continue;
@@ -160,6 +162,12 @@ class CarvingJudge {
     judge_cell(whole.center(), half);
   }
 
+  bool is_near_a_mill(Vec2 p, double reach) const {
+    bool found = false;
+    mill_tree_.within(p, widest_mill_ + reach, [&](int) { found = true; });
+    return found;
+  }
+
   void judge_cell(Vec2 p, double half) {
     const double diagonal = half * std::sqrt(2.0), foot = widest_ - tip_;
     const double inside = depth_into(p);
@@ -167,6 +175,9 @@ class CarvingJudge {
     if (in_a_mills_way(p, diagonal)) return;
     const double over = shaped_.at(p) - feature_.floor_z;
     if (over + diagonal / slope_ <= kHighestCusp) return;
+    const bool untouched = over - diagonal / slope_ > kHighestCusp && !is_near_a_mill(p, diagonal);
+    if (untouched && inside - diagonal >= foot)
+      return keep(p, std::min(over, foot / slope_), feature_.floor_z, 0);
     if (diagonal > kSmallestCell) {
       for (const Vec2 way : {Vec2{-0.5, -0.5}, Vec2{0.5, -0.5}, Vec2{-0.5, 0.5}, Vec2{0.5, 0.5}})
         judge_cell(p + way * half, half / 2);
@@ -197,8 +208,8 @@ std::vector<CarvingWork> carvings_of(const Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const int feature = part.workplan[i].feature;
     if (!carver_of(part, feature)) continue;
-    const auto known =
-        std::find_if(works.begin(), works.end(), [&](const CarvingWork& work) { return work.feature == feature; });
+    const auto known = std::find_if(works.begin(), works.end(),
+                                    [&](const CarvingWork& work) { return work.feature == feature; });
     if (known == works.end()) {
       CarvingWork work;
       work.feature = feature;
@@ -219,7 +230,8 @@ void judge_carving(const Part& part, const JudgedProgram& program, const Toleran
   } else {
     judge.judge_v_carving();
   }
-  if (std::isinf(work.left_mm)) work.left_mm = part.top_z() - part.features[static_cast<std::size_t>(work.feature)].floor_z;
+  if (std::isinf(work.left_mm))
+    work.left_mm = part.top_z() - part.features[static_cast<std::size_t>(work.feature)].floor_z;
 }
 
 std::vector<Fault> faults_of_carving(const Feature& feature, const CarvingWork& work, const Tolerances& tol) {
@@ -237,7 +249,8 @@ std::vector<Fault> faults_of_carving(const Feature& feature, const CarvingWork& 
            {work.worst, work.worst_z, 0},
            work.left_mm,
            feature.name + ": up to " + trimmed(work.left_mm, 3) + " mm is left uncut, at x " +
-               trimmed(work.worst.x, 3) + " y " + trimmed(work.worst.y, 3) + " z " + trimmed(work.worst_z, 3) + "."}};
+               trimmed(work.worst.x, 3) + " y " + trimmed(work.worst.y, 3) + " z " +
+               trimmed(work.worst_z, 3) + "."}};
 }
 
 }  // namespace clearcut::verify

@@ -15,7 +15,8 @@ struct CarvingWork {
   int feature = 0;
   int last_workingstep = 0;
   bool any_cut = false;
-  double left_mm = 0;  ///< proven bound of the thickness of anything left, square to the flank; on floors its height over a cusp
+  double left_mm =
+      0;  ///< proven bound of the thickness of anything left, square to the flank; on floors its height over a cusp
   Vec2 worst;
   double worst_z = 0;
 };

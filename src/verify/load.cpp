@@ -65,7 +65,8 @@ class LoadMeter {
     before_ = &move;
     if (judged.low_z() < material_.z_top() - kFilm) {
       const double length = move.length();
-      const int steps = move.is_vertical() ? 1 : std::max(1, static_cast<int>(std::ceil(length / kLongestStep)));
+      const int steps =
+          move.is_vertical() ? 1 : std::max(1, static_cast<int>(std::ceil(length / kLongestStep)));
       for (int i = 0; i <= steps; ++i) measure_tip(judged, static_cast<double>(i) / steps);
       (judged.load.axial_mm > 0 ? judged.load.cutting_mm : judged.load.air_mm) += length;
     }
@@ -222,6 +223,8 @@ class LoadMeter {
   void measure_rapid(JudgedMove& judged) {
     const Move& move = *judged.move;
     const double radius = judged.radius() - kFilm;
+    // A cone leaves its groove straight up as it stands in it.
+    if (judged.tool && is_conical(*judged.tool) && move.is_vertical() && move.z_to >= move.z_from) return;
     // A rapid straight up or down meets most where it is lowest.
     if (move.is_vertical()) {
       if (touches(move.path.from, radius, judged.low_z()))

@@ -173,7 +173,8 @@ std::size_t CutHeights::cell_of(double x, double y) {
 void CutHeights::add(const Move& move, const Tool& tool) {
   const std::size_t index = entries_.size();
   entries_.push_back({&move, &tool});
-  const Box box = (move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box()).grown(tool.radius());
+  const Box box =
+      (move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box()).grown(tool.radius());
   for (double x = std::floor(box.min.x / kCell) * kCell; x <= box.max.x; x += kCell) {
     for (double y = std::floor(box.min.y / kCell) * kCell; y <= box.max.y; y += kCell) {
       auto& cell = cells_[cell_of(x + kCell / 2, y + kCell / 2)];
@@ -191,8 +192,8 @@ double CutHeights::at(Vec2 p) const {
     const auto look = [&](double t) {
       const double c = std::clamp(t, 0.0, 1.0);
       const Vec2 center = move.is_vertical() ? move.path.from : move.path.at(c);
-      const double z = move.is_vertical() ? std::min(move.z_from, move.z_to)
-                                          : move.z_from + (move.z_to - move.z_from) * c;
+      const double z =
+          move.is_vertical() ? std::min(move.z_from, move.z_to) : move.z_from + (move.z_to - move.z_from) * c;
       if (const auto above = height_at(tool, distance(center, p))) lowest = std::min(lowest, z + *above);
     };
     if (move.is_vertical()) {

@@ -31,8 +31,7 @@ void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, con
       continue;
     }
     if (judged.tool && is_conical(*judged.tool)) {
-      judged.gouge = judged.feeds() ? shaped_gouge_of(finished, *judged.move, *judged.tool, tol.gouge)
-                                    : gouge_of(finished, *judged.move, judged.radius(), tol.gouge, false);
+      judged.gouge = shaped_gouge_of(finished, *judged.move, *judged.tool, tol.gouge);
       before = nullptr;
       continue;
     }
@@ -53,8 +52,8 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
 }
 
 /// The same for a cone, which may be as far off its path as the control may leave it.
-void judge_shaped_liberty(const FinishedPart& finished, const std::vector<JudgedMove>& all, JudgedMove& judged,
-                          const Tolerances& tol) {
+void judge_shaped_liberty(const FinishedPart& finished, const std::vector<JudgedMove>& all,
+                          JudgedMove& judged, const Tolerances& tol) {
   const double before = &judged == all.data() ? 0 : (&judged - 1)->path_tolerance;
   const double off = std::max({judged.doubt, judged.path_tolerance, before});
   if (off <= 0) return;
@@ -170,7 +169,8 @@ class FindingsBuilder {
       figures->uncut_thickness_mm = work.left_mm;
       figures->uncut_at = Place{work.worst, work.worst_z, 0};
     }
-    for (Fault& fault : faults_of_carving(feature, work, options_.tol)) findings_.faults.push_back(std::move(fault));
+    for (Fault& fault : faults_of_carving(feature, work, options_.tol))
+      findings_.faults.push_back(std::move(fault));
   }
 
   void judge_coverage(const FeatureWork& work) {

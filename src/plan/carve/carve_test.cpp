@@ -59,7 +59,8 @@ double height_left(const TrackSets& sets, const CarveShape& shape, Vec2 p) {
       for (const Track::Piece& piece : track.pieces) {
         const double length = piece.path.from == piece.path.to ? 0 : piece.path.length();
         const double low = std::min(piece.z_from, piece.z_to);
-        const double near = piece.path.from == piece.path.to ? distance(piece.path.from, p) : distance(piece.path, p);
+        const double near =
+            piece.path.from == piece.path.to ? distance(piece.path.from, p) : distance(piece.path, p);
         if (low + std::max(0.0, near - shape.tip_radius) / shape.slope >= lowest) continue;
         const int steps = 1 + static_cast<int>(length / 0.01);
         for (int i = 0; i <= steps; ++i) {
@@ -107,8 +108,8 @@ TEST(Carve, EveryPlaceIsAsDeepAsItsDistanceToTheOutlineAsks) {
 
 TEST(Carve, SharpCornersAreCutUpToTheirTips) {
   const Tolerances tol;
-  const Region square = Region::from_valid_loops(
-      loop_from_points(std::vector<Vec2>{{0, 0}, {6, 0}, {6, 6}, {0, 6}}), {});
+  const Region square =
+      Region::from_valid_loops(loop_from_points(std::vector<Vec2>{{0, 0}, {6, 0}, {6, 6}, {0, 6}}), {});
   CarveShape shape;
   shape.slope = std::tan(kPi / 6);
   shape.floor = -3 / shape.slope;
@@ -119,7 +120,8 @@ TEST(Carve, SharpCornersAreCutUpToTheirTips) {
     for (const auto& set : sets)
       for (const Track& track : set)
         for (const Track::Piece& piece : track.pieces)
-          nearest_end = std::min({nearest_end, distance(piece.path.from, corner), distance(piece.path.to, corner)});
+          nearest_end =
+              std::min({nearest_end, distance(piece.path.from, corner), distance(piece.path.to, corner)});
     EXPECT_LT(nearest_end, 1e-6);
   }
 }

@@ -19,8 +19,8 @@ constexpr std::size_t kLargestFile = std::size_t{64} << 20;
 constexpr double kWidest = 1000;
 
 const std::vector<std::string>& kind_names() {
-  static const std::vector<std::string> names{"endmill", "facemill", "ball", "bullnose", "drill",
-                                              "reamer", "vbit", "chamfer", "spotdrill"};
+  static const std::vector<std::string> names{"endmill", "facemill", "ball",    "bullnose", "drill",
+                                              "reamer",  "vbit",     "chamfer", "spotdrill"};
   return names;
 }
 
@@ -60,7 +60,8 @@ void read_cone(DataSection& section, Tool& tool) {
     section.fail_at(angle ? "tip_angle" : "tip_diameter", "is not of this kind of tool");
   if (!cone) return;
   if (!angle) section.fail("tip_angle is missing; add tip_angle = 60 (degrees between the flanks)");
-  if (*angle < kSharpest || *angle > kBluntest) section.fail_at("tip_angle", "must lie between 5 and 170 degrees");
+  if (*angle < kSharpest || *angle > kBluntest)
+    section.fail_at("tip_angle", "must lie between 5 and 170 degrees");
   tool.tip_angle = Radians::of_degrees(*angle);
   tool.tip_diameter = tip.value_or(0);
   if (tool.tip_diameter >= tool.diameter) section.fail_at("tip_diameter", "is not less than the diameter");
