@@ -27,9 +27,10 @@ if(CLEARCUT_TESTS)
 endif()
 
 function(clearcut_link_packages)
-  foreach(pair "base|fmt::fmt" "base|TBB::tbb" "base|OpenSSL::Crypto" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers" "plan|TBB::tbb" "order|TBB::tbb"
+  foreach(pair "base|fmt::fmt" "base|TBB::tbb" "base|OpenSSL::Crypto" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers"
                "read|nlohmann_json::nlohmann_json" "read|pugixml::pugixml" "read|PkgConfig::tomlplusplus"
-               "report|nlohmann_json::nlohmann_json" "pipeline|TBB::tbb" "pipeline|nlohmann_json::nlohmann_json")
+                "report|nlohmann_json::nlohmann_json" "pipeline|nlohmann_json::nlohmann_json"
+                "studies|nlohmann_json::nlohmann_json")
     string(REPLACE "|" ";" pair "${pair}")
     list(GET pair 0 module)
     list(GET pair 1 package)

@@ -1,7 +1,6 @@
 #include "studies/genetic_study.h"
 
 #include <fmt/format.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <charconv>
@@ -11,13 +10,13 @@
 #include <mutex>
 
 #include "base/error.h"
-#include "base/format.h"
 #include "base/parallel.h"
+#include "base/text/format.h"
 #include "order/genetic/crossover.h"
 #include "order/genetic/mutation.h"
 #include "order/genetic/selection.h"
 #include "order/lattice.h"
-#include "pipeline/tour.h"
+#include "pipeline/tour/tour.h"
 #include "report/picture/chart.h"
 
 namespace clearcut::studies {
@@ -88,6 +87,35 @@ const std::vector<Plan>& plans() {
        {20, 20, 1000},
        {50, 2000, 1000},
        {"5", "10", "15", "20", "25", "30"}},
+      {"crossover-rate",
+       "section 3.9",
+       "crossover rate",
+       kFitness,
+       {20, 10, 2000},
+       {50, 1100, 5'000'000},
+       {"0", "0.1", "0.2", "0.4", "0.8"}},
+      {"mutation-rate",
+       "section 3.9",
+       "mutation rate",
+       kFitness,
+       {20, 10, 2000},
+       {50, 1100, 5'000'000},
+       {"0.2", "0.4", "0.6", "0.8", "1"}},
+      {"neighbours",
+       "section 4.3.2",
+       "neighbours",
+       kFitness,
+       {20, 10, 2000},
+       {50, 1100, 5'000'000},
+       {"4", "8", "16", "24", "48"}},
+      {"sensitivity",
+       "section 3.9, one factor at a time",
+       "changed",
+       kFitness,
+       {20, 20, 2000},
+       {50, 1100, 5'000'000},
+       {"nothing", "population / 2", "population * 2", "crossover rate / 2", "crossover rate * 2",
+        "mutation rate / 2", "neighbours / 2", "neighbours * 2", "shared edges / 2", "shared edges * 2"}},
       {"spread", "figures 6-4 and 6-5", "none", kFitness, {30, 100, 5000}, {100, 2000, 3'000'000}, {"all"}}};
   return all;
 }
@@ -101,8 +129,25 @@ const Plan& plan_named(const std::string& name) {
   throw InputError("study", fmt::format("'{}' is unknown; use one of {}", name, known));
 }
 
+/// "population * 2": one factor of the algorithm halved or doubled.
+void change_one(order::GeneticOptions& genetic, const std::string& change) {
+  if (change == "nothing") return;
+  const double factor = change.ends_with("* 2") ? 2 : 0.5;
+  const std::string what = change.substr(0, change.size() - 4);
+  const auto scaled = [&](int value) { return static_cast<int>(std::lround(value * factor)); };
+  if (what == "population") genetic.population = scaled(genetic.population);
+  if (what == "neighbours") genetic.neighbours = scaled(genetic.neighbours);
+  if (what == "crossover rate") genetic.crossover_rate *= factor;
+  if (what == "mutation rate") genetic.mutation_rate *= factor;
+  if (what == "shared edges") genetic.most_shared *= factor;
+}
+
 void set_factor(StudyLevel& level, const std::string& factor, const std::string& value) {
   if (factor == "population") level.genetic.population = std::stoi(value);
+  if (factor == "crossover rate") level.genetic.crossover_rate = std::stod(value);
+  if (factor == "mutation rate") level.genetic.mutation_rate = std::stod(value);
+  if (factor == "neighbours") level.genetic.neighbours = std::stoi(value);
+  if (factor == "changed") change_one(level.genetic, value);
   if (factor == "side") level.side = std::stoi(value);
   if (factor == "selection") level.genetic.selection = value;
   if (factor == "crossover") level.genetic.crossover = value;
@@ -254,6 +299,11 @@ Moments moments(const std::vector<double>& values) {
   return m;
 }
 
+/// Eq. 4.11 the other way round: how many runs make the error of the mean 1 % of it.
+double runs_for_one_per_cent(const Moments& m) {
+  return m.mean > 0 ? std::max(1.0, std::ceil(std::pow(kZ * m.deviation / (0.01 * m.mean), 2))) : 1;
+}
+
 std::string metric_name(StudyMetric metric) {
   return metric == StudyMetric::kFitness    ? "fitness, optimum / value, %"
          : metric == StudyMetric::kImproved ? "children better than both parents, %"
@@ -328,8 +378,7 @@ std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const Genetic
   const int total = static_cast<int>(study.levels.size()) * study.runs;
   int done = total - static_cast<int>(missing.size());
   std::mutex mutex;
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
+  on_threads(options.threads, [&] {
     parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
       auto rows = one_run(study, missing[i].first, missing[i].second, options.seed);
       const std::lock_guard lock(mutex);
@@ -369,7 +418,8 @@ report::TextTable study_table(const GeneticStudy& study, const std::vector<Study
                    {"q1"},
                    {"median"},
                    {"q3"},
-                   {"max"}};
+                   {"max"},
+                   {"runs for E = 1 %"}};
   for (int level = 0; level < static_cast<int>(study.levels.size()); ++level) {
     const auto values = metric_values(study, rows, level);
     if (values.empty()) continue;
@@ -379,6 +429,7 @@ report::TextTable study_table(const GeneticStudy& study, const std::vector<Study
     for (const double value : {m.mean, m.error, m.deviation}) cells.push_back(fmt::format("{:.3f}", value));
     for (const double q : {0.0, 0.25, 0.5, 0.75, 1.0})
       cells.push_back(fmt::format("{:.3f}", report::quantile(values, q)));
+    cells.push_back(fmt::format("{:.0f}", runs_for_one_per_cent(m)));
     table.add(cells);
   }
   const StudyLevel& first = study.levels.front();

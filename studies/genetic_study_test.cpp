@@ -130,7 +130,20 @@ TEST(GeneticStudy, TheTableHasMeanAndError) {
   EXPECT_EQ(table.rows[0][3], "6.245");  // 3 * sqrt(13) / sqrt(3)
   EXPECT_EQ(table.rows[0][4], "3.606");
   EXPECT_EQ(table.rows[0][7], "92.000");
+  EXPECT_EQ(table.rows[0][10], "136");  // (3 * 3.606 / 0.93)^2, rounded up
   EXPECT_NE(study_svg(study, rows).find("</svg>"), std::string::npos);
+}
+
+TEST(GeneticStudy, SensitivityChangesOneFactorAtATime) {
+  const GeneticStudy study = genetic_study("sensitivity", small());
+  const auto& base = study.levels.front().genetic;
+  for (std::size_t i = 1; i < study.levels.size(); ++i) {
+    const auto& one = study.levels[i].genetic;
+    const int changed = (one.population != base.population) + (one.neighbours != base.neighbours) +
+                        (one.crossover_rate != base.crossover_rate) +
+                        (one.mutation_rate != base.mutation_rate) + (one.most_shared != base.most_shared);
+    EXPECT_EQ(changed, 1) << study.levels[i].name;
+  }
 }
 
 TEST(GeneticStudy, RefusesWhatItDoesNotKnow) {

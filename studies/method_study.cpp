@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "pipeline/run.h"
-#include "pipeline/strategies.h"
+#include "pipeline/selection/strategies.h"
 #include "plan/contour/step_rule.h"
 #include "studies/random_polygon.h"
 

@@ -4,14 +4,23 @@
 #include <string>
 #include <vector>
 
-#include "report/text_table.h"
+#include "studies/reproduction.h"
 
 namespace clearcut::studies {
 
-/// Names that reproduce() takes.
-const std::vector<std::string>& reproducible_tables();
+/// A table of the texts that can be reproduced.
+struct ReproducibleTable {
+  std::string name;      ///< that reproduce() takes
+  std::string place;     ///< in the texts
+  double cost_s = 0;     ///< seconds of one core, roughly
+  bool is_long = false;  ///< runs only when it is asked for
+  Reproduction (*make)() = nullptr;
+};
 
-/// One published table beside our figures; differences are marked. Throws InputError for an unknown name.
-report::TextTable reproduce(const std::string& name);
+/// In the order of cost, so that the first is there at once.
+const std::vector<ReproducibleTable>& reproducible_tables();
+
+/// Throws InputError for an unknown name.
+const ReproducibleTable& reproducible_table(const std::string& name);
 
 }  // namespace clearcut::studies

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/units.h"
-#include "pipeline/engagement_model.h"
-#include "pipeline/tour_solver.h"
+#include "pipeline/tour/engagement_model.h"
+#include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
 #include "resolve/prepare.h"
 #include "studies/fishhead.h"
@@ -89,9 +89,10 @@ pipeline::EngagementTask engagement_task(const plan::tour::TourTask& task) {
   return {task.points, task.path, task.layer->target, task.layer->tool_radius};
 }
 
-void add_printed(report::TextTable& table, const char* objective, double length, int turns) {
+void add_printed(report::TextTable& table, const char* objective, double length, int turns,
+                 const char* seconds) {
   table.add({"printed", "", objective, fmt::format("{:.0f}", length), over(length, 2937),
-             std::to_string(turns), over(turns, 41)});
+             std::to_string(turns), over(turns, 41), "", "", "", "", seconds});
 }
 
 double mean_deviation(const plan::tour::TourTask& task, const order::Tour& tour) {
@@ -128,7 +129,8 @@ void add_solution(report::TextTable& table, const std::string& name, const plan:
              over(solution.turns, least_turns), fmt::format("{:.3f}", mean_deviation(task, solution.tour)),
              fmt::format("{:.1f}", solution.objective),
              has_bound ? fmt::format("{:.1f}", solution.bound) : "none",
-             has_bound ? fmt::format("{:.2f}", 100 * solution.gap) : "", solution.bound_basis});
+             has_bound ? fmt::format("{:.2f}", 100 * solution.gap) : "",
+             fmt::format("{:.1f}", solution.seconds), solution.bound_basis});
 }
 
 /// A grid's tours for one objective at a time and for three at once.
@@ -151,7 +153,7 @@ void add_objectives(report::TextTable& table, const std::string& name, const pla
 /// Nothing to visit: every tour is as long as its bound.
 void add_empty(report::TextTable& table, const std::string& name) {
   for (const char* objective : {"length", "turns", "turn angle", "time", "engagement 50 %"})
-    table.add({name, "0", objective, "0", "", "0", "", "0.000", "0.0", "0.0", "0.00", "no grid point"});
+    table.add({name, "0", objective, "0", "", "0", "", "0.000", "0.0", "0.0", "0.00", "", "no grid point"});
 }
 
 std::array<double, 10> histogram(const std::vector<double>& shares) {
@@ -190,10 +192,57 @@ void add_engagement(report::TextTable& table, const plan::tour::TourTask& task, 
   }
 }
 
+/// Engagement alone in both readings of eq. 4.22, alone with the other objectives, and all three at once.
+std::vector<Asked> single_and_multi(const plan::tour::TourTask& task) {
+  const auto make = [&task] { return pipeline::raster_engagement(engagement_task(task)); };
+  const auto linear = pipeline::engagement_objective(kEngagementShare, make);
+  const auto inverse =
+      pipeline::engagement_objective(kEngagementShare, make, pipeline::inverse_engagement_cost);
+  const auto length = order::length_objective(), turns = order::turns_objective();
+  return {{"engagement, linear", linear},
+          {"engagement, 1 / deviation", inverse},
+          {"length", length},
+          {"turns", turns},
+          {"1 : 20 : 0.1", order::weighted_sum({{1, length}, {20, turns}, {0.1, linear}})}};
+}
+
+void add_asked(report::TextTable& table, const plan::tour::TourTask& task, const Asked& asked) {
+  const long long rounds = asked.objective->path_dependent() ? kPathRounds : kLocalRounds;
+  const auto solution = solved(pipeline::grid_problem(task), *asked.objective, 1, rounds);
+  const auto shares = pipeline::raster_engagement(engagement_task(task))->along(solution.tour);
+  std::vector<std::string> row{asked.name, fmt::format("{:.0f}", solution.length),
+                               std::to_string(solution.turns),
+                               fmt::format("{:.3f}", mean_deviation(task, solution.tour))};
+  for (const double bin : histogram(shares)) row.push_back(fmt::format("{:.0f}", bin));
+  table.add(row);
+}
+
 }  // namespace
 
-report::TextTable objectives_table() {
-  report::TextTable table;
+Reproduction single_multi_table() {
+  constexpr const char* kFeature = "POCKET1";
+  Reproduction result;
+  report::TextTable& table = result.table;
+  table.title = fmt::format(
+      "Tour figures 6-16 and 6-17: percent of the moves by mean engagement, {}, 10 mm end mill, target 50 %",
+      kFeature);
+  table.columns = {{"objective", report::Align::kLeft}, {"length"}, {"turns"}, {"deviation"}};
+  for (int bin = 0; bin < 10; ++bin) table.columns.push_back({fmt::format("{}-{}", 10 * bin, 10 * bin + 10)});
+  for (const auto& [name, layer] : all_layers()) {
+    if (name != kFeature) continue;
+    with_largest_grid(layer, kPitch, [&](const plan::tour::TourTask& task) {
+      for (const Asked& asked : single_and_multi(task)) add_asked(table, task, asked);
+    });
+  }
+  table.notes.push_back("the figures are drawn, not printed as numbers: nothing to compare cell by cell");
+  table.notes.push_back(
+      "deviation: mean |engagement - 50 %|, raster model; 1 : 20 : 0.1 are ours, the text prints no weights");
+  return result;
+}
+
+Reproduction objectives_table() {
+  Reproduction result;
+  report::TextTable& table = result.table;
   table.title =
       "Tour table 6.4: the fishhead's features and plates with islands, grid of 5 mm, 10 mm end mill, legal "
       "ways "
@@ -209,11 +258,12 @@ report::TextTable objectives_table() {
                    {"value"},
                    {"bound"},
                    {"gap %"},
+                   {"s"},
                    {"bound by", report::Align::kLeft}};
-  add_printed(table, "length", 2937, 185);
-  add_printed(table, "turns", 3615, 41);
-  add_printed(table, "engagement 50 %", 3999, 260);
-  add_printed(table, "all three", 3012, 42);
+  add_printed(table, "length", 2937, 185, "10");
+  add_printed(table, "turns", 3615, 41, "10");
+  add_printed(table, "engagement 50 %", 3999, 260, "30");
+  add_printed(table, "all three", 3012, 42, "30");
   table.add_rule();
   for (const auto& [name, layer] : all_layers())
     if (!with_largest_grid(layer, kPitch, [&, &feature = name](const plan::tour::TourTask& task) {
@@ -227,12 +277,13 @@ report::TextTable objectives_table() {
   table.notes.push_back("deviation: mean |engagement - 50 %|, raster model; engagement has no bound but 0");
   table.notes.push_back(
       "time: CPO-rho eq. 9 at 1000 mm/min, s; turn bounds hold for unit steps, those by line cover for any");
-  return table;
+  return result;
 }
 
-report::TextTable engagement_table() {
+Reproduction engagement_table() {
   constexpr const char* kFeature = "POCKET1";
-  report::TextTable table;
+  Reproduction result;
+  report::TextTable& table = result.table;
   table.title =
       fmt::format("Tour figure 6-15: percent of the moves by mean engagement, {}, 10 mm end mill", kFeature);
   table.columns = {{"target"}, {"grid, mm"}, {"points"}, {"model", report::Align::kLeft}, {"mean %"}};
@@ -253,7 +304,7 @@ report::TextTable engagement_table() {
       "above: spacing D times target (eq. 4.8), where a row beside a row has 30, 44, 56, 70, 100 % of the "
       "leading "
       "half in material; below: the spacing at which that is the target itself");
-  return table;
+  return result;
 }
 
 }  // namespace clearcut::studies

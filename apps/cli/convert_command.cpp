@@ -34,7 +34,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", *output, "File to write: .json or .p21")->required();
   command->callback([state, output, &exit_code] {
     Part part = state->read();
-    write_outputs({{*output, converted(part, *state, *output)}});
+    write_outputs({{*output, converted(part, *state, *output)}}, state->input_paths());
     print(part.diagnostics, true);
     exit_code = kClean;
   });
@@ -48,7 +48,7 @@ void add_init_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", *output, "Job to write (default: standard output)");
   command->callback([state, output, &exit_code] {
     const std::string path = output->empty() ? "-" : *output;
-    write_outputs({{path, job_text(state->read(), state->input(), state->solid())}});
+    write_outputs({{path, job_text(state->read(), state->input(), state->solid())}}, state->input_paths());
     exit_code = kClean;
   });
 }

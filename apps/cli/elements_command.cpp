@@ -11,6 +11,7 @@
 #include "certificate_info.h"
 #include "commands.h"
 #include "output.h"
+#include "plan_arguments.h"
 
 namespace clearcut::cli {
 namespace {
@@ -33,8 +34,10 @@ struct ElementsCommand {
   std::string output;
   std::string certificate;
   std::string svg;
+  std::string html;
   std::string points;
   bool print_points = false;
+  SolverArguments solver;
   bool table = false;
   bool quiet = false;
   PlanOptions options;
@@ -63,6 +66,8 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
   if (!command.certificate.empty())
     files.push_back({command.certificate, write_certificate(plan, command.options, basis_of(command))});
   if (!command.svg.empty()) files.push_back({command.svg, grid_picture(job, result.points, plan.toolpath)});
+  if (!command.html.empty())
+    files.push_back({command.html, grid_page(job, result.points, plan.toolpath, result.searches)});
   if (!command.points.empty()) files.push_back({command.points, points_csv(job, result.points)});
   return files;
 }
@@ -77,7 +82,7 @@ int run(const ElementsCommand& command) {
                      "needs a job or elements and a program to write: clearcut elements JOB.toml -o OUT.ngc");
   const ElementJob job = job_of(command);
   const ElementsResult result = plan_elements(job, command.options);
-  write_outputs(output_files(command, job, result));
+  write_outputs(output_files(command, job, result), {command.input});
   if (!command.quiet) {
     print(result.plan.part.diagnostics, true);
     if (command.print_points) print_line(plain(points_table(job, result.points)));
@@ -134,13 +139,17 @@ void add_elements_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", state->output, "Program to write (- for standard output)");
   command->add_option("--certificate", state->certificate, "Certificate to write (JSON)");
   command->add_option("--svg", state->svg, "Picture of squares, reduced squares and tool impact to write");
+  command->add_option("--html", state->html,
+                      "Page to write: elements, tools, squares, animated visit, convergence, all points");
   command->add_option("--points", state->points, "Table of all points to write (CSV)");
   command->add_flag("--print-points", state->print_points, "Print the table of all points");
   command->add_option("--post", state->options.post.dialect, "Controller (linuxcnc, grbl, fanuc, ...)");
   command->add_option("--seed", state->options.seed, "Seed of the search");
+  state->solver.add_options(*command);
   command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
   command->callback([state, command, &exit_code] {
+    state->options.published.solver = state->solver.solver();
     state->elements = in_typed_order(*command, *state);
     exit_code = run(*state);
   });

@@ -1,6 +1,5 @@
 // clearcut: the command. Parses, calls the pipeline, prints.
 #include <clearcut/error.h>
-#include <clearcut/file.h>
 #include <clearcut/version.h>
 
 #include <cstdio>
@@ -69,7 +68,6 @@ int checked_output(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const clearcut::InputGuard guard;
   try {
     return checked_output(parse_and_run(argc, argv));
   } catch (const clearcut::InputError& error) {

@@ -2,6 +2,8 @@
 
 #include <clearcut/error.h>
 
+#include <array>
+#include <csignal>
 #include <cstdio>
 
 namespace clearcut::cli {
@@ -20,6 +22,29 @@ const char* word_for(Severity severity) {
   }
   return "note";
 }
+
+/// Signals that would end the program are kept until this ends.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    caught = 0;
+    struct sigaction hold {};
+    hold.sa_handler = [](int signal) { caught = signal; };
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &hold, &before_[i]);
+  }
+  ~SignalsHeld() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
+    if (caught != 0) ::raise(caught);
+  }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  static bool any() { return caught != 0; }
+
+ private:
+  static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+  static inline volatile std::sig_atomic_t caught = 0;
+  std::array<struct sigaction, kSignals.size()> before_{};
+};
 
 }  // namespace
 
@@ -42,13 +67,16 @@ void print_line(const std::string& text) {
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
 }
 
-void write_outputs(const std::vector<OutputFile>& files) {
+void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
   std::vector<std::string> names;
   for (const auto& file : files) names.push_back(file.path);
-  check_outputs(names);
+  check_outputs(names, inputs);
   std::vector<OutputFile> named, printed;
   for (const auto& file : files) (file.path == "-" ? printed : named).push_back(file);
-  write_files(named);
+  {
+    const SignalsHeld signals;
+    write_files(named, inputs, SignalsHeld::any);
+  }
   for (const auto& file : printed) {
     const std::size_t written = std::fwrite(file.content.data(), 1, file.content.size(), stdout);
     if (written != file.content.size() || std::fflush(stdout) != 0)

@@ -15,7 +15,8 @@ void print(const Diagnostics& diagnostics, bool verbose);
 void print_warnings(const Diagnostics& diagnostics);
 void print_line(const std::string& text);
 
-/// All of the files or (InputError) none; those named "-" go to standard output, last.
-void write_outputs(const std::vector<OutputFile>& files);
+/// All of the files or (InputError) none; those named "-" go to standard output, last. None of `inputs` (files that were read for
+/// them) is replaced. A signal that ends the program waits meanwhile, so that no temporary file stays behind.
+void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
 
 }  // namespace clearcut::cli

@@ -14,6 +14,22 @@
 namespace clearcut::cli {
 namespace {
 
+/// Whether as published.
+const std::map<std::string, bool> kGrids{{"ours", false}, {"published", true}};
+const std::map<std::string, bool> kSolvers{{"modern", false}, {"published", true}};
+/// Whether along bisectors.
+const std::map<std::string, bool> kPassages{{"bisector", true}, {"shortest", false}};
+template <class Value>
+std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
+                           const char* option) {
+  if (!name) return std::nullopt;
+  const auto found = names.find(*name);
+  if (found != names.end()) return found->second;
+  std::string known;
+  for (const auto& [text, value] : names) known += (known.empty() ? "" : ", ") + text;
+  throw InputError(option, "'" + *name + "' is unknown; use one of " + known);
+}
+
 std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
   if (!mm_per_min) return std::nullopt;
   return MmPerMin::of(*mm_per_min);
@@ -43,7 +59,45 @@ LayerRule operation_rule(const std::string& text) {
   return rule;
 }
 
+/// A tool library and the files that its tools lie in.
+void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
+  files.push_back({"tools", library.string()});
+  for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
+}
+
 }  // namespace
+
+void SolverArguments::add_options(CLI::App& command) {
+  const std::string group = "Published solver";
+  command.add_option("--solver", name_,
+                     "Orders visits: modern, or published (the genetic algorithm of the text)");
+  command
+      .add_option("--generations", published_.generations,
+                  "Of the published solver (until 1000 bring no gain)")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  command.add_option("--population", published_.population, "Individuals (25)")
+      ->check(CLI::PositiveNumber)
+      ->group(group);
+  command.add_option("--selection", published_.selection, "random, rank, roulette, tournament or truncation")
+      ->group(group);
+  command.add_option("--crossover", published_.crossover, "pmx, ox, erx, cx or eax")->group(group);
+  command.add_option("--mutation", published_.mutation, "exchange, inversion or nearest")->group(group);
+  command.add_option("--crossover-rate", published_.crossover_rate, "Chance of two parents")->group(group);
+  command.add_option("--mutation-rate", published_.mutation_rate, "Chance of a mutation")->group(group);
+  command
+      .add_option("--most-shared", published_.most_shared, "Share of edges that makes two too similar (0.2)")
+      ->group(group);
+}
+
+std::optional<VisitSolver> SolverArguments::solver() const {
+  const auto is_published = named(kSolvers, name_, "--solver");
+  if (!is_published.value_or(false) && published_.is_set())
+    throw InputError("--solver",
+                     "is not published, but settings of that solver are given; add --solver published");
+  if (!is_published) return std::nullopt;
+  return VisitSolver{*is_published, published_};
+}
 
 void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
   if (input_name == "INPUT") {
@@ -136,56 +190,24 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   add_shop_options(command);
   command.add_option("--direction", direction_, "climb or conventional");
   command.add_option("--order", order_, "Contours inside-out (default) or outside-in");
+  command.add_option(
+      "--passage", passage_,
+      "From contour to contour: bisector (of a corner; default of published methods) or shortest");
   command.add_option("--start", start_,
                      "Where the cutting of contours begins, or adaptive clearing goes down: X,Y");
   command.add_option("--feed", feed_, "Cutting feed, mm/min")->transform(as_feed());
   command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min")->transform(as_feed());
   command.add_option("--spindle", spindle_, "Spindle speed, rpm");
-  add_post_options(command);
+  post_.add_options(command);
   command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm")->transform(as_length());
   command.add_option(
       "--objective", objective_,
       "Of the strategy tour: length, turns, angle, engagement, time, or weights 1:length,20:turns");
+  command.add_option("--grid", grid_,
+                     "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves)");
+  solver_.add_options(command);
   command.add_option("--time", time_, "Longest search, s");
   command.add_option("--seed", seed_, "Seed of the search");
-}
-
-void PlanArguments::add_post_options(CLI::App& command) {
-  command.add_option("--post", post_,
-                     "Controller: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin");
-  command.add_flag("--inch", inch_, "Write the program in inches");
-  command.add_option("--decimals", decimals_, "Of coordinates (default: what the controller resolves)")
-      ->check(CLI::Range(3, 6));
-  command.add_flag("--no-arcs", no_arcs_, "Lines only");
-  command.add_flag("--no-tool-change", no_tool_change_, "A pause (M0) instead of M6");
-  command.add_flag("--no-length-offset", no_length_offset_, "No G43");
-  command.add_flag("--exact-stop", exact_stop_, "G61 instead of blending");
-  command.add_option("--work-offset", work_offset_, "Where the part's zero is: G54 (default) to G59")
-      ->check(CLI::IsMember({"G54", "G55", "G56", "G57", "G58", "G59"}, CLI::ignore_case));
-  command.add_option("--program-number", program_number_, "O word of Fanuc and Haas programs")
-      ->check(CLI::Range(1, 99999));
-  command.add_flag("--block-numbers", block_numbers_, "N words");
-  command.add_flag("--optional-stop", optional_stop_, "M1 before every tool but the first");
-  command.add_option("--spindle-wait", spindle_wait_, "Seconds to wait after the spindle starts")
-      ->check(CLI::NonNegativeNumber);
-}
-
-PostOptions PlanArguments::post(const JobOutput& job) const {
-  PostOptions post;
-  post.dialect = post_.value_or(job.post.value_or("linuxcnc"));
-  post.inch = inch_ || job.inch.value_or(false);
-  post.decimals = decimals_ ? decimals_ : job.decimals;
-  post.arcs = !no_arcs_ && job.arcs.value_or(true);
-  post.tool_changer = !no_tool_change_ && job.tool_change.value_or(true);
-  post.length_offset = !no_length_offset_ && job.length_offset.value_or(true);
-  if (work_offset_) post.work_offset = std::stoi(work_offset_->substr(1));
-  if (program_number_) post.program_name = std::to_string(*program_number_);
-  post.block_numbers = block_numbers_;
-  post.optional_stop = optional_stop_;
-  post.exact_stop = exact_stop_ || job.exact_stop.value_or(false);
-  if (const auto wait = spindle_wait_ ? spindle_wait_ : job.spindle_wait)
-    post.spindle_wait = Seconds::of(*wait);
-  return post;
 }
 
 void PlanArguments::add_shop_options(CLI::App& command) {
@@ -279,8 +301,8 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
 
 Part PlanArguments::read() const {
   const auto from_job = job();
-  Part part =
-      from_job ? part_of_job(*from_job, read_options(), step_sources_) : read_part(input_, read_options());
+  Part part = from_job ? part_of_job(*from_job, read_options(), step_sources_, step_published_)
+                       : read_part(input_, read_options());
   if (clearance_z_) part.clearance_z = clearance_z_;
   part.diagnostics.append(library().diagnostics);
   return part;
@@ -300,14 +322,21 @@ std::vector<Tool> PlanArguments::tools() const {
   return tools;
 }
 
+std::vector<std::string> PlanArguments::input_paths() const {
+  std::vector<std::string> paths;
+  for (const CertificateFileName& file : input_files()) paths.push_back(file.path);
+  return paths;
+}
+
 std::vector<CertificateFileName> PlanArguments::input_files() const {
   std::vector<CertificateFileName> files;
   const auto job = this->job();
   files.push_back({job ? "job" : "part", input_});
   if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
-  if (tool_library_) files.push_back({"tools", *tool_library_});
-  if (job && !tool_library_ && job->tool_library) files.push_back({"tools", job->tool_library->string()});
+  if (tool_library_) add_library(*tool_library_, files);
+  if (job && !tool_library_ && job->tool_library) add_library(*job->tool_library, files);
   if (machine_file_) files.push_back({"machine", *machine_file_});
+  if (job && !machine_file_ && job->machine_file) files.push_back({"machine", job->machine_file->string()});
   if (after_) files.push_back({"earlier program", *after_});
   if (job && !after_ && job->after) files.push_back({"earlier program", job->after->string()});
   return files;
@@ -364,7 +393,8 @@ PlanOptions PlanArguments::options() const {
   options.tools = tools();
   options.tool_cutting = tool_cutting(from_job);
   options.machine = machine(from_job);
-  options.accept = accept_;
+  options.accept = given.accept;
+  options.accept.insert(options.accept.end(), accept_.begin(), accept_.end());
   check_strategies(given);
   options.sources = given.sources;
   if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
@@ -394,7 +424,10 @@ PlanOptions PlanArguments::options() const {
   options.cutting.ramp_feed = feed_of(ramp_feed_);
   options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
-  options.post = post(given.output);
+  options.post = post_.options(given.output);
+  options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
+                       solver_.solver()};
+  options.step_published = step_published_;
   options.objective = objective_.value_or(given.objective.value_or("time"));
   options.time_s = time_ ? time_ : given.time_s;
   options.seed = seed_.value_or(given.seed.value_or(1));

@@ -12,7 +12,21 @@
 #include <vector>
 
 #include "certificate_info.h"
+#include "post_arguments.h"
+
 namespace clearcut::cli {
+
+/// --solver and what belongs to the published one, for every command that orders visits.
+class SolverArguments {
+ public:
+  void add_options(CLI::App& command);
+  /// Absent: not given. Throws InputError for an unknown solver, and for settings without the published one.
+  std::optional<VisitSolver> solver() const;
+
+ private:
+  std::optional<std::string> name_;
+  PublishedSolver published_;
+};
 
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {
@@ -33,6 +47,8 @@ class PlanArguments {
   const std::string& input() const { return input_; }
   /// Every file that the options rest on, by its role, those that a job names included.
   std::vector<CertificateFileName> input_files() const;
+  /// The paths alone.
+  std::vector<std::string> input_paths() const;
   const SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one.
   std::optional<JobFile> job() const;
@@ -44,8 +60,6 @@ class PlanArguments {
   ToolLibrary library() const;
   std::vector<ToolCutting> tool_cutting(const std::optional<JobFile>& job) const;
   void add_shop_options(CLI::App& command);
-  void add_post_options(CLI::App& command);
-  PostOptions post(const JobOutput& job) const;
   Machine machine(const std::optional<JobFile>& job) const;
   ShopOptions shop(const JobFile& job) const;
   std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
@@ -54,7 +68,8 @@ class PlanArguments {
 
   std::string input_;
   Sources typed_;
-  mutable StepSources step_sources_;  ///< of the part that was read
+  mutable StepChoices step_published_;  ///< likewise
+  mutable StepSources step_sources_;    ///< of the part that was read
   std::vector<std::string> tools_;
   std::optional<std::string> unit_;
   std::vector<std::string> layers_;
@@ -91,6 +106,9 @@ class PlanArguments {
   ShopOptions shop_;
   std::optional<std::string> direction_;
   std::optional<std::string> order_;
+  std::optional<std::string> passage_;
+  std::optional<std::string> grid_;
+  SolverArguments solver_;
   std::optional<std::string> start_;
   std::optional<double> feed_;
   std::optional<double> plunge_feed_;
@@ -98,14 +116,7 @@ class PlanArguments {
   std::optional<double> acceleration_;
   std::optional<double> junction_deviation_;
   std::optional<double> rapid_feed_;
-  std::optional<std::string> post_;
-  bool inch_ = false;
-  std::optional<int> decimals_;
-  bool no_arcs_ = false, no_tool_change_ = false, no_length_offset_ = false, exact_stop_ = false;
-  std::optional<std::string> work_offset_;
-  std::optional<int> program_number_;
-  bool block_numbers_ = false, optional_stop_ = false;
-  std::optional<double> spindle_wait_;
+  PostArguments post_;
   std::optional<double> clearance_z_;
   std::optional<std::string> objective_;
   std::optional<double> time_;

@@ -121,11 +121,14 @@ int run(PlanCommand command) {
   const PlanOptions options = command.arguments.options();
   if (command.output.empty() && command.explain) return explain(part, options);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
-  check_outputs(output_names(command));
+  const std::vector<std::string> inputs = command.arguments.input_paths();
+  check_outputs(output_names(command), inputs);
   const PlanResult result = planned(command, part, options);
-  write_outputs(output_files(command, options, result));
+  write_outputs(output_files(command, options, result), inputs);
   if (command.explain) print_line(write_values(result.part, result.values));
-  if (!command.quiet) {
+  if (command.quiet) {
+    if (command.output != "-") print_line(verdict_and_reasons(result.findings));
+  } else {
     print(result.part.diagnostics, true);
     if (command.output != "-") {
       for (const auto& name : names_not_machined(result.part.diagnostics))
@@ -148,7 +151,7 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
   command.add_option("--report", state->html, "Animated report to write (HTML)");
   command.add_option("--result", state->result, "Segments to write: x y to x y per line");
   command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
-  command.add_flag("--quiet", state->quiet, "Print nothing but errors");
+  command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   return state;
 }
 

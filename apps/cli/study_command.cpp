@@ -34,7 +34,7 @@ auto saver(const StudyCommand& command, const studies::GeneticStudy& study) {
                                           const std::function<std::vector<studies::StudyRow>()>& rows) {
     if (shows) std::fprintf(stderr, "\r%d of %d runs%s", done, total, done == total ? "\n" : "");
     if (command.csv.empty() || command.csv == "-" || Clock::now() - *saved < kEvery) return;
-    write_outputs({{command.csv, studies::study_csv(study, command.options, rows())}});
+    write_outputs({{command.csv, studies::study_csv(study, command.options, rows())}}, {});
     *saved = Clock::now();
   };
 }
@@ -43,13 +43,12 @@ void run(StudyCommand& command) {
   const studies::GeneticStudy study = studies::genetic_study(command.name, command.options);
   const bool resumes = !command.csv.empty() && command.csv != "-" && std::filesystem::exists(command.csv);
   const std::string earlier = resumes ? read_file(command.csv) : "";
-  forget_input(command.csv);
   command.options.progress = saver(command, study);
   const auto rows = studies::run_genetic_study(study, command.options, earlier);
   std::vector<OutputFile> files;
   if (!command.csv.empty()) files.push_back({command.csv, studies::study_csv(study, command.options, rows)});
   if (!command.svg.empty()) files.push_back({command.svg, studies::study_svg(study, rows)});
-  write_outputs(files);
+  write_outputs(files, {});
   const auto table = studies::study_table(study, rows);
   if (!command.quiet && command.csv != "-") print_line(command.as_markdown ? markdown(table) : plain(table));
 }
@@ -61,7 +60,10 @@ void add_study_command(CLI::App& app, int& exit_code) {
       "study", "Repeat a Monte-Carlo study of the published genetic algorithm on square lattices");
   auto state = std::make_shared<StudyCommand>();
   auto& options = state->options;
-  command->add_option("NAME", state->name, "population, selection, crossover, mutation, size, time or spread")
+  command
+      ->add_option("NAME", state->name,
+                   "population, selection, crossover, mutation, crossover-rate, mutation-rate, neighbours, "
+                   "sensitivity, size, time or spread")
       ->required();
   command->add_option("-o,--output,--csv", state->csv,
                       "Rows to write (CSV); rows already in it are kept and not run again");

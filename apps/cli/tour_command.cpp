@@ -51,7 +51,7 @@ void run(TourCommand command) {
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, tour_json(result)});
   if (!command.svg.empty()) files.push_back({command.svg, tour_svg(result)});
-  write_outputs(files);
+  write_outputs(files, {command.input});
   if (command.json != "-") print_line(tour_line(result));
 }
 
@@ -61,9 +61,9 @@ void add_tour_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("tour", "Order points: a TSPLIB file or a lattice such as 10x10");
   auto state = std::make_shared<TourCommand>();
   command->add_option("INPUT", state->input, "TSPLIB file (EUC_2D) or COLUMNSxROWS")->required();
-  command->add_option(
-      "--objective", state->options.objective,
-      "length, turns, angle, time, engagement, engagement-exact, or weights 1:length,20:turns");
+  command->add_option("--objective", state->options.objective,
+                      "length, turns, angle, time, engagement, engagement-inverse, engagement-exact, or "
+                      "weights 1:length,20:turns");
   auto* open = command->add_flag("--open", state->open, "An open path with free ends (default for lattices)");
   command->add_flag("--closed", state->closed, "A closed tour (default for files)")->excludes(open);
   command->add_option("--time", state->options.time_s, "Longest search, s")->check(CLI::PositiveNumber);

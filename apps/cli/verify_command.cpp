@@ -62,7 +62,9 @@ int run(const VerifyCommand& command) {
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, found.certificate});
   if (!command.svg.empty()) files.push_back({command.svg, write_picture(result)});
-  write_outputs(files);
+  std::vector<std::string> inputs = command.arguments.input_paths();
+  inputs.push_back(command.program);
+  write_outputs(files, inputs);
   if (!command.quiet) print(result.part.diagnostics, true);
   if (command.json != "-")
     print_line(command.quiet ? verdict_and_reasons(result.findings)

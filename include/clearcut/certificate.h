@@ -1,15 +1,13 @@
-// Certificates as JSON that was read back: their schema, their seal, and where two of them differ.
+// Certificates that were read back: their schema, their seal, and where two of them differ.
 #pragma once
 
-#include "base/digest.h"
-#include "report/certificate_question.h"
-#include "report/certificate_schema.h"
+#include "base/files/digest.h"
+#include "report/certificate/certificate_check.h"
 
 namespace clearcut {
 
-using report::certificate_schema;
-using report::differences;
-using report::schema_faults;
-using report::seal_of;
+using report::certificate_differences;
+using report::certificate_faults;
+using report::seal_holds;
 
 }  // namespace clearcut

@@ -19,6 +19,7 @@ using read::ElementOption;
 using read::elements_of_options;
 using read::read_elements;
 using read::read_elements_text;
+using report::grid_page;
 using report::grid_picture;
 using report::points_csv;
 using report::points_table;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "order/solve.h"
-#include "pipeline/tour.h"
+#include "pipeline/tour/tour.h"
 
 namespace clearcut {
 

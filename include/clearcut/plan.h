@@ -10,10 +10,10 @@
 
 #include "base/progress.h"
 #include "clearcut/part.h"
-#include "pipeline/compare.h"
 #include "pipeline/run.h"
-#include "pipeline/strategies.h"
-#include "pipeline/tool_sets.h"
+#include "pipeline/selection/compare.h"
+#include "pipeline/selection/strategies.h"
+#include "pipeline/selection/tool_sets.h"
 #include "resolve/names.h"
 #include "resolve/plan_options.h"
 #include "resolve/prepare.h"

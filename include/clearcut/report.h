@@ -4,7 +4,7 @@
 #include "clearcut/plan.h"
 #include "clearcut/text.h"
 #include "clearcut/verify.h"
-#include "model/not_machined.h"
+#include "model/results/not_machined.h"
 #include "pipeline/texts.h"
 
 namespace clearcut {

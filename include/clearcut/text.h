@@ -1,8 +1,8 @@
 // Numbers and tables as text, without locale.
 #pragma once
 
-#include "base/format.h"
-#include "base/quantity.h"
+#include "base/text/format.h"
+#include "base/text/quantity.h"
 #include "report/text_table.h"
 
 namespace clearcut {

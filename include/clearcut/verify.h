@@ -2,8 +2,8 @@
 #pragma once
 
 #include "clearcut/part.h"
-#include "model/findings.h"
 #include "model/move.h"
+#include "model/results/findings.h"
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"
 #include "resolve/plan_options.h"

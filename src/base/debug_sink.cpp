@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/file.h"
-#include "base/format.h"
-#include "base/xml_text.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
+#include "base/text/xml_text.h"
 
 namespace clearcut::inline base {
 
@@ -56,7 +56,17 @@ void SvgFrames::line(double x0, double y0, double x1, double y1, std::string_vie
 void SvgFrames::arc(double x0, double y0, double x1, double y1, double cx, double cy, bool counter_clockwise,
                     std::string_view color) {
   const double radius = std::hypot(x0 - cx, y0 - cy);
-  if ((x0 == x1 && y0 == y1) || !take(x0, y0) || !take(x1, y1) || !take(cx, cy)) return;
+  if ((x0 == x1 && y0 == y1) || !take(x0, y0) || !take(x1, y1)) return;
+  if (!std::isfinite(cx) || !std::isfinite(cy)) {
+    ++skipped_;
+    return;
+  }
+  // The picture has to hold the arc's outermost points, and not its centre, which may be far away.
+  for (const auto& [ux, uy] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
+    const double x = cx + radius * ux, y = cy + radius * uy;
+    const double side = (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0);
+    if (counter_clockwise ? side < 0 : side > 0) take(x, y);
+  }
   const double cross = (x0 - cx) * (y1 - cy) - (y0 - cy) * (x1 - cx);
   const bool large = counter_clockwise ? cross < 0 : cross > 0;
   add_path(fmt::format("M{}A{} {} 0 {} {} {}", pair_of(x0, y0), trimmed(radius, kDecimals),

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <pugixml.hpp>
 
-#include "base/file.h"
+#include "base/files/file.h"
 
 namespace clearcut::inline base {
 namespace {
@@ -82,6 +82,17 @@ TEST_F(Frames, NumbersThatAreNotFiniteAreLeftOutAndCounted) {
   EXPECT_THAT(text, HasSubstr("M0 0L2 2"));
   EXPECT_THAT(text, HasSubstr("(2 points that are not finite left out)"));
   EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
+TEST_F(Frames, HoldArcsAndNotTheirCentres) {
+  SvgFrames frames(folder_, "flat");
+  frames.arc(0, 0, 10, 0, 5, 1000, true, "blue");  // sagitta 0.0125, centre far away
+  frames.frame("round");
+  frames.arc(1, 0, 0, 1, 0, 0, false, "green");  // three quarters of a circle of radius 1
+  frames.finish();
+  ASSERT_EQ(frames.written().size(), 2u);
+  EXPECT_THAT(well_formed(frames.written()[0]), HasSubstr("width=\"1060\" height=\"81\""));
+  EXPECT_THAT(well_formed(frames.written()[1]), HasSubstr("width=\"1060\" height=\"1080\""));
 }
 
 }  // namespace

@@ -7,16 +7,16 @@
 namespace clearcut::link {
 namespace {
 
-/// mm. A cutter may be this much wider than a predrilled hole.
+/// mm by which a cutter may be wider than a predrilled hole.
 constexpr double kHoleSlack = 0.001;
-/// Seconds. Longer paths in round corners are left to cutters that may not plunge.
+/// Seconds. Longer access paths round corners are used only by cutters that must not plunge.
 constexpr double kLongestAccess = 5;
-/// Places on the rim of cleared stock that are looked at.
+/// Greatest number of places on the rim of cleared stock that are tried.
 constexpr std::size_t kMostPlaces = 32;
-/// Places on a ring that are looked at for one to begin at.
+/// Greatest number of places on a ring that are tried as its beginning.
 constexpr std::size_t kMostStarts = 8;
 
-/// Places `apart` mm beside the stock, square to its sides.
+/// Points `apart` mm beside the stock, square to its sides from p.
 std::array<Vec2, 4> places_beside(const Box& stock, double apart, Vec2 p) {
   const Box beyond = stock.grown(apart);
   return {Vec2{beyond.min.x, p.y}, {beyond.max.x, p.y}, {p.x, beyond.min.y}, {p.x, beyond.max.y}};
@@ -115,7 +115,8 @@ std::optional<Vec2> AccessPaths::cleared_before(Vec2 p, std::size_t item) const 
   return std::nullopt;
 }
 
-/// Round corners from a place in the air, from where that way leaves the air for the last time.
+/// The path round corners from `from`, a place in the air, without the part before it leaves the air for the
+/// last time.
 std::optional<Path> AccessPaths::path_round(Vec2 from, Vec2 to, std::size_t item) const {
   const LayerWork& where = layer(item);
   if (!where.legal().holds(from)) return std::nullopt;

@@ -1,4 +1,5 @@
-// Paths for the cutter from where nothing stands to the beginning of a pass.
+// Finds access paths: from places where nothing stands, beside the stock or in a hole, to the beginning of a
+// pass.
 #pragma once
 
 #include <optional>
@@ -9,30 +10,33 @@
 
 namespace clearcut::link {
 
-/// Samples for them at one moment of the work. All is kept by reference.
+/// Finds access paths at one moment of the work. References are kept.
 class AccessPaths {
  public:
   AccessPaths(const Work& work, const LinkOptions& options, const Progress& progress)
       : work_(work), options_(options), progress_(progress) {}
 
-  /// Whether the cutter over p is beside the stock, or in a predrilled hole.
+  /// Whether a cutter with its centre over p is beside the stock or in a predrilled hole.
   bool in_air(Vec2 p) const;
-  /// Whether the straight path at the depth of the pass is legal and nothing of higher layers stands in it.
+  /// Whether the line from a to b at the depth of the pass is legal and no material of higher layers stands
+  /// in it.
   bool is_clear(std::size_t item, Vec2 a, Vec2 b) const;
 
-  /// A point beside the stock or in a predrilled hole from which a straight legal move leads to p.
+  /// The nearest point beside the stock or in a predrilled hole from which a straight legal move leads to p.
   std::optional<Vec2> air_before(Vec2 p, std::size_t item) const;
-  /// The nearest place beside what the layer is to remove from which a straight legal move leads to p: earlier work has
-  /// cleared what stood there, but for residuals in which a cutter that may not plunge would be at fault.
+  /// The nearest point beside the target of the layer from which a straight legal move leads to p. Earlier
+  /// work has cleared that place, except for residuals into which a cutter that must not plunge should not go
+  /// down.
   std::optional<Vec2> cleared_before(Vec2 p, std::size_t item) const;
-  /// A legal path to p from beside the stock, from a predrilled hole or from cleared stock: straight, else the shortest found
-  /// round corners. Empty: p is such a place.
+  /// A legal path to p from beside the stock, from a predrilled hole or from cleared stock: straight, else
+  /// the shortest one found round corners. An empty path if p itself is such a place; nothing if there is
+  /// none.
   std::optional<Path> to(Vec2 p, std::size_t item) const;
-  /// Where on a pass a straight legal move from the air may end.
+  /// A place on a pass to which a straight legal move leads from the air.
   std::optional<PassStart> start_before_air(std::size_t item) const;
-  /// The same from beside what is to be removed, of a few places on the ring.
+  /// A place on a ring, of a few that are tried, to which a straight legal move leads from beside the target.
   std::optional<PassStart> start_before_cleared(std::size_t item) const;
-  /// The place at which the access path to `start` meets its ring first.
+  /// The place at which the access path to `start` first meets its ring.
   std::optional<PassStart> start_on_access_path(const PassStart& start, std::size_t item) const;
 
  private:

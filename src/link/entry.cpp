@@ -6,22 +6,23 @@
 namespace clearcut::link {
 namespace {
 
-constexpr double kWidestHelix =
-    0.9;  // radius of the centre's circle / tool radius: no post is left in its middle
+/// Radius of the centre's circle as a share of the tool radius; below 1, so that no post is left in its
+/// middle.
+constexpr double kWidestHelix = 0.9;
 constexpr double kNarrowestHelix = 0.2;
-constexpr double kHelixShrink = 0.8;      // from one trial to the next
-constexpr double kLongestRamp = 4;        // tool radii
-constexpr double kShortestRamp = 0.2;     // tool radii
-constexpr double kMostRounds = 4;         // of a ring, on the way down
+constexpr double kHelixShrink = 0.8;      // factor from one radius that is tried to the next
+constexpr double kLongestRamp = 4;        // share of the tool radius
+constexpr double kShortestRamp = 0.2;     // share of the tool radius
+constexpr double kMostRounds = 4;         // times round a ring on the way down
 constexpr double kWidestArc = 1.6 * kPi;  // radians
-constexpr double kSameTurn = 1e-6;        // arcs
+constexpr double kSameTurn = 1e-6;        // in arcs, against rounding
 
 struct Circle {
   Vec2 center;
   double radius = 0;
 };
 
-/// Whether the whole disc is legal, within the slack of legal moves.
+/// Whether the whole disc is legal, within the tolerance of legal moves.
 bool fits(const Circle& circle, const Regions& legal) {
   return std::any_of(legal.begin(), legal.end(), [&](const Region& region) {
     return region.contains(circle.center) &&
@@ -41,8 +42,8 @@ std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal
   return std::nullopt;
 }
 
-/// Counter-clockwise round the circle in as few arcs as posts print whole, from where the moves end or `turned` radians
-/// before `end` to that.
+/// Adds arcs counter-clockwise round the circle, as few as posts can write, from the end of `moves` (or from
+/// `turned` radians before `end`) to `end`.
 void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, double z_to,
                   const LinkOptions& options, std::vector<Move>& moves) {
   const int arcs = static_cast<int>(std::ceil(turned / kWidestArc - kSameTurn));
@@ -59,8 +60,8 @@ void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, 
   }
 }
 
-/// Down by as many turns as the angle asks for, at least one so that nowhere the whole depth is met at once; the last one
-/// ends at the start of the pass.
+/// A helix with as many turns as the entry angle needs, at least one, so that the whole depth is met nowhere
+/// at once. It ends at the start of the pass.
 std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const LinkOptions& options) {
   const double asked = (place.z_above - place.z) / (circle.radius * std::tan(options.entry_angle.radians()));
   const double turned = std::max(2 * kPi, asked);
@@ -70,7 +71,7 @@ std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const Lin
   return moves;
 }
 
-/// Down along the ring, edge by edge; the last edge ends where the depth is reached.
+/// A ramp along the ring, edge by edge, up to where the depth is reached.
 std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& options) {
   const double slope = std::tan(options.entry_angle.radians());
   const double around = length(*place.ring), stroke = (place.z_above - place.z) / slope;

@@ -1,4 +1,4 @@
-// Paths down into material: helix, ramp, plunge.
+// The moves of entries, down into material: helix, ramp, zigzag, plunge.
 #pragma once
 
 #include <optional>
@@ -10,33 +10,33 @@
 
 namespace clearcut::link {
 
-/// Where a pass begins, and what is known about the material over it. mm.
+/// Where a pass begins, and the material above it. mm.
 struct EntryPlace {
   Vec2 start;                         ///< first point of the pass
-  Vec2 direction;                     ///< unit, in which the pass begins
-  double z_above = 0;                 ///< height where the material is met (and a little more)
+  Vec2 direction;                     ///< unit vector along which the pass begins
+  double z_above = 0;                 ///< height a little above the material
   double z = 0;                       ///< depth of the pass
   std::optional<Vec2> circle_center;  ///< the pass begins by circling this point once
-  const Path* ring = nullptr;         ///< the whole pass from its start, where it is closed
+  const Path* ring = nullptr;         ///< for closed passes: the whole pass from its start
 };
 
 /// The moves of one entry.
 struct Entry {
   std::vector<Move> moves;
   EntryKind kind = EntryKind::kPlunge;
-  /// mm. How far along the ring the depth is reached: there it has to be begun. 0: at its start.
+  /// mm along the ring at which the depth is reached, so that the pass has to begin there; 0: at its start.
   double along_ring = 0;
 };
 
-/// The moves from z_above down to the pass, all inside `legal`; they begin at or beside its start. The first of these
-/// kinds that fits, beginning with the one asked for:
+/// The moves from z_above down to the pass, all inside `legal`; they begin at or beside its start. Takes the
+/// first of these kinds that fits, beginning with the one asked for:
 ///
-/// Helix    about circle_center, else about a centre beside the start so that it touches `direction`, as wide as
-///          options.helix_widest and less while it does not fit, down to helix_narrowest; no steeper than the
-///          entry angle, at least once round, with a flat circle at the end.
-/// Ramp     along the ring, at the entry angle, as far as that takes (a few times round at most).
-/// Zigzag   to and fro along the beginning of the pass, zigzag_length of it, less where that does not fit.
-/// Plunge   straight down.
+/// Helix    About circle_center, else about a centre beside the start so that the helix touches `direction`.
+///          As wide as options.helix_widest and, while it does not fit, narrower down to helix_narrowest; no
+///          steeper than the entry angle, at least once round, with a level circle at the end.
+/// Ramp     Along the ring at the entry angle, as far as that takes, a few times round at most.
+/// Zigzag   To and fro along the beginning of the pass on zigzag_length mm, or less if that does not fit.
+/// Plunge   Straight down.
 ///
 /// Cost     O(edges near the entry).
 Entry entry_at(const EntryPlace& place, const Regions& legal, const LinkOptions& options);

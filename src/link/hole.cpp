@@ -8,11 +8,12 @@
 namespace clearcut::link {
 namespace {
 
-/// Of the tool's radius. A wider helix leaves a post in the middle.
+/// Share of the tool's radius. A helix with a wider centre circle would leave a post in the middle.
 constexpr double kWidestBore = 0.95;
-/// Of the tool's radius. A narrower helix has too many turns; a plunge and a circle a layer are quicker.
+/// Share of the tool's radius. A narrower helix has too many turns; a plunge and a circle in each layer are
+/// quicker.
 constexpr double kNarrowestBore = 0.1;
-/// mm over the material where the helix begins.
+/// mm above the material where the helix begins.
 constexpr double kBoreHeight = 0.2;
 
 Section section_of(MoveList& list, const LinkOptions& options) {
@@ -30,7 +31,7 @@ Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options
   list.vertical(clear, MoveKind::kRapid, {});
   const int pecks = std::max(1, static_cast<int>(std::ceil((hole.z_top - hole.z) / peck - 1e-9)));
   const double step = pecks == 1 ? clear - hole.z : (hole.z_top - hole.z) / pecks;
-  // Pecks are counted from the clear height, as drilling cycles do.
+  // Pecks are counted from the height above the material, as in drilling cycles.
   for (double depth = clear - step; depth > hole.z + step / 1000; depth -= step) {
     list.vertical(depth, MoveKind::kPlunge, options.plunge_feed);
     list.vertical(clear, MoveKind::kRapid, {});

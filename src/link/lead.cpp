@@ -9,16 +9,16 @@
 namespace clearcut::link {
 namespace {
 
-/// Of the radius asked for.
+/// Shares of the size asked for that are tried.
 constexpr double kShares[] = {1, 0.5, 0.25};
-/// Edges whose middle is tried.
+/// Greatest number of edges whose middle is tried.
 constexpr std::size_t kMostPlaces = 48;
-/// mm. Nearer to the end of an edge is its end.
+/// mm. A place nearer than this to the end of an edge is taken to be that end.
 constexpr double kJoint = 1e-6;
 
-/// Of how far a line leads off its pass: so far from any wall it ends.
+/// A line's outer end keeps this share of its distance from the pass from all walls.
 constexpr double kLeastOff = 0.5;
-/// Of lines that stand in for arcs.
+/// Angle of the lines that replace arcs.
 constexpr double kLineAngle = kPi / 4;
 
 struct Place {
@@ -27,7 +27,7 @@ struct Place {
   double along = 0;
 };
 
-/// The start and the middles of edges, nearest to the start first.
+/// The start of the path and the middles of its edges, the nearest to the start first.
 std::vector<Place> places_on(const Path& path) {
   std::vector<Place> places;
   double along = 0;
@@ -45,7 +45,7 @@ std::vector<Place> places_on(const Path& path) {
   return places;
 }
 
-/// `overlap` mm beyond a place.
+/// The place `overlap` mm farther along the path.
 Place place_beyond(const Place& place, const Path& path, double overlap) {
   if (overlap <= 0) return place;
   const Edge first = begun_at(path, std::fmod(place.along + overlap, length(path))).front();
@@ -58,7 +58,7 @@ bool holds_disc(const Regions& legal, Vec2 center, double radius) {
   });
 }
 
-/// Samples for leads on one pass.
+/// Searches for a lead on one pass.
 class LeadSearch {
  public:
   LeadSearch(const Path& path, const Regions& legal, double overlap)
@@ -68,7 +68,7 @@ class LeadSearch {
         overlap_(std::min(overlap, length(path))),
         places_(places_on(path)) {}
 
-  /// Of an angle: lines; without one: arcs.
+  /// Lines if there is an angle, else arcs.
   std::optional<Lead> find(double size, std::optional<Radians> angle) const {
     for (const double share : kShares) {
       for (const Place& place : places_) {

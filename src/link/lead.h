@@ -1,4 +1,4 @@
-// Arcs and lines into and out of a closed pass, so that no mark is left where it begins.
+// Leads: arcs and lines into and out of a closed pass, so that no mark is left on the wall where it begins.
 #pragma once
 
 #include <optional>
@@ -10,30 +10,31 @@ namespace clearcut::link {
 
 struct LeadShape {
   double size = 0;               ///< mm; radius of arcs, length of lines
-  std::optional<Radians> angle;  ///< of lines against the pass; absent: arcs that touch it
-  double overlap = 0;            ///< mm; the pass runs this far beyond its start before it is left
+  std::optional<Radians> angle;  ///< between lines and the pass; absent: arcs that touch the pass
+  double overlap = 0;            ///< mm; the pass goes on this far beyond its start before it is left
 };
 
 struct Lead {
   Edge in;             ///< ends on the pass
-  Edge out;            ///< begins on it
-  double along = 0;    ///< mm from the start of the pass to where `in` ends
-  double overlap = 0;  ///< mm from there on once more to where `out` begins
+  Edge out;            ///< begins on the pass
+  double along = 0;    ///< mm along the pass from its start to where `in` ends
+  double overlap = 0;  ///< mm from there, once round, to where `out` begins
 };
 
-/// Where a lead lies in `legal`: at the start of the closed `path`, else in the middle of one of its edges, the nearest
-/// first; else the same half and a quarter as large; else, for arcs, lines of 45 degrees in the same way; else nothing.
+/// Places a lead inside `legal`. At the start of the closed `path`, else in the middle of one of its edges,
+/// the nearest first; else half and a quarter as large; else, instead of arcs, lines of 45 degrees in the
+/// same way; else nothing.
 ///
-/// Arcs   quarter circles. Proof: the disc that one runs around keeps its radius from the boundary of the legal area,
-///        to within the slack of legal moves.
-/// Lines  legal along their whole length.
-/// Cost O(edges of path * edges of legal) at worst.
+/// Arcs   Quarter circles. The disc that one runs around keeps its radius from the boundary of the legal
+///        area, to within the tolerance of legal moves, which proves the arc legal.
+/// Lines  Legal along their whole length.
+/// Cost   O(edges of path * edges of legal) at worst.
 std::optional<Lead> lead_for(const Path& path, const Regions& legal, const LeadShape& shape);
 
-/// The closed path begun `along` mm from its start.
+/// The closed path, begun `along` mm from its start.
 Path begun_at(const Path& path, double along);
 
-/// The closed path with its first `overlap` mm once more at its end; at most once round.
+/// The closed path with its first `overlap` mm repeated at its end; at most once round.
 Path overlapped(Path path, double overlap);
 
 }  // namespace clearcut::link

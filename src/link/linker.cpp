@@ -11,14 +11,14 @@
 namespace clearcut::link {
 namespace {
 
-/// mm over the material where ramps and helices begin.
+/// mm above the material where ramps and helices begin.
 constexpr double kEntryHeight = 0.2;
-/// mm. Nearer to the boundary of the legal area the cutter is at the wall.
+/// mm. A cutter nearer than this to the boundary of the legal area is at the wall.
 constexpr double kAtWall = 0.05;
-/// In which that is looked for.
+/// Number of directions in which the boundary is searched for.
 constexpr int kDirections = 16;
 
-/// Seconds by which going down beside the material is preferred to going down into it.
+/// Seconds by which an entry beside the material is preferred to one into it.
 constexpr double kAirWorth = 1e6;
 
 std::size_t index_of(EntryKind kind) {
@@ -33,7 +33,7 @@ bool runs_along_wall(const Pass& pass) {
 
 void Linker::cut_nearest_first() {
   while (!progress_.finished()) {
-    const Choice next = choose();
+    const Candidate next = choose();
     CLEARCUT_ASSERT(next.item < work_.items().size());
     cut_pass(next);
   }
@@ -72,14 +72,15 @@ double Linker::rapid_time(double length) const {
   return kinematics::travel_time(length, options_.machine.rapid.mm_per_s(), options_.machine.acceleration);
 }
 
-/// Seconds to lift, cross and come down again.
+/// Seconds to retract to `height`, cross, and come down again.
 double Linker::retract_time(const CutterAt& from, const Beginning& to, double height) const {
   const double up = rapid_time(height - from.z), across = rapid_time(distance(from.at, to.point));
   const double down = rapid_time(height - to.rapid_z);
   return up + across + down + (to.rapid_z - layer(to.item).layer().z) / options_.plunge_feed.mm_per_s();
 }
 
-/// Seconds straight to it at its depth; endless where that is not where the cutter is, or the pass is not cut to.
+/// Seconds of a straight move at depth; infinite if the cutter is not at that depth or may not cut to the
+/// pass.
 double Linker::straight_time(const CutterAt& from, const Beginning& to) const {
   const bool may_stay = work_.pass(to.item).may_cut_to_start && from.z == layer(to.item).layer().z;
   return may_stay ? distance(from.at, to.point) / options_.feed.mm_per_s()
@@ -93,8 +94,8 @@ double Linker::travel(const CutterAt& from, const Beginning& to, bool low) const
   return down < retract && layer(to.item).legal().holds_line(from.at, to.point) ? down : retract;
 }
 
-/// Rapids may cross just over the layer where the cutter stays within the pocket all along the way; in the
-/// layer above it has cut everything there. From a lower layer it could meet what that left.
+/// mm; the height of rapids to the next pass. They may cross just above the layer if the cutter stays inside
+/// the pocket, because the layer above is cut there. From a lower layer it could meet residuals of that one.
 double Linker::retract_height(const CutterAt& from, Vec2 to, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
   const std::size_t index = work_.items()[item].layer;
@@ -105,7 +106,7 @@ double Linker::retract_height(const CutterAt& from, Vec2 to, std::size_t item) c
                                                                                        : options_.cross_z;
 }
 
-/// Where a rapid down has to end over `p`.
+/// mm; the height at which a rapid down over `p` has to end.
 double Linker::approach_z(Vec2 p, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
   if (access_paths().in_air(p)) return passes.z + options_.above_material;
@@ -121,44 +122,44 @@ bool Linker::is_at_wall(Vec2 p, std::size_t item) const {
   return false;
 }
 
-Linker::Choice Linker::choose() const {
+Linker::Candidate Linker::choose() const {
   const auto& items = work_.items();
   std::size_t first = 0;
   while (first < items.size() && !progress_.available(first)) ++first;
-  if (!running() || (layer(first).open() && !is_at_depth_of(first))) return first_choice();
-  Choice best;
+  if (!running() || (layer(first).open() && !is_at_depth_of(first))) return first_candidate();
+  Candidate best;
   for (std::size_t i = first; i < items.size(); ++i) {
     if (!progress_.available(i)) continue;
     const double least = items[i].path.distance_to(moves_.at()) / options_.feed.mm_per_s();
     if (std::min(least, 0.5) > best.cost) continue;
-    const Choice candidate = evaluate(i, nearest_start(work_.pass(i), moves_.at()));
+    const Candidate candidate = evaluate(i, nearest_start(work_.pass(i), moves_.at()));
     if (candidate.cost < best.cost) best = candidate;
   }
   return best;
 }
 
-Linker::Choice Linker::evaluate(std::size_t item, const PassStart& start) const {
-  Choice choice;
-  choice.item = item;
-  choice.start = start;
-  if (!running()) return choice;
+Linker::Candidate Linker::evaluate(std::size_t item, const PassStart& start) const {
+  Candidate candidate;
+  candidate.item = item;
+  candidate.start = start;
+  if (!running()) return candidate;
   const Beginning to = beginning(item, start.point);
-  choice.cost = retract_time(here(), to, retract_height(here(), start.point, item));
+  candidate.cost = retract_time(here(), to, retract_height(here(), start.point, item));
   const double down = straight_time(here(), to);
-  if (down < choice.cost && access_paths().is_clear(item, moves_.at(), start.point)) {
-    choice.stay_down = true;
-    choice.cost = down;
+  if (down < candidate.cost && access_paths().is_clear(item, moves_.at(), start.point)) {
+    candidate.stay_down = true;
+    candidate.cost = down;
   }
-  return choice;
+  return candidate;
 }
 
-/// The first pass of all, or of an open layer: from the air if there is any beside it.
-Linker::Choice Linker::first_choice() const {
-  Choice first;
+/// The first pass of all, or of an open layer: one that can be entered from the air, if there is any.
+Linker::Candidate Linker::first_candidate() const {
+  Candidate first;
   for (std::size_t i = 0; i < work_.items().size(); ++i) {
     if (!progress_.available(i)) continue;
     const Pass& pass = work_.pass(i);
-    Choice candidate;
+    Candidate candidate;
     candidate.item = i;
     candidate.start = {pass.path.front().from, 0, 0, false};
     candidate.cost = -pass.offset;  // farthest from the wall
@@ -172,7 +173,7 @@ Linker::Choice Linker::first_choice() const {
   return first;
 }
 
-void Linker::cut_pass(Choice next) {
+void Linker::cut_pass(Candidate next) {
   if (!next.stay_down && layer(next.item).open()) start_from_air(next);
   const Pass& pass = work_.pass(next.item);
   Path path = oriented(next);
@@ -193,7 +194,7 @@ void Linker::cut_pass(Choice next) {
   progress_.mark_done(next.item);
 }
 
-std::optional<Lead> Linker::lead_for_pass(const Path& path, const Choice& next) {
+std::optional<Lead> Linker::lead_for_pass(const Path& path, const Candidate& next) {
   if (options_.lead.size <= 0 || !runs_along_wall(work_.pass(next.item))) return std::nullopt;
   const LayerWork& where = layer(next.item);
   auto lead = lead_for(path, where.layer().legal, options_.lead);
@@ -202,8 +203,9 @@ std::optional<Lead> Linker::lead_for_pass(const Path& path, const Choice& next) 
   return lead;
 }
 
-/// A pass that is entered anew begins where air leads to it, if it does anywhere.
-void Linker::start_from_air(Choice& next) const {
+/// Moves the start of a pass that needs an entry to a place that can be reached from the air, if there is
+/// one.
+void Linker::start_from_air(Candidate& next) const {
   const Pass& pass = work_.pass(next.item);
   if (access_paths().air_before(next.start.point, next.item)) return;
   if (pass.closed && pass.kinds.empty()) {
@@ -218,8 +220,9 @@ void Linker::start_from_air(Choice& next) const {
   }
 }
 
-/// To the beginning of `path` at depth; mm along it where the depth is reached, if it is a ring that was ramped along.
-double Linker::go_to(const Choice& next, const Path& path, bool is_ring) {
+/// Goes to the beginning of `path` at depth. Returns the mm along it at which the depth is reached, for a
+/// ring that was ramped along.
+double Linker::go_to(const Candidate& next, const Path& path, bool is_ring) {
   const Vec2 p = next.start.point;
   if (next.stay_down) {
     link_to(p);
@@ -244,13 +247,13 @@ void Linker::link_to(Vec2 p) {
   moves_.vertical(depth, MoveKind::kPlunge, options_.plunge_feed);
 }
 
-/// Over p, as low as is safe.
+/// Goes over p by rapids, as low as is safe.
 void Linker::go_over(Vec2 p, std::size_t item) {
   rise_and_cross(p, running() ? retract_height(here(), p, item) : options_.safe_z);
   moves_.vertical(approach_z(p, item), MoveKind::kRapid, {});
 }
 
-/// From a little above the material down into it, as the entry option says. See go_to for what comes back.
+/// Goes from a little above the material down into it by the entry asked for. Returns the same as go_to.
 double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item) {
   const LayerPasses& passes = layer(item).layer();
   const Edge first = path.front();
@@ -274,7 +277,7 @@ void Linker::rise_and_cross(Vec2 to, double height) {
   moves_.line(to, MoveKind::kRapid, {});
 }
 
-Path Linker::oriented(const Choice& next) const {
+Path Linker::oriented(const Candidate& next) const {
   const Pass& pass = work_.pass(next.item);
   Path path = pass.closed ? rotated_to(pass.path, next.start) : pass.path;
   const bool climbs = (options_.direction == CutDirection::kClimb) == options_.spindle_clockwise;
@@ -286,8 +289,9 @@ Path Linker::oriented(const Choice& next) const {
 void Linker::cut(const Path& path, const std::vector<MoveKind>& kinds) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     Edge joined = path[i];
-    if (i == 0) joined.from = moves_.at();   // the same point to rounding
-    if (joined.from == joined.to) continue;  // a place where the cutter just fits: plunged into
+    if (i == 0) joined.from = moves_.at();  // equal up to rounding
+    if (joined.from == joined.to)
+      continue;  // a single point where the cutter just fits: the entry has cut it
     const MoveKind kind = kinds.empty() ? MoveKind::kCut : kinds[i];
     moves_.along(joined, kind, feed_of(kind));
   }

@@ -1,4 +1,5 @@
-// Cuts passes in a given order, or always the one reached soonest, and writes the moves with their links.
+// Cuts passes in a given order, or always the one that is reached soonest, and writes the moves with their
+// links.
 #pragma once
 
 #include <array>
@@ -16,57 +17,59 @@
 
 namespace clearcut::link {
 
-/// A pass to be cut next; it begins at `start`, or at the nearest place.
+/// A pass to be cut next. It begins at `start` or, if absent, at its place nearest to the cutter.
 struct Task {
   std::size_t item = 0;
   std::optional<PassStart> start;
 };
 
-/// A pass that was cut: where from and where to.
+/// A pass that was cut, and where its moves began and ended.
 struct Cut {
   std::size_t item = 0;
   PassStart start;
   Vec2 begin;
   Vec2 end;
-  bool stayed_down = false;  ///< since the pass before
+  bool stayed_down = false;  ///< whether the link to it stayed at depth
 };
 
-/// Where the cutter is.
+/// Where the cutter is, mm.
 struct CutterAt {
   Vec2 at;
   double z = 0;
 };
 
-/// Where a pass may begin.
+/// A place where a pass may begin.
 struct Beginning {
   std::size_t item = 0;
   Vec2 point;
-  double rapid_z = 0;  ///< where a rapid down to it ends
+  double rapid_z = 0;  ///< mm; height at which a rapid down to it ends
 };
 
+/// Writes the moves of one section, pass by pass.
+/// Writes the moves of one section, pass by pass.
 class Linker {
  public:
   Linker(const Work& work, const LinkOptions& options, Progress::Layers layers)
       : work_(work), options_(options), progress_(work, layers) {}
 
-  /// All passes, always the one that is reached soonest.
+  /// Cuts all passes, always the one that is reached soonest.
   void cut_nearest_first();
-  /// All passes in this order, which keeps precedence.
+  /// Cuts all passes in this order, which must respect their precedence.
   void cut_in_order(const std::vector<Task>& tasks);
 
-  /// Seconds from a place to the beginning of a pass, as far as is known before anything is cut. `low`: the link may be near
-  /// the material or in it where that is legal.
+  /// Seconds from `from` to the beginning of a pass, as far as that is known before anything is cut. `low`:
+  /// the link may stay at depth or just above the layer if that is legal.
   double travel(const CutterAt& from, const Beginning& to, bool low) const;
   Beginning beginning(std::size_t item, Vec2 point) const { return {item, point, approach_z(point, item)}; }
 
   const std::vector<Cut>& cuts() const { return cuts_; }
-  /// What was asked for and did not fit, in words.
+  /// Sentences on what was asked for and did not fit.
   std::vector<std::string> notes() const;
-  /// All moves, up to the safe height.
+  /// All moves; ends at the safe height.
   std::vector<Move> take_moves();
 
  private:
-  struct Choice {
+  struct Candidate {
     std::size_t item = std::numeric_limits<std::size_t>::max();
     PassStart start;
     bool stay_down = false;
@@ -79,24 +82,24 @@ class Linker {
   AccessPaths access_paths() const { return {work_, options_, progress_}; }
   CutterAt here() const { return {moves_.at(), moves_.z()}; }
 
-  Choice choose() const;
-  Choice first_choice() const;
-  Choice evaluate(std::size_t item, const PassStart& start) const;
+  Candidate choose() const;
+  Candidate first_candidate() const;
+  Candidate evaluate(std::size_t item, const PassStart& start) const;
   double retract_time(const CutterAt& from, const Beginning& to, double height) const;
   double straight_time(const CutterAt& from, const Beginning& to) const;
   double retract_height(const CutterAt& from, Vec2 to, std::size_t item) const;
   double approach_z(Vec2 p, std::size_t item) const;
   bool is_at_wall(Vec2 p, std::size_t item) const;
 
-  void cut_pass(Choice next);
-  std::optional<Lead> lead_for_pass(const Path& path, const Choice& next);
-  void start_from_air(Choice& next) const;
-  double go_to(const Choice& next, const Path& path, bool is_ring);
+  void cut_pass(Candidate next);
+  std::optional<Lead> lead_for_pass(const Path& path, const Candidate& next);
+  void start_from_air(Candidate& next) const;
+  double go_to(const Candidate& next, const Path& path, bool is_ring);
   void link_to(Vec2 p);
   void go_over(Vec2 p, std::size_t item);
   double enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item);
   void rise_and_cross(Vec2 to, double height);
-  Path oriented(const Choice& next) const;
+  Path oriented(const Candidate& next) const;
   void cut(const Path& path, const std::vector<MoveKind>& kinds);
   MmPerMin feed_of(MoveKind kind) const;
   MmPerMin lead_feed() const { return options_.lead_feed.value_or(options_.feed); }
@@ -107,7 +110,7 @@ class Linker {
   Progress progress_;
   MoveList moves_{{}, 0};
   std::vector<Cut> cuts_;
-  std::array<int, 4> entries_{};  ///< into material, by kind
+  std::array<int, 4> entries_{};  ///< number of entries into material, by kind
   int without_lead_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A run of moves, each beginning where the last one ended.
+// A list of moves, each of which begins where the one before ended.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ class MoveList {
   Vec2 at() const { return at_; }
   double z() const { return z_; }
 
-  /// Nothing where it is there already.
+  /// Adds nothing if the height is already z.
   void vertical(double z, MoveKind kind, MmPerMin feed) {
     if (z == z_) return;
     moves_.push_back({Edge::line(at_, at_), z_, z, kind, feed, 0});
@@ -27,7 +27,7 @@ class MoveList {
     at_ = to;
   }
 
-  /// Once round `center` in two halves, down or up to `z` on the way.
+  /// Once round `center` in two half circles, and evenly to the height `z`.
   void circle(Vec2 center, Turn turn, double z, MoveKind kind, MmPerMin feed) {
     const Vec2 start = at_, opposite = center * 2.0 - at_;
     const double from = z_, middle = (z_ + z) / 2;
@@ -36,13 +36,13 @@ class MoveList {
     z_ = z;
   }
 
-  /// A move at the height it is at; it has to begin there.
+  /// A level move; `path` has to begin where the list ends.
   void along(const Edge& path, MoveKind kind, MmPerMin feed) {
     moves_.push_back({path, z_, z_, kind, feed, 0});
     at_ = path.to;
   }
 
-  /// Moves that begin where it is.
+  /// Adds moves that begin where the list ends.
   void append(const std::vector<Move>& moves) {
     if (moves.empty()) return;
     moves_.insert(moves_.end(), moves.begin(), moves.end());

@@ -7,15 +7,16 @@ namespace clearcut::link {
 
 struct PassStart {
   Vec2 point;
-  std::size_t edge = 0;  ///< closed passes: the edge it lies on
+  std::size_t edge = 0;  ///< of closed passes: the edge on which it lies
   double t = 0;
-  bool backwards = false;  ///< open passes: from the last point to the first
+  bool backwards = false;  ///< of open passes: from the last point to the first
 };
 
 /// The closed path, begun at `start`.
 Path rotated_to(const Path& path, const PassStart& start);
 
-/// Nearest to p: anywhere on a closed pass, an end of a reversible one, else where it begins. Cost O(edges).
+/// The start nearest to p: anywhere on a closed pass, at an end of a reversible one, else at its beginning.
+/// Cost O(edges).
 PassStart nearest_start(const Pass& pass, Vec2 p);
 
 }  // namespace clearcut::link

@@ -8,10 +8,10 @@
 namespace clearcut::link {
 namespace {
 
-/// Where rings may begin: at the places nearest to so many others.
+/// Number of places on a ring at which it may begin: those nearest to other passes.
 constexpr std::size_t kRingStarts = 6;
 
-/// Cuts first..last-1 of those a linker has made.
+/// The cuts first to last - 1 of those that a linker has made.
 struct Run {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -140,7 +140,8 @@ class ShortOrder {
   const Linker& linker_;
   const std::vector<Cut>& cuts_;
   std::vector<Run> runs_;
-  std::vector<std::vector<PassStart>> starts_;  ///< of each way of each run
+  /// For each run and each manner of cutting it: where its passes begin.
+  std::vector<std::vector<PassStart>> starts_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A better order of passes than always taking the nearest.
+// Finds a quicker order of passes than always taking the nearest.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace clearcut::link {
 
-/// What is kept together while the order is looked for.
+/// Which passes stay together while orders are compared.
 enum class Together {
-  kAreas,  ///< passes cut one after the other in the same place, through all layers
-  kRuns    ///< passes that follow each other at depth
+  kAreas,  ///< passes cut one after the other in the same area, through all layers
+  kRuns    ///< passes that follow each other with links at depth
 };
 
-/// The passes in an order of fewer seconds between them, estimated, found from the one in which `linker` has cut them
-/// all. Precedence is kept; a ring that is alone may begin elsewhere. Empty where there is nothing to choose.
-/// Cost: see order/visit/visit_order.h.
+/// The passes in an order with fewer seconds between them, by estimate; found from the order in which
+/// `linker` has cut them all. Precedence is respected; a ring that stands alone may begin elsewhere. Empty if
+/// there is nothing to choose. Cost: see order/visit/visit_order.h.
 std::vector<Task> short_order(const Work& work, const Linker& linker, Together together);
 
 }  // namespace clearcut::link

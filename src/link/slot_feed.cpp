@@ -7,24 +7,24 @@ namespace clearcut::link {
 namespace {
 
 constexpr double kStepsPerRadius = 8;
-/// Degrees. A link that is less in the material touches none.
+/// Degrees. A link with less engagement touches nothing.
 constexpr double kTouching = 1;
-/// mm. Material thinner than this is rounding.
+/// mm. Material thinner than this comes from rounding.
 constexpr double kResidual = 1e-3;
 
-/// One of the equal steps of a move, slow or not.
+/// Divides a move into equal steps and returns which of them are slow.
 std::vector<bool> slow_steps(const Move& move, double radius, Radians limit,
                              const stock::Material& material) {
   const int count = std::max(1, static_cast<int>(std::ceil(move.path.length() * kStepsPerRadius / radius)));
   std::vector<bool> slow;
-  Move lifted = move;
-  lifted.z_from += kResidual;
-  lifted.z_to += kResidual;
+  Move raised = move;
+  raised.z_from += kResidual;
+  raised.z_to += kResidual;
   for (int i = 0; i < count; ++i) {
     const double t = (i + 0.5) / count;
-    slow.push_back(material.engagement(lifted, t, radius - kResidual).angle > limit.radians());
+    slow.push_back(material.engagement(raised, t, radius - kResidual).angle > limit.radians());
   }
-  // A step early and a step late: the load rises before it is measured.
+  // One step more on both sides, because the engagement rises before the sample that measures it.
   std::vector<bool> wide = slow;
   for (std::size_t i = 0; i < slow.size(); ++i) {
     if (!slow[i]) continue;

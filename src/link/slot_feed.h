@@ -1,4 +1,4 @@
-// Slows the feed down where the cutter is in the material all round.
+// Reduces the feed where the cutter is in material on both sides, as in a slot.
 #pragma once
 
 #include "base/units.h"
@@ -8,18 +8,17 @@
 namespace clearcut::link {
 
 struct SlowFeeds {
-  Radians limit;  ///< engagement above which the slot feed rules
+  Radians limit;  ///< engagement above which the slot feed holds
   MmPerMin slot_feed;
   MmPerMin cut_feed;
 };
 
-/// Gives every level feed move of `section`, or the part of it, on which the cutter's engagement exceeds the limit the
-/// slot feed (never a higher one), and takes what the section sweeps out of `material`.
+/// Sets the slot feed, if it is lower, on every level feed move of `section`, or the part of it, on which the
+/// engagement exceeds the limit. Removes from `material` what the section sweeps.
 ///
-/// Engagement is asked for at steps of an eighth of the radius; a stretch that changes sides is cut at the step, so the slow
-/// part may begin and end up to a step early. Leads, links and cuts alike. Cost as Material's questions.
-///
-/// Links faster than `cut_feed` get that wherever they touch material.
+/// The engagement is computed at steps of an eighth of the tool radius; moves are divided at steps, and the
+/// slow part begins up to one step early and ends up to one step late. Leads, links and cuts are treated
+/// alike. Links faster than `cut_feed` get that feed where they touch material. Cost as queries of Material.
 void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, stock::Material& material);
 
 }  // namespace clearcut::link

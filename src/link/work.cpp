@@ -7,14 +7,14 @@
 namespace clearcut::link {
 namespace {
 
-/// Of the tool's radius: how far from a pass its entry or lead may sweep.
+/// Share of the tool's radius: how far from a pass its entry or lead may sweep.
 constexpr double kBeside = 3;
-/// More pairs of edges than this are not looked at: the passes are taken to be near each other.
+/// More pairs of edges than this are not compared: the passes are taken to be near each other.
 constexpr std::size_t kMostPairs = 10000;
-/// More passes than this are not compared with each other: the time would be felt.
+/// More passes than this are not compared with each other, because it would take too long.
 constexpr std::size_t kMostMixed = 2000;
 
-/// mm. Nearer than this to what is to be removed nothing is taken to be cleared.
+/// mm. Places nearer than this to the target are not taken to be cleared.
 constexpr double kSpare = 0.05;
 
 bool reaches_out(const LayerPasses& layer, const LegalArea& legal, double tool_radius) {
@@ -24,7 +24,7 @@ bool reaches_out(const LayerPasses& layer, const LegalArea& legal, double tool_r
   return !inner.contains(legal.box().min) || !inner.contains(legal.box().max);
 }
 
-/// Whether what the cutter sweeps along both may meet; may say so though it does not.
+/// Whether the areas swept along both paths may overlap; true in doubt.
 bool sweeps_meet(const Path& a, const Path& b, double tool_radius) {
   if (a.size() * b.size() > kMostPairs) return true;
   std::vector<Box> boxes;
@@ -95,7 +95,7 @@ void Work::add(std::size_t before, std::size_t after) {
   after_[before].push_back(after);
 }
 
-/// Of the layer whose first pass is item `first`.
+/// Adds the precedence of rings of the layer whose first pass is item `first`.
 void Work::add_rings(std::size_t first) {
   const LayerWork& layer = layer_of(first);
   for (std::size_t p = 0; p < layer.layer().passes.size(); ++p) {
@@ -115,7 +115,8 @@ void Work::add_depths() {
   }
 }
 
-/// Entries and leads stay in the connected part of the legal area in which they begin, and beside their pass.
+/// Whether `low` has to wait for `high`. Entries and leads stay beside their pass, in the connected part of
+/// the legal area in which it begins.
 bool Work::is_above(std::size_t high, std::size_t low) const {
   if (!items_[high].swept.overlaps(items_[low].path.grown(kBeside * tool_radius_))) return false;
   const LayerWork& layer = layer_of(high);

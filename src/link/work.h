@@ -1,4 +1,4 @@
-// The passes of all layers of one feature as pieces of work, and what has to come before what.
+// The passes of all layers of one feature as items of work, and which of them have to come before which.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +12,26 @@
 
 namespace clearcut::link {
 
-/// One layer: its passes, and where the cutter may be.
+/// One layer: its passes, and where the cutter's centre may be.
 class LayerWork {
  public:
   LayerWork(const LayerPasses& layer, double tool_radius);
 
   const LayerPasses& layer() const { return *layer_; }
   const LegalArea& legal() const { return legal_; }
-  /// Paths round corners; made for the first that asks. Not to be moved from then on.
+  /// Finds paths round corners. Made at the first call; the object must not be moved after that.
   const LegalRoutes& routes() const;
-  /// All places at which the cutter touches what is to be removed; beside them everything is cleared already. Made for the
-  /// first that asks.
+  /// Where the cutter's centre is when the cutter touches the target; elsewhere everything is already
+  /// cleared. Made at the first call.
   const Regions& touching() const;
   /// Whether the cutter may leave the material sideways.
   bool open() const { return open_; }
-  /// Outer rings of open layers are cut from the air inwards, so they run the other way round.
+  /// Whether a ring is cut in the opposite direction: outer rings of open layers are cut from the air
+  /// inwards.
   bool turned_round(std::size_t pass) const;
-  /// Of a pass and the one around it: which of the two has to wait; -1 without one around it.
+  /// Of a pass and the pass around it, the index of the one that has to wait; -1 if there is none around it.
   int later_of_tree_edge(std::size_t pass) const;
-  /// The connected part of the legal area around p; -1 where it is in none.
+  /// Index of the connected part of the legal area that holds p; -1 if none does.
   int part_around(Vec2 p) const;
   std::size_t parts() const { return layer_->legal.size(); }
 
@@ -43,18 +44,18 @@ class LayerWork {
   bool open_ = false;
 };
 
-/// A pass of a layer.
+/// One pass of one layer.
 struct WorkItem {
   std::size_t layer = 0;
   std::size_t pass = 0;
-  Box path;   ///< of the centre
-  Box swept;  ///< of the cutter
+  Box path;   ///< of the path of the centre
+  Box swept;  ///< of what the cutter sweeps
 };
 
 /// All passes, layer by layer, with their precedence.
 ///
-/// Rings     wait for those they surround, or the other way round (see LayerPasses::outside_in).
-/// Depth     a pass waits for those of higher layers on whose material it, its entry or its lead may come.
+/// Rings     A ring waits for those inside it, or the other way round (see LayerPasses::outside_in).
+/// Depth     A pass waits for passes of higher layers whose material it, its entry or its lead may touch.
 class Work {
  public:
   Work(const std::vector<LayerPasses>& layers, double tool_radius);
@@ -67,10 +68,10 @@ class Work {
   const std::vector<std::size_t>& after(std::size_t item) const { return after_[item]; }
   double tool_radius() const { return tool_radius_; }
 
-  /// Whether precedence leaves one order alone, the one of the items.
+  /// Whether precedence allows one order only, that of the items.
   bool has_one_order() const;
-  /// Whether so many passes can be looked at together; otherwise precedence between layers is not known, and
-  /// layers have to be cut one after the other.
+  /// Whether there are few enough passes to compare those of different layers. If not, precedence between
+  /// layers is unknown, and layers have to be cut one after the other.
   bool layers_may_mix() const { return layers_may_mix_; }
 
  private:
@@ -87,7 +88,7 @@ class Work {
   bool layers_may_mix_ = true;
 };
 
-/// What is cut already, and what may be next.
+/// Which passes have been cut, and which may be next.
 class Progress {
  public:
   enum class Layers { kOneByOne, kMixed };
@@ -98,7 +99,8 @@ class Progress {
   bool finished() const { return left_ == 0; }
   void mark_done(std::size_t item);
 
-  /// Whether nothing of higher layers stands where the cutter's centre goes through the box `travel` in `layer`.
+  /// Whether no material of higher layers stands where the cutter's centre goes through the box `travel` in
+  /// `layer`.
   bool clear_above(std::size_t layer, const Box& travel) const;
 
  private:

@@ -30,8 +30,6 @@ const char* name_of(FeatureKind kind) {
       return "inside_profile";
     case FeatureKind::kEngraving:
       return "engraving";
-    case FeatureKind::kChamfer:
-      return "chamfer";
     case FeatureKind::kVCarving:
       return "v_carving";
   }
@@ -58,7 +56,7 @@ const Feature& feature_of(const Part& part, const Workingstep& step) {
 }
 
 bool is_carved(const Feature& feature, const Tool& tool) {
-  if (feature.carving || feature.chamfer) return is_conical(tool);
+  if (feature.carving) return is_conical(tool);
   return feature.kind == FeatureKind::kEngraving && (is_conical(tool) || tool.kind == ToolKind::kBallEndMill);
 }
 

@@ -29,8 +29,7 @@ enum class FeatureKind {
   kOutsideProfile,
   kInsideProfile,
   kEngraving,
-  kVCarving,  ///< as deep as a cone's width at the top allows
-  kChamfer    ///< the upper edge of a wall
+  kVCarving  ///< as deep as a cone's width at the top allows
 };
 const char* name_of(FeatureKind kind);
 
@@ -59,12 +58,6 @@ struct VCarving {
   std::optional<double> limit;  ///< mm below the top: a flat floor where the cone would go deeper
 };
 
-/// The upper edge of a wall, broken by the flank of a cone. mm.
-struct Chamfer {
-  double depth = 0;  ///< down the wall
-  double width = 0;  ///< into the part; that of the cutter's angle
-};
-
 /// A prismatic volume to remove: every point of `target` down to `floor_z`.
 ///
 /// `target` is the plan view of the material to remove at the top. `allowed` is where the cutter may be: everything
@@ -89,8 +82,6 @@ struct Feature {
   std::optional<ProfileCut> profile = {};
   /// V-carving only; its wall_slope and floor_z are those of the cutter.
   std::optional<VCarving> carving = {};
-  /// Chamfers only: along `profile`, whose side is that where the cutter is.
-  std::optional<Chamfer> chamfer = {};
 };
 
 /// How far beyond the stock an open side's `allowed` region reaches, mm.

@@ -1,4 +1,4 @@
-// What the software knows of a strategy: a row of the table in pipeline/strategies.cpp. See docs/adding-a-strategy.md.
+// What the software knows of a strategy: a row of the table in pipeline/selection/strategies.cpp. See docs/adding-a-strategy.md.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/layer.h"
-#include "model/resolved_plan.h"
+#include "model/options/resolved_plan.h"
 
 namespace clearcut::inline model {
 

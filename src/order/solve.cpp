@@ -1,7 +1,5 @@
 #include "order/solve.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -402,8 +400,7 @@ Solution solve(const Problem& problem, const Objective& objective, const SolveOp
   solution.seed = options.seed;
   Keeper keeper(problem, options, watch);
   Bound bound;
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
+  on_threads(options.threads, [&] {
     if (const auto exact = solve_exact(moves, objective)) {
       keeper.offer(canonical(problem, exact->tour), exact->value);
       bound = {exact->value, "exact"};

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "base/digest.h"
 #include "base/error.h"
-#include "base/format.h"
+#include "base/files/digest.h"
+#include "base/text/format.h"
 #include "base/version.h"
 #include "link/link.h"
-#include "model/not_machined.h"
+#include "model/results/not_machined.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "report/motion_text.h"
@@ -166,6 +166,12 @@ Section link_step(const std::vector<LayerPasses>& passes, int workingstep, Entry
   return section;
 }
 
+std::vector<int> tools_by_hand(std::vector<int> in_order) {
+  std::erase_if(in_order, [](int number) { return number <= 0; });
+  in_order.erase(std::unique(in_order.begin(), in_order.end()), in_order.end());
+  return in_order;
+}
+
 verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   verify::VerifyOptions verify;
   verify.tol = plan.tol;
@@ -188,10 +194,9 @@ read::gcode::Program read_back(const std::string& program, const Toolpath& plann
   reading.dialect = read::gcode::dialect_named(plan.post.dialect);
   reading.home_z = home_z(plan.machine);
   reading.safe_z = plan.part.top_z();
-  for (const Section& section : planned.sections) {
-    const bool same = !reading.hand_tools.empty() && reading.hand_tools.back() == section.tool_number;
-    if (section.tool_number > 0 && !same) reading.hand_tools.push_back(section.tool_number);
-  }
+  std::vector<int> tools;
+  for (const Section& section : planned.sections) tools.push_back(section.tool_number);
+  reading.hand_tools = tools_by_hand(std::move(tools));
   return read::gcode::read_gcode(program, "program", reading);
 }
 

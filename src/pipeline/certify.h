@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "link/link.h"
+#include "model/options/resolved_plan.h"
 #include "model/pass.h"
-#include "model/resolved_plan.h"
 #include "pipeline/run.h"
 #include "read/gcode/dialect.h"
 #include "verify/verify.h"
@@ -22,6 +22,10 @@ void describe(Section& section, int workingstep, const ResolvedPlan& plan);
 /// how to go down.
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
                   const ResolvedPlan& plan);
+
+/// The tools that somebody puts in, one at each pause, where the control has no words for them: the numbers of those of each
+/// piece of work without what needs no change.
+std::vector<int> tools_by_hand(std::vector<int> in_order);
 
 /// Keeps the address of plan.earlier.
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);

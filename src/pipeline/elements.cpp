@@ -4,12 +4,14 @@
 
 #include <array>
 #include <chrono>
+#include <functional>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/clearance.h"
 #include "order/solve.h"
 #include "pipeline/certify.h"
-#include "pipeline/strategies.h"
+#include "pipeline/selection/strategies.h"
+#include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
 #include "plan/grid/check.h"
 #include "plan/grid/shape.h"
@@ -23,16 +25,51 @@ namespace {
 constexpr double kSearchSeconds = 2;  // for one order, where options set nothing
 constexpr long long kSearchRounds = 200;
 
-order::Solution shortest_visit(const std::vector<Vec2>& points, const resolve::PlanOptions& options) {
+order::Problem visit_problem(const std::vector<Vec2>& points) {
   order::Problem problem;
   problem.points = points;
   problem.shape = order::Shape::kOpenPath;
+  return problem;
+}
+
+order::Solution shortest_visit(const std::vector<Vec2>& points, const resolve::PlanOptions& options,
+                               const std::function<void(const order::Progress&)>& progress = {}) {
   order::SolveOptions solve;
   solve.seed = options.seed;
   solve.threads = options.threads;
   solve.stop.seconds = options.time_s.value_or(kSearchSeconds);
   solve.stop.rounds = kSearchRounds;
-  return order::solve(problem, *order::length_objective(), solve);
+  solve.progress = progress;
+  return order::solve(visit_problem(points), *order::length_objective(), solve);
+}
+
+bool is_published(const resolve::PlanOptions& options) {
+  return options.published.solver && options.published.solver->is_published;
+}
+
+/// The order that a solver finds, and how it came to it.
+std::vector<int> searched_visit(const std::vector<Vec2>& points, const resolve::PlanOptions& options,
+                                report::VisitSearch& search) {
+  search.points = points.size();
+  if (!is_published(options)) {
+    search.solver = "modern";
+    const auto solution = shortest_visit(points, options, [&](const order::Progress& at) {
+      search.step.push_back(static_cast<double>(search.step.size()));
+      search.best.push_back(at.objective);
+    });
+    search.length = solution.length;
+    return solution.tour;
+  }
+  search.solver = "published";
+  const auto result =
+      published_order(visit_problem(points), *order::length_objective(),
+                      {options.published.solver->published, options.seed, options.time_s, options.cancel});
+  for (const auto& sample : result.samples) {
+    search.step.push_back(static_cast<double>(sample.generation));
+    search.best.push_back(sample.best);
+  }
+  search.length = result.value;
+  return result.tour;
 }
 
 Workingstep step_of(std::size_t element, const ElementJob& job) {
@@ -187,7 +224,7 @@ ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& 
   ElementsResult result;
   result.points = plan::grid::tabulate(job);
   const auto visits = plan::grid::plan_visits(job, result.points, [&](const std::vector<Vec2>& points) {
-    return shortest_visit(points, options).tour;
+    return searched_visit(points, options, result.searches.emplace_back());
   });
   result.elements = figures_of(job, result.points, visits);
   const ResolvedPlan plan =

@@ -5,6 +5,7 @@
 
 #include "model/design_element.h"
 #include "pipeline/run.h"
+#include "report/picture/grid_page.h"
 #include "report/text_table.h"
 #include "resolve/plan_options.h"
 
@@ -21,7 +22,8 @@ struct ElementFigures {
 struct ElementsResult {
   PlanResult plan;
   PointTable points;
-  std::vector<ElementFigures> elements;  ///< in the job's order
+  std::vector<ElementFigures> elements;       ///< in the job's order
+  std::vector<report::VisitSearch> searches;  ///< in the order they were made
 };
 
 /// Checks the job, tabulates and reduces its elements, orders the visits, and makes a judged program of them.

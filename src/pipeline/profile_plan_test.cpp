@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <string>
 
 #include "base/error.h"
@@ -133,8 +134,32 @@ TEST(DrawingRoles, OverlappingLayersOfOneDepthAreMilledOnce) {
   EXPECT_EQ(read::read_part_text(text, "plate.dxf", asking()).features.size(), 1u);
   const std::string crossing = dxf(rectangle("A_D3", 0, 0, 20, 20) + rectangle("B_D3", 10, 0, 30, 20));
   const Part part = read::read_part_text(crossing, "plate.dxf", asking());
-  ASSERT_EQ(part.features.size(), 2u);
-  EXPECT_NEAR(area(part.features[0].target) + area(part.features[1].target), 600, 0.1);
+  // There is no wall between them: the cutter goes from one into the other.
+  ASSERT_EQ(part.features.size(), 1u);
+  EXPECT_NEAR(area(part.features[0].target), 600, 0.1);
+  EXPECT_TRUE(plan_part(part, with_mill("endmill:4")).findings.all.clean);
+}
+
+TEST(DrawingRoles, OutlinesAtTheEdgeOfTheStockAreOpenThere) {
+  const std::string frame =
+      R"({"units": "mm", "stock": {"x": [0, 60], "y": [0, 40], "z": [-2, 0]}, "pockets": [{"kind": "outside_profile",
+          "depth": 2, "through": true, "outer": [[0, 0], [60, 0], [60, 40], [0, 40]],
+          "islands": [[[4, 4], [4, 36], [56, 36], [56, 4]]]}]})";
+  // The cutter may leave the block: its corners are no corners of a wall.
+  for (const char* strategy : {"contour", "zigzag", "spiral", "adaptive"}) {
+    resolve::PlanOptions options = with_mill("endmill:2");
+    options.strategy = strategy;
+    const auto result = plan_part(read::read_part_text(frame, "frame.json", {}), options);
+    EXPECT_TRUE(result.findings.all.clean) << strategy;
+    EXPECT_LT(result.findings.all.unreachable_mm2, 0.1) << strategy;
+  }
+  const Part drawn =
+      read::read_part_text(dxf(rectangle("STOCK", 0, 0, 60, 40) + rectangle("POCKET_D2", 20, 10, 60, 30) +
+                               rectangle("POCKET_D2", 5, 5, 15, 35)),
+                           "drawn.dxf", {});
+  ASSERT_EQ(drawn.features.size(), 2u);
+  EXPECT_EQ(drawn.features[0].kind == FeatureKind::kOpenPocket, area(drawn.features[0].target) > 500);
+  EXPECT_EQ(drawn.features[1].kind == FeatureKind::kOpenPocket, area(drawn.features[1].target) > 500);
 }
 
 TEST(DrawingRoles, NumbersChooseOutlines) {
@@ -266,10 +291,61 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
   const Part part = read::read_part_text(
       dxf(rectangle("POCKET_D2", 0, 0, 40, 30) + rectangle("POCKET_D2", 50, 0, 90, 30)), "two.dxf", asking());
   const auto result = plan_part(part, with_mill("endmill:10"));
-  ASSERT_EQ(result.conditions.size(), 2u);
-  EXPECT_EQ(result.conditions[0].name, "out-of-reach");
-  EXPECT_THAT(result.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
-  EXPECT_THAT(result.conditions[0].text, HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
+  ASSERT_EQ(result.findings.conditions.size(), 2u);
+  EXPECT_EQ(result.findings.conditions[0].name, "out-of-reach");
+  EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
+  EXPECT_THAT(result.findings.conditions[0].text,
+              HasSubstr("the largest cutter that reaches all but 1 mm2 has 2.1"));
+}
+
+TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
+  // A slot of 2 mm beside a square: most of it is too narrow for the cutter.
+  const std::string slot = dxf("0\nLWPOLYLINE\n8\nPOCKET_D2\n90\n8\n70\n1\n" + [] {
+    std::string points;
+    for (const Vec2 p : {Vec2{0, 0}, {10, 0}, {10, 4}, {40, 4}, {40, 6}, {10, 6}, {10, 10}, {0, 10}})
+      points += "10\n" + std::to_string(p.x) + "\n20\n" + std::to_string(p.y) + "\n";
+    return points;
+  }());
+  const Part part = read::read_part_text(slot, "slot.dxf", asking());
+  resolve::PlanOptions options = with_mill("endmill:4");
+  const auto result = plan_part(part, options);
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kConditional);
+  EXPECT_THAT(result.program, HasSubstr("CONDITIONS: OUT-OF-REACH"));
+  options.accept = {"out-of-reach"};
+  EXPECT_EQ(verdict_of(plan_part(part, options).findings), Verdict::kClean);
+  const Part square = read::read_part_text(dxf(rectangle("POCKET_D2", 0, 0, 60, 40)), "square.dxf", asking());
+  EXPECT_EQ(verdict_of(plan_part(square, with_mill("endmill:10")).findings), Verdict::kClean);
+}
+
+/// A comb of slots whose sides wave: thousands of short edges, none of which a wide cutter comes into.
+Part waved_comb() {
+  constexpr int kTeeth = 30, kWaves = 40;
+  std::vector<Vec2> points{{0, -5}, {3.0 * kTeeth, -5}};
+  for (int i = kTeeth - 1; i >= 0; --i) {
+    for (int k = 0; k <= kWaves; ++k) points.push_back({3 * i + 2 + 0.1 * (k % 2), k * 0.5});
+    for (int k = kWaves; k >= 0; --k) points.push_back({3 * i + 1 + 0.1 * (k % 2), k * 0.5});
+  }
+  Part part;
+  part.name = part.source_file = "comb";
+  Feature feature;
+  feature.name = "COMB";
+  feature.target = feature.allowed = {Region::from_valid_loops(loop_from_points(points), {})};
+  feature.floor_z = -1;
+  part.features = {feature};
+  part.workplan.push_back({});
+  return part;
+}
+
+TEST(OutOfReach, IsFoundInASecondOnOutlinesOfThousandsOfEdges) {
+  const Part part = waved_comb();
+  resolve::PlanOptions options = with_mill("endmill:4");
+  options.strategy = "zigzag";
+  const std::clock_t begin = std::clock();
+  const auto result = plan_part(part, options);
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 4) << "s of the processor";
+  ASSERT_EQ(result.findings.conditions.size(), 1u);
+  EXPECT_THAT(result.findings.conditions[0].text,
+              HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));
 }
 
 }  // namespace

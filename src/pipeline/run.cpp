@@ -6,24 +6,26 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/format.h"
 #include "base/progress.h"
+#include "base/text/format.h"
 #include "base/work_budget.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
 #include "link/slot_feed.h"
-#include "model/not_machined.h"
+#include "model/results/not_machined.h"
 #include "pipeline/certify.h"
-#include "pipeline/choice.h"
-#include "pipeline/out_of_reach.h"
 #include "pipeline/progress_meter.h"
-#include "pipeline/section_order.h"
-#include "pipeline/step_work.h"
-#include "pipeline/strategies.h"
+#include "pipeline/selection/choice.h"
+#include "pipeline/selection/strategies.h"
+#include "pipeline/steps/out_of_reach.h"
+#include "pipeline/steps/section_order.h"
+#include "pipeline/steps/step_work.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "plan/common/walls.h"
+#include "plan/contour/entries.h"
+#include "plan/contour/step_rule.h"
 #include "plan/profile/profile.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
@@ -329,12 +331,82 @@ void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOpt
   }
 }
 
-std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath) {
+/// What a step asks for that its strategy has not: "" where all is used.
+std::string unused_choice(const ResolvedStep& step) {
+  const std::string name = step.strategy ? step.strategy->name : "auto";
+  const bool has_contours = name == "contour" || plan::contour::contour_rule(name, {});
+  if (step.bisector_passages && !has_contours)
+    return fmt::format("--passage is for contour strategies, '{}' is planned", name);
+  if ((step.published_grid || step.solver.is_published) && name != "tour")
+    return fmt::format("--grid and --solver published are for the strategy tour, '{}' is planned", name);
+  return "";
+}
+
+/// Options of one kind of strategy, asked for with another, are refused where no step can use them, and else said.
+void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostics) {
+  std::size_t unused = 0;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const std::string text = unused_choice(plan.steps[i]);
+    if (text.empty()) continue;
+    if (++unused == plan.steps.size()) throw InputError("plan", text + "; add --strategy");
+    diagnostics.warn(plan.part.workplan[i].name, text);
+  }
+}
+
+/// Contours of a published method in the top layer of a section's feature; none for other strategies and for open sides.
+std::vector<plan::contour::ContourStep> published_contours(const Section& section, const ResolvedPlan& plan) {
+  const auto index = static_cast<std::size_t>(section.workingstep);
+  if (section.workingstep < 0 || index >= plan.steps.size()) return {};
+  const ResolvedStep& decided = plan.steps[index];
+  if (decided.strategy == nullptr) return {};
+  const auto rule = plan::contour::contour_rule(decided.strategy->name, decided.stepover);
+  if (!rule) return {};
+  const auto& step = plan.part.workplan[index];
+  const double radius = tool_of(plan.part, step).radius();
+  const auto layers = plan::layers_of(feature_of(plan.part, step), step.operation, radius, plan.tol);
+  if (layers.empty() || !plan::closed_all_round(layers.front())) return {};
+  const Layer& top = layers.front();
+  return plan::contour::contour_steps(top.allowed, *rule, radius, radius + top.wall_stock, plan.tol);
+}
+
+/// With the coefficients where a published method takes its steps from angles.
+std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const ResolvedPlan& plan) {
   std::vector<report::ContourLevels> contours;
   for (const Section& section : toolpath.sections) {
-    if (!section.contours.empty()) contours.push_back({section.label, section.contours});
+    report::ContourLevels levels{section.label, section.contours, {}};
+    const auto published = published_contours(section, plan);
+    if (!published.empty()) levels.from_wall.clear();
+    for (const auto& contour : published) {
+      levels.from_wall.push_back(contour.from_wall);
+      if (contour.step <= 0) continue;
+      const auto& step = plan.part.workplan[static_cast<std::size_t>(section.workingstep)];
+      const double radius = tool_of(plan.part, step).radius(), share = contour.step / (2 * radius);
+      levels.coefficients.push_back(
+          {contour.from_wall, contour.smallest_angle, share,
+           plan::contour::residual_size(contour.smallest_angle, radius, 1 - share)});
+    }
+    if (!levels.from_wall.empty()) contours.push_back(std::move(levels));
   }
   return contours;
+}
+
+/// The coefficient that the rule of CPO-rho came to, which is that paper's result.
+void report_rho(const std::vector<report::ContourLevels>& contours, const ResolvedPlan& plan, Part& part) {
+  const auto is_rho = [](const ResolvedStep& step) { return step.strategy && step.strategy->name == "rho"; };
+  if (!std::any_of(plan.steps.begin(), plan.steps.end(), is_rho)) return;
+  for (const auto& levels : contours) {
+    if (levels.coefficients.empty()) continue;
+    const auto& first = levels.coefficients.front();
+    part.diagnostics.note(levels.feature,
+                          fmt::format("rho_opt {:.4f} from the smallest angle, {:.2f} degrees", first.share,
+                                      first.smallest_angle * 180 / kPi));
+  }
+}
+
+std::vector<int> tools_in_order(const Part& part) {
+  std::vector<int> numbers;
+  for (const Workingstep& step : part.workplan) numbers.push_back(tool_of(part, step).number);
+  return numbers;
 }
 
 /// How many attempts the choice may plan before any fallback.
@@ -342,6 +414,12 @@ std::size_t candidates_in(const std::vector<ChoiceStep>& steps) {
   std::size_t count = 0;
   for (const ChoiceStep& step : steps) count += step.attempts.contest.size();
   return count;
+}
+
+/// What no cutter reaches is a condition until it is accepted: the part is not all that was asked for.
+void add_out_of_reach(const Part& part, const ResolvedPlan& plan, Findings& findings) {
+  for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
+  accept_conditions(findings, plan.accept);
 }
 
 }  // namespace
@@ -353,6 +431,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   result.part = plan.part;
   result.values = plan.values;
   resolve::refuse_what_cannot_be(result.part, options);
+  refuse_what_means_nothing(plan, result.part.diagnostics);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto planner = [&](int step, const Attempt& attempt) {
@@ -371,25 +450,13 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     certify(result, toolpath, plan);
     meter.add();
   } while (retry_unclean(choice, result));
+  add_out_of_reach(result.part, plan, result.findings);
   sign(result, toolpath, plan);
-  result.conditions = out_of_reach(result.part, result.findings, plan.tol);
-  for (const Condition& one : result.conditions)
-    result.part.diagnostics.warn(result.part.source_file, "condition '" + one.name + "': " + one.text);
   report_notes(choice, works, plan, result.part);
-  result.contours = contours_of(toolpath);
+  result.contours = contours_of(toolpath, plan);
+  report_rho(result.contours, plan, result.part);
   result.contests = choice.contests();
   return result;
-}
-
-/// Numbers of the tools in the order of work, for controls whose programs cannot name them.
-static std::vector<int> tools_in_order(const Part& part, const resolve::PlanOptions& options) {
-  std::vector<int> numbers;
-  const Part prepared = resolve::prepare(part, options);
-  for (const Workingstep& step : prepared.workplan) {
-    const int number = tool_of(prepared, step).number;
-    if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
-  }
-  return numbers;
 }
 
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
@@ -399,15 +466,20 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   reading.home_z = home_z(options.machine);
   reading.safe_z = part.top_z();
   reading.places = options.machine.places;
-  if (dialect == read::gcode::Dialect::kMarlin) reading.hand_tools = tools_in_order(part, options);
+  const StrategyTable& strategies = strategies_of(options);
+  std::optional<ResolvedPlan> resolved;
+  if (dialect == read::gcode::Dialect::kMarlin) {
+    resolved = resolve::resolve(part, options, strategies);
+    reading.hand_tools = tools_by_hand(tools_in_order(resolved->part));
+  }
   auto read = read::gcode::read_gcode(program, program_name, reading);
   if (reading.hand_tools.size() > 1)
     read.conditions.push_back(
         {"tool-by-hand", "the tools are put in by hand in the order of the part's work, one at each pause",
          0});
   CheckResult result;
-  const ResolvedPlan plan =
-      resolve::resolve(part, numbered_by(read.toolpath, options), strategies_of(options));
+  if (!resolved) resolved = resolve::resolve(part, numbered_by(read.toolpath, options), strategies);
+  const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
   keep_stated_limits(result.part, part, options);
   result.part.diagnostics.append(read.diagnostics);
@@ -417,7 +489,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   number_sections(result.toolpath, result.part);
   result.findings =
       judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan);
-  result.conditions = result.findings.conditions;
+  add_out_of_reach(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }

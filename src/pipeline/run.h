@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "model/contest.h"
 #include "model/control.h"
-#include "model/findings.h"
 #include "model/move.h"
-#include "model/resolved_plan.h"
+#include "model/options/resolved_plan.h"
+#include "model/results/contest.h"
+#include "model/results/findings.h"
 #include "read/gcode/dialect.h"
 #include "report/result.h"
 #include "resolve/plan_options.h"
@@ -24,7 +24,6 @@ struct PlanResult {
   ControlTable control;  ///< what the control holds at each move of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
   std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
-  std::vector<Condition> conditions;            ///< what somebody has to accept: what no cutter reaches
   std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
 };
 
@@ -40,8 +39,6 @@ struct CheckResult {
   Findings findings;
   read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< as which the program was read
   ControlTable control;  ///< what the control held at each move of `toolpath`
-  std::vector<Condition>
-      conditions;  ///< what must hold at the machine for the findings to hold; also in these
 };
 /// `dialect`: the control that will run it; absent: recognised.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,

@@ -1,8 +1,9 @@
 #include "pipeline/texts.h"
 
-#include "base/digest.h"
+#include "base/files/digest.h"
 #include "base/version.h"
-#include "report/certificate.h"
+#include "pipeline/selection/compare.h"
+#include "report/certificate/certificate.h"
 #include "report/contest_table.h"
 #include "report/picture/svg.h"
 #include "report/result.h"
@@ -29,6 +30,10 @@ report::CertificateInfo certificate_info(const resolve::PlanOptions& options, co
   return info;
 }
 
+double eq9_time(const PlanResult& result) {
+  return published_time(result.findings.all.time_naive_s, result.findings.all.turns);
+}
+
 CertificateBasis basis_of_input(const Part& part, const std::string& command, const std::string& input) {
   CertificateBasis basis;
   basis.command = command;
@@ -44,6 +49,8 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
   info.program = result.program;
   info.contests = result.contests;
   info.values = result.values;
+  info.contours = result.contours;
+  info.published_s = eq9_time(result);
   return report::certificate_json(result.part, result.findings, info);
 }
 
@@ -95,7 +102,7 @@ std::string write_page(const PlanResult& result, const resolve::PlanOptions& opt
 }
 
 std::string write_segments(const PlanResult& result) {
-  return report::result_file(result.toolpath, {result.part.name, result.contours});
+  return report::result_file(result.toolpath, {result.part.name, result.contours, eq9_time(result)});
 }
 
 }  // namespace clearcut::pipeline

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "pipeline/run.h"
-#include "report/certificate.h"
+#include "report/certificate/certificate.h"
 
 namespace clearcut::pipeline {
 

@@ -29,9 +29,11 @@ class BlockPrinter {
   std::string take() { return std::move(out_); }
 
  private:
+  int next_number();
+
   const IsoDialect& dialect_;
   bool numbered_;
-  long long blocks_ = 0;
+  int number_ = 0;  ///< of the block before
   std::string out_;
   std::string block_;
 };

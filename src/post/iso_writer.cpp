@@ -6,8 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "post/block_printer.h"
 #include "post/comment.h"
 #include "post/drill_cycle.h"
@@ -111,7 +110,8 @@ std::string IsoWriter::program(const Toolpath& toolpath) {
 void IsoWriter::begin_program() {
   if (dialect_.tape) out_.line("%");
   if (dialect_.program_digits > 0) {
-    out_.line(fmt::format("O{:0{}}", program_number(options_.program_name), dialect_.program_digits));
+    out_.line(fmt::format("O{:0{}}", options_.program_number.value_or(program_number(options_.program_name)),
+                          dialect_.program_digits));
   }
   if (!options_.program_name.empty()) out_.comment(options_.program_name);
   for (const std::string& text : options_.header) out_.comment(text);
@@ -126,9 +126,6 @@ void IsoWriter::begin_program() {
 std::string IsoWriter::safe_start() const {
   std::string words(dialect_.safe_start);
   const std::size_t at = words.find("G54");
-  if (at == std::string::npos && options_.work_offset != 54)
-    throw InputError("--work-offset",
-                     std::string(dialect_.name) + " has no work offsets; set its zero at the part's");
   if (at != std::string::npos) words.replace(at, 3, "G" + std::to_string(options_.work_offset));
   return words;
 }

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <optional>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "post/comment.h"
 #include "post/heights.h"
 #include "post/steps.h"

@@ -7,8 +7,8 @@
 
 #include "base/tolerances.h"
 #include "model/move.h"
+#include "model/options/post_options.h"
 #include "model/part.h"
-#include "model/post_options.h"
 
 namespace clearcut::post {
 

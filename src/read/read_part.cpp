@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/file.h"
+#include "base/files/file.h"
 #include "read/common/text.h"
 #include "read/dxf/dxf_reader.h"
 #include "read/edges/edges_reader.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/contest.h"
+#include "model/results/contest.h"
 #include "report/text_table.h"
 
 namespace clearcut::report {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/units.h"
 #include "report/text.h"
 
 namespace clearcut::report {
@@ -63,6 +64,11 @@ std::string contour_lines(const ContourLevels& contours) {
   const std::string name = ascii(contours.feature);
   std::string text = fmt::format("# {} contours at {}\n", name, fmt::join(levels, " "));
   if (levels.size() > 1) text += fmt::format("# {} offset step {}\n", name, steps_of(contours.from_wall));
+  for (const ContourCoefficient& one : contours.coefficients) {
+    text += fmt::format("# {} contour at {} smallest angle {} coefficient {} residual F {}\n", name,
+                        fixed(one.from_wall, kDecimals), fixed(one.smallest_angle * 180 / kPi, kDecimals),
+                        fixed(one.share, kDecimals), fixed(one.residual, kDecimals));
+  }
   return text;
 }
 
@@ -71,6 +77,7 @@ std::string contour_lines(const ContourLevels& contours) {
 std::string result_file(const Toolpath& toolpath, const ResultInfo& info) {
   std::string text = "# " + ascii(info.name) + "\n# x_i y_i x_f y_f [x_c y_c G02|G03], mm\n";
   for (const ContourLevels& contours : info.contours) text += contour_lines(contours);
+  if (info.published_s) text += "# time by CPO-rho eq. 9 " + fixed(*info.published_s, 2) + " s\n";
   double total = 0;
   for (const Section& section : toolpath.sections) total += append_section(section, text);
   return text + "# total length " + fixed(total, kDecimals) + "\n";

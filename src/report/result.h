@@ -1,6 +1,7 @@
 // The result file (SPEC C7): the segments of a toolpath as plain numbers.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,15 +9,25 @@
 
 namespace clearcut::report {
 
+/// What a contour's smallest angle makes of the step to the next.
+struct ContourCoefficient {
+  double from_wall = 0;       ///< mm
+  double smallest_angle = 0;  ///< radians
+  double share = 0;           ///< kappa or rho: the step as a share of the diameter
+  double residual = 0;        ///< mm, F of CPO-kappa eq. 4; below 0 the rings overlap
+};
+
 /// Where the contours of one feature run, mm from its walls, ascending.
 struct ContourLevels {
   std::string feature;
   std::vector<double> from_wall;
+  std::vector<ContourCoefficient> coefficients = {};  ///< of all but the innermost, where the method has them
 };
 
 struct ResultInfo {
   std::string name;  ///< of the part; one comment line
   std::vector<ContourLevels> contours;
+  std::optional<double> published_s = {};  ///< CPO-rho eq. 9, s
 };
 
 /// Shape   comment lines start with '#': name, columns; distances of the contours and the steps between them, one

@@ -1,9 +1,9 @@
 // A small job made by hand, for tests of reports: a block with a pocket around a round island, and a slot.
 #pragma once
 
-#include "model/findings.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 
 namespace clearcut::sample {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "report/picture/job_view.h"
 #include "report/text.h"
 #include "report/text_table.h"

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "model/findings.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 
 namespace clearcut::report {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/resolved_plan.h"
+#include "model/options/resolved_plan.h"
 #include "report/text_table.h"
 
 namespace clearcut::report {

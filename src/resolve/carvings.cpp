@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/clearance.h"
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"

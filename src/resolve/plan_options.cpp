@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "base/error.h"
-#include "base/format.h"
-#include "base/quantity.h"
+#include "base/text/format.h"
+#include "base/text/quantity.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -12,10 +12,11 @@
 #include "base/tolerances.h"
 #include "model/machine.h"
 #include "model/move.h"
-#include "model/origin.h"
+#include "model/options/origin.h"
+#include "model/options/post_options.h"
+#include "model/options/published_solver.h"
+#include "model/options/shop_options.h"
 #include "model/part.h"
-#include "model/post_options.h"
-#include "model/shop_options.h"
 #include "model/strategy_entry.h"
 
 namespace clearcut::resolve {
@@ -62,6 +63,8 @@ struct PlanOptions {
   CuttingData cutting;
   Machine machine;
   PostOptions post;
+  PublishedChoices published;  ///< of every workingstep; goes before those of `step_published`
+  StepChoices step_published;  ///< of the job's operations
   std::string objective = "time";
   std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
   std::optional<double> time_s;     ///< longest search

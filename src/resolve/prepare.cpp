@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/carvings.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "stock/kerf.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::resolve {

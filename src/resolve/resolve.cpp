@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "resolve/names.h"
 #include "resolve/prepare.h"
 #include "resolve/value_list.h"
@@ -110,6 +110,15 @@ void resolve_entry(ResolvedStep& step, const Operation& operation, const Feature
   step.helix_narrowest = shop.helix_narrowest;
 }
 
+void resolve_published(ResolvedStep& step, const Workingstep& planned, const PlanOptions& options) {
+  const auto own = options.step_published.find(step_key(planned));
+  PublishedChoices choices = own == options.step_published.end() ? PublishedChoices{} : own->second;
+  choices.merge(options.published);
+  step.bisector_passages = choices.bisector_passages;
+  step.published_grid = choices.published_grid.value_or(false);
+  step.solver = choices.solver.value_or(VisitSolver{});
+}
+
 ResolvedStep resolve_step(const Part& part, const Workingstep& planned, const PlanOptions& options) {
   const Operation& operation = planned.operation;
   ResolvedStep step;
@@ -122,6 +131,7 @@ ResolvedStep resolve_step(const Part& part, const Workingstep& planned, const Pl
   step.lead = operation.lead.value_or(0);
   step.lead_angle = operation.lead_angle;
   step.cross_z = crossing_z(part, operation);
+  resolve_published(step, planned, options);
   return step;
 }
 

@@ -1,7 +1,7 @@
 // From a part and what a user asks to a plan in which every value is decided once, with its origin.
 #pragma once
 
-#include "model/resolved_plan.h"
+#include "model/options/resolved_plan.h"
 #include "resolve/plan_options.h"
 
 namespace clearcut::resolve {

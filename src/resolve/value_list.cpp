@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "resolve/names.h"
 
 namespace clearcut::resolve {
@@ -140,6 +140,13 @@ void list_paths(List& list, const ResolvedStep& step, const Operation& operation
                                                       by_default("the fastest, where lines run"));
   list.add("angle", step.stroke_angle ? trimmed(step.stroke_angle->degrees(), 4) : "fastest",
            step.stroke_angle ? "deg" : "", angle);
+  list.add("passage",
+           step.bisector_passages ? (*step.bisector_passages ? "bisector" : "shortest") : "by strategy", "",
+           sources.of("passage", step.bisector_passages.has_value(), by_default("the strategy decides")));
+  list.add("grid", step.published_grid ? "published" : "ours", "",
+           sources.of("grid", step.published_grid, by_default("ours")));
+  list.add("solver", step.solver.is_published ? "published" : "modern", "",
+           sources.of("solver", step.solver.is_published, by_default("modern")));
   list.add("rest", text_of(operation.rest), "",
            operation.rest ? Source{Origin::kDerived, "what earlier steps leave"} : by_default("no"));
 }

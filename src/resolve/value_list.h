@@ -1,7 +1,7 @@
 // Writes down what was decided, with where it comes from, for people and certificates.
 #pragma once
 
-#include "model/resolved_plan.h"
+#include "model/options/resolved_plan.h"
 #include "resolve/plan_options.h"
 
 namespace clearcut::resolve {

@@ -1,7 +1,7 @@
 // Adds the steps that options ask for to a workplan: smaller tools on what larger ones leave, finishing.
 #pragma once
 
-#include "model/resolved_plan.h"
+#include "model/options/resolved_plan.h"
 #include "resolve/plan_options.h"
 
 namespace clearcut::resolve {

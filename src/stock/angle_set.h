@@ -14,17 +14,17 @@ struct AngleInterval {
   double width() const { return to - from; }
 };
 
-/// A small union of disjoint, ascending intervals; a value.
+/// A union of a few disjoint intervals in ascending order.
 class AngleSet {
  public:
-  /// As many intervals as a set holds.
+  /// The greatest number of intervals in a set.
   static constexpr int kCapacity = 48;
 
   AngleSet(double from, double to) : count_(1) { items_[0] = {from, to}; }
-  /// Disjoint, ascending intervals, kCapacity at most; those of no width are left out.
+  /// `items`: disjoint, ascending, at most kCapacity; intervals of width 0 are left out.
   explicit AngleSet(std::span<const AngleInterval> items);
   AngleSet(const AngleSet& other) { *this = other; }
-  /// Copies only the intervals in use: sets are copied often and mostly hold one or two.
+  /// Copies only the intervals in use, because sets are copied often and mostly hold one or two.
   AngleSet& operator=(const AngleSet& other);
 
   bool empty() const { return count_ == 0; }

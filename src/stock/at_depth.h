@@ -1,4 +1,4 @@
-// Outlines of features whose walls have draft, by depth.
+// Outlines of features whose walls have draft, at a given depth.
 #pragma once
 
 #include "base/tolerances.h"
@@ -7,7 +7,8 @@
 
 namespace clearcut::stock {
 
-/// The outline of `regions` at depth `below_top` mm under the top of a feature whose walls lean by `wall_slope` (draft; SPEC B4).
+/// The outline `below_top` mm under the top of a feature whose outline at the top is `regions` and whose
+/// walls have the draft `wall_slope` (SPEC B4).
 Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol);
 
 }  // namespace clearcut::stock

@@ -7,7 +7,7 @@
 namespace clearcut::stock {
 namespace {
 
-/// mm; what stands thinner than this in the mean, along outlines that were meant to coincide, does not count.
+/// mm. What is thinner than this in the mean, along outlines that were meant to coincide, does not count.
 constexpr double kSliver = 0.05;
 
 }  // namespace

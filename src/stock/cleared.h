@@ -1,4 +1,4 @@
-// What earlier work has taken away over a target.
+// What earlier work has cleared over a target.
 #pragma once
 
 #include <vector>
@@ -9,26 +9,26 @@
 
 namespace clearcut::stock {
 
-/// Everything above `floor_z` within `area` is gone.
+/// An area from which everything above `floor_z`, mm, has been removed.
 struct Cleared {
   Cleared(double floor, Regions cleared);
 
   double floor_z = 0;
   Regions area;
-  Box extent;
+  Box extent;  ///< of `area`
 };
 
-/// Whether these are no more than slivers along outlines that were meant to coincide: thinner than 0.05 mm in the mean.
+/// Whether a region, or all of them, is a sliver along outlines that were meant to coincide: thinner than
+/// 0.05 mm in the mean.
 bool is_sliver(const Region& region);
 bool negligible(const Regions& regions);
 
-/// What `cleared` leaves of `standing`.
+/// The regions `standing` without what was cleared.
 Regions without(const Regions& standing, const Cleared& cleared, const Tolerances& tol);
 
-/// The highest place of what stands over `target`: `start` where any of it was not cleared.
-///
-/// With the areas sorted deepest first and U_k the union of the first k, it is the floor of the first k for which U_k covers
-/// the target: so they are subtracted one after the other until nothing is left. Cost O(areas) booleans.
+/// mm; height of the highest material over `target`: `start` where any of the target was not cleared.
+/// Subtracts the areas one after the other until nothing of the target is left; the floor of the last one is
+/// the height. Cost O(areas) booleans.
 double top_over(const Regions& target, const std::vector<Cleared>& deepest_first, double start,
                 const Tolerances& tol);
 

@@ -7,29 +7,30 @@
 namespace clearcut::stock {
 namespace {
 
-/// mm. Of two discs in one place, as a cutter and where it stands, neither reaches out of the other.
+/// mm. Two discs of one radius with centres nearer than this coincide: neither reaches beyond the other.
 constexpr double kCoincident = 1e-9;
 
-/// mm. What goes on without a bend is taken to reach so far beyond its end, or rounding might leave a gap.
+/// mm. A sweep that another continues without a bend is extended by this, so that rounding leaves no gap
+/// between them.
 constexpr double kSeam = 1e-9;
 
-/// Sine of the angle below which a circle is taken to meet a line or circle at that angle: tangential ends would run
-/// away infinitely fast.
+/// Sine. A circle that meets a line or circle at a smaller angle is taken to meet it at this one: at a
+/// tangent the rate of change would be infinite.
 constexpr double kTangent = 1e-6;
 
-/// Grows with the angle of v from the x axis: -2 .. 2. v of any length > 0.
+/// Grows with the angle of v from the x axis, from -2 to 2. v has any length > 0.
 double pseudo_angle(Vec2 v) {
   const double q = 1 - v.x / (std::abs(v.x) + std::abs(v.y));
   return v.y < 0 ? -q : q;
 }
 
-/// The direction of a pseudo-angle, not of unit length.
+/// The direction with that pseudo-angle, of any length.
 Vec2 direction_of(double pseudo) {
   const double q = std::abs(pseudo);
   return {1 - q, std::copysign(q <= 1 ? q : 2 - q, pseudo)};
 }
 
-/// A radius for sure no smaller.
+/// A radius that rounding cannot have made smaller.
 double enclosing(double radius) {
   return radius * (1 + 1e-12) + 1e-12;
 }
@@ -70,7 +71,8 @@ double EngagementArcs::Span::width() const {
   return is_wide() && angle <= 0 ? angle + 2 * kPi : std::max(angle, 0.0);
 }
 
-/// Where a bound crosses a span: there but for rounding, which may carry it past an end, and past straight behind.
+/// The end where a bound crosses a span, which rounding may have moved past an end of the span or past
+/// straight behind.
 EngagementArcs::End EngagementArcs::end_in(const Span& span, const Bound& bound, Vec2 direction) const {
   const double order = pseudo_angle({dot(ahead_, direction), cross(ahead_, direction)});
   const double turn = 4, before = span.from.order - order, after = order - span.to.order;
@@ -80,7 +82,7 @@ EngagementArcs::End EngagementArcs::end_in(const Span& span, const Bound& bound,
   return {order, direction.x, direction.y, normal.x, normal.y};
 }
 
-/// The circle about the cutter's centre is within another where |w + radius u|^2 <= its_radius^2, w from that
+/// The bound for being within another circle: |w + radius u|^2 <= its_radius^2, where w leads from that
 /// circle's centre to the cutter's.
 EngagementArcs::Bound EngagementArcs::within_circle(Vec2 w, double its_radius) const {
   const double squared = norm_squared(w);
@@ -115,8 +117,8 @@ bool EngagementArcs::remove_disc(Vec2 at, double disc) {
   return remove_within(bounds);
 }
 
-/// The rectangle, or part of a ring, between the planes across the ends. Bounds that all of what is left keeps are not
-/// looked at further.
+/// Removes the rectangle, or part of a ring, between the planes across the ends of `swept`. Bounds that
+/// everything left is within are skipped.
 bool EngagementArcs::remove_between(const Swept& swept, double before, double after) {
   Bounds bounds;
   if (swept.kind == Swept::Kind::kLine) {
@@ -150,15 +152,15 @@ EngagementArcs::Side EngagementArcs::side_of(const Bound& bound, const Span& spa
   const bool from_beyond = dot(bound.normal, span.from.direction()) > bound.most;
   const bool to_beyond = dot(bound.normal, span.to.direction()) > bound.most;
   if (from_beyond != to_beyond) return from_beyond ? Side::kFromBeyond : Side::kToBeyond;
-  // Between two ends on one side the bound is crossed twice, if at all.
+  // Both ends are on one side: the bound crosses the span twice or not at all.
   const bool meets = bound.most * bound.most < bound.squared;
   if (from_beyond)
     return (bound.most >= 0 || meets) && span.holds(-bound.normal) ? Side::kMiddleWithin : Side::kBeyond;
   return (bound.most < 0 || meets) && span.holds(bound.normal) ? Side::kMiddleBeyond : Side::kWithin;
 }
 
-/// Where a bound that crosses a span lets it go, seen from the bound's normal on the left (1) or on the right (-1):
-/// beyond begins on the right.
+/// The end where a bound crosses a span, on the left (1) or right (-1) of the bound's normal; what is beyond
+/// begins on the right.
 EngagementArcs::End EngagementArcs::crossing(const Bound& bound, double side, const Span& span) const {
   const double inverse = 1 / bound.squared;
   const double half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most));
@@ -167,7 +169,7 @@ EngagementArcs::End EngagementArcs::crossing(const Bound& bound, double side, co
   return end_in(span, bound, direction);
 }
 
-/// The parts of a span beyond a bound that crosses it.
+/// Adds the parts of a span that are beyond a bound which crosses it.
 void EngagementArcs::add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const {
   switch (side) {
     case Side::kFromBeyond:
@@ -204,7 +206,7 @@ void EngagementArcs::Pieces::merge() {
   count = std::min(count, merged + 1);
 }
 
-/// Takes away what lies within all bounds.
+/// Removes what is within all bounds.
 bool EngagementArcs::remove_within(const Bounds& bounds) {
   bool changed = false;
   for (int i = 0; i < count_;) {
@@ -219,7 +221,7 @@ bool EngagementArcs::remove_within(const Bounds& bounds) {
   return changed;
 }
 
-/// Whether the whole span is beyond one of the bounds; else, those that cross it.
+/// Whether the whole span is beyond one of the bounds. If not, `crossed` gets the bounds that cross it.
 bool EngagementArcs::is_beyond_any(const Bounds& bounds, const Span& span, Crossed& crossed) {
   for (int k = 0; k < bounds.count; ++k) {
     const Side side = side_of(bounds.items[k], span);
@@ -231,10 +233,10 @@ bool EngagementArcs::is_beyond_any(const Bounds& bounds, const Span& span, Cross
   return false;
 }
 
-/// Leaves of a span what is beyond one of the bounds that cross it; returns the place after that.
+/// Keeps of a span what is beyond one of the bounds that cross it; returns the index after that.
 int EngagementArcs::cut(int place, const Crossed& crossed, bool& changed) {
   Span& span = items_[place];
-  // Nearly always one end is moved.
+  // In nearly all cases one end moves.
   if (crossed.count == 1 && (crossed.sides[0] == Side::kFromBeyond || crossed.sides[0] == Side::kToBeyond)) {
     const bool keeps_from = crossed.sides[0] == Side::kFromBeyond;
     const End end = crossing(*crossed.bounds[0], keeps_from ? 1 : -1, span);
@@ -253,7 +255,7 @@ int EngagementArcs::cut(int place, const Crossed& crossed, bool& changed) {
   return replace(place, pieces.items, pieces.count);
 }
 
-/// Puts pieces where a span was; returns the place after them.
+/// Puts pieces in place of a span; returns the index after them.
 int EngagementArcs::replace(int place, const Span* pieces, int count) {
   if (count == 1) {
     items_[place] = pieces[0];
@@ -264,7 +266,7 @@ int EngagementArcs::replace(int place, const Span* pieces, int count) {
     --count_;
     return place;
   }
-  // Up to count - 1 more than there is room for are dropped one by one.
+  // If the set is full, its narrowest spans are dropped one by one.
   items_[place] = pieces[0];
   int next = place + 1;
   for (int i = 1; i < count; ++i) {
@@ -280,7 +282,7 @@ int EngagementArcs::replace(int place, const Span* pieces, int count) {
   return next;
 }
 
-/// A full set drops its narrowest item: less than is left is reported rather than none at all.
+/// Drops the narrowest span of a full set: reporting slightly less than is left is better than nothing.
 void EngagementArcs::drop_narrowest() {
   Span* narrowest = std::min_element(items_, items_ + count_, [](const Span& a, const Span& b) {
     return a.to.order - a.from.order < b.to.order - b.from.order;
@@ -289,7 +291,7 @@ void EngagementArcs::drop_narrowest() {
   --count_;
 }
 
-/// What is left lies on the circle beside the widest gap.
+/// Sets the disc that holds everything left: the part of the circle opposite to the widest gap.
 void EngagementArcs::bound_rest() {
   int first = 0;
   double widest = items_[0].from.order + 4 - items_[count_ - 1].to.order;
@@ -306,7 +308,7 @@ void EngagementArcs::bound_rest() {
   }
   const Vec2 from = items_[first].from.direction(),
              to = items_[first == 0 ? count_ - 1 : first - 1].to.direction();
-  // The disc about the chord's middle holds the arc.
+  // The disc about the middle of the chord holds the arc.
   rest_center_ = center_ + (from + to) * (0.5 * radius_);
   rest_radius_ = enclosing(0.5 * radius_ * std::sqrt(norm_squared(to - from)));
 }
@@ -327,7 +329,7 @@ double EngagementArcs::measure() const {
   return sum;
 }
 
-/// Radians that an end goes to the left per mm that the cutter goes ahead.
+/// Radians to the left that an end moves per mm that the cutter goes ahead.
 double EngagementArcs::drift(const End& end) const {
   const Vec2 normal = end.normal();
   const double least = kTangent * std::sqrt(norm_squared(normal)),
@@ -351,7 +353,7 @@ Vec2 EngagementArcs::middle_of_widest() const {
   const Span& widest = *std::max_element(items_, items_ + count_,
                                          [](const Span& a, const Span& b) { return a.width() < b.width(); });
   const Vec2 from = widest.from.direction(), to = widest.to.direction();
-  // Square to the chord, which is none of a whole circle.
+  // Square to the chord; a whole circle has none.
   const Vec2 middle = widest.is_wide() ? right_of(to - from) : from + to;
   return middle == Vec2{} ? ahead_ : unit(middle);
 }

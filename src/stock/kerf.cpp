@@ -8,10 +8,10 @@
 namespace clearcut::stock {
 namespace {
 
-/// mm. Arcs narrower than the cutter become lines no farther off than this.
+/// mm. Arcs narrower than the cutter are replaced by chords this near to them.
 constexpr double kChord = 0.0005;
 
-/// `edge` moved sideways, to its left for d > 0.
+/// `edge` moved to its left by d mm.
 Edge beside(const Edge& edge, double d) {
   Edge out = edge;
   out.from = edge.from + left_of(edge.tangent_at(0)) * d;
@@ -19,7 +19,7 @@ Edge beside(const Edge& edge, double d) {
   return out;
 }
 
-/// Outline of all points within r of an edge; arcs have to be wider than r.
+/// Outline of all points within r mm of an edge; arcs must have a greater radius.
 Loop capsule(const Edge& edge, double r) {
   const Edge right = beside(edge, -r), left = beside(edge, r).reversed();
   const Vec2 ahead = edge.to + edge.tangent_at(1) * r, behind = edge.from - edge.tangent_at(0) * r;
@@ -34,7 +34,7 @@ std::vector<Loop> capsules(const Path& line, double r) {
   std::vector<Loop> loops;
   for (const Edge& edge : line) {
     if (!edge.is_arc() || edge.radius() > 1.01 * r) {
-      // Less than half a turn each, so that a capsule does not cross itself.
+      // Pieces of less than half a turn, so that a capsule does not cross itself.
       const int pieces = edge.is_arc() ? 1 + static_cast<int>(std::abs(edge.sweep()) / 2) : 1;
       for (int i = 0; i < pieces; ++i) {
         loops.push_back(

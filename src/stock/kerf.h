@@ -1,4 +1,4 @@
-// The strip that a cutter leaves empty when it follows a contour.
+// The kerf: the strip that a cutter clears when it follows a contour.
 #pragma once
 
 #include "base/tolerances.h"
@@ -6,8 +6,8 @@
 
 namespace clearcut::stock {
 
-/// Everything within `width` mm of the profile's outline on its free side; for a line to engrave everything within half of
-/// that on both sides. Cost that of an offset of the outline.
+/// All points within `width` mm of the profile's outline on its free side; for a line to engrave, all points
+/// within half of that on both sides. Costs one offset of the outline.
 Regions kerf_of(const ProfileCut& cut, double width, const Tolerances& tol);
 
 }  // namespace clearcut::stock

@@ -9,11 +9,12 @@
 namespace clearcut::stock {
 namespace {
 
-/// Arcs are cut into pieces below this sweep, so that a piece is the part of a ring between two half-planes.
+/// Radians. Arcs are divided into pieces below this sweep, so that each is the part of a ring between two
+/// half-planes.
 constexpr double kPieceSweep = 2.0;
-/// Radians. A smaller bend between sweeps is rounding.
+/// Radians. A smaller bend between sweeps comes from rounding.
 constexpr double kBend = 1e-12;
-/// mm. Sweeps up to this length do not take over what is round of the sweep before or after.
+/// mm. Sweeps up to this length do not cover the round ends of sweeps before or after.
 constexpr double kShort = 1e-6;
 
 double length_of(Vec2 a) {
@@ -38,7 +39,7 @@ int Material::Grid::place(double v) const {
   return static_cast<int>(static_cast<std::int64_t>(std::floor(v / cell)));
 }
 
-/// Where a cell is in the table, or would be.
+/// Index of a cell in the table, or the one at which it would be put.
 std::size_t Material::Grid::slot_of(int x, int y) const {
   const std::uint64_t key =
       (std::uint64_t{static_cast<std::uint32_t>(x)} << 32) | static_cast<std::uint32_t>(y);
@@ -69,11 +70,12 @@ void Material::Grid::grow() {
     table[slot_of(cells[i].x, cells[i].y)] = static_cast<std::uint32_t>(i);
 }
 
-/// The lists of all cells from which a circle may reach what was swept along a part of its path; each at least once.
+/// Calls f for the lists of all cells from which a circle may touch what was swept along the path; each at
+/// least once.
 template <typename F>
 void Material::Grid::for_lists(const Swept& swept, const Edge& path, F&& f) {
   const double far = reach + swept.radius;
-  // Halving keeps the box of a long slanting path from covering many cells in vain.
+  // Halved, because the box of a long slanting path would cover many cells in vain.
   if (path.from != path.to && path.length() > 2 * far + 4 * cell) {
     for_lists(swept, path.part(0, 0.5), f);
     for_lists(swept, path.part(0.5, 1), f);
@@ -95,7 +97,7 @@ void Material::Grid::insert(const Sweep& sweep, const Entry& entry) {
   });
 }
 
-/// Only the newest sweep can be removed: it comes last in all its lists.
+/// Removes the newest sweep, which comes last in all its lists.
 void Material::Grid::remove(const Sweep& sweep, int index) {
   for_lists(sweep.shape, sweep.path, [&](std::vector<Entry>& list) {
     if (!list.empty() && list.back().sweep == index) list.pop_back();
@@ -124,8 +126,7 @@ Material::Sweep Material::make_sweep(const Edge& path, double z_from, double z_t
   return sweep;
 }
 
-/// Where a sweep goes on the disc at its start is the one at the end of the sweep before; without a bend each covers
-/// what is round of the other.
+/// If `next` continues `last`, each covers the other's round end there, unless the path bends.
 void Material::join(Sweep& last, Sweep& next) {
   const bool goes_on = last.path.to == next.path.from && next.shape.kind != Swept::Kind::kDisc &&
                        last.shape.radius == next.shape.radius && last.z_high <= next.z_low;
@@ -159,7 +160,7 @@ void Material::add_piece(const Edge& path, double z_from, double z_to, double ra
   Sweep sweep = make_sweep(path, z_from, z_to, radius);
   if (sweep.z_low >= z_top_) return;
   if (path.from == path.to)
-    sweep.z_high = sweep.z_from = sweep.z_to = sweep.z_low;  // straight down: only its end counts
+    sweep.z_high = sweep.z_from = sweep.z_to = sweep.z_low;  // a plunge: only its end counts
   const bool point = path.from == path.to;
   const Vec2 middle = point ? path.from : path.at(0.5);
   const double reach = (point ? 0 : path.length() / 2) + radius;
@@ -176,7 +177,7 @@ const Material::Grid& Material::grid_for(double radius) const {
   throw_broken_promise("the radius asked about is among those announced", __FILE__, __LINE__);
 }
 
-/// The part of a sweep whose tip is at or below z.
+/// The part of a sweep on which the tip is at or below z.
 std::optional<Material::Sweep> Material::below(const Sweep& sweep, double z) {
   if (sweep.z_low > z) return std::nullopt;
   if (sweep.z_high <= z) return sweep;
@@ -208,7 +209,8 @@ double Material::height(Vec2 p) const {
     const Sweep& sweep = sweeps_[entry.sweep];
     if (entry.z_low >= height || norm_squared(entry.middle - p) > entry.reach * entry.reach) continue;
     if (!sweep.shape.covers(p)) continue;
-    double low = sweep.z_low, high = sweep.z_high;  // covered at high, perhaps not at low
+    double low = sweep.z_low,
+           high = sweep.z_high;  // p is covered down to `high`, and perhaps not down to `low`
     if (below(sweep, low)->shape.covers(p)) high = low;
     while (high - low > 1e-6) {
       const double middle = (low + high) / 2;
@@ -232,7 +234,7 @@ void Material::remove_everything(EngagementArcs& arcs, Vec2 center, double radiu
   remove_outside(arcs, center, radius);
   const std::vector<Entry>* near = grid_for(radius).at(center);
   if (!near) return;
-  // Latest first: what was cut last is most often what the circle still touches.
+  // The latest sweeps first, because the circle most often touches what was cut last.
   for (auto entry = near->rbegin(); entry != near->rend() && !arcs.empty(); ++entry) {
     if (entry->z_low > z || !arcs.may_meet(entry->middle, entry->reach)) continue;
     const Sweep& sweep = sweeps_[static_cast<std::size_t>(entry->sweep)];
@@ -265,8 +267,8 @@ CutterEngagement Material::engagement(const Move& move, double t, double radius)
   const Vec2 center = move.path.at(t), direction = move.path.tangent_at(t);
   EngagementArcs arcs(center, radius, direction, EngagementArcs::Part::kFront);
   remove_everything(arcs, center, radius, z);
-  // Going straight on, the front never meets the move's own start; going round, it may. What a descending
-  // move passed stands higher than its tip is now.
+  // A straight move never meets its own beginning with its front half; an arc may. What a descending move has
+  // passed stands higher than its tip is now, so it does not count.
   const bool counts = move.path.is_arc() && move.z_to >= move.z_from;
   const int pieces = counts ? static_cast<int>(std::ceil(std::abs(move.path.sweep()) * t / kPieceSweep)) : 0;
   for (int i = 0; i < pieces && !arcs.empty(); ++i) {

@@ -14,72 +14,75 @@ namespace clearcut::stock {
 
 /// Which directions of the front half of a cutter's circle are in material.
 struct CutterEngagement {
-  AngleSet angles;   ///< radians from the direction of travel, in [-pi/2, pi/2], > 0 on the left
+  AngleSet angles;   ///< radians from the direction of travel, in [-pi/2, pi/2], positive to the left
   double angle = 0;  ///< radians, sum of the widths
-  double left = 0;   ///< radians of it on the left of the direction of travel
-  double right = 0;  ///< and on the right
+  double left = 0;   ///< radians of it to the left of the direction of travel
+  double right = 0;  ///< radians of it to the right
 };
 
-/// The engagement as a number, without directions: cheaper than CutterEngagement.
+/// The engagement as a number, without directions; cheaper than CutterEngagement.
 struct EngagementSize {
   double angle = 0;  ///< radians, sum of the widths
-  int parts = 0;     ///< separate parts of the front half circle in material
+  int parts = 0;     ///< number of separate parts of the front half circle in material
 };
 
-/// The engagement as a number, and its rate of change as the cutter goes on. Exact, except at places where a part begins, ends
-/// or is split just there.
+/// The engagement as a number and its rate of change as the cutter goes on. Exact, except where a part just
+/// begins, ends or is divided.
 struct EngagementTrend {
   EngagementSize size;
   EngagementChange change;
 };
 
-/// How much of a circle is in material, and where.
+/// How much of the whole circle is in material, and where.
 struct CircleTouch {
   double angle = 0;  ///< radians, sum of the widths
-  Vec2 toward;       ///< unit, the middle of the widest part
+  Vec2 toward;       ///< unit vector to the middle of the widest part
 };
 
-/// The remaining stock: a block, or material without end, minus the volumes that flat-ended cutters have swept so far.
+/// The remaining stock: a block, or material without end, minus the volumes that flat-ended cutters have
+/// swept so far.
 ///
-/// Exact: sweeps are kept as lines and arcs with a radius, questions are answered by intersecting circles
-/// with their outlines; there is no raster. A cutter whose tip passes at or below z removes everything above.
+/// Exact, without a raster: sweeps are kept as lines and arcs with a radius, and queries intersect circles
+/// with their outlines. A cutter whose tip passes at or below a height removes everything above it.
 ///
-/// Cost    add: O(length / radius + 1); a question: O(moves within two radii), whatever the program's length.
+/// Cost    add: O(length / radius + 1). A query: O(moves within two radii), whatever the program's length.
 class Material {
  public:
-  /// `plan` is the block's outline in plan view; absent: the material has no end sideways. Material reaches down from z_top. `radii` are those of
-  /// the cutters that will be asked about (any smaller radius may be asked about too), mm, all > 0.
+  /// `plan`: outline of the block in plan view; absent: material everywhere. It reaches down from z_top, mm.
+  /// `radii`: those of the cutters that will be asked about, mm, all > 0; smaller ones may be asked about,
+  /// too.
   Material(std::optional<Box> plan, double z_top, const std::vector<double>& radii);
 
-  /// Takes away what a cutter of `radius` mm sweeps along `move`.
+  /// Removes what a cutter of `radius` mm sweeps along `move`.
   void add(const Move& move, double radius);
 
-  /// How many pieces of moves were added so far; and back to an earlier number: what later pieces swept is material again.
+  /// How many pieces of moves have been added.
   std::size_t sweeps() const { return sweeps_.size(); }
+  /// Removes all but the first `sweeps` pieces: what later ones swept is material again.
   void forget_beyond(std::size_t sweeps);
 
   /// Whether no material reaches above z at p.
   bool is_removed(Vec2 p, double z) const;
-  /// Height of the material at p: z_top, or the lowest tip that passed over p; -infinity beside the block. On
-  /// ramps to 1e-6 mm.
+  /// mm; height of the material at p: z_top, or the lowest tip that passed over p, on ramps to 1e-6 mm;
+  /// -infinity beside the block.
   double height(Vec2 p) const;
 
-  /// The front half circle of a cutter at `center` that moves along `direction` (any length > 0) with its tip
-  /// at z.
+  /// Engagement of a cutter at `center` that moves along `direction` (of any length > 0) with its tip at z.
   CutterEngagement engagement(Vec2 center, Vec2 direction, double radius, double z) const;
-  /// The same at parameter t of `move`, for a cutter that has swept the move up to t (and nothing of it is
-  /// added yet).
+  /// The engagement at parameter t of `move`, if the cutter has swept the move up to t; nothing of the move
+  /// may have been added.
   CutterEngagement engagement(const Move& move, double t, double radius) const;
-  /// Only the total angle and the number of parts: cheaper.
+  /// The total angle and the number of parts alone; cheaper.
   EngagementSize engagement_size(Vec2 center, Vec2 direction, double radius, double z) const;
   EngagementTrend engagement_trend(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The parts of the whole circle in material, as absolute angles in [-pi, pi].
   AngleSet circle_in_material(Vec2 center, double radius, double z) const;
-  /// Only their total angle and the direction of the widest; absent where the circle touches nothing. Cheaper.
+  /// Their total angle and the direction of the widest alone; nothing if the circle touches no material.
+  /// Cheaper.
   std::optional<CircleTouch> circle_touch(Vec2 center, double radius, double z) const;
 
-  /// A place within `radius` of `path` where material reaches above z; none where there is none. Finds every piece that holds
-  /// a square 0.02 mm wide, and most others.
+  /// A point within `radius` mm of `path` where material reaches above z; nothing if there is none. Finds
+  /// every piece of material that holds a square 0.02 mm wide, and most others.
   ///
   /// Cost    O((sweeps near + length of their outlines / 0.02 mm) log).
   std::optional<Vec2> in_reach(const Edge& path, double radius, double z) const;
@@ -89,21 +92,21 @@ class Material {
 
  private:
   struct Sweep {
-    Edge path;  ///< a point when from == to; arcs below a third of a turn
+    Edge path;  ///< a point if from == to; arcs turn by less than a third of a turn
     Swept shape;
     double z_from = 0;
     double z_to = 0;
     double z_low = 0;
     double z_high = 0;
   };
-  /// A sweep in a cell's list, with a disc around it: most are turned away by that.
+  /// A sweep in a cell's list. The disc around it rules most sweeps out quickly.
   struct Entry {
     double z_low;
     Vec2 middle;
     double reach;
     int sweep;
   };
-  /// Square cells, each with all sweeps that a circle of up to `reach` around any of its points may touch.
+  /// Square cells, each with the sweeps that a circle of up to `reach` mm around any of its points may touch.
   struct Grid {
     explicit Grid(double largest) : reach(largest), cell(largest * 0.7) {}
     struct Cell {
@@ -112,9 +115,9 @@ class Material {
     };
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     double reach;
-    double cell;  ///< mm
+    double cell;  ///< mm, side of a cell
     std::vector<Cell> cells;
-    /// Which cell is where: a hash table of 2^(64 - shift) places.
+    /// Hash table of 2^(64 - shift) slots: the index of each cell.
     std::vector<std::uint32_t> table = std::vector<std::uint32_t>(64, kNone);
     int shift = 58;
 
@@ -139,7 +142,7 @@ class Material {
 
   std::optional<Box> plan_;
   double z_top_;
-  std::vector<Grid> grids_;  ///< ascending reach
+  std::vector<Grid> grids_;  ///< by ascending reach
   std::vector<Sweep> sweeps_;
 };
 

@@ -1,4 +1,4 @@
-// Whether material lies within reach of a path: by area, cell by cell.
+// Searches for material within reach of a path: by area, in cells that are divided until they are decided.
 #include <algorithm>
 #include <cmath>
 
@@ -7,7 +7,7 @@
 namespace clearcut::stock {
 namespace {
 
-/// mm; half the side of the smallest cells, which are asked at their middle alone.
+/// mm; half the side of the smallest cells, of which only the middle is tested.
 constexpr double kSmallest = 0.01;
 constexpr double kDiagonal = 1.41421356237309515;
 
@@ -31,7 +31,8 @@ class AreaSearch {
  private:
   bool inside(Vec2 p) const { return distance(path_, p) < radius_ && (!plan_ || plan_->contains(p)); }
 
-  /// A place of the cell that may hold material: its middle, or what of it lies nearest to the path and in the plan.
+  /// A point of the cell that may hold material: its middle, or its point nearest to the path that lies in
+  /// the block.
   std::optional<Vec2> place_in(Vec2 center, double half) const {
     if (inside(center)) return center;
     const Vec2 on = nearest(path_, center).point;
@@ -57,12 +58,12 @@ class AreaSearch {
       middle_free = middle_free || apart <= 0;
       if (apart - reach < 0) near_.push_back(near_[k]);
     }
-    const auto found = look(center, half, mark, middle_free);
+    const auto found = search(center, half, mark, middle_free);
     near_.resize(mark);
     return found;
   }
 
-  std::optional<Vec2> look(Vec2 center, double half, std::size_t mark, bool middle_free) {
+  std::optional<Vec2> search(Vec2 center, double half, std::size_t mark, bool middle_free) {
     if (!middle_free && inside(center)) return center;
     if (near_.size() == mark) {
       if (const auto place = place_in(center, half)) return place;
@@ -81,7 +82,8 @@ class AreaSearch {
   double radius_;
   const std::optional<Box>& plan_;
   std::vector<Cover> covers_;
-  std::vector<std::size_t> near_;  ///< stack: covers that touch the cells from the whole to the one in hand
+  /// Stack of indices: the covers that touch each of the cells from the whole down to the present one.
+  std::vector<std::size_t> near_;
 };
 
 }  // namespace

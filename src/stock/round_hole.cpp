@@ -36,7 +36,8 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
   };
   const Workingstep& own = part.workplan.at(static_cast<std::size_t>(workingstep));
   const double deep = lowest(own);
-  const Box here = box(feature_of(part, own).allowed);  // most holes lie beside it: that is asked first
+  const Box here =
+      box(feature_of(part, own).allowed);  // most holes lie beside it, which is cheap to find out
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
     const Feature& feature = feature_of(part, step);

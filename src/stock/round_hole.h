@@ -1,4 +1,4 @@
-// Features that are one upright circle: drilled, reamed or bored rather than cleared.
+// Features that consist of one upright circle: they are drilled, reamed or bored instead of cleared.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,26 @@
 
 namespace clearcut::stock {
 
-/// A circle in plan. mm.
+/// A circle in plan view. mm.
 struct RoundHole {
   Vec2 center;
   double radius = 0;
 };
 
-/// The circle that bounds `feature`, where that is all there is: one outline, no islands, upright walls, no open
-/// side. The arcs of the outline may differ by tol.join_gap, as those of drawings do; the smallest radius counts.
+/// The circle that bounds `feature`, if there is nothing else: one outline, no islands, walls without draft,
+/// no open side. Arcs of the outline may differ by tol.join_gap, as in drawings; the smallest radius counts.
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol);
 
-/// Drills and reamers: they only go straight down.
+/// Whether the tool only goes straight down: drills and reamers.
 bool only_plunges(const Tool& tool);
 
-/// Whether a plunge of `tool` at its centre makes the whole hole: as wide to within tol.fit, and no narrower than
-/// a residual of tol.uncut all round.
+/// Whether a plunge of `tool` at its centre makes the whole hole: its width is right to within tol.fit, or
+/// leaves at most a residual of tol.uncut all round.
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);
 
-/// The paths down that are there, in reach of its passes, when a workingstep begins, for cutters that are no wider: predrilled holes, and those that
-/// earlier steps have made at least as deep as the step goes. Cost O(steps).
+/// The holes that exist within reach of a workingstep's passes when it begins, and in which a cutter no wider
+/// than they are can go down: predrilled ones, and those that earlier steps made at least as deep as this
+/// step goes. Cost O(steps).
 std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol);
 
 }  // namespace clearcut::stock

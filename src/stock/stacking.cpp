@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "stock/at_depth.h"
 #include "stock/cleared.h"
 

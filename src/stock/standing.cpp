@@ -11,31 +11,31 @@
 namespace clearcut::stock {
 namespace {
 
-/// How far beyond what is wanted a target reaches into the stock that stays, of that stock: planners expect targets that end
-/// at walls or where all is cut.
+/// By how much, as a multiple of the step's stock, a target reaches into that stock beyond what must be
+/// cleared: planners expect targets that end at walls or where everything is cut.
 constexpr double kIntoStock = 1.5;
 
-/// mm. The least stock that steps of one feature have left.
+/// mm. The least stock to leave of all steps of one feature so far.
 struct StockLeft {
   std::optional<double> side;
   std::optional<double> floor;
 
   void add(const Operation& operation) {
     side = std::min(side.value_or(operation.allowance_side), operation.allowance_side);
-    // Where something was cleared before, finishing of walls does not come to the floor.
+    // If something was cleared before, finishing of walls does not reach the floor.
     if (operation.kind == OperationKind::kSideFinishing && floor) return;
     floor = std::min(floor.value_or(operation.allowance_floor), operation.allowance_floor);
   }
 };
 
-/// A drill clears no more than its own hole.
+/// Whether the step clears its feature's target; a drill clears only a hole of its own size.
 bool clears(const Part& part, const Workingstep& step, const Tolerances& tol) {
   if (!only_plunges(tool_of(part, step))) return true;
   const auto hole = round_hole_of(feature_of(part, step), tol);
   return hole && makes_hole(tool_of(part, step), *hole, tol);
 }
 
-/// Regions less `distance` mm along the walls that bound `allowed`.
+/// `regions` without what lies within `distance` mm of the walls, which bound `allowed`.
 Regions off_the_walls(const Regions& regions, const Regions& allowed, double distance,
                       const Tolerances& tol) {
   if (distance <= 0) return regions;

@@ -1,4 +1,4 @@
-// What still stands over the target of a workingstep when its turn comes.
+// What still stands over the target of a workingstep when the step begins.
 #pragma once
 
 #include <vector>
@@ -10,35 +10,36 @@ namespace clearcut::stock {
 
 /// The material that the steps before a workingstep leave over its target.
 ///
-/// An earlier feature has cleared its target less the least stock that its steps so far have left on walls, down to its floor
-/// and the least stock left there. Of the step's own target, what lies in its own stock is not asked for. Earlier steps of the
-/// same feature do not count: what they left is a matter of the cutter (resolve/left_over.h). Tops must be
-/// stacked. Slivers as in stock/cleared.h are left out.
+/// An earlier feature has cleared its target, less the least stock that its steps so far have left on walls,
+/// down to its floor and the least stock left there. Of the step's own target, what lies in its own stock to
+/// leave is left out. Earlier steps of the same feature do not count, because what they left depends on the
+/// cutter (resolve/left_over.h). The features' tops must have been set (stack_tops). Slivers, see
+/// stock/cleared.h, are left out.
 class Standing {
  public:
   Standing(const Part& part, int workingstep, const Tolerances& tol);
 
-  /// Where the material begins: the feature's top, or higher as far as stock of earlier steps stands over it. Cost O(features)
-  /// booleans.
+  /// mm; where the material begins: at the feature's top, or higher if stock of earlier steps stands over it.
+  /// Cost O(features) booleans.
   double top() const;
 
-  /// The part of the target where material stands above z: what a layer down to z really has to remove (the fishhead's
-  /// FACE3 begins at z -2, but only on a small part; elsewhere at -12). At the top outline; up to the walls,
-  /// over the step's own stock. Same cost.
+  /// The part of the target where material stands above z, in mm: what a layer down to z has to remove. (The
+  /// fishhead's FACE3 begins at z -2 on a small part and elsewhere at -12.) At the outline of the top; up to
+  /// the walls, over the step's own stock. Cost O(features) booleans.
   Regions above(double z) const;
 
  private:
-  /// What is wanted of `regions`: no more than slivers may lie in the step's own stock.
+  /// `regions`, if more of them than slivers lies outside the step's own stock.
   Regions wanted(const Regions& regions) const;
 
   const Feature& feature_;
-  double stock_;  ///< mm, of the step on its walls
+  double stock_;  ///< mm; stock that the step leaves on walls
   Tolerances tol_;
-  std::vector<Cleared>
-      by_design_;  ///< by earlier features with nothing left on their walls and floors, deepest first
-  std::vector<Cleared> by_work_;  ///< as the steps have left them, deepest first
-  double start_;                  ///< where nothing was cleared
-  bool stock_left_ = false;       ///< whether the two differ
+  /// What earlier features would clear with no stock left on walls and floors, deepest first.
+  std::vector<Cleared> by_design_;
+  std::vector<Cleared> by_work_;  ///< what the steps have cleared so far, deepest first
+  double start_;                  ///< mm; height of material where nothing was cleared
+  bool stock_left_ = false;       ///< whether the two lists differ
 };
 
 }  // namespace clearcut::stock

@@ -6,9 +6,10 @@
 namespace clearcut::verify {
 namespace {
 
-/// Radians. Turns below it are rounding of smooth joins: what is cut off them is thousandths of a move's length.
+/// Radians. Smaller turns come from rounding of smooth joins: what is cut off there is thousandths of a
+/// move's length.
 constexpr double kSmoothTurn = 0.01;
-/// mm.
+/// mm. Points nearer than this are equal.
 constexpr double kSamePlace = 1e-6;
 
 bool may_round(const JudgedMove& judged) {
@@ -26,13 +27,19 @@ bool is_corner(const JudgedMove& before, const JudgedMove& after) {
          turn_between(*before.move, *after.move) > kSmoothTurn;
 }
 
+/// The piece of a move from one point to another that replaces its end: an arc stays as curved as it was, because its chord
+/// would cut off more than a control that keeps the tolerance.
+Edge bent(const Edge& path, Vec2 from, Vec2 to) {
+  return path.is_arc() ? Edge::from_bulge(from, to, std::tan(path.sweep() / 4)) : Edge::line(from, to);
+}
+
 }  // namespace
 
 std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, const JudgedMove& after,
                                                   double tolerance) {
   if (tolerance <= 0 || !is_corner(before, after)) return std::nullopt;
   const Move &a = *before.move, &b = *after.move;
-  // The circle that touches both legs and passes the corner at the tolerance; no leg gives more than its half.
+  // The circle that touches both moves and passes the corner at the tolerance. It takes at most half of a move.
   const double half = (kPi - turn_between(a, b)) / 2;
   const double legs = std::min(a.path.length(), b.path.length()) / 2;
   const double sine = std::max(std::sin(half), 1e-6);
@@ -45,9 +52,9 @@ std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, cons
   const Vec2 inside = corner + unit(inward) * std::min(tolerance, norm(inward));
   const double za = std::lerp(a.z_from, a.z_to, ta), zb = std::lerp(b.z_from, b.z_to, tb);
   Move first = a, second = b;
-  first.path = Edge::line(leave, inside);
+  first.path = bent(a.path.part(ta, 1), leave, inside);
   first.z_from = za, first.z_to = a.z_to;
-  second.path = Edge::line(inside, join);
+  second.path = bent(b.path.part(0, tb), inside, join);
   second.z_from = a.z_to, second.z_to = zb;
   return std::array<Move, 2>{first, second};
 }

@@ -1,4 +1,4 @@
-// What a control may cut off a corner of the path while it keeps to its tolerance.
+// The material that a control may cut in addition, where it rounds a corner of the path within its tolerance.
 #pragma once
 
 #include <array>
@@ -9,13 +9,13 @@
 
 namespace clearcut::verify {
 
-/// Where `before` ends and `after` begins: two lines from the one to the other, through the place that is `tolerance` mm from the
-/// corner on the inside of the turn. The control's way lies between them and the path. Nothing where the path goes on
-/// smoothly, or one of the moves is a rapid or vertical.
+/// Two lines from a point of `before` to a point of `after`, through the point that is `tolerance` mm from
+/// the corner on the inside of the turn. The control's path lies between these lines and the programmed one.
+/// Nothing if the moves join smoothly, or if one of them is a rapid or vertical.
 std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, const JudgedMove& after,
                                                   double tolerance);
 
-/// The greatest tolerance with which a control may round a corner of these feed moves, mm.
+/// mm; the greatest tolerance with which a control may round a corner between these feed moves.
 double corner_tolerance(std::span<const JudgedMove> moves);
 
 }  // namespace clearcut::verify

@@ -5,15 +5,13 @@
 #include <span>
 
 #include "kinematics/kinematics.h"
-#include "verify/edge_tree.h"
+#include "verify/attribution.h"
 
 namespace clearcut::verify {
 namespace {
 
-/// mm. Depths nearer than this are one layer.
+/// mm. Heights that differ by less belong to one layer.
 constexpr double kSameLayer = 1e-3;
-/// mm. A move belongs to a feature's range of heights when it leaves it by no more than this.
-constexpr double kHeightSlack = 0.05;
 
 const Tool* tool_of(const Part& part, int number) {
   for (const Tool& tool : part.tools) {
@@ -22,62 +20,6 @@ const Tool* tool_of(const Part& part, int number) {
   // A program without tool words, for a part with one tool.
   return number <= 0 && part.tools.size() == 1 ? &part.tools.front() : nullptr;
 }
-
-/// Finds the workingstep that a feed move serves.
-class Attribution {
- public:
-  explicit Attribution(const Part& part) : part_(part) {
-    for (const Feature& feature : part.features) {
-      std::vector<Edge> edges;
-      for (const Region& region : feature.target) {
-        for (const Edge& edge : region.edges()) edges.push_back(edge);
-      }
-      outlines_.emplace_back(std::move(edges));
-    }
-  }
-
-  /// Of the whole section: by number, else by the name of the workingstep or the feature.
-  int by_section(const Section& section) const {
-    const int count = static_cast<int>(part_.workplan.size());
-    if (section.workingstep >= 0 && section.workingstep < count) return section.workingstep;
-    if (section.label.empty()) return -1;
-    for (int i = 0; i < count; ++i) {
-      const Workingstep& step = part_.workplan[i];
-      if (section.label == step.name || section.label == part_.features[step.feature].name) return i;
-    }
-    return -1;
-  }
-
-  int by_place(const JudgedMove& judged, int previous) const {
-    const Vec2 middle = judged.move->is_vertical() ? judged.move->path.from : judged.move->path.at(0.5);
-    if (previous >= 0 && fits(judged, middle, previous)) return previous;
-    int found = -1;
-    for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
-      if (fits(judged, middle, i) && (found < 0 || has_tool(judged, i))) found = i;
-    }
-    return found;
-  }
-
- private:
-  bool has_tool(const JudgedMove& judged, int workingstep) const {
-    const int index = part_.workplan[workingstep].operation.tool;
-    return judged.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
-           &part_.tools[index] == judged.tool;
-  }
-
-  bool fits(const JudgedMove& judged, Vec2 p, int workingstep) const {
-    const int index = part_.workplan[workingstep].feature;
-    const Feature& feature = part_.features[index];
-    const double z = judged.low_z();
-    if (z < feature.floor_z - kHeightSlack || z >= feature.top_z - 1e-6) return false;
-    const EdgeTree& outline = outlines_[index];
-    // Over open sides and at thin ends the centre runs beside the target.
-    return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + 1e-3).edge >= 0;
-  }
-
-  const Part& part_;
-  std::vector<EdgeTree> outlines_;
-};
 
 void attribute(const Part& part, const Toolpath& toolpath, std::vector<JudgedMove>& moves) {
   const Attribution attribution(part);
@@ -92,7 +34,7 @@ void attribute(const Part& part, const Toolpath& toolpath, std::vector<JudgedMov
       judged.workingstep = previous = attribution.by_place(judged, previous);
     }
   }
-  // Rapids and feed moves beside everything go with what follows them, the last ones with what came before.
+  // Rapids, and feed moves away from all features, go with what follows; the last ones with what came before.
   int next = -1;
   for (auto judged = moves.rbegin(); judged != moves.rend(); ++judged) {
     if (judged->workingstep < 0) judged->workingstep = next;
@@ -105,7 +47,7 @@ void attribute(const Part& part, const Toolpath& toolpath, std::vector<JudgedMov
   }
 }
 
-/// What is cut by nothing but plunges is one layer, at its lowest.
+/// A workingstep that is cut by plunges alone has one layer, at its lowest tip.
 void add_drilled_depths(const Part& part, JudgedProgram& program) {
   std::vector<double> lowest(program.layers.size(), part.top_z());
   for (const JudgedMove& judged : program.moves) {
@@ -132,7 +74,7 @@ void find_layers(const Part& part, JudgedProgram& program) {
   for (LayerHeights& layers : program.layers) std::sort(layers.rbegin(), layers.rend());
 }
 
-/// A move down belongs to the layer it goes to, the ways between to the layer cut before.
+/// A move down belongs to the layer that it goes to, moves in between to the layer that was cut before.
 void assign_layers(JudgedProgram& program) {
   int layer = 0, workingstep = -1;
   for (JudgedMove& judged : program.moves) {
@@ -150,7 +92,7 @@ void assign_layers(JudgedProgram& program) {
   }
 }
 
-/// Times of moves that run on into each other; with exact stops each stands alone.
+/// Times of the moves of a section, which run on into each other; with exact stops each is timed alone.
 std::vector<Seconds> times_of(const Section& section, std::size_t first, const Machine& machine,
                               const ControlTable* control) {
   const auto stops = [&](std::size_t i) {
@@ -172,7 +114,8 @@ std::vector<Seconds> times_of(const Section& section, std::size_t first, const M
   return times;
 }
 
-/// mm; 0 where the control keeps to the path, and where no bound is known: that is a condition.
+/// mm; 0 if the control keeps to the path. 0 also if no bound is known, which is then a condition of the
+/// certificate.
 double path_tolerance_of(const ControlState* state, const Machine& machine) {
   if (state == nullptr) return 0;
   const PathControl& path = state->path;
@@ -190,7 +133,7 @@ double path_tolerance_of(const ControlState* state, const Machine& machine) {
   return machine.path_tolerance.value_or(0);
 }
 
-/// Dwells, and what the machine says that its tool changes take.
+/// Adds dwells, and the time that tool changes take on this machine.
 void add_waits(const ControlTable& control, const Machine& machine, std::vector<JudgedMove>& moves) {
   if (moves.empty()) return;
   for (const ControlEvent& event : control.events) {

@@ -1,4 +1,4 @@
-// A program as one list of moves, each with what is known and what was found out about it.
+// A program as one list of moves, each with its tool, its time, and what checking found.
 #pragma once
 
 #include <algorithm>
@@ -8,52 +8,54 @@
 #include <vector>
 
 #include "model/control.h"
-#include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/part.h"
-#include "verify/gouge.h"
+#include "model/results/findings.h"
+#include "verify/faults/gouge.h"
 
 namespace clearcut::verify {
 
-/// What one move's cutter met.
+/// What the cutter engages on one move.
 struct MoveLoad {
-  double cutting_mm = 0;  ///< length in contact with material
-  double air_mm = 0;      ///< length below the stock's top without contact
+  double cutting_mm = 0;  ///< mm on which the cutter engages
+  double air_mm = 0;      ///< mm below the top of the stock on which it does not
   double over_limit_mm = 0;
   double climb_mm = 0;
   double conventional_mm = 0;
-  double angle_mm_deg = 0;  ///< integral of the contact angle over the length, degree mm
+  double angle_mm_deg = 0;  ///< integral of the engagement over the length, degree mm
   double max_deg = 0;
   Place max_at;
   std::array<double, 18> histogram_mm{};
-  double axial_mm = 0;  ///< greatest height of material above the tip
+  double axial_mm = 0;  ///< mm; greatest height of material above the tip
   Place axial_at;
-  std::optional<Place> rapid_contact;   ///< where a rapid touches material
-  std::optional<Place> plunge_contact;  ///< where a cutter that may not plunge does
-  std::optional<CuttingLoad> forces;    ///< where the material of the work is known
-  double force_mm_n = 0;                ///< integral of the force over the length, N mm
+  std::optional<Place> rapid_contact;   ///< a place where a rapid touches material
+  std::optional<Place> plunge_contact;  ///< a place where a cutter that must not plunge does so
+  std::optional<CuttingLoad> forces;    ///< only if the work's material is known
+  double force_mm_n = 0;                ///< N mm; integral of the force over the length
 };
 
-/// Radius of the part of a cutter's end that is flat: its floor needs no cusps. mm.
+/// mm; radius of the flat part of a cutter's end, with which floors are cut without cusps.
 inline double flat_radius_of(const Tool& tool) {
   if (tool.kind == ToolKind::kBallEndMill) return 0;
   return std::max(0.0, tool.radius() - tool.corner_radius);
 }
 
+/// A move of the program, with what is known about it and what checking found.
 struct JudgedMove {
   const Move* move = nullptr;
   const Tool* tool = nullptr;  ///< null: unknown
   int tool_number = 0;
   bool clockwise = true;
   double rpm = 0;
-  bool earlier = false;                   ///< of a program that has run before: cuts, but counts nothing
-  int workingstep = -1;                   ///< whose work it is, for grouping only
+  /// Belongs to a program that ran before: it removes material, but is not in the figures.
+  bool earlier = false;
+  int workingstep = -1;                   ///< the one that it belongs to; -1: none. Used for grouping only
   int layer = -1;                         ///< index among the workingstep's layers
-  const ControlState* control = nullptr;  ///< what the control holds; null: unknown
-  double path_tolerance = 0;              ///< mm; the control may round the corners at its ends by this
-  double doubt = 0;                       ///< mm; the control may make another arc of it, this far away
-  double time_s = 0;                      ///< with the waits before it
+  const ControlState* control = nullptr;  ///< what the control held at this move; null: unknown
+  double path_tolerance = 0;              ///< mm; the control may round the corners at both ends by this
+  double doubt = 0;                       ///< mm; the control may run another arc, this far away
+  double time_s = 0;                      ///< with the waits before the move
   double waits_s = 0;
   double time_naive_s = 0;
   std::optional<Gouge> gouge;
@@ -63,11 +65,11 @@ struct JudgedMove {
   double radius() const { return tool ? tool->radius() : 0; }
   double low_z() const { return std::min(move->z_from, move->z_to); }
   bool is_flat() const { return move->z_from == move->z_to; }
-  /// Whether a feed move was seen to take material away.
+  /// Whether a feed move was found to remove material.
   bool cuts() const {
     return feeds() && (load.axial_mm > 0 || load.cutting_mm > 0 || load.plunge_contact.has_value());
   }
-  /// mm the tip goes down for each mm of advance in plan; infinite straight down.
+  /// mm that the tip goes down for each mm of advance in plan view; infinite straight down.
   double slope() const {
     const double down = move->z_from - move->z_to;
     if (down <= 0) return 0;
@@ -75,17 +77,18 @@ struct JudgedMove {
   }
 };
 
-/// Depths at which a workingstep cuts, descending.
+/// Heights at which a workingstep cuts, mm, in descending order.
 using LayerHeights = std::vector<double>;
 
+/// All moves, and the layers of each workingstep.
 struct JudgedProgram {
   std::vector<JudgedMove> moves;
-  std::vector<LayerHeights> layers;  ///< by workingstep
+  std::vector<LayerHeights> layers;  ///< for each workingstep
 };
 
-/// Lists the moves of `toolpath` with their tools, times, and the workingstep and layer they belong to: by
-/// the section's number, else its label, else by place and depth. The moves of `earlier`, if any, go before, and belong to
-/// no workingstep. With `control` every move knows what the control held, and times hold the waits.
+/// Lists the moves of `toolpath` with their tools, times, workingstep and layer. The workingstep is found by
+/// the section's number, else by its label, else by place and depth. Moves of `earlier` come first and belong
+/// to no workingstep. With `control` every move knows what the control held, and times include waits.
 JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
                              const Toolpath* earlier = nullptr, const ControlTable* control = nullptr);
 

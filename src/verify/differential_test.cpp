@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "verify/coverage.h"
-#include "verify/gouge.h"
-#include "verify/legal_centers.h"
+#include "verify/coverage/coverage.h"
+#include "verify/faults/gouge.h"
+#include "verify/part/legal_centers.h"
 #include "verify/test_program.h"
 
 namespace clearcut::verify {
@@ -140,9 +140,9 @@ struct Raster {
     double excess = 1e9;    ///< distance to the nearest path less the radius
   };
   std::vector<Sample> samples;
+  std::vector<Vec2> legal;  ///< grid points where the centre may be
 
   Raster(const Region& region, double radius, double allowance, const std::vector<Swath>& swaths) {
-    std::vector<Vec2> legal;
     for (double x = -16; x <= 16; x += kStep) {
       for (double y = -16; y <= 16; y += kStep) {
         const Vec2 p{x, y};
@@ -161,6 +161,30 @@ struct Raster {
     }
   }
 };
+
+/// Whether a legal grid centre reaches all of a disc, as far as places on three circles in it tell.
+bool all_within_reach(const Raster& raster, Vec2 center, double disc, double radius) {
+  for (int i = 0; i < 192; ++i) {
+    const Vec2 q = center + direction_of(2 * kPi * i / 64) * (disc * (1 + i % 3) / 3);
+    if (std::none_of(raster.legal.begin(), raster.legal.end(),
+                     [&](Vec2 c) { return norm_squared(c - q) <= radius * radius; }))
+      return false;
+  }
+  return true;
+}
+
+/// Lower bound of the width of what is left within reach: the widest disc about a sample that lies in the region, outside all
+/// that was cut, and within reach.
+double least_width(const Raster& raster, const Region& region, double radius) {
+  double widest = 0;
+  for (const Raster::Sample& sample : raster.samples) {
+    if (sample.to_legal > radius) continue;
+    const double most = std::min(sample.excess, region.boundary_distance(sample.p));
+    const double step = most / 32;
+    while (widest + step <= most && all_within_reach(raster, sample.p, widest + step, radius)) widest += step;
+  }
+  return 2 * std::max(0.0, widest);
+}
 
 // What correct means: every point that a legal grid centre reaches and that no path covers lies within the
 // thickness bound, and their area is not above the area bound; and neither bound is above what the raster,
@@ -185,11 +209,10 @@ TEST(Differential, CoverageBoundsAgreeWithARaster) {
     const Coverage coverage = coverage_of(question, tol);
     const Raster raster(outline[0], radius, allowance, question.swaths);
     const double cell = Raster::kStep * Raster::kStep, blur = Raster::kStep * 1.5;
-    double area_low = 0, area_high = 0, thick_low = 0, thick_high = 0, unreachable_low = 0;
+    const double thick_low = least_width(raster, outline[0], radius);
+    double area_low = 0, area_high = 0, thick_high = 0, unreachable_low = 0;
     for (const Raster::Sample& sample : raster.samples) {
       const double beside = outline[0].boundary_distance(sample.p);
-      if (sample.to_legal <= radius && sample.excess > 0)
-        thick_low = std::max(thick_low, 2 * std::min(sample.excess, beside));
       if (sample.to_legal <= radius && sample.excess > tol.uncut) area_low += cell;
       if (sample.to_legal <= radius + blur && sample.excess > -blur) area_high += cell;
       if (sample.to_legal <= radius + blur)

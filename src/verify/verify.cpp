@@ -4,24 +4,38 @@
 #include <cmath>
 
 #include "verify/blend.h"
-#include "verify/carving.h"
 #include "verify/checked_move.h"
-#include "verify/coverage.h"
-#include "verify/faults.h"
-#include "verify/feature_work.h"
+#include "verify/coverage/carving.h"
+#include "verify/coverage/coverage.h"
+#include "verify/coverage/feature_work.h"
+#include "verify/engagement/forces.h"
+#include "verify/engagement/load.h"
+#include "verify/faults/faults.h"
+#include "verify/faults/gouge.h"
+#include "verify/faults/shaped_cutter.h"
+#include "verify/faults/tabs.h"
 #include "verify/figures.h"
-#include "verify/finished_part.h"
-#include "verify/forces.h"
-#include "verify/gouge.h"
-#include "verify/load.h"
-#include "verify/shaped_cutter.h"
-#include "verify/tabs.h"
+#include "verify/part/finished_part.h"
 
 namespace clearcut::verify {
 namespace {
 
-/// Moves judged as one task.
+/// Number of moves that are checked as one task.
 constexpr std::size_t kChunk = 2000;
+
+/// The deepest gouge of a cutter that may be `aside` mm off its path. A ball is narrower below: where its cylinder would cut,
+/// its own shape decides on level and vertical moves; on sloping ones it stays judged as a cylinder.
+std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& move, const Tool& tool,
+                                   double aside, double slack, bool joined) {
+  const auto gouge = gouge_of(finished, move, tool.radius() + aside, slack, joined);
+  const bool slopes = !move.is_vertical() && move.z_from != move.z_to;
+  if (!gouge || tool.kind != ToolKind::kBallEndMill || slopes) return gouge;
+  Tool wider = tool;
+  wider.kind = ToolKind::kBullNoseEndMill;
+  wider.corner_radius = tool.radius();
+  wider.diameter += 2 * aside;
+  return shaped_gouge_of(finished, move, wider, slack);
+}
 
 void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, const Tolerances& tol) {
   const JudgedMove* before = nullptr;  // ended outside the part
@@ -30,23 +44,20 @@ void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, con
       before = nullptr;
       continue;
     }
-    if (judged.tool && is_conical(*judged.tool)) {
+    if (is_conical(*judged.tool)) {
       judged.gouge = shaped_gouge_of(finished, *judged.move, *judged.tool, tol.gouge);
       before = nullptr;
       continue;
     }
     const bool joined = before && before->move->path.to == judged.move->path.from &&
                         before->move->z_to == judged.move->z_from && before->radius() == judged.radius();
-    judged.gouge = gouge_of(finished, *judged.move, judged.radius(), tol.gouge, joined);
-    // A ball is narrower below: where its cylinder would cut, its own shape decides.
-    if (judged.gouge && judged.tool->kind == ToolKind::kBallEndMill)
-      judged.gouge = shaped_gouge_of(finished, *judged.move, *judged.tool, tol.gouge);
+    judged.gouge = gouge_of_mill(finished, *judged.move, *judged.tool, 0, tol.gouge, joined);
     const bool spared = !judged.gouge || judged.gouge->depth < judged.radius() / 2;
     before = spared && !judged.gouge.value_or(Gouge{}).floor ? &judged : nullptr;
   }
 }
 
-/// The deeper of two cuts into the part.
+/// Keeps the deeper of two gouges.
 void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other) {
   if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
 }
@@ -57,36 +68,38 @@ void judge_shaped_liberty(const FinishedPart& finished, const std::vector<Judged
   const double before = &judged == all.data() ? 0 : (&judged - 1)->path_tolerance;
   const double off = std::max({judged.doubt, judged.path_tolerance, before});
   if (off <= 0) return;
+  // Off its path in any direction of space, a flank comes nearer sideways by its slope besides.
+  const double aside = off * std::hypot(1.0, flank_slope(*judged.tool));
   Tool wider = *judged.tool;
-  wider.diameter += 2 * off;
-  wider.tip_diameter += 2 * off;
+  wider.diameter += 2 * aside;
+  wider.tip_diameter += 2 * aside;
   keep_deeper(judged.gouge, shaped_gouge_of(finished, *judged.move, wider, tol.gouge));
 }
 
-/// What the control may cut besides, within its tolerance: corners rounded, arcs of another radius.
+/// Adds the gouges of what the control may cut within its tolerance: rounded corners, arcs of another radius.
 void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>& all,
                      std::span<JudgedMove> moves, const Tolerances& tol) {
   for (JudgedMove& judged : moves) {
-    const double radius = judged.radius();
-    if (radius <= 0) continue;
-    if (judged.tool && is_conical(*judged.tool)) {
+    if (judged.radius() <= 0) continue;
+    if (is_conical(*judged.tool)) {
       judge_shaped_liberty(finished, all, judged, tol);
       continue;
     }
     if (judged.doubt > 0)
-      keep_deeper(judged.gouge, gouge_of(finished, *judged.move, radius + judged.doubt, tol.gouge, false));
+      keep_deeper(judged.gouge,
+                  gouge_of_mill(finished, *judged.move, *judged.tool, judged.doubt, tol.gouge, false));
     if (&judged == all.data()) continue;
     const JudgedMove& before = *(&judged - 1);
     const auto corner =
         rounded_corner(before, judged, std::max(before.path_tolerance, judged.path_tolerance));
     if (!corner) continue;
     for (const Move& move : *corner)
-      keep_deeper(judged.gouge, gouge_of(finished, move, radius, tol.gouge, false));
+      keep_deeper(judged.gouge, gouge_of_mill(finished, move, *judged.tool, 0, tol.gouge, false));
   }
 }
 
-/// Feed length below which the area within reach cannot be cut in one level: area / (2 R), less the first
-/// disc.
+/// mm; a feed length below which the area within reach cannot be cut in one level: area / (2 R) without the
+/// first disc.
 double lower_bound_of(const FeatureWork& work, const Feature& feature) {
   double perimeter = 0;
   for (const Region& region : feature.target) perimeter += length(region.edges());
@@ -189,7 +202,7 @@ class FindingsBuilder {
     for (FeatureFindings& step : findings_.features) {
       if (part_.workplan[step.workingstep].feature != work.feature) continue;
       for (LayerFindings& layer : step.layers) {
-        // A level that is shorter does not clear the feature.
+        // A level with less feed length does not clear the feature.
         if (layer.figures.feed_mm < bound) continue;
         layer.figures.lower_bound_mm = bound;
         step.figures.lower_bound_mm += bound;

@@ -1,5 +1,5 @@
-// The judge: what a program does to a part. Shares distances to lines and arcs with the planner, and nothing
-// else.
+// Checks what a program does to a part. Shares with the planner the distances to lines and arcs, the remaining
+// stock with its engagement (stock/material.h) and the times of moves, and nothing else.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 
 #include "base/tolerances.h"
 #include "model/control.h"
-#include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 #include "model/work_material.h"
 
 namespace clearcut::verify {
@@ -23,24 +23,26 @@ struct VerifyOptions {
   Machine machine;
   std::optional<double> engagement_limit_deg;
   int threads = 1;
-  /// A program that has run before on the same stock: what it cut is cut, what it spoiled is reported, and its lengths
-  /// and times are not in the figures.
+  /// A program that ran before on the same stock. What it cut is cut and what it spoiled is reported; its
+  /// lengths and times are not in the figures.
   const Toolpath* earlier = nullptr;
-  /// What the control held at each move of the program; absent: nothing is known of it, nor judged.
+  /// What the control held at each move; absent: it is unknown, and nothing about it is checked.
   const ControlTable* control = nullptr;
-  bool needs_tool_length = false;     ///< the control cuts at wrong heights without the tool's length (G43)
-  std::vector<std::string> accepted;  ///< conditions that somebody says hold: no faults for what they answer
-  std::optional<WorkMaterial> material;  ///< of the work; forces and wear are computed where it is known
-  std::stop_token cancel;                ///< looked at between moves and layers
+  bool needs_tool_length = false;  ///< without the tool's length (G43) the control would cut at wrong heights
+  std::vector<std::string> accepted;     ///< conditions that somebody has stated to hold: they give no faults
+  std::optional<WorkMaterial> material;  ///< absent: no forces and no wear are computed
+  std::stop_token cancel;                ///< asked between moves and layers
 };
 
-/// Judges `toolpath` (normally read back from program text) against `part`, whoever wrote it.
+/// Checks `toolpath`, normally read back from a program's text, against `part`, whoever wrote it.
 ///
-/// Shape   figures of all, of each workingstep and of each of its layers; faults, worst first. all.clean when
-///         there is no fault. Labels and workingsteps of sections group the figures and nothing else.
-/// Error   gouges exact for lines and arcs; what is left by proven upper bounds; see docs/verification.md.
-/// Throws  Cancelled when options.cancel asks to stop; nothing else for a valid part; the result does not depend on options.threads.
-/// Cost    O((moves + outline + cells) log n) for gouges and coverage, O(feed length / step) for the load.
+/// Shape   Figures of the whole, of each workingstep and of each of its layers; faults, the worst first.
+///         all.clean if there is no fault. Labels and workingsteps of sections only group the figures.
+/// Error   Gouges are exact for lines and arcs; what is left has proven upper bounds; see
+///         docs/verification.md.
+/// Throws  Cancelled if options.cancel asks to stop, and nothing else for a valid part. The result does not
+///         depend on options.threads.
+/// Cost    O((moves + outline + cells) log n) for gouges and coverage, O(feed length / step) for engagement.
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options);
 
 }  // namespace clearcut::verify

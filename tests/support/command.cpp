@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/file.h"
+#include "base/files/file.h"
 
 namespace clearcut::test_support {
 namespace {

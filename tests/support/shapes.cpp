@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/file.h"
+#include "base/files/file.h"
 #include "geometry/line_path.h"
 #include "post/part/outline_writer.h"
 #include "read/outline/outline_reader.h"

@@ -1,4 +1,4 @@
-// Finds what lies near a place: numbers sorted into square cells. Used by the planner alone.
+// Finds what lies near a place: numbers sorted into square cells.
 #pragma once
 
 #include <algorithm>

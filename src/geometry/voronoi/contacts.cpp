@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "geometry/spatial/cell_grid.h"
+
 namespace clearcut::inline geometry::voronoi {
 namespace {
 
@@ -42,11 +44,13 @@ class Finder {
   explicit Finder(std::span<const Segment> segments) : segments_(segments) {}
 
   Contacts run() {
-    size_buckets();
-    fill_buckets();
-    for (std::size_t bucket = 0; bucket + 1 < starts_.size(); ++bucket) {
-      for (int i = starts_[bucket]; i < starts_[bucket + 1]; ++i) {
-        for (int j = i + 1; j < starts_[bucket + 1]; ++j) test(members_[at(i)], members_[at(j)]);
+    size_cells();
+    fill_cells();
+    for (std::size_t cell = 0; cell < grid_.count(); ++cell) {
+      const auto members = members_.at(cell);
+      for (std::size_t i = 0; i < members.size(); ++i) {
+        for (std::size_t j = i + 1; j < members.size(); ++j)
+          test(static_cast<int>(members[i]), static_cast<int>(members[j]));
       }
     }
     sort_found();
@@ -56,7 +60,7 @@ class Finder {
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  void size_buckets() {
+  void size_cells() {
     GridPoint low = segments_[0].from, high = low;
     double total = 0;
     for (const Segment& s : segments_) {
@@ -64,53 +68,38 @@ class Finder {
       high = {std::max(high.x, s.from.x), std::max(high.y, s.from.y)};
       total += std::hypot(double{1} * s.to.x - s.from.x, double{1} * s.to.y - s.from.y);
     }
-    low_ = low;
     const double width = double{1} * high.x - low.x, height = double{1} * high.y - low.y;
     const double n = static_cast<double>(segments_.size());
-    size_ = std::max({1.0, std::sqrt(width * height / n), total / n / 2});
-    columns_ = static_cast<int>(width / size_) + 1;
-    rows_ = static_cast<int>(height / size_) + 1;
+    const double size = std::max({1.0, std::sqrt(width * height / n), total / n / 2});
+    const Vec2 corner{double{1} * low.x, double{1} * low.y};
+    grid_ = CellGrid({corner, corner + Vec2{width, height}}, size);
   }
 
-  int column(double x) const {
-    return std::clamp(static_cast<int>(std::floor((x - low_.x) / size_)), 0, columns_ - 1);
-  }
-  int row(double y) const {
-    return std::clamp(static_cast<int>(std::floor((y - low_.y) / size_)), 0, rows_ - 1);
-  }
-
-  /// Calls visit(bucket) for all buckets within one grid unit of the segment.
+  /// Calls visit(cell) for all cells within one grid unit of the segment.
   template <class Visit>
-  void visit_buckets(const Segment& s, Visit visit) const {
+  void visit_cells(const Segment& s, Visit visit) const {
     const GridPoint a = std::min(s.from, s.to), b = std::max(s.from, s.to);
     const double y_low = std::min(a.y, b.y) - 1.0, y_high = std::max(a.y, b.y) + 1.0;
-    const int last_row = row(y_high);
-    for (int r = row(y_low); r <= last_row; ++r) {
+    const std::size_t last_row = grid_.row(y_high);
+    for (std::size_t r = grid_.row(y_low); r <= last_row; ++r) {
       double x0 = a.x, x1 = b.x;
       if (a.y != b.y) {
         const double slope = (double{1} * b.x - a.x) / (double{1} * b.y - a.y);
-        const double at_bottom = a.x + slope * (low_.y + r * size_ - a.y);
-        const double at_top = at_bottom + slope * size_;
+        const double at_bottom = a.x + slope * (grid_.box.min.y + static_cast<double>(r) * grid_.cell - a.y);
+        const double at_top = at_bottom + slope * grid_.cell;
         x0 = std::max(x0, std::min(at_bottom, at_top));
         x1 = std::min(x1, std::max(at_bottom, at_top));
       }
       const double pad = 2.0;
-      const int last = column(std::max(x0, x1) + pad);
-      for (int c = column(std::min(x0, x1) - pad); c <= last; ++c) visit(at(r) * at(columns_) + at(c));
+      const std::size_t last = grid_.column(std::max(x0, x1) + pad);
+      for (std::size_t c = grid_.column(std::min(x0, x1) - pad); c <= last; ++c) visit(r * grid_.columns + c);
     }
   }
 
-  void fill_buckets() {
-    starts_.assign(at(columns_) * at(rows_) + 1, 0);
-    for (const Segment& s : segments_)
-      visit_buckets(s, [this](std::size_t bucket) { ++starts_[bucket + 1]; });
-    for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    members_.resize(at(starts_.back()));
-    std::vector<int> next(starts_.begin(), starts_.end() - 1);
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      visit_buckets(segments_[i],
-                    [&](std::size_t bucket) { members_[at(next[bucket]++)] = static_cast<int>(i); });
-    }
+  void fill_cells() {
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      visit_cells(segments_[i], [&](std::size_t cell) { members_.add(cell, static_cast<std::uint32_t>(i)); });
+    members_.build(grid_.count());
   }
 
   void compare_ends(const Segment& s, const Segment& t) {
@@ -163,10 +152,8 @@ class Finder {
   std::span<const Segment> segments_;
   Contacts found_contacts_;
   std::vector<Contact>& found_ = found_contacts_.places;
-  GridPoint low_;
-  double size_ = 1;
-  int columns_ = 1, rows_ = 1;
-  std::vector<int> starts_, members_;
+  CellGrid grid_;
+  CellLists members_;
 };
 
 }  // namespace

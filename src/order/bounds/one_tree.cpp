@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <queue>
 
+#include "base/disjoint_sets.h"
 #include "order/near/kd_tree.h"
 
 namespace clearcut::order {
@@ -150,9 +150,12 @@ Penalties ascend(const LengthModel& model, const SparseGraph& graph, int iterati
 class CompleteTree {
  public:
   CompleteTree(const LengthModel& model, const Penalties& penalty)
-      : model_(model), penalty_(penalty), special_(special_node(model)), points_(points()), tree_(points_) {
-    component_.resize(static_cast<std::size_t>(model.size()));
-    std::iota(component_.begin(), component_.end(), 0);
+      : model_(model),
+        penalty_(penalty),
+        special_(special_node(model)),
+        points_(points()),
+        tree_(points_),
+        components_(model.size()) {
     least_penalty_.resize(tree_.nodes().size());
     owner_.resize(tree_.nodes().size());
     for (std::size_t i = tree_.nodes().size(); i-- > 0;) {
@@ -170,13 +173,13 @@ class CompleteTree {
     int components = model_.size() - 1;
     while (components > 1) {
       find_owners();
-      std::vector<Way> best(component_.size());
+      std::vector<Way> best(static_cast<std::size_t>(model_.size()));
       for (int v = 0; v < model_.size(); ++v) {
         if (v != special_) search(v, best[find(v)]);
       }
       for (const Way& way : best) {
         if (way.to < 0 || find(way.from) == find(way.to)) continue;
-        component_[find(way.from)] = find(way.to);
+        components_.join(way.from, way.to);
         sum += way.cost;
         --components;
       }
@@ -205,10 +208,7 @@ class CompleteTree {
     const int item = tree_.item(j);
     return item >= special_ ? item + 1 : item;
   }
-  int find(int v) {
-    while (component_[v] != v) v = component_[v] = component_[component_[v]];
-    return v;
-  }
+  int find(int v) { return components_.find(v); }
   /// Component of each k-d node whose points all share one, else -1.
   void find_owners() {
     for (std::size_t i = tree_.nodes().size(); i-- > 0;) {
@@ -268,7 +268,7 @@ class CompleteTree {
   int special_;
   std::vector<Vec2> points_;
   KdTree tree_;
-  std::vector<int> component_;
+  DisjointSets components_;
   std::vector<double> least_penalty_;  // by k-d node
   std::vector<int> owner_;
 };

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "base/disjoint_sets.h"
 #include "order/near/kd_tree.h"
 
 namespace clearcut::order {
@@ -15,23 +16,17 @@ namespace {
 /// Paths under construction: up to two links a node, and which path a node belongs to.
 class Fragments {
  public:
-  explicit Fragments(int n)
-      : link_(static_cast<std::size_t>(n), {-1, -1}), root_(static_cast<std::size_t>(n)), paths_(n) {
-    std::iota(root_.begin(), root_.end(), 0);
-  }
+  explicit Fragments(int n) : link_(static_cast<std::size_t>(n), {-1, -1}), joined_(n), paths_(n) {}
   int paths() const { return paths_; }
   bool is_end(int v) const { return link_[v][1] < 0; }
   bool can_join(int a, int b) { return is_end(a) && is_end(b) && find(a) != find(b); }
   void join(int a, int b) {
     add_link(a, b);
     add_link(b, a);
-    root_[find(a)] = find(b);
+    joined_.join(a, b);
     --paths_;
   }
-  int find(int v) {
-    while (root_[v] != v) v = root_[v] = root_[root_[v]];
-    return v;
-  }
+  int find(int v) { return joined_.find(v); }
   std::vector<int> ends() const {
     std::vector<int> result;
     for (std::size_t v = 0; v < link_.size(); ++v) {
@@ -56,7 +51,7 @@ class Fragments {
  private:
   void add_link(int a, int b) { (link_[a][0] < 0 ? link_[a][0] : link_[a][1]) = b; }
   std::vector<std::array<int, 2>> link_;
-  std::vector<int> root_;
+  DisjointSets joined_;
   int paths_;
 };
 

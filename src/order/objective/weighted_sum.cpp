@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "order/objective.h"
 
 namespace clearcut::order {

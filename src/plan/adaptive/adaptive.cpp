@@ -10,70 +10,75 @@
 #include "plan/adaptive/entry_regions.h"
 #include "plan/adaptive/finish/finish.h"
 #include "plan/adaptive/parameters.h"
+#include "plan/adaptive/step_pictures.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Radius of the entry circle as a share of the cutter's: below 1, so that no post is left in its middle.
+/// Radius of the entry circle as a share of the tool radius: below 1, so that no post stays in its middle.
 constexpr double kEntryCircle = 0.95;
-/// mm: the entry circle may be as wide as it likes.
+/// mm: the entry circle may be of any width.
 constexpr double kNoLimit = 1e300;
-/// Tool radii that clearing keeps off the walls, for what arcs deviate from the curves they are fitted to.
+/// Share of the tool radius: clearing keeps this distance from the walls, because arcs deviate from the
+/// curves that they are fitted to.
 constexpr double kKeepOff = 0.0035;
-/// Entries into what cuts from elsewhere cannot reach.
+/// Greatest number of entries into what cuts from elsewhere cannot reach.
 constexpr int kMostEntries = 20;
-/// Rests that are cut one by one: in an area that other cuts have cleared, and where nothing else clears it.
+/// Greatest number of rests that are cut one by one: kFewRests at the first attempt, kMostRests at the last.
 constexpr int kFewRests = 60;
 constexpr int kMostRests = 2000;
-/// Tool radii that the centre may run beyond an open side: just past the place where the cutter leaves the stock.
+/// Share of the tool radius: how far the centre may go beyond an open side, just past the place where the
+/// cutter leaves the stock.
 constexpr double kBeyondOpenSides = 1.01;
-/// Tool radii between the places beside the stock from which cuts are tried; how far inside their outline these lie; and how
-/// near to them there must be stock.
+/// Shares of the tool radius, for cuts that begin beside the stock: distance between the places that are
+/// tried, their distance inside the outline of the legal area, and how near to them stock must be.
 constexpr double kAirPitch = 0.5;
 constexpr double kBesideAir = 0.005;
 constexpr double kNearStock = 0.05;
-/// Tool radii of wall beside a corner that clearing leaves to the arcs between the corner's walls: kLeftToCorner less the gain
-/// of each arc (cuts from wall to wall come nearer to the corner by less and less), and kLeastLeft at least.
+/// Shares of the tool radius: wall beside a corner that clearing leaves to the arcs between the corner's
+/// walls. It is kLeftToCorner less the gain of each arc, because cuts from wall to wall come nearer to the
+/// corner by less and less, and at least kLeastLeft.
 constexpr double kLeftToCorner = 1.5;
 constexpr double kLeastLeft = 0.7;
 
-/// Whether the cutter may be far beside what is to be removed.
+/// Whether the cutter's centre may be farther than its radius outside of the target.
 bool has_open_side(const Layer& layer) {
   const Box reach = box(layer.target).grown(layer.tool_radius), allowed = box(layer.allowed);
   return !reach.contains(allowed.min) || !reach.contains(allowed.max);
 }
 
-/// Where the cutter may be, less what lies far beyond open sides: there it cuts air.
+/// Where the cutter may be, without what lies far beyond open sides, where it would cut air.
 Regions area_near_target(const Layer& layer, const Tolerances& tol) {
   if (!has_open_side(layer)) return layer.allowed;
   const double reach = (1 + kBeyondOpenSides) * layer.tool_radius + layer.wall_stock;
   return intersect(layer.allowed, dilate(layer.target, reach, tol), tol);
 }
 
-/// Where traced cuts may run: `clearing` beside what a wall pass takes later, `finishing` beside the walls.
+/// Where traced cuts may run: `clearing` keeps off what a wall pass cuts later, `finishing` reaches up to the
+/// walls.
 struct InnerAreas {
   Regions clearing;
   Regions finishing;
 };
 
-/// mm. What cuts that end at a wall leave between them.
+/// mm; thickness of the residual that stays on a wall between two cuts that end there.
 double residual_between_cuts(double radius, double limit) {
   const double step = radius * (1 - std::cos(limit));
   return std::max(0.16 * step * step / radius, radius * (1 - std::cos(limit / 3)));
 }
 
-/// Where cuts may begin that no free path leads to.
-enum class Lifts {
-  kFew,  ///< from above only where all else is cut, and not often
-  kAny   ///< as often as it takes: in areas so large that free paths do not lead back round them
+/// How often cuts may begin from above, when no clear link leads to where they begin.
+enum class Retracts {
+  kFew,  ///< only where all else is cut, and a limited number of times
+  kAny   ///< at any time: for areas so large that clear links do not lead back round them
 };
 
-/// The passes of one connected legal area.
+/// Plans the passes of one connected legal area.
 class AdaptivePlanner {
  public:
   AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                  const Layer& layer, double limit, const AdaptiveOptions& options, Lifts lifts)
+                  const Layer& layer, double limit, const AdaptiveOptions& options, Retracts retracts)
       : legal_(legal),
         front_(front_area(legal, layer.tool_radius, limit)),
         radius_(layer.tool_radius),
@@ -82,24 +87,27 @@ class AdaptivePlanner {
         remaining_({legal}, radius_, layer.stock),
         links_(clearance.axis(), layer.tool_radius + layer.wall_stock, 2 * radius_),
         path_(remaining_, links_),
+        pictures_(options.pictures, legal, path_),
         finder_(front_, clearance, remaining_, layer, limit, options.start),
         clearing_(remaining_, path_,
                   {front_, legal, RadiusShares::kWallPitch * radius_, residual_between_cuts(radius_, limit)},
                   inner.clearing, limit, {RadiusShares::kAir * radius_, 0}),
         finish_(remaining_, path_, legal, inner.finishing, layer.target, limit),
         open_(layer.stock && has_open_side(layer)),
-        lifts_(lifts),
+        retracts_(retracts),
         cancel_(options.cancel) {
     leave_corners();
     for (const PredrilledHole& hole : layer.holes) remaining_.remove_disc(hole.center, hole.diameter / 2);
   }
 
-  /// Absent where more was left to the end than is cut one by one.
+  /// All passes; nothing if more rests are left at the end than are cut one by one.
   std::optional<std::vector<Pass>> plan() {
     if (open_) cut_from_outside();
     clear_entry_regions();
     enter_what_is_left();
-    if (!finish_.run(open_, lifts_ == Lifts::kFew ? kFewRests : kMostRests) && lifts_ == Lifts::kFew)
+    pictures_.after("cuts from wall to wall");
+    if (!finish_.run(open_, retracts_ == Retracts::kFew ? kFewRests : kMostRests, pictures_) &&
+        retracts_ == Retracts::kFew)
       return std::nullopt;
     return path_.take_passes();
   }
@@ -107,7 +115,8 @@ class AdaptivePlanner {
  private:
   static bool everywhere(Vec2) { return true; }
 
-  /// To the arcs between their walls, where no other corner is near. Cuts from open sides begin at what is cut of the walls.
+  /// Leaves the walls beside corners, where no other corner is near, to the arcs between the corner's walls.
+  /// Cuts from open sides need more of the walls.
   void leave_corners() {
     const auto corners = corners_of(clearing_.walls, limit_);
     const auto places = places_of(corners);
@@ -119,7 +128,8 @@ class AdaptivePlanner {
     }
   }
 
-  /// The widest places one after the other, each with what is nearer to it than to the others.
+  /// Clears the entry regions one after the other, each with the material that is nearer to it than to the
+  /// others.
   void clear_entry_regions() {
     const auto entry_regions = finder_.choose();
     for (std::size_t i = 0; i < entry_regions.size(); ++i) {
@@ -129,7 +139,7 @@ class AdaptivePlanner {
     cut_fronts(everywhere);
   }
 
-  /// In at open sides, as far as that leads.
+  /// Cuts inwards from open sides, as far as that leads.
   void cut_from_outside() {
     clearing_.walls.update(remaining_, legal_.box());
     cut_fronts_from_above();
@@ -140,10 +150,10 @@ class AdaptivePlanner {
     }
   }
 
-  /// Cuts from wall to wall; where lifts are free, from above, too, until that leads to no more.
+  /// Cuts from wall to wall. If retracts are free, also from above, until nothing more can be cut.
   void cut_fronts_from_above() {
     cut_fronts(everywhere);
-    if (lifts_ == Lifts::kFew) return;
+    if (retracts_ == Retracts::kFew) return;
     for (std::size_t before = 0; !path_.empty() && !clearing_.walls.starts().empty();) {
       before = remaining_.cuts();
       path_.finish_pass();
@@ -153,8 +163,8 @@ class AdaptivePlanner {
     path_.resume_pass();
   }
 
-  /// Round the stock with it on the right, nearer until the engagement is at the limit, and on. Whether it stands beside
-  /// the outline at s, with nothing on it.
+  /// Cuts round the stock with it on the right, nearer until the engagement is at the limit, and on. True if
+  /// a cut was made; needs a clear place on the outline at s with stock beside it.
   bool cut_from_air(const Wall& outline, double s) {
     const Vec2 along = outline.heading(s), inwards = left_of(along),
                p = outline.at(s) + inwards * (kBesideAir * radius_);
@@ -169,7 +179,7 @@ class AdaptivePlanner {
     return true;
   }
 
-  /// What the cuts could not reach is entered from above.
+  /// Enters from above what the cuts could not reach.
   void enter_what_is_left() {
     for (int i = 0; i < kMostEntries && !clearing_.walls.starts().empty() && !path_.empty(); ++i) {
       path_.finish_pass();
@@ -184,9 +194,10 @@ class AdaptivePlanner {
     }
   }
 
-  /// A spiral in the entry region, and on round it. A last thin turn of the spiral would waste most of a round; it is needed only
-  /// where no cut leads on without it.
+  /// A spiral in the entry region and a cut that goes on from it. A last thin turn of the spiral mostly cuts
+  /// air, so it is added only if no cut leads on without it.
   void clear_entry_region(const Disc& entry_region) {
+    pictures_.after("cuts from wall to wall");
     path_.open(entry_region, entry_circle_, limit_, finder_.hole_at(entry_region.center));
     const Walls walls = clearing_.walls;
     const std::size_t spiral = remaining_.cuts();
@@ -198,9 +209,10 @@ class AdaptivePlanner {
       round = go_round();
     }
     path_.append(round, {});
+    pictures_.after("spiral");
   }
 
-  /// On from the last turn of the spiral.
+  /// A cut that goes on from the last turn of the spiral.
   Path go_round() {
     const auto last = path_.last_arc();
     Path round = last ? clearing_.tracer.cut_on(last->to, last->tangent_at(1), 1 / last->radius()) : Path{};
@@ -208,7 +220,7 @@ class AdaptivePlanner {
     return round;
   }
 
-  /// Whether a cut can be made from a wall.
+  /// Whether a cut can be made from some wall. Trial cuts are taken back.
   bool leads_on() {
     const std::size_t before = remaining_.cuts();
     const auto starts = clearing_.walls.starts();
@@ -219,8 +231,8 @@ class AdaptivePlanner {
     });
   }
 
-  /// Cuts from wall to wall, the nearest start first, until no wall that is wanted touches material. What
-  /// cannot be reached now is tried again after everything else.
+  /// Cuts from wall to wall, the nearest start first, until no wall for which `wanted` is true touches
+  /// material. Starts that no link leads to are tried again after everything else.
   template <typename Wanted>
   void cut_fronts(const Wanted& wanted) {
     std::vector<WallPlace> unreached;
@@ -247,31 +259,32 @@ class AdaptivePlanner {
   }
 
   const Region& legal_;
-  Region front_;  ///< where it clears; the rest is the wall pass's
+  Region front_;  ///< where clearing runs; the rest of `legal` is left to the wall pass
   double radius_, limit_;
-  double entry_circle_;  ///< radius of the first circle, mm
+  double entry_circle_;  ///< mm; radius of an entry's first circle
   RemainingStock remaining_;
   ClearLinks links_;
   ClearingPath path_;
+  StepPictures pictures_;
   EntryRegionFinder finder_;
   WallCuts clearing_;
   AdaptiveFinish finish_;
-  bool open_;  ///< something beside the target is free
-  Lifts lifts_;
+  bool open_;  ///< the target has open sides
+  Retracts retracts_;
   std::stop_token cancel_;
 };
 
-/// With few lifts, else with as many as it takes.
+/// Plans with few retracts and, if that leaves too much, with as many as it takes.
 std::vector<Pass> passes_of(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
                             const Layer& layer, double limit, const AdaptiveOptions& options) {
-  for (const Lifts lifts : {Lifts::kFew, Lifts::kAny}) {
-    auto passes = AdaptivePlanner(legal, inner, clearance, layer, limit, options, lifts).plan();
+  for (const Retracts retracts : {Retracts::kFew, Retracts::kAny}) {
+    auto passes = AdaptivePlanner(legal, inner, clearance, layer, limit, options, retracts).plan();
     if (passes) return std::move(*passes);
   }
   return {};
 }
 
-/// The passes of one legal area, to run one after the other.
+/// Adds the passes of one legal area, to be run in this order.
 void add_passes(LayerPasses& result, std::vector<Pass> passes) {
   const auto first = static_cast<int>(result.passes.size()), count = static_cast<int>(passes.size());
   for (int i = 0; i < count; ++i) {
@@ -283,7 +296,7 @@ void add_passes(LayerPasses& result, std::vector<Pass> passes) {
   }
 }
 
-/// The areas where traced cuts may run, of each region of `legal`.
+/// For each region of `legal`, the areas where traced cuts may run.
 std::vector<InnerAreas> inner_areas(const Regions& legal, const Clearance& clearance, const Layer& layer,
                                     double limit) {
   std::vector<InnerAreas> areas(legal.size());

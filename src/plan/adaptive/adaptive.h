@@ -1,9 +1,11 @@
-// Engagement-limited clearing: a spiral in the widest place, then cuts from wall to wall at the limit.
+// Adaptive clearing, with limited engagement: a spiral in the widest place, then cuts from wall to wall at
+// the limit.
 #pragma once
 
 #include <optional>
 #include <stop_token>
 
+#include "base/debug_sink.h"
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "model/layer.h"
@@ -12,27 +14,29 @@
 namespace clearcut::plan::adaptive {
 
 struct AdaptiveOptions {
-  /// Largest angle of the cutter's circle in material while it cuts, after the entry.
+  /// Largest engagement after the entry.
   Radians engagement = Radians::of_degrees(60);
-  /// Where it goes down first, in the region that holds the point; absent, or nearer to a wall than an entry needs: in a
-  /// predrilled hole, else in the widest place.
+  /// The first entry is at this point, in the connected area that holds it. If absent, or nearer to a wall
+  /// than an entry needs: in a predrilled hole, else in the widest place.
   std::optional<Vec2> start;
-  /// mm, greatest diameter of the centre's circle on the way down.
+  /// mm; greatest diameter of the centre's circle on the helix of an entry.
   std::optional<double> widest_helix;
-  /// Looked at before each cut; Cancelled is thrown when it asks to stop.
+  /// Asked before each cut; plan_adaptive throws Cancelled if a stop was requested.
   std::stop_token cancel;
+  /// Takes a picture after each step; null: none.
+  DebugSink* pictures = nullptr;
 };
 
-/// The passes of one layer with the cutter's engagement limited.
+/// Plans the passes of one layer with limited engagement.
 ///
-/// Shape   open passes with their links, to run one after the other: for each wide entry region of each connected legal
-///         area a spiral, then cuts from wall to wall with the engagement at the limit, at last along the walls
-///         at radius + wall_stock. Empty where the cutter has no legal position.
-/// Error   the engagement exceeds the limit only on the circle of an entry and where a wall pass turns into a
+/// Shape   Open passes with their links, to be run in this order. For each wide entry region of each
+///         connected legal area a spiral, then cuts from wall to wall with the engagement at the limit, at
+///         last cuts along the walls at tool_radius + wall_stock. Empty where the cutter fits nowhere.
+/// Error   The engagement exceeds the limit only on the circle of an entry and where a wall pass turns into a
 ///         tight corner.
-/// Cost    O(length of the passes / radius * passes near); about 3 us a step of a tenth of the radius.
-/// Source  own; the spiral's step and the shape of a steady cut follow from the engagement in closed form, see
-///         docs/adaptive.md.
+/// Cost    O(length of the passes / radius * passes nearby); about 3 us for a step of a tenth of the radius.
+/// Source  Own; how the spiral widens and how a steady cut runs follow from the engagement in closed form,
+///         see docs/adaptive.md.
 LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol);
 
 }  // namespace clearcut::plan::adaptive

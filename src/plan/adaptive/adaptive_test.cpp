@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <vector>
 
 #include "base/random.h"
@@ -56,6 +58,28 @@ TEST(Adaptive, PathIsJoinedAndEveryEdgeHasItsKind) {
   EXPECT_NEAR(distance(*clearing.entry_center, {25, 25}), 0, 1e-3);
   for (std::size_t i = 1; i < clearing.path.size(); ++i)
     EXPECT_EQ(clearing.path[i].from, clearing.path[i - 1].to);
+}
+
+/// CLEARCUT_PICTURES=docs/pictures plan_test --gtest_filter='*PictureOfEachStep' draws those of docs/adaptive.md.
+TEST(Adaptive, TakesAPictureOfEachStep) {
+  Layer layer = square_layer(50);
+  const std::vector<Vec2> arrow{{0, 0}, {40, 12}, {60, 0}, {48, 40}, {0, 40}, {6, 20}};
+  layer.allowed = layer.target = {Region::from_valid_loops(loop_from_points(arrow), {})};
+  const char* set = std::getenv("CLEARCUT_PICTURES");
+  const auto folder =
+      set ? std::filesystem::path(set) : std::filesystem::path(CLEARCUT_BINARY_DIR) / "debug" / "adaptive";
+  const auto without = plan_adaptive(layer, {}, {}).passes;
+  SvgFrames frames(folder, "adaptive");
+  AdaptiveOptions options;
+  options.pictures = &frames;
+  const auto passes = plan_adaptive(layer, options, {}).passes;
+  frames.finish();
+  ASSERT_EQ(passes.size(), without.size()) << "pictures change nothing";
+  EXPECT_EQ(passes[0].path, without[0].path);
+  ASSERT_GE(frames.written().size(), 3u);
+  EXPECT_EQ(frames.written()[0].filename(), "adaptive-001-spiral.svg");
+  EXPECT_EQ(frames.written()[1].filename(), "adaptive-002-cuts-from-wall-to-wall.svg");
+  EXPECT_EQ(frames.written()[2].filename(), "adaptive-003-walls-and-corners.svg");
 }
 
 TEST(Adaptive, NothingWhereTheCutterDoesNotFit) {

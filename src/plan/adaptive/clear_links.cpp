@@ -8,13 +8,13 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Axis points nearest to either end of a link that are tried as the first and last of its path.
+/// Number of axis points near each end of a link that are tried as the first and last of its path.
 constexpr int kMostAccessNodes = 3;
 constexpr double kInfinity = 1e300;
-/// Bisections that bring a corner of a link near to the straight line past it.
-constexpr int kPulls = 4;
+/// Number of bisections that move a corner of a link towards the straight line past it.
+constexpr int kHalvings = 4;
 
-/// Bulges of arcs that are tried, and halvings towards a flatter one.
+/// Bulges of arcs that are tried, and number of bisections towards a flatter one.
 constexpr double kBulges[] = {0.2, 0.5, 0.9};
 constexpr double kShortestArc = 1e-3;  // mm from end to end
 constexpr int kFlatter = 3;
@@ -68,7 +68,7 @@ std::optional<LinkPath> ClearLinks::find(Vec2 from, Vec2 to, const RemainingStoc
   if (targets.empty()) return std::nullopt;
   const auto stations = shortest(sources, targets, from, to, remaining, residual);
   if (stations.empty()) return std::nullopt;
-  // Straighten: from each station to the farthest that can be seen.
+  // Shortens the path: from each point straight to the farthest point that can be reached so.
   std::vector<Vec2> link;
   Vec2 at = from;
   for (std::size_t next = 0; next < stations.size();) {
@@ -81,11 +81,11 @@ std::optional<LinkPath> ClearLinks::find(Vec2 from, Vec2 to, const RemainingStoc
     link.push_back(at = stations[farthest]);
     next = farthest + 1;
   }
-  pull_taut(link, from, remaining, residual);
+  straighten(link, from, remaining, residual);
   return straight_moves(link);
 }
 
-/// The flattest arc that was found free.
+/// The flattest clear arc found.
 std::optional<LinkMove> ClearLinks::one_arc(Vec2 from, Vec2 to, const RemainingStock& remaining,
                                             double residual) {
   if (distance(from, to) < kShortestArc) return std::nullopt;
@@ -109,14 +109,14 @@ std::optional<LinkMove> ClearLinks::one_arc(Vec2 from, Vec2 to, const RemainingS
   return std::nullopt;
 }
 
-/// Moves every corner towards the straight path past it, as far as both legs stay free.
-void ClearLinks::pull_taut(std::vector<Vec2>& link, Vec2 from, const RemainingStock& remaining,
-                           double residual) {
+/// Moves every corner of a link towards the straight line past it, as far as both sides stay clear.
+void ClearLinks::straighten(std::vector<Vec2>& link, Vec2 from, const RemainingStock& remaining,
+                            double residual) {
   for (std::size_t i = 0; i + 1 < link.size(); ++i) {
     const Vec2 before = i == 0 ? from : link[i - 1], after = link[i + 1];
     const Vec2 straight = nearest(Edge::line(before, after), link[i]).point;
     double good = 1, bad = 0;
-    for (int k = 0; k < kPulls; ++k) {
+    for (int k = 0; k < kHalvings; ++k) {
       const double share = (good + bad) / 2;
       const Vec2 corner = lerp(straight, link[i], share);
       const bool free =

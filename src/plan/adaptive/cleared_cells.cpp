@@ -9,16 +9,18 @@ namespace {
 constexpr double kMostCells = 3e7;
 constexpr double kInfinity = 1e300;
 constexpr int kWord = 64;
-/// mm. Cells are marked only if the cut reaches so far beyond them, and asked about if the disc comes so near: rounding.
+/// mm, against rounding: a cell is marked only if the cut reaches this far beyond it, and asked for if the
+/// disc comes this near.
 constexpr double kSlack = 1e-6;
-/// Half the wedge of an arc is less than a quarter turn: it is the part of its ring between two straight borders.
+/// Radians. Arcs are marked in pieces of at most this turn, so that each is the part of a ring between two
+/// straight borders.
 constexpr double kPieceSweep = 2.0;
 
 double half_chord(double radius, double off) {
   return std::sqrt(std::max(0.0, radius * radius - off * off));
 }
 
-/// std::ceil and std::floor, or 0 where that is less.
+/// x rounded up (a whole number to the next one) and down; 0 for negative x.
 long up(double x) {
   return x > 0 ? static_cast<long>(x) + 1 : 0;
 }
@@ -26,7 +28,7 @@ long down(double x) {
   return x > 0 ? static_cast<long>(x) : 0;
 }
 
-/// The bits from `first` to `last` of a word.
+/// A word with the bits from `first` to `last` set.
 std::uint64_t mask(long first, long last) {
   return (~std::uint64_t{0} << first) & (~std::uint64_t{0} >> (kWord - 1 - last));
 }
@@ -123,7 +125,7 @@ void ClearedCells::mark_span(long row, Span span) const {
     words[word] |= mask(std::max(first - word * kWord, 0L), std::min(last - word * kWord, kWord - 1L));
 }
 
-/// To what lies before the border all the way from height `low` to `high`.
+/// Shortens the span to what lies inside the border at all heights from `low` to `high`.
 void ClearedCells::clip(Span& span, const Border& border, double low, double high) {
   const Vec2 n = border.normal;
   const double most = std::max(n.y * low, n.y * high);
@@ -143,7 +145,7 @@ void ClearedCells::mark_disc(Vec2 center, double radius) const {
   });
 }
 
-/// The rectangle between the discs at its ends.
+/// Marks the rectangle between the discs at the line's ends.
 void ClearedCells::mark_line(const Edge& line, double radius) const {
   const Vec2 along = unit(line.to - line.from), aside = left_of(along);
   const Border borders[] = {{along, dot(along, line.to)},
@@ -158,7 +160,7 @@ void ClearedCells::mark_line(const Edge& line, double radius) const {
   });
 }
 
-/// The part of its ring between the discs at its ends.
+/// Marks the part of the arc's ring between the discs at its ends.
 void ClearedCells::mark_arc(const Edge& arc, double radius) const {
   const double ring = arc.radius(), inner = std::max(0.0, ring - radius),
                side = arc.turn == Turn::kCounterClockwise ? 1 : -1;

@@ -1,4 +1,5 @@
-// Where nothing stands any more, told without a look at the cuts: what has long been cleared costs next to nothing.
+// Tells quickly that nothing stands in places that have long been cleared, without asking for the single
+// cuts.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +11,26 @@
 
 namespace clearcut::plan::adaptive {
 
-/// Square cells that single cuts have cleared wholly.
+/// A grid of square cells; a cell is marked once a single cut has cleared all of it.
 ///
-/// What it says is cleared is cleared; near the rims of cuts, and where only several cuts together clear a cell, it
-/// does not know. Cuts are marked when something is asked, so trials that are taken back before cost nothing.
+/// What it reports as cleared is cleared. It does not know about cells at rims of cuts and cells that only
+/// several cuts together have cleared. Cuts are marked at the first query after them, so that cuts which are
+/// taken back before cost nothing.
 class ClearedCells {
  public:
-  /// Of about `cell` mm inside `where`; larger ones where that would be too many. Outside nothing is known.
+  /// Cells of about `cell` mm inside `where`, larger if there would be too many. Outside it reports nothing
+  /// as cleared.
   ClearedCells(const Box& where, double cell);
 
-  /// Notes what a disc of `radius` mm clears along `path` (a point where from == to). Arcs turn by less than a full turn.
+  /// Adds what a disc of `radius` mm clears along `path`; a point if from == to. Arcs turn by less than a
+  /// full turn.
   void add(const Edge& path, double radius);
-  /// How many were added, and the way back to fewer: O(all of them) if something was asked since.
+  /// How many cuts were added.
   std::size_t cuts() const { return cuts_.size(); }
+  /// Takes back all but the first `cuts`. Costs O(all of them) if a query came after the cuts taken back.
   void forget_beyond(std::size_t cuts);
 
-  /// Whether the whole disc is known to be cleared. Cost O(radius / cell), or less where it is not.
+  /// Whether the whole disc is known to be cleared. Cost O(radius / cell) or less.
   bool holds(Vec2 center, double radius) const;
 
  private:
@@ -33,12 +38,12 @@ class ClearedCells {
     Edge path;
     double radius = 0;
   };
-  /// From < to, mm, in a row.
+  /// An interval of a row of cells, mm; from < to.
   struct Span {
     double from = 0;
     double to = 0;
   };
-  /// The directions before which a straight border lies: n * p <= q.
+  /// A half plane, n * p <= q, that bounds what a line or an arc clears.
   struct Border {
     Vec2 normal;
     double q = 0;
@@ -49,7 +54,7 @@ class ClearedCells {
   void mark_line(const Edge& line, double radius) const;
   void mark_arc(const Edge& arc, double radius) const;
   void mark_span(long row, Span span) const;
-  /// Rows wholly between two heights.
+  /// Calls f for each row of cells that lies between two heights.
   template <typename F>
   void for_rows(double low, double high, F&& f) const;
   static void clip(Span& span, const Border& border, double low, double high);
@@ -58,9 +63,9 @@ class ClearedCells {
   Vec2 origin_;
   double cell_;
   long columns_ = 0, rows_ = 0;
-  std::size_t words_ = 0;  ///< of a row
+  std::size_t words_ = 0;  ///< 64-bit words in a row
   std::vector<Cut> cuts_;
-  mutable std::size_t marked_ = 0;  ///< cuts that are marked already
+  mutable std::size_t marked_ = 0;  ///< number of cuts that are marked
   mutable std::vector<std::uint64_t> cells_;
 };
 

@@ -10,28 +10,30 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Share of the widest cut that a wall pass can take within the limit which is left to it: below 1, because the engagement grows
-/// where a wall turns inwards.
+/// Share of the widest cut that a wall pass can take within the limit; so much is left to it. Below 1,
+/// because the engagement grows where a wall turns inwards.
 constexpr double kWallShare = 0.62;
-/// Radians. Walls that turn inwards by more have a corner.
+/// Radians. Where a wall turns inwards by more than this it has a corner.
 constexpr double kCornerTurn = 0.1;
-/// Tool radii on both sides of a corner that are cut to the wall.
-/// Share of the slope against the wall at which a wall pass would meet the limit.
+/// The distance from the wall may change along it by at most kTaperShare of the slope at which a wall pass
+/// would meet the limit, and by at most kSteepestTaper.
 constexpr double kTaperShare = 0.9;
 constexpr double kSteepestTaper = 0.4;
-/// Width of a place over the distance from its walls.
+/// A place must be this many times as wide as the distance that is kept from its walls.
 constexpr double kLeastWidth = 7;
-/// Halvings until the distance from walls that is left there is found; less, in tool radii, is none.
+/// Number of bisections for the distance from the walls in a narrow place. Distances below kLeastAside tool
+/// radii are set to zero.
 constexpr int kHalvings = 16;
 constexpr double kLeastAside = 0.25;
-/// Tool radii between the points of the outline.
+/// Shares of the tool radius: distance between the points of the outline, and on arcs round obstacles.
 constexpr double kPitch = 0.1;
 constexpr double kClosePitch = 0.02;
-/// mm. How far arcs of the outline are from its points: below any gouge that counts.
+/// mm: distance of the outline's arcs from its points; below any gouge that counts.
 constexpr double kTolerance = 3e-4;
-/// Points that an arc is made of at least, so that it is found again.
+/// Least number of points on an arc, so that fitting finds the arc again.
 constexpr int kLeastParts = 6;
-/// Points times edges above which narrow places take too long to find: everything is cut to the wall.
+/// Points times edges. Beyond this the search for narrow places takes too long, and everything is cleared up
+/// to the walls.
 constexpr double kMostWork = 3e7;
 
 class FrontOutline {
@@ -54,16 +56,16 @@ class FrontOutline {
   struct Point {
     Vec2 wall;
     Vec2 inwards;
-    double s = 0;  ///< length along the loop
+    double s = 0;  ///< mm along the loop
     double aside = 0;
     bool corner = false;
   };
 
-  /// What a cutter that runs along the edge may take.
+  /// mm; the widest cut that a cutter running along the edge can take within the limit.
   double widest_cut(const Edge& edge) const {
     const double straight = radius_ * (1 - std::cos(limit_));
     if (edge.turn != Turn::kCounterClockwise) return straight;
-    // Inside an arc: the residual between the circle it leaves and the one before it.
+    // Inside an arc: the width between the circle that the cutter leaves and the one before it.
     const double across = radius_ * std::sin(limit_), along = edge.radius() + radius_ * std::cos(limit_);
     return std::clamp(edge.radius() + radius_ - std::hypot(along, across), 0.0, straight);
   }
@@ -72,7 +74,7 @@ class FrontOutline {
     points_.clear();
     length_ = 0;
     for (const Edge& edge : loop) {
-      // Round an obstacle, chords between points would cut it: they are close there.
+      // Round an obstacle the points are close, because chords between them would cut into it.
       const double pitch = (edge.turn == Turn::kClockwise ? kClosePitch : kPitch) * radius_;
       const int parts =
           std::max(edge.is_arc() ? kLeastParts : 1, static_cast<int>(edge.length() / pitch) + 1);
@@ -113,7 +115,7 @@ class FrontOutline {
     for (std::size_t i = 2 * n; i > 0; --i) limit_by(points_[(i - 1) % n], points_[i % n]);
   }
 
-  /// Comes nearer where another wall is as near.
+  /// Reduces the distance from a wall where another wall is near.
   void narrow() {
     bool narrower = false;
     for (Point& point : points_) {
@@ -155,7 +157,7 @@ class FrontOutline {
   LegalArea area_;
   double radius_;
   double limit_;
-  double taper_ = 0;  ///< change of the distance from the wall along it
+  double taper_ = 0;  ///< greatest change of the distance from the wall, mm per mm along it
   double length_ = 0;
   std::vector<Point> points_;
 };

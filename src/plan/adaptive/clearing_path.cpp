@@ -11,17 +11,18 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// mm. Shorter moves are left out.
+/// mm. Moves shorter than this are left out.
 constexpr double kShortest = 1e-6;
-/// mm. Moves are one where that runs as near to both.
+/// mm. Two moves are joined if one move stays this near to both.
 constexpr double kSame = 1e-4;
-/// The same in tool radii where no wall is as near.
+/// Share of the tool radius: the same where no wall is near.
 constexpr double kNearlySame = 1.5e-3;
-/// Tool radii that a hole must be wider than the cutter to begin in.
+/// Share of the tool radius: how much wider than the cutter a hole must be for a pass to begin in it.
 constexpr double kLeastHole = 0.05;
-/// Radians by which the spiral may exceed the limit.
+/// Number of samples along a half turn of the spiral.
 constexpr int kSpiralSamples = 8;
-/// By how much a half turn that exceeds it is taken back, and the least that it widens, in tool radii.
+/// Factor by which the widening of a half turn that exceeds the limit is reduced, and the least widening, a
+/// share of the tool radius.
 constexpr double kNarrower = 0.97;
 constexpr double kLeastWidening = 0.05;
 
@@ -48,7 +49,7 @@ void ClearingPath::widen_to_rim(const Disc& disc, double engagement) {
   }
 }
 
-/// One more half turn; whether there was one.
+/// Cuts one more half turn; false if none is possible.
 bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
   const double tool = remaining_.tool_radius(), last = disc.radius - tool;
   const auto [left, right] = spiral_;
@@ -58,7 +59,7 @@ bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
   double reach = std::min(last, most);
   const auto end = [&] { return disc.center + Vec2{at_.x > disc.center.x ? -reach : reach, 0}; };
   const auto half_turn = [&] { return Edge::arc(at_, end(), (at_ + end()) / 2.0, Turn::kCounterClockwise); };
-  // The closed form is that of a circle; the half turns that widen it meet a little more.
+  // The closed form holds for full circles; half turns that widen engage a little more.
   while (!keeps_limit(half_turn(), engagement + EngagementTolerance::kLongExcess) &&
          reach > left + kLeastWidening * tool)
     reach = left + (reach - left) * kNarrower;
@@ -68,7 +69,8 @@ bool ClearingPath::widen(const Disc& disc, double engagement, Turns turns) {
   return true;
 }
 
-/// Along a spiral the engagement changes smoothly: a few samples tell.
+/// Whether the half turn keeps the limit. Along a spiral the engagement changes smoothly, so a few samples
+/// are enough.
 bool ClearingPath::keeps_limit(const Edge& half_turn, double limit) const {
   for (int i = 1; i <= kSpiralSamples; ++i) {
     const double t = static_cast<double>(i) / kSpiralSamples;
@@ -96,7 +98,7 @@ void ClearingPath::append(const Path& cut, const LinkPath& link) {
   }
 }
 
-/// The last cut with the edge as one move: the same, or away from walls nearly so.
+/// The last cut and the edge as one move: with the same shape, or nearly so where no wall is near.
 std::optional<Edge> ClearingPath::joined_to_last(const Edge& edge) const {
   if (pass_.path.empty() || pass_.kinds.back() != MoveKind::kCut) return std::nullopt;
   if (const auto same = joined(pass_.path.back(), edge, kSame)) return same;

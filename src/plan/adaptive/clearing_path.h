@@ -1,4 +1,4 @@
-// The passes of an adaptive layer while they are built: cuts, and clear links between them.
+// Builds the passes of one adaptive layer: cuts, and clear links between them.
 #pragma once
 
 #include <optional>
@@ -10,43 +10,44 @@
 
 namespace clearcut::plan::adaptive {
 
-/// The passes finished so far and the one that is being built. What is cut is taken away from the remaining stock.
+/// The finished passes and the one that is being built. Everything that is cut is removed from the remaining
+/// stock.
 class ClearingPath {
  public:
   ClearingPath(RemainingStock& remaining, const ClearLinks& links) : remaining_(remaining), links_(links) {}
 
-  /// Begins a pass with a circle of `entry_radius` about the disc's centre and widens it in half turns as long as they
-  /// stay inside the disc and take all that `engagement` lets them.
-  /// `cleared`: radius of a hole that is there about the centre; where it leaves the cutter room the pass begins in it.
+  /// Begins a pass with a circle of `entry_radius` mm about the disc's centre and widens it by half turns,
+  /// each as far as `engagement` (radians) allows, while they stay inside the disc. `cleared`: mm, radius of
+  /// a hole that exists about the centre; if the cutter has room in it, the pass begins there.
   void open(const Disc& disc, double entry_radius, double engagement, double cleared = 0);
-  /// Goes on, right after open(), until the disc's rim is touched all round: the last turns are thinner.
+  /// To be called right after open(): goes on with thinner turns until all of the disc's rim is reached.
   void widen_to_rim(const Disc& disc, double engagement);
 
-  /// A link from the end of the pass to p on which nothing thicker than `residual` mm is touched; empty where a pass begins,
-  /// none where there is no link.
+  /// A link from the end of the pass to p that touches nothing thicker than `residual` mm. An empty link
+  /// where a pass begins; nothing if there is no link.
   std::optional<LinkPath> link_to(Vec2 p, double residual) const;
-  /// Begins a new pass at p, where nothing stands any more, from above.
+  /// Ends the pass and begins a new one at p, where nothing stands: the cutter comes down from above.
   LinkPath retract_to(Vec2 p);
-  /// The same where nothing stands.
+  /// The same if nothing stands at p; else nothing.
   std::optional<LinkPath> retract_if_clear(Vec2 p);
-  /// What is known about the place where a pass begins, before it is cut.
+  /// Records for the pass that begins at p whether anything stands there. To be called before p is cut.
   void note_start(Vec2 p);
-  /// Goes over `link` to the start of `cut` and appends it; a pass begins with its first cut. The remaining stock is as
-  /// after the cut already.
+  /// Appends `link` and `cut` to the pass; a pass begins with its first cut. The cut has already been removed
+  /// from the remaining stock.
   void append(const Path& cut, const LinkPath& link);
-  /// The same, and takes the cut from the remaining stock.
+  /// Appends `link` and `cut` and removes the cut from the remaining stock.
   void cut(const Path& cut, const LinkPath& link);
 
   bool empty() const { return pass_.path.empty(); }
   std::optional<Edge> last_arc() const;
   Vec2 at() const { return at_; }
-  /// Ends the pass; the next one begins with its first cut.
+  /// Ends the pass; the next cut begins a new one.
   void finish_pass();
-  /// Takes the last pass back where nothing was begun after it.
+  /// Reopens the last pass if none was begun after it.
   void resume_pass();
   /// All moves so far.
   std::vector<Edge> moves() const;
-  /// All passes, the last one ended.
+  /// All passes; ends the current one.
   std::vector<Pass> take_passes();
 
  private:
@@ -62,7 +63,7 @@ class ClearingPath {
   std::vector<Pass> passes_;
   Pass pass_;
   Vec2 at_;
-  /// Distances of the spiral's last two ends from its centre, mm.
+  /// mm from the spiral's centre to its last two ends of half turns.
   struct Ends {
     double left = 0;
     double right = 0;

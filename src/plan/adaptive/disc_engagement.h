@@ -11,9 +11,9 @@ struct Disc {
   double radius = 0;  ///< mm
 };
 
-/// The greatest radius of a circle that the centre may run on inside a cleared disc of `cleared_radius`
-/// without more than `engagement` radians; both about the same centre. From the law of cosines: with the
-/// engagement beginning at distance cleared_radius, d = -R cos(theta) + sqrt(cleared^2 - R^2 sin(theta)^2).
+/// mm; the greatest radius of a circle on which the centre may run inside a cleared disc of `cleared_radius`
+/// mm so that the engagement is at most `engagement` radians. Both are about the same centre. By the law of
+/// cosines, with R for tool_radius: -R cos(engagement) + sqrt(cleared_radius^2 - R^2 sin(engagement)^2).
 double widened_circle(double cleared_radius, double tool_radius, double engagement);
 
 }  // namespace clearcut::plan::adaptive

@@ -1,4 +1,4 @@
-// The row of this strategy in the table of strategies.
+// The entry of this strategy in the table of strategies.
 #pragma once
 
 #include "model/strategy_entry.h"

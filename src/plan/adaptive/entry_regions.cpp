@@ -6,9 +6,9 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii that the centre must have to each side where an entry is made later.
+/// Share of the tool radius: room that the centre must have on each side at a later entry.
 constexpr double kLeastEntryRegion = 0.15;
-/// Share of a disc that must be uncut for an entry of its own.
+/// Share of a disc's area that must be uncut for an entry of its own.
 constexpr double kFreshShare = 0.6;
 
 bool is_fresh(const Disc& disc, const std::vector<Disc>& entry_regions) {
@@ -53,7 +53,7 @@ std::vector<Disc> EntryRegionFinder::choose() const {
   return entry_regions;
 }
 
-/// At the place asked for, else at the hole that is farthest from walls.
+/// The place that was asked for, else the predrilled hole that is farthest from walls.
 std::optional<Disc> EntryRegionFinder::first_entry_region() const {
   std::vector<Vec2> places;
   if (start_) places.push_back(*start_);
@@ -88,7 +88,8 @@ double EntryRegionFinder::hole_at(Vec2 place) const {
   return radius;
 }
 
-/// A spiral saves the returns of arcs, about a quarter of their time; an entry costs a helix and a retract.
+/// Whether the disc is worth an entry. Its spiral saves about a quarter of the time of arcs, which have to
+/// return; the entry costs a helix and a retract.
 bool EntryRegionFinder::is_worth_entry(const Disc& disc) const {
   const double step = radius_ * (1 - std::cos(limit_));
   const double spiral = kPi * disc.radius * disc.radius / step;

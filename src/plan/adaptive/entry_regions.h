@@ -1,4 +1,4 @@
-// Where adaptive clearing goes down into the material.
+// Finds the places where adaptive clearing enters the material.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,20 @@
 
 namespace clearcut::plan::adaptive {
 
-/// Finds the wide places of one connected legal area. Radii are those of the material cleared there.
+/// Finds the wide places of one connected legal area. The radius of a Disc is that of the material to be
+/// cleared.
 class EntryRegionFinder {
  public:
-  /// `front`: where the centre may be while it clears. `start`: where the first entry is asked for.
+  /// `front`: where the centre may be while it clears. `limit`: of the engagement, radians. `start`: near
+  /// which the first entry is asked for. References are kept.
   EntryRegionFinder(const Region& front, const Clearance& clearance, const RemainingStock& remaining,
                     const Layer& layer, double limit, std::optional<Vec2> start);
 
-  /// The widest places, each worth an entry of its own.
+  /// The widest places, each of them worth an entry of its own.
   std::vector<Disc> choose() const;
-  /// The widest place where the centre has never been.
+  /// The widest place of which nothing is cleared.
   std::optional<Disc> widest_uncut() const;
-  /// Radius of the widest hole about a place, mm; 0 or less where there is none.
+  /// mm; radius of the widest predrilled hole about a place; 0 or less if there is none.
   double hole_at(Vec2 place) const;
 
  private:
@@ -38,7 +40,8 @@ class EntryRegionFinder {
   std::vector<PredrilledHole> holes_;
 };
 
-/// The entry region whose rim is nearest to p (deepest around it). `entry_regions` holds at least one.
+/// Index of the entry region whose rim is nearest to p; of regions that hold p, the one in which it lies
+/// deepest. There must be one.
 std::size_t nearest_entry_region(const std::vector<Disc>& entry_regions, Vec2 p);
 
 }  // namespace clearcut::plan::adaptive

@@ -12,10 +12,11 @@ struct EngagementTolerance {
   /// By which single moves may exceed the limit (1.4 degrees; the certificate allows 2). Larger: longer arcs and so
   /// fewer moves; smaller: arcs end earlier at every small peak.
   static constexpr double kExcess = 0.025;
-  /// The same on spirals and on arcs from wall to wall, which stay above the limit for longer than a peak does.
+  /// The same on spirals and on crossings, which stay above the limit for longer than a peak does.
   static constexpr double kLongExcess = 0.015;
-  /// By which the engagement may rise between two samples without being looked at more closely; arcs with a kink are
-  /// aimed as much above the limit, because they swing about it. Larger: fewer samples, higher peaks.
+  /// The engagement may rise by this much between two samples before more samples are taken between them.
+  /// Arcs with a kink are aimed this much above the limit, because their engagement swings about it. Larger:
+  /// fewer samples, higher peaks.
   static constexpr double kPeak = 0.008;
   /// Less engagement than this counts as none: it is what rounding leaves along a wall that is already cut.
   static constexpr double kNone = 0.02;
@@ -33,14 +34,14 @@ struct ResidualLimits {
   static constexpr double kTrochoidal = 2 * kLink;
   /// On walls. Larger: fewer cuts along walls; smaller: every scallop between fitted arcs would be cut once more.
   static constexpr double kWall = 1.5e-3;
-  /// What links to corners may graze: both walls of a corner bear up to kWall.
+  /// What links to corners may graze: both walls of a corner may have up to kWall.
   static constexpr double kCornerLink = 2 * kWall;
-  /// A wall that bears less is finished.
+  /// A wall with thinner residuals is finished.
   static constexpr double kFinishedWall = 2 * kCornerLink;
   /// In corners: the arcs between the walls end when this is left. Each halving costs one or two arcs a corner.
-  static constexpr double kCorner = 5.5e-3;
-  /// What the check of the cover finds and is thinner stays.
-  static constexpr double kRest = 6.5e-3;
+  static constexpr double kCorner = 3.7e-3;
+  /// What the check of the cover finds and lies no farther from what is cut stays: between two cuts it is twice as wide.
+  static constexpr double kRest = 4.7e-3;
 };
 
 /// Shares of the cutter's radius: lengths that scale with the cutter.
@@ -48,17 +49,19 @@ struct RadiusShares {
   /// Between samples along walls. What stands between two is at most pitch^2 / 8 of the radius thick. Smaller: walls
   /// are sampled more often, planning time grows as its inverse.
   static constexpr double kWallPitch = 0.1;
-  /// Of path without engagement that ends a cut: three samples. Larger: cuts run on over gaps instead of a link.
+  /// Length without engagement after which a cut ends: three samples. Larger: cuts run on over gaps where a
+  /// link would do.
   static constexpr double kAir = 0.3;
-  /// A cut that engages for a shorter length is none.
+  /// A cut that engages on less than this is not made.
   static constexpr double kLeastCut = kWallPitch / 2;
-  /// An arc that ends as near to a wall goes on to it.
+  /// An arc that ends this near to a wall is extended up to it.
   static constexpr double kEndsAtWall = kLeastCut;
-  /// Beside a corner: as far the arcs between its walls reach, and the outline for clearing follows the wall.
+  /// Beside a corner: how far the arcs between its walls reach, and how far the outline for clearing follows
+  /// the wall.
   static constexpr double kCornerReach = 1.2;
 };
 
-/// Factor from one radius of turn that was tried without success to the next, smaller one.
+/// A turn that cannot be cut is tried again with a radius smaller by this factor.
 inline constexpr double kTighterTurn = 0.6;
 
 }  // namespace clearcut::plan::adaptive

@@ -9,29 +9,30 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// mm. The cutter is taken this much smaller where its engagement is asked for: thinner material is rounding.
+/// mm. Engagements are computed for a cutter smaller by this, so that rounding does not count as material.
 constexpr double kRounding = 2e-4;
-/// Radians. Less of the circle in material is rounding.
+/// Radians. Less of the circle in material than this comes from rounding.
 constexpr double kTouch = 1e-6;
-/// Tool radii between samples of a link: it only matters whether anything is touched.
+/// Share of the tool radius: distance between samples of a link, which only tell whether anything is touched.
 constexpr double kSampleStep = 0.2;
-/// Radians. Samples on arcs are no farther apart than this.
+/// Radians: greatest turn between samples on arcs.
 constexpr double kCheckTurn = 0.15;
-/// Tool radii from the beginning of an edge to its first sample: at the beginning itself a turn of heading would count.
+/// Share of the tool radius: the first sample is this far from the beginning of an edge, because at the
+/// beginning itself a change of heading would count.
 constexpr double kBeside = 1e-3;
-/// Tool radii: side of the cells that are known to be cleared.
+/// Share of the tool radius: side of the cells of ClearedCells.
 constexpr double kCell = 1.0 / 8;
-/// Radians. Arcs are checked in pieces of this turn, each by its chord and the tangents at its ends.
+/// Radians. An arc is checked in pieces of this turn, each by its chord and the tangents at its ends.
 constexpr double kLegalTurn = 0.6;
-/// Points of material that are remembered, because the next query probably touches them, too; and the radians of a circle in
-/// material that make a point worth remembering.
+/// Number of points of material that are kept for the next queries. A point is kept if more than kWorthNoting
+/// radians of the circle lie in material.
 constexpr std::size_t kMostStanding = 16;
 constexpr double kWorthNoting = 1e-3;
-/// mm: no point.
+/// mm. Stands for no point.
 constexpr Vec2 kNowhere{1e100, 1e100};
-/// Samples for a peak of the engagement between two samples, each nearer to it.
+/// Number of samples, each nearer to the peak, that are spent on one peak between two samples.
 constexpr int kMostPeaks = 5;
-/// Bisections of the stretch in which the engagement comes to exceed its limit.
+/// Number of bisections for the place where the engagement begins to exceed its limit.
 constexpr int kHalvings = 4;
 
 Move level_move(const Edge& edge) {
@@ -63,7 +64,7 @@ double RemainingStock::length_within(const Edge& edge, double limit) const {
   const double by_length = length / (tool_radius_ * RadiusShares::kWallPitch),
                by_turn = std::abs(edge.sweep()) / kCheckTurn;
   const int steps = static_cast<int>(std::max(by_length, by_turn)) + 1;
-  // Where the edge begins the cut before ends: just beyond.
+  // Just beyond the beginning, where the cut before it ends.
   Sample before = sample(edge, std::min(kBeside * tool_radius_ / length, 0.1 / steps));
   for (int i = 1; i <= steps; ++i) {
     const Sample here = sample(edge, static_cast<double>(i) / steps);
@@ -75,7 +76,7 @@ double RemainingStock::length_within(const Edge& edge, double limit) const {
   return length;
 }
 
-/// Where the engagement between two samples, which is within `limit` there, comes to exceed it.
+/// A stretch between two samples, both within `limit`, in which the engagement comes to exceed it.
 std::optional<RemainingStock::Stretch> RemainingStock::peak_above(const Edge& edge, const Sample& a,
                                                                   const Sample& b, double limit,
                                                                   int depth) const {
@@ -96,13 +97,13 @@ double RemainingStock::last_within(const Edge& edge, Stretch rise, double limit)
   return rise.from;
 }
 
-/// Where the engagement may be above `limit` between two samples.
+/// Parameter between two samples at which the engagement may exceed `limit`; nothing if it cannot.
 std::optional<double> RemainingStock::likely_peak(const Sample& a, const Sample& b, double limit) {
   const double span = b.t - a.t, fall = a.slope - b.slope;
-  // Engagement that begins, ends, or parts: it may have jumped.
+  // The number of engaged parts changes, so the engagement may have jumped.
   if (a.parts != b.parts) return a.t + span / 2;
   if (fall <= 0) return std::nullopt;
-  // Else it is about as high as it gets where the tangents meet.
+  // Else it peaks about where the tangents at both samples meet.
   const double from_a = (b.engagement - a.engagement - b.slope * span) / fall;
   if (from_a < 0 || from_a > span) return a.t + span / 2;
   if (a.engagement + a.slope * from_a <= limit) return std::nullopt;
@@ -132,7 +133,7 @@ void RemainingStock::note_standing(Vec2 met) const {
   standing_[oldest_++ % kMostStanding] = {met, age_};
 }
 
-/// Whether any of the material met lately still stands near p.
+/// Whether a point of material met by earlier queries lies within `radius` of p and still stands.
 bool RemainingStock::is_standing_within(Vec2 p, double radius) const {
   const double near = radius - kRounding;
   for (Standing& met : standing_) {
@@ -150,7 +151,7 @@ bool RemainingStock::is_free(const Edge& path, double residual) const {
   if (!is_legal(path)) return false;
   const int steps = static_cast<int>(path.length() / (tool_radius_ * kSampleStep)) + 1;
   const auto at = [&](int sample) { return path.at(static_cast<double>(sample) / steps); };
-  // Most paths that are not free are seen at once by where the centre would run.
+  // The points of the path itself are cheap to test and decide most cases.
   for (int i = steps; i >= 0; --i) {
     if (!cleared_.holds(at(i), 0) && !is_removed(at(i))) return false;
   }
@@ -160,7 +161,7 @@ bool RemainingStock::is_free(const Edge& path, double residual) const {
   return true;
 }
 
-/// An arc runs between its chords and its tangents.
+/// An arc lies between its chords and its tangents: both are checked.
 bool RemainingStock::is_legal(const Edge& path) const {
   if (!path.is_arc()) return legal_.holds_line(path.from, path.to);
   const int pieces = static_cast<int>(std::abs(path.sweep()) / kLegalTurn) + 1;

@@ -10,14 +10,15 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. Walls two diameters apart are cut clean but for a residual, within the error of offsets.
+/// mm. What may stay between two walls two diameters apart: offsets are exact to this.
 constexpr double kResidual = 0.001;
-/// mm. Where not even that may stay, the rest overlaps by this with what the wall passes clear.
+/// mm. On layers where not even that may stay, the rest is this much wider, so that it overlaps with what the
+/// wall passes clear.
 constexpr double kBareMargin = 0.002;
-/// mm. Walls are followed this much farther than the target can be reached from them.
+/// mm. Stretches of walls are kept to this much beyond the places from which the target can be reached.
 constexpr double kWallMargin = 0.01;
 
-/// The stretches of a loop inside `where`; the whole loop as one closed stretch.
+/// The parts of a loop that lie inside `where`; if all of it does, the whole loop as one closed path.
 std::vector<Path> stretches_inside(const Loop& loop, const Regions& where) {
   std::vector<Path> found;
   bool joined = false, all = true;
@@ -67,7 +68,8 @@ class AreaBuilder {
     for (const auto& allowed : layer_.allowed) {
       const Clearance clearance(allowed, tol_);
       const auto legal = safe_inset(clearance, allowed, first, tol_);
-      // Coarse digits of the program may move either pass.
+      // Rounding in the program's digits may move the wall pass and the pass beside it: the rest is wider by
+      // both.
       const double coarse = layer_.reserve > 0 ? 2 * layer_.reserve + tol_.gouge : 0;
       const auto deep =
           clearance.inset(first + layer_.tool_radius - std::max(bare_ ? kBareMargin : 0, coarse));
@@ -83,7 +85,7 @@ class AreaBuilder {
   }
 
  private:
-  /// Slivers that booleans take for nothing are kept.
+  /// The target inside `deep`. Slivers that boolean operations drop as empty are kept.
   Regions target_within(const Regions& deep) const {
     Regions found;
     for (const auto& region : layer_.target) {
@@ -94,7 +96,7 @@ class AreaBuilder {
     return found;
   }
 
-  /// Every piece of the rest lies in one of the components from `begin` on.
+  /// Gives each region of the rest to the component that it lies in; components from `begin` on are asked.
   void share_out(const Regions& rest, std::size_t begin) {
     for (const auto& region : rest) {
       for (std::size_t i = begin; i < area_.components.size(); ++i) {
@@ -146,8 +148,8 @@ class AreaBuilder {
   const Layer& layer_;
   const Tolerances& tol_;
   bool closed_;
-  bool bare_ = false;  ///< not even a residual may stay
-  Regions near_;       ///< from where the target can be reached, on layers with open sides
+  bool bare_ = false;  ///< not even a thin residual may stay
+  Regions near_;       ///< where the cutter's centre reaches the target; on layers with open sides only
   ClearingArea area_;
 };
 

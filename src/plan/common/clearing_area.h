@@ -1,5 +1,5 @@
-// What every strategy that fills an area starts from: where the cutter may be, the passes along the walls, and
-// what these leave to be cut. Used by strategies alone.
+// Splits a layer into the legal area of the cutter's centre, the passes along its walls, and the part of the
+// target that these passes leave. Every strategy that fills an area begins with it.
 #pragma once
 
 #include <vector>
@@ -9,28 +9,30 @@
 
 namespace clearcut::plan {
 
-/// One connected legal area.
+/// One connected part of the legal area, where the cutter's centre may be.
 struct ClearingComponent {
   Region legal;
-  Regions rest;  ///< what the wall passes leave of the target: every point at least one radius inside `legal`
-  int outer_wall = -1;  ///< index of the pass along its outer boundary (or of some other wall), -1: none
+  Regions rest;  ///< of the target, what the wall passes leave: at least one tool radius inside `legal`
+  int outer_wall = -1;  ///< index of the pass along its outer boundary, else of one along an island; -1: none
 };
 
 struct ClearingArea {
-  std::vector<ClearingComponent> components;  ///< numbered as in the passes
-  LayerPasses walls;  ///< all but the strategy's own passes: legal area, fit lines, and passes along walls
+  std::vector<ClearingComponent> components;  ///< the index is `Pass::component`
+  LayerPasses walls;  ///< legal area, fit lines and wall passes; the strategy adds its own passes to them
 };
 
 /// Splits a layer into wall passes and rest.
 ///
-/// Shape   a wall pass for each boundary of the legal area: closed, or on layers with open sides the open
-///         stretches from which the target can be reached; then passes on lines where the cutter just fits.
-///         Where the cutter has no legal position: nothing.
-/// Error   what of the target lies neither in a rest nor within the radius of a wall pass is unreachable, to 2 um.
-/// Cost    O(n log n).
+/// Shape   One wall pass for each boundary of the legal area: closed, or on layers with open sides the open
+///         stretches from which the target can be reached. Then a pass on each line where the cutter just
+///         fits. Nothing where the cutter fits nowhere.
+/// Error   What of the target lies neither in a rest nor within the tool radius of a wall pass cannot be
+///         reached, to 2 um.
+/// Cost    O(n log n) for n edges of the layer's outlines.
 ClearingArea clearing_area(const Layer& layer, const Tolerances& tol);
 
-/// The target lies in `allowed`, so equal areas make them the same: a pocket closed all round.
+/// Whether the layer is a pocket closed all round. The target lies inside `allowed`, so it is compared by
+/// area.
 bool closed_all_round(const Layer& layer);
 
 }  // namespace clearcut::plan

@@ -10,9 +10,9 @@
 namespace clearcut::plan {
 namespace {
 
-/// Of a square of side 1, a little more.
+/// Half the diagonal of a square of side 1, rounded up.
 constexpr double kHalfDiagonal = 0.7072;
-/// Squares with more curves are quartered, so often.
+/// A square with more curves than this is quartered, up to the depth below.
 constexpr std::size_t kFewCurves = 24;
 constexpr int kMostQuarterings = 5;
 
@@ -33,7 +33,7 @@ Cover::Stroke::Stroke(const Edge& edge) : from(edge.from), to(edge.to), along(ed
   radius = std::sqrt(0.5 * (norm_squared(start) + norm_squared(end)));
 }
 
-/// Whether it holds the ray along v.
+/// Whether the direction v lies in it.
 bool Cover::Wedge::holds(Vec2 v) const {
   const bool after_start = cross(start, v) >= 0, before_end = cross(v, end) >= 0;
   if (over_half) return after_start || before_end;
@@ -129,10 +129,10 @@ double Cover::distance_to(Vec2 p) const {
   return std::sqrt(best);
 }
 
-/// Looks for places that nothing holds, square by square.
+/// The search for points that no edge clears, square by square.
 class Cover::Search {
  public:
-  /// Ends with the first place if `first` is all that is asked for.
+  /// Ends with the first point if `first` is set.
   Search(const Cover& cover, const Rims& rims, const std::function<bool(Vec2)>& matters, bool first)
       : cover_(cover),
         base_(cover.base_.get()),
@@ -142,8 +142,8 @@ class Cover::Search {
         own_strokes_(static_cast<std::uint32_t>(cover.edges_.size())),
         own_curves_(static_cast<std::uint32_t>(rims.curves.size())) {}
 
-  /// Beside ends of edges first, then what the base leaves, then where curves meet; in the order of their numbers, and
-  /// of the cells.
+  /// The points in a fixed order: beside the ends of edges, then what the base leaves, then where curves
+  /// intersect; within each kind by edge, curve and cell.
   std::vector<Vec2> run(const Box& where) {
     std::vector<Vec2> left_by_base;
     if (base_) left_by_base = base_->rim_;
@@ -161,24 +161,24 @@ class Cover::Search {
   }
 
  private:
-  /// A place, with what it was found by.
+  /// A point with the numbers that it was found by, which order the result.
   struct Found {
     std::array<std::uint32_t, 5> by{};
     Vec2 place;
     bool operator<(const Found& other) const { return by < other.by; }
   };
-  /// Part of a cell: its numbers among squares of a side of cell / 2^depth.
+  /// A square of the grid: column and row counted in squares of a side of cell / 2^depth.
   struct Square {
     std::size_t column = 0, row = 0;
     int depth = 0;
   };
-  /// Where a square lies; all of it is within reach of the centre.
+  /// Where a square lies: `reach` is the distance from its centre to a corner, mm.
   struct Place {
     Vec2 center;
     double reach = 0;
     Box box;
   };
-  /// Parts of the lists.
+  /// A range of indices into strokes_, curves_ or joints_.
   struct Range {
     std::size_t from = 0, to = 0;
     std::size_t size() const { return to - from; }
@@ -194,7 +194,7 @@ class Cover::Search {
     return i < own_curves_ ? rims_.curves[i] : base_->own_rims_.curves[i - own_curves_];
   }
 
-  /// Of squares beside each other one holds the points between.
+  /// Whether p belongs to `square`. A point on a common side belongs to one of both squares alone.
   bool holds(const Square& square, Vec2 p) const {
     const CellGrid& grid = cover_.grid_;
     constexpr double kParts = 1 << kMostQuarterings;
@@ -231,13 +231,14 @@ class Cover::Search {
     search_inside(square, {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
   }
 
-  /// Those of one edge that come near; their numbers begin at `first`.
+  /// Adds the curves of one edge that come near to `place`; `first` is the number of the first curve of
+  /// `rims`.
   void add_curves(const Rims& rims, std::uint32_t edge, std::uint32_t first, const Place& place) {
     for (std::uint32_t c = rims.first[edge]; c < rims.first[edge + 1]; ++c)
       if (comes_near(rims.curves[c], place)) curves_.push_back(first + c);
   }
 
-  /// `around`: what is near the square that this one is a part of.
+  /// Searches a part of a square; `around` is what lies near the whole.
   void search(const Square& square, const Near& around) {
     const Place place = place_of(square);
     Near near;
@@ -269,7 +270,8 @@ class Cover::Search {
     return {center, side * kHalfDiagonal + kBorder, Box{center, center}.grown(side / 2 + kBorder)};
   }
 
-  /// False if one stroke holds all places within `reach`.
+  /// Keeps the strokes that clear a point within `reach` of the centre. False if one of them clears all of
+  /// these points.
   bool keep_strokes(Vec2 center, double reach, const Range& around, Range& near) {
     const double most = cover_.radius_ + reach, far = most * most;
     const double deep = cover_.radius_ - kRim - reach, whole = deep > 0 ? deep * deep : -1;
@@ -318,7 +320,7 @@ class Cover::Search {
     }
   }
 
-  /// Each meeting is looked at in its own square alone.
+  /// Tests where two curves intersect, if that point belongs to `square`, so that no point is tested twice.
   void meet(std::uint32_t i, std::uint32_t j, const Square& square, const Range& near) {
     const Curve &p = curve(i), &q = curve(j);
     if (!p.box.overlaps(q.box)) return;
@@ -362,7 +364,7 @@ class Cover::Search {
 
   bool is_hole(Vec2 p, const Range& near) {
     const double reach = cover_.radius_ - kRim;
-    // What holds one place often holds the next.
+    // Neighbouring points are often cleared by the same edge: the last one is asked first.
     if (last_ < near.to && last_ >= near.from && stroke(strokes_[last_]).is_within(p, reach)) return false;
     for (std::size_t i = near.from; i < near.to; ++i) {
       if (!stroke(strokes_[i]).is_within(p, reach)) continue;
@@ -379,9 +381,9 @@ class Cover::Search {
   const Rims& rims_;
   const std::function<bool(Vec2)>& matters_;
   bool first_;
-  // Numbers from here on are the base's.
+  // Lower numbers mean strokes and curves of the cover itself, higher ones those of its base.
   std::uint32_t own_strokes_, own_curves_;
-  // Numbers of what is near a square, behind those of the square it is a part of.
+  // Stacks of numbers: what lies near a square is pushed behind what lies near the square around it.
   std::vector<std::uint32_t> strokes_, curves_, joints_;
   std::uint32_t cell_ = 0;
   std::size_t last_ = 0;

@@ -1,11 +1,11 @@
-// The lines and circles that the rims of holes in a cover may consist of.
+// Computes the lines and circles that rims of holes in a cover may consist of.
 #include <cmath>
 
 #include "plan/common/cover.h"
 
 namespace clearcut::plan {
 
-/// What its rays cut out of a circle about `center`.
+/// The box of the circle's arc that lies in the wedge.
 Box Cover::Wedge::arc_box(Vec2 center, double radius) const {
   Box box;
   box.add(center + start * (radius / std::sqrt(norm_squared(start))));
@@ -15,7 +15,7 @@ Box Cover::Wedge::arc_box(Vec2 center, double radius) const {
   return box;
 }
 
-/// The same, and more around it. Rays of unit length.
+/// A box that holds that arc and is cheaper to find; `start` and `end` have unit length.
 Box Cover::Wedge::wide_box(Vec2 center, double radius) const {
   if (over_quarter) return Box{center, center}.grown(radius);
   // The arc lies within its sagitta of the chord.
@@ -31,7 +31,7 @@ Cover::Rims Cover::rims() const {
   rims.curves.reserve(3 * edges_.size());
   rims.joints.reserve(kJoints * edges_.size());
   rims.first.reserve(edges_.size() + 1);
-  Vec2 in;  // where the edge before went
+  Vec2 in;  // direction at the end of the edge before
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const Edge& e = edges_[i];
     const Vec2 u = e.tangent_at(0), v = e.is_arc() ? e.tangent_at(1) : u;
@@ -53,7 +53,7 @@ Cover::Rims Cover::rims() const {
   return rims;
 }
 
-/// What bounds the sweep of an edge on both sides; `across`: to the left of a line.
+/// Adds the curves on both sides of an edge; `across`: the normal of a line, as long as the radius.
 void Cover::add_sides(std::uint32_t edge, Vec2 across, Rims& rims) const {
   const Edge& e = edges_[edge];
   if (e.is_arc()) {
@@ -77,7 +77,8 @@ void Cover::add_circle(Vec2 center, double radius, const Wedge& part, const Box&
   rims.curves.push_back({true, center, {}, radius, box.grown(kBorder)});
 }
 
-/// The circle about the joint of two edges is a rim only between their normals, on the outer side of the turn.
+/// The part of the circle about the joint of two edges that can be a rim: between their normals, on the outer
+/// side of the turn.
 std::optional<Cover::Wedge> Cover::outer_side(Vec2 in, Vec2 out) {
   const double turn = cross(in, out);
   const bool back = dot(in, out) <= 0;

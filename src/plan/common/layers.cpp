@@ -5,18 +5,18 @@
 #include <optional>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "stock/at_depth.h"
 
 namespace clearcut::plan {
 namespace {
 
-/// Share of the step below which a last layer is a sliver: the cutter would rub rather than cut.
+/// Share of the stepdown. A last layer thinner than this would rub rather than cut.
 constexpr double kSliver = 0.05;
-/// More layers than this is a mistyped stepdown.
+/// A stepdown that needs more layers than this was mistyped.
 constexpr double kMostLayers = 10000;
-/// Rounding of depths given in decimal: 10.1 - 0.1 is ten steps of 1.
+/// Relative. Rounding of decimal depths: 10.1 - 0.1 are ten steps of 1.
 constexpr double kRounding = 1e-9;
 
 double step_for(const Feature& feature, const Operation& operation, double tool_radius) {
@@ -35,12 +35,12 @@ Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
     return layer;
   }
   layer.allowed = stock::at_depth(feature.allowed, feature.wall_slope, feature.top_z - z, tol);
-  // Open sides do not lean: only the walls, which bound `allowed`, move inwards.
+  // Open sides have no draft: only walls, which bound `allowed`, move inwards with depth.
   layer.target = closed_all_round(feature) ? layer.allowed : intersect(feature.target, layer.allowed, tol);
   return layer;
 }
 
-/// Whether what is planned for one layer serves the other, at its own depth.
+/// Whether passes planned for one of these layers can be used in the other, at its own depth.
 bool same_areas(const Layer& a, const Layer& b) {
   return a.tool_radius == b.tool_radius && a.wall_stock == b.wall_stock && a.reserve == b.reserve &&
          a.bare == b.bare && same_outline(a.allowed, b.allowed) && same_outline(a.target, b.target);

@@ -1,14 +1,14 @@
-// The stepover of strategies that run lines instead of contours.
+// The stepover of strategies that cut along lines or spirals instead of offset contours.
 #pragma once
 
 #include <optional>
 
-#include "model/stepover.h"
+#include "model/options/stepover.h"
 
 namespace clearcut::plan {
 
-/// mm between lines for a cutter of `diameter` mm; nothing where the strategy decides. Throws InputError for rules about
-/// the angles of contours, which mean nothing to lines.
+/// mm between neighbouring lines for a cutter of `diameter` mm; nothing if the rule leaves it to the
+/// strategy. Throws InputError for rules about angles between contours, which say nothing about lines.
 std::optional<double> line_distance(const Stepover& stepover, double diameter);
 
 }  // namespace clearcut::plan

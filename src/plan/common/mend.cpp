@@ -12,22 +12,22 @@ namespace clearcut::plan {
 namespace {
 
 constexpr int kRounds = 24;
-/// mm. Mending goes this much farther than it has to.
+/// mm. Detours go this much farther than they have to, against rounding.
 constexpr double kReserve = 2e-4;
-/// Share of the radius up to which vertices of a hole are cleared from one place.
+/// Share of the radius. Vertices of holes within this of one centre are cleared by one detour.
 constexpr double kGroup = 0.7;
-/// Greatest sweep of a piece of an arc that may bound a hole.
+/// Radians. Arcs wider than the cutter are checked in pieces of at most this sweep.
 constexpr double kArcPiece = kPi / 9;
-/// Share of an edge's length within which a way is left at its end.
+/// Share of an edge's length. A detour that begins nearer than this to an end of the edge begins at that end.
 constexpr double kAtEnd = 1e-6;
 
-/// Vertices of holes that one place can clear, with that place.
+/// Vertices of holes, and the position of the cutter that clears them.
 struct Group {
   std::vector<Vec2> points;
   Vec2 center;
 };
 
-/// Arcs wide enough to leave a hole inside them, in pieces: so their hole has vertices all round.
+/// Adds the path's edges, arcs wider than the cutter in pieces: a hole inside such an arc then has vertices.
 void append(const Path& path, double radius, std::vector<Edge>& edges) {
   for (const auto& edge : path) {
     const bool wide = edge.is_arc() && edge.radius() > radius;
@@ -50,7 +50,7 @@ std::vector<Edge> all_edges(std::span<const Path> paths, const MendJob& job) {
   return edges;
 }
 
-/// Greedily: each vertex joins the nearest group that stays small enough.
+/// Groups the vertices greedily: each joins the nearest group whose box stays within `most` mm.
 std::vector<Group> groups_of(std::vector<Vec2> holes, double most) {
   std::sort(holes.begin(), holes.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   std::vector<Group> groups;
@@ -77,13 +77,13 @@ std::vector<Group> groups_of(std::vector<Vec2> holes, double most) {
   return groups;
 }
 
-/// How far from `from` towards the group's centre the cutter has to go to reach all of it, as a share.
+/// Which share of the line from `from` to the group's centre the cutter has to go to clear the whole group.
 double share_to_go(Vec2 from, const Group& group, double radius) {
   const Vec2 offset = group.center - from;
   const double length_squared = norm_squared(offset);
   double share = 0;
   for (const Vec2 p : group.points) {
-    // |from + t way - p| <= radius, the smaller root.
+    // The smaller root t of |from + t offset - p| = radius.
     const Vec2 off = from - p;
     const double b = dot(off, offset), c = norm_squared(off) - radius * radius;
     if (c <= 0 || length_squared <= 0) continue;
@@ -101,7 +101,7 @@ struct Place {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Where the way to the group is best left: the nearest place of each edge, the nearest edges first.
+/// Where a detour to p may begin: the place nearest to p on each edge, the nearest first.
 std::vector<Place> places_near(const std::vector<Path>& paths, Vec2 p, double reach) {
   std::vector<Place> places;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -116,7 +116,7 @@ std::vector<Place> places_near(const std::vector<Path>& paths, Vec2 p, double re
   return places;
 }
 
-/// Puts the way to `target` and back into the path; where the path begins or ends there, one way is enough.
+/// Inserts the detour to `target` and back. At a free end of the path it needs no way back.
 void insert_path(Path& path, const Place& place, Vec2 target) {
   const Edge edge = path[place.edge];
   const bool at_from = place.t<kAtEnd, at_to = place.t> 1 - kAtEnd;

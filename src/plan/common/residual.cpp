@@ -7,12 +7,12 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. Residuals thinner than this are rounding.
+/// mm. Residuals thinner than this come from rounding.
 constexpr double kNothing = 1e-6;
-/// mm. Walks that leave their contour by less clear nothing that counts.
+/// mm. A path that leaves its contour by less than this clears nothing worth cutting.
 constexpr double kTooShort = 0.003;
 
-/// A place that a cutter stopping at a vertex has to clear, with all within `around` mm of it.
+/// A place that a cutter standing at a vertex has to clear, with all that lies within `around` mm of it.
 struct Served {
   Vec2 point;
   double around = 0;
@@ -21,11 +21,11 @@ struct Served {
 struct Link {
   std::size_t a = 0;
   std::size_t b = 0;
-  bool gone = false;    ///< nothing left to clear along it
-  bool walked = false;  ///< part of a walk
+  bool gone = false;    ///< what it leads to is cleared from elsewhere
+  bool walked = false;  ///< already part of a path
 };
 
-/// The part of the axis that has to be walked, as a graph that is pruned from its free ends.
+/// The part of the medial axis that has to be followed, as a graph that is cut back from its free ends.
 class ResidualGraph {
  public:
   ResidualGraph(const RingNode& node, double radius) : radius_(radius) {
@@ -63,8 +63,8 @@ class ResidualGraph {
     const std::size_t b = vertex(piece.high_id, piece.high.point);
     root_[b] = root_[b] || (piece.high_id < 0 && piece.high.clearance >= node.next_level);
     if (a == b) return;  // the lone centre of a round pocket
-    // What flows to a place of the axis lies this near to it; more than two walls may feed it (centres of
-    // fillets).
+    // A residual lies at most this far from its place on the axis. At centres of fillets more than two walls
+    // contribute to one place.
     served_[a].front().around = piece.low.clearance - from;
     served_[b].front().around = piece.high.clearance - from;
     links_at_[a].push_back(links_.size());
@@ -102,7 +102,7 @@ class ResidualGraph {
     return links_[link].a == v ? links_[link].b : links_[link].a;
   }
 
-  /// Cuts free ends back as far as a cutter that stops there still clears everything beyond.
+  /// Cuts free ends back as far as a cutter standing there still clears everything beyond.
   void prune() {
     std::vector<std::size_t> free_ends;
     for (std::size_t v = 0; v < place_.size(); ++v) {
@@ -116,7 +116,7 @@ class ResidualGraph {
     }
   }
 
-  /// Moves the free end v inwards; returns the vertex it has become when the whole link went, else v.
+  /// Moves the free end v inwards. Returns v, or the next vertex if v's whole link was cut off.
   std::size_t shorten(std::size_t v) {
     const std::size_t link = *std::find_if(links_at_[v].begin(), links_at_[v].end(),
                                            [&](std::size_t i) { return !links_[i].gone; });
@@ -133,7 +133,7 @@ class ResidualGraph {
     return u;
   }
 
-  /// Largest t <= 1 such that a cutter at t on from-to clears p.
+  /// The largest t <= 1 such that a cutter at from + t (to - from) clears p.
   double reach(Vec2 from, Vec2 to, const Served& p) const {
     const Vec2 d = to - from, s = from - p.point;
     const double far = std::max(0.0, radius_ - p.around);
@@ -143,8 +143,8 @@ class ResidualGraph {
     return std::clamp((root - b) / a, 0.0, 1.0);
   }
 
-  /// Where walks begin: roots first, then free ends, then anywhere. A root whose links are all gone needs
-  /// none.
+  /// Where paths may begin: at roots, else at free ends, else anywhere. A root whose links were all cut off
+  /// needs no path.
   std::vector<std::size_t> starts() {
     std::vector<std::size_t> roots, ends, others;
     for (std::size_t v = 0; v < place_.size(); ++v) {
@@ -163,12 +163,12 @@ class ResidualGraph {
     if (ring_from(start, path)) return path;
     measure_from(start);
     visit(start, path.points);
-    // There and back: the last way back is only needed where the walk has to end on its root.
+    // The path goes there and back. The last way back is needed only if the path has to end on its root.
     if (!path.rooted) path.points.resize(last_new_);
     return path;
   }
 
-  /// A plain cycle: every vertex of degree two.
+  /// Whether `start` lies on a plain cycle, whose vertices all have two links; if so, fills `path`.
   bool ring_from(std::size_t start, ResidualPath& path) {
     std::vector<std::size_t> ring;
     std::size_t v = start, came_by = links_.size();
@@ -188,7 +188,7 @@ class ResidualGraph {
     return true;
   }
 
-  /// Depth-first order with the longest way beyond each vertex, iteratively: axes may be long.
+  /// Orders the vertices depth first, the longest branch last. Without recursion, because axes may be long.
   void measure_from(std::size_t start) {
     children_.assign(place_.size(), {});
     std::vector<double> length(place_.size(), 0);
@@ -203,7 +203,7 @@ class ResidualGraph {
         link.walked = true;
         std::size_t u = other_end(links_at_[v][i], v);
         if (seen[u]) {
-          u = copy_of(u);  // closes a cycle: walk it from here as a dead end
+          u = copy_of(u);  // the link closes a cycle: it is followed from here as a dead end
           children_.emplace_back();
           length.push_back(0);
           seen.push_back(true);
@@ -246,7 +246,7 @@ class ResidualGraph {
   }
 
   double radius_;
-  int next_tip_ = -1'000'000'000;  // below every id that ring_tree gives
+  int next_tip_ = -1'000'000'000;  // less than every number that ring_tree gives
   std::map<int, std::size_t> index_;
   std::vector<Vec2> place_;
   std::vector<bool> root_;

@@ -8,9 +8,9 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm over the material where plunges begin.
+/// mm above the material where the plunge begins.
 constexpr double kAboveMaterial = 1;
-constexpr double kPlungeShare = 0.3;  // of the feed
+constexpr double kPlungeShare = 0.3;  // of the cutting feed: the plunge feed
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// How long a retract link takes, for comparing it with a link at depth. Used by the planner alone.
+// How long a retract link takes, to compare it with a link at depth.
 #pragma once
 
 #include <optional>
@@ -11,28 +11,28 @@
 
 namespace clearcut::plan {
 
-/// The heights of a retract link. mm.
+/// The heights of a retract link, mm.
 struct RetractHeights {
-  double lift = 0;    ///< from the tip up to where rapids cross
+  double lift = 0;    ///< from the depth of the tip up to the height of rapid moves
   double plunge = 0;  ///< the last part of the descent, at the plunge feed
 };
 
-/// Of a layer that is left for the clearance over all that stands.
+/// The heights from `layer` up to its clearance height.
 RetractHeights retract_heights(const Layer& layer);
 
-/// Lifting, crossing and coming down again, as the linker is likely to do it.
+/// The time of a retract link: up, across by rapid moves, and down again.
 class RetractLink {
  public:
   RetractLink(const Machine& machine, MmPerMin feed, const RetractHeights& heights)
       : machine_(machine), feed_(feed), heights_(heights) {}
 
-  /// Seconds to a place `across` mm away.
+  /// Seconds of a retract link to a place `across` mm away.
   double time(double across) const;
 
-  /// Seconds along all paths, each with a retract to a place `across` mm away.
+  /// Seconds to cut all of `paths`, each followed by a retract link to a place `across` mm away.
   double time_of(std::span<const Path> paths, double across) const;
 
-  /// A legal path from a to b at depth, where there is one that is quicker than a retract.
+  /// A legal path from a to b at depth; nothing if there is none or if a retract link is quicker.
   std::optional<Path> link_at_depth(Vec2 a, Vec2 b, const LegalRoutes& routes) const;
 
  private:

@@ -2,35 +2,21 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 
 namespace clearcut::plan {
 namespace {
 
-/// mm. Curved pieces of the axis are cut into chords this near to them.
+/// mm. Curved pieces of the axis are replaced by chords that lie this near to them.
 constexpr double kAxisChord = 0.001;
-/// mm. The axis is cut this much above a level, so that a neck exactly twice the level wide parts it as it
-/// parts the regions of the level.
+/// mm. The axis is cut this much above a level, so that a neck exactly twice the level wide separates the
+/// axis as it separates the regions of that level.
 constexpr double kLevelMargin = 0.0006;
 
-/// mm. Regions up to this size are checked against the boundary before they are believed.
+/// mm. Regions up to this size may be specks of flattening: their distance to the boundary is checked.
 constexpr double kSpeck = 0.05;
-
-/// Joins numbers 0..n-1 into sets.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 using Pieces = std::vector<AxisPiece>;
 
@@ -52,7 +38,8 @@ class TreeBuilder {
   }
 
  private:
-  /// The axis in straight pieces; the lone centre of a round pocket is a piece without length.
+  /// The whole axis in straight pieces; the centre of a round pocket, a single point, is a piece without
+  /// length.
   Pieces all_pieces() {
     Pieces pieces;
     const auto& axis = clearance_.axis();
@@ -80,7 +67,7 @@ class TreeBuilder {
     }
   }
 
-  /// Removes from `pieces` what lies below `level`, cutting pieces that cross it, and returns it.
+  /// Removes from `pieces` what lies below `level` and returns it; pieces that cross it are cut in two.
   Pieces split_off_below(Pieces& pieces, double level) {
     Pieces below, above;
     for (const auto& piece : pieces) {
@@ -106,16 +93,17 @@ class TreeBuilder {
     return insets_.emplace(level, safe_inset(clearance_, domain_, level, tol_)).first->second;
   }
 
-  /// Connected groups of pieces: the axis of a connected region is connected.
+  /// The pieces in connected groups. The axis of a connected region is connected, so each group belongs to
+  /// one region.
   static std::vector<Pieces> groups_of(const Pieces& pieces) {
-    std::map<int, std::size_t> index;
+    std::map<int, int> index;
     for (const auto& piece : pieces) {
-      index.emplace(piece.low_id, index.size());
-      index.emplace(piece.high_id, index.size());
+      index.emplace(piece.low_id, static_cast<int>(index.size()));
+      index.emplace(piece.high_id, static_cast<int>(index.size()));
     }
-    DisjointSets sets(index.size());
+    DisjointSets sets(static_cast<int>(index.size()));
     for (const auto& piece : pieces) sets.join(index[piece.low_id], index[piece.high_id]);
-    std::map<std::size_t, std::size_t> number;
+    std::map<int, std::size_t> number;
     std::vector<Pieces> groups;
     for (const auto& piece : pieces) {
       const auto [it, added] = number.emplace(sets.find(index[piece.low_id]), groups.size());
@@ -142,7 +130,7 @@ class TreeBuilder {
       inside.insert(inside.end(), group.begin(), group.end());
     }
     for (std::size_t i = 0; i < regions.size(); ++i) {
-      // So small that the axis above the margin misses it.
+      // A region so small that the axis inside it lies below the margin.
       if (node_of_region.count(i) == 0 && belongs_to(regions[i], parent)) add_node(parent, level, regions[i]);
     }
   }
@@ -154,9 +142,9 @@ class TreeBuilder {
     return contour.box().contains(p) && contour.contains(p);
   }
 
-  /// Pieces above the level where rounding left no region: their parent has to clear them.
+  /// Keeps pieces that lie above the level where rounding left no region: their parent has to clear them.
   void keep_in_gap(int parent, const Pieces& group) {
-    if (parent < 0) return;  // the cutter just fits there: see Clearance::fit_lines
+    if (parent < 0) return;  // these are lines where the cutter just fits, see Clearance::fit_lines
     auto& gap = nodes_[static_cast<std::size_t>(parent)].gap;
     gap.insert(gap.end(), group.begin(), group.end());
   }
@@ -169,7 +157,8 @@ class TreeBuilder {
     inside_.emplace_back();
   }
 
-  /// The region that holds the group: the one around its point of greatest clearance.
+  /// The region that holds the group's point of greatest clearance, or lies within 1 um of it; else
+  /// regions.size().
   static std::size_t region_of(const Pieces& group, const Regions& regions) {
     const auto deepest = std::max_element(group.begin(), group.end(), [](const auto& a, const auto& b) {
       return a.high.clearance < b.high.clearance;
@@ -193,7 +182,7 @@ class TreeBuilder {
   const StepOf& step_of_;
   const Tolerances& tol_;
   std::vector<RingNode> nodes_;
-  std::vector<Pieces> inside_;  ///< per node, until it is expanded
+  std::vector<Pieces> inside_;  ///< per node: the axis inside its contour, until its children are made
   std::map<double, Regions> insets_;
   int next_cut_id_ = -1;
 };

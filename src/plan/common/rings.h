@@ -1,4 +1,4 @@
-// The tree of contours of one legal area: each ring region with those inside it. Used by plan_contour alone.
+// The tree of offset contours of one legal area: each with the contours that lie next inside it.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,9 @@
 
 namespace clearcut::plan {
 
-/// A piece of the medial axis along which the clearance rises from `low` to `high`. Ends carry the index of
-/// their axis point, or a negative number unique within the tree where a level cut the piece.
+/// A piece of the medial axis along which the clearance rises from `low` to `high`. Its ends are numbered: by
+/// the axis point's index, or, where a contour's level cuts the axis, by a negative number that occurs
+/// nowhere else in the tree.
 struct AxisPiece {
   int low_id = 0;
   int high_id = 0;
@@ -18,26 +19,27 @@ struct AxisPiece {
   AxisPoint high;
 };
 
-/// One connected region of {clearance >= level}.
+/// One connected region of the points with clearance >= level, and its place in the tree.
 struct RingNode {
-  Region contour;
+  Region contour;         ///< the region; its boundary is the contour
   double level = 0;       ///< clearance of the contour, mm
-  double next_level = 0;  ///< level of its children
+  double next_level = 0;  ///< clearance of the contours next inside it, mm
   int parent = -1;
-  int depth = 0;  ///< contours around it
+  int depth = 0;  ///< number of contours around it
   std::vector<int> children;
-  std::vector<AxisPiece> gap;  ///< axis pieces inside the contour and outside the children's contours
+  std::vector<AxisPiece> gap;  ///< the medial axis between this contour and those of its children
 };
 
-/// Distance from a contour to the next ones inside it; `inside` is all of the axis inside it.
+/// mm from a contour to the next ones inside it; `inside` is the medial axis inside the contour.
 using StepOf = std::function<double(const RingNode& ring, const std::vector<AxisPiece>& inside)>;
 
-/// clearance.inset(d) without specks that lie nearer than d to the boundary of `domain`, the region it was
-/// built of: where walls meet a fillet of nearly the cutter's radius, flattening can leave some.
+/// clearance.inset(d) without specks that lie nearer than d mm to the boundary of `domain`, the region that
+/// the clearance was computed from: flattening can leave some where walls meet a fillet of nearly the
+/// cutter's radius.
 Regions safe_inset(const Clearance& clearance, const Region& domain, double d, const Tolerances& tol);
 
-/// All contours from `first_level` inwards; parents before their children.
-/// Cost: one inset per distinct level, and each piece of the axis once per level it spans.
+/// All contours from the clearance `first_level`, mm, inwards; parents come before their children. Cost: one
+/// inset for each distinct level, and one visit of each axis piece for each level that it spans.
 std::vector<RingNode> ring_tree(const Clearance& clearance, const Region& domain, double first_level,
                                 const StepOf& step_of, const Tolerances& tol);
 

@@ -1,4 +1,4 @@
-// One pass along every wall: what finishes them once the middle is cleared.
+// A finishing pass along every wall, planned after the area between them has been cleared.
 #pragma once
 
 #include "base/tolerances.h"
@@ -6,8 +6,8 @@
 
 namespace clearcut::plan {
 
-/// The boundary of the legal area at tool_radius + wall_stock, each loop a closed pass oriented as contours are, and the
-/// lines on which the cutter just fits. Cost of one offset.
+/// A closed pass on each boundary of the legal area, tool_radius + wall_stock off the wall and oriented as
+/// contours are, and a pass on each line where the cutter just fits. Costs one offset.
 LayerPasses plan_walls(const Layer& layer, const Tolerances& tol);
 
 }  // namespace clearcut::plan

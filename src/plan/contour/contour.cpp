@@ -21,6 +21,7 @@
 #include "geometry/route/legal_area.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
+#include "plan/contour/passages.h"
 #include "plan/contour/passes.h"
 #include "plan/contour/search.h"
 #include "plan/contour/step_rule.h"
@@ -28,17 +29,18 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// Steps smaller than this share of the radius are mistyped.
+/// Steps smaller than this share of the radius are typing errors.
 constexpr double kSmallestStep = 0.005;
-/// mm. Rings a whole diameter apart meet exactly: the rounding of a program's numbers may part them by this.
+/// mm. Rings a whole diameter apart just meet; rounding of the program's numbers may part them by this.
 constexpr double kRingResidual = 0.001;
-/// mm. Overlap of rings, and of what clears their rests, where not even that may stay.
+/// mm. On layers where no residual may stay: overlap of rings, and of the paths that clear what rings leave.
 constexpr double kBareOverlap = 0.004;
 constexpr double kBareMargin = 0.002;
 /// mm. An edge of the target whose middle lies farther than this from every wall is open.
 constexpr double kOpenDistance = 1e-3;
 
-/// mm. Less than this of a face's border may stay; in tool radii, between looks at it.
+/// mm. Residual that may stay at the border of a face. Share of the tool radius: distance between samples of
+/// that border.
 constexpr double kArmResidual = 0.005;
 constexpr double kBorderPitch = 0.1;
 
@@ -55,18 +57,18 @@ bool has_open_side(const Loop& loop, const Regions& allowed) {
   return std::any_of(loop.begin(), loop.end(), [&](const Edge& e) { return !on_wall(e.at(0.5), allowed); });
 }
 
-/// Radii. Beside a wall's end the air channel is wider than the cutter, or a ring would just fit into it;
-/// thin rests along walls need at least 2.
+/// Share of the radius. Beside a wall's end the strip of air must be wider than the cutter, or a ring would
+/// just fit into it; thin rests along walls need at least 2.
 constexpr double kReachBesideWalls = 2.05;
 
-/// Where the first ring of a face runs.
+/// Where the first ring of a face, a target with open sides, runs.
 enum class FaceRing {
-  kInside,  ///< inside the edge, just near enough to it to clear the sharpest corner
-  kOnEdge   ///< so that arms too narrow for a ring inside are cleared, too
+  kInside,  ///< inside the edge, just near enough to clear the sharpest corner
+  kOnEdge   ///< on the edge, so that arms too narrow for a ring inside are cleared, too
 };
 
-/// How far beyond the target's open sides rings may use the air, mm (see docs/contour.md, "Open sides"). What stands beside
-/// walls may be thinner than the round of the cutter's corners.
+/// mm; how far beyond the target's open sides rings may run through air (docs/contour.md, "Open sides").
+/// Material beside walls may be narrower than the rounding of the cutter's corners.
 double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring) {
   const Regions& allowed = layer.allowed;
   const double radius = layer.tool_radius;
@@ -83,7 +85,7 @@ double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring
   return radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
 }
 
-/// Where rings are planned: `allowed`, less what lies far beyond the target's open sides.
+/// The area in which rings are planned: `allowed` without what lies far beyond the target's open sides.
 Regions working_domain(const Layer& layer, FaceRing face_ring, const Tolerances& tol) {
   if (closed_all_round(layer)) return layer.allowed;
   Regions closed, open;
@@ -93,7 +95,7 @@ Regions working_domain(const Layer& layer, FaceRing face_ring, const Tolerances&
                        std::any_of(target.islands().begin(), target.islands().end(),
                                    [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
     (opens ? open : closed).push_back(target);
-    // Stock is left on walls; the air needs none.
+    // Stock stays on walls, and there is none in the air.
     const double reach = reach_beyond(target, layer, face_ring) + layer.wall_stock;
     if (opens) beyond = std::max(beyond, reach);
   }
@@ -119,7 +121,7 @@ std::vector<Domain> domains_of(const Layer& layer, FaceRing face_ring, const Tol
   return domains;
 }
 
-/// Where the centre may be: the rings at the wall bound it when the pocket is closed all round.
+/// Where the cutter's centre may be. If the pocket is closed all round, the rings at the wall bound it.
 Regions legal_area(const Layer& layer, const std::vector<Domain>& domains, double first_level,
                    const Tolerances& tol) {
   if (!closed_all_round(layer)) return legal_centers(layer, tol);
@@ -135,7 +137,7 @@ bool is_path(const Pass& pass) {
   return !pass.closed && !pass.reversible;
 }
 
-/// Paths pulled taut inside-out become paths outside-in: each runs backwards, the last comes first.
+/// Turns shortened paths from inside-out to outside-in: each runs backwards, and the last comes first.
 void reverse_paths(LayerPasses& layer) {
   const auto paths = std::stable_partition(layer.passes.begin(), layer.passes.end(),
                                            [](const Pass& pass) { return !is_path(pass); });
@@ -143,7 +145,7 @@ void reverse_paths(LayerPasses& layer) {
   std::for_each(paths, layer.passes.end(), [](Pass& pass) { pass.path = reversed(pass.path); });
 }
 
-/// A straight path from `start` to the first of the paths that can be reached by one.
+/// Adds a straight path from `start` to the first path that can be reached by one.
 void begin_at(Vec2 start, LayerPasses& layer) {
   const LegalArea legal(layer.legal);
   for (auto& pass : layer.passes) {
@@ -155,11 +157,11 @@ void begin_at(Vec2 start, LayerPasses& layer) {
   }
 }
 
-/// Rings, and the paths they are pulled into, inside-out.
+/// Plans rings and shortened paths from the inside out.
 LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, FaceRing face_ring,
                             const Tolerances& tol);
 
-/// Whether the passes leave some of the border of a target with open sides that they could clear.
+/// Whether the passes leave some of the border of a target with open sides that the cutter could clear.
 bool leaves_border(const Layer& layer, const LayerPasses& planned) {
   std::vector<Edge> edges;
   for (const auto& pass : planned.passes) edges.insert(edges.end(), pass.path.begin(), pass.path.end());
@@ -184,7 +186,7 @@ bool leaves_border(const Layer& layer, const LayerPasses& planned) {
 
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol) {
   ContourOptions inside_out = options;
-  // Paths are run backwards in the end, so their rings are planned the other way round.
+  // The paths are reversed at the end, so their rings are planned in the opposite direction.
   if (options.outside_in) inside_out.wall_on_right = !options.wall_on_right;
   LayerPasses result = plan_inside_out(layer, inside_out, FaceRing::kInside, tol);
   const bool clears = options.residuals == ResidualRule::kOurs && !closed_all_round(layer);
@@ -192,7 +194,10 @@ LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, cons
     result = plan_inside_out(layer, inside_out, FaceRing::kOnEdge, tol);
   result.outside_in = options.outside_in;
   result.start = options.start;
-  if (options.outside_in) reverse_paths(result);
+  if (options.passage == Passage::kBisector)
+    join_along_bisectors(result, options);
+  else if (options.outside_in)
+    reverse_paths(result);
   if (options.start) begin_at(*options.start, result);
   return result;
 }
@@ -213,7 +218,8 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   job.first_level = layer.tool_radius + layer.wall_stock;
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
-  // A residual saves a pass where rings fit exactly, as they do in pockets of round dimensions; faces gain nothing.
+  // A residual saves a pass where rings fit exactly, as in pockets of round dimensions; faces gain nothing
+  // from it.
   const bool bare = layer.bare || !closed_all_round(layer);
   job.margin = bare ? kBareMargin : 0;
   const double overlap = bare && options.step.kind == StepRule::Kind::kWidest ? kBareOverlap : 0;
@@ -228,7 +234,8 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
     if (!pass.closed && pass.parent < 0) result.fit_lines.push_back(pass.path);
   }
   const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
-  if (ours && closed_all_round(layer)) shorten_passes(domains, job, layer, options, tol, result);
+  if (ours && options.passage == Passage::kShortest && closed_all_round(layer))
+    shorten_passes(domains, job, layer, options, tol, result);
   return result;
 }
 

@@ -23,7 +23,7 @@ Vec2 mirrored(Vec2 point, Vec2 root, Vec2 axis) {
   return root + axis * (2 * dot(d, axis)) - d;
 }
 
-/// Its sides at the tip run parallel to the corner's, its others stand at right angles to them.
+/// A kite whose sides at the tip are parallel to the corner's; the other two sides are square to them.
 Path kite(Vec2 root, Vec2 tip, double half_sine) {
   const Vec2 path = tip - root, axis = unit(path), across{-axis.y, axis.x};
   const double half_cosine = std::sqrt(1 - half_sine * half_sine), side = norm(path) * half_sine;
@@ -32,7 +32,8 @@ Path kite(Vec2 root, Vec2 tip, double half_sine) {
   return {Edge::line(root, foot), Edge::line(foot, tip), Edge::line(tip, other), Edge::line(other, root)};
 }
 
-/// Straight on along `in`, by an arc through the tip, and back along `out` (taken symmetric about the way to the tip).
+/// A loop that goes straight on along `in`, on an arc through the tip, and back along `out`; symmetric about
+/// the line to the tip.
 Path tangent_loop(Vec2 root, Vec2 tip, double half_sine, Vec2 in) {
   const Vec2 path = tip - root, axis = unit(path);
   const double radius = norm(path) * half_sine / (1 + half_sine);
@@ -52,7 +53,7 @@ std::optional<Path> corner_loop(CornerLoop kind, Vec2 root, Vec2 tip, Vec2 in, V
   const double far = distance(root, tip);
   if (far < kShortest || (kind == CornerLoop::kCircle && far > 2 * radius)) return std::nullopt;
   if (kind == CornerLoop::kCircle) return circle(root, tip);
-  // The contour turns by pi - alpha.
+  // The contour turns by pi - alpha at its corner.
   const double half_sine = std::sqrt(std::max(0.0, (1 + dot(in, out)) / 2));
   if (cross(in, out) <= 0 || half_sine > kFlattest || half_sine < 1 - kFlattest) return std::nullopt;
   const double half_width = kind == CornerLoop::kPwid ? far * half_sine * std::sqrt(1 - half_sine * half_sine)

@@ -1,8 +1,9 @@
-// Loops that published methods append in a corner to clear what a wide step leaves there.
+// The loops with which published methods clear what a wide step leaves in a corner.
 //
-// All leave the inner contour at its corner (the root) and come near the corner of the contour around it: to the tip,
-// the farthest place that a cutter has to reach. A loop that encloses the line from root to tip, and is nowhere wider than
-// the cutter, clears all that this line clears: the shortest line from any point to it crosses the loop first.
+// Each leaves the inner contour at its corner (the root) and comes near the corner of the contour around
+// it: to the tip, the farthest point that the cutter has to reach. A loop that encloses the line from root to
+// tip and is nowhere wider than the cutter clears all that this line clears: the shortest line from any point
+// to it crosses the loop first.
 #pragma once
 
 #include <optional>
@@ -12,16 +13,18 @@
 namespace clearcut::plan::contour {
 
 enum class CornerLoop {
-  kCircle,  ///< Zhao et al.: the circle through root and tip. CPO-rho eq. (2), its length, is damaged in print
-  kPwid,  ///< Park et al., pair-wise interference detection: a kite with sides parallel to the corner's at the tip
-  kSingle,  ///< Choy and Chan: straight on past the corner, round, and back along the other side; tangent throughout
-  kDouble  ///< Choy and Chan: the same twice, half way and all the way, so that each engages less
+  /// Zhao et al.: the circle through root and tip. Its length, CPO-rho eq. (2), is illegible in print.
+  kCircle,
+  /// Park et al., pair-wise interference detection: a kite with sides parallel to the corner's at the tip.
+  kPwid,
+  /// Choy and Chan: straight on past the corner, round and back along the other side, always tangent.
+  kSingle,
+  kDouble  ///< Choy and Chan: two such loops, half way and all the way, so that each engages less
 };
 
-/// The loop from `root` back to it. `in` and `out` are the directions of the contour before and after its corner,
-/// material on the left. None where root and tip coincide, where the corner is no sharper than a straight line, and where the loop would be wider
-/// than a cutter of `radius`, so that its middle would be left.
-/// Units mm. Cost O(1).
+/// The loop from `root` back to it, mm. `in` and `out`: unit directions of the contour before and after its
+/// corner, material on the left. Nothing if root and tip coincide, if the corner is not convex, or if the
+/// loop would be wider than a cutter of `radius` mm, so that its middle would stay. Cost O(1).
 std::optional<Path> corner_loop(CornerLoop kind, Vec2 root, Vec2 tip, Vec2 in, Vec2 out, double radius);
 
 }  // namespace clearcut::plan::contour

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "plan/common/layers.h"
 
 namespace clearcut::plan::contour {
 namespace {
 
-/// A contour-parallel method by name: its step when the user gives none, and how it treats what steps leave.
+/// A contour-parallel method: its name, its step if none is given, and how it clears what steps leave.
 struct ContourMethod {
   const char* name;
   const char* description;
@@ -32,13 +33,28 @@ constexpr ContourMethod kContourMethods[] = {
      ResidualRule::kDoubleLoops},
     {"bisectors", "published: fixed step and every corner's bisector", "0.9", ResidualRule::kBisectors}};
 
+/// Published methods go from contour to contour along bisectors; as rivals of others they take the shortest way. Leads need
+/// rings that are whole.
+Passage passage_of(const ContourMethod& method, const StrategyRequest& request) {
+  const bool leads = request.step.lead > 0;
+  if (request.step.bisector_passages.value_or(false) && leads)
+    throw InputError("--passage",
+                     "rings that begin with leads are not joined; leave out --lead or --passage bisector");
+  const std::string name = method.name;
+  const bool is_published = name != "contour" && !name.ends_with("-corrected");
+  const bool is_asked_for = request.step.strategy != nullptr && request.step.strategy->name == name;
+  return request.step.bisector_passages.value_or(is_published && is_asked_for && !leads) ? Passage::kBisector
+                                                                                         : Passage::kShortest;
+}
+
 Strategy make(const ContourMethod& method, const StrategyRequest& request) {
   ContourOptions options;
   options.step = parse_step_rule(request.stepover.is_given() ? request.stepover.text : method.stepover);
   options.residuals = method.residuals;
+  options.passage = passage_of(method, request);
   options.machine = request.plan.machine;
   options.feed = request.step.feed;
-  if (request.step.lead > 0) options.effort = 0;  // rings stay whole: leads need a place to begin
+  if (request.step.lead > 0) options.effort = 0;  // rings stay whole, because leads need a place to begin
   options.wall_on_right = request.step.wall_on_right();
   options.outside_in = request.plan.order == ContourOrder::kOutsideIn;
   options.start = request.plan.start;
@@ -54,7 +70,7 @@ StrategyEntry entry_of(const ContourMethod& method) {
   entry.make = [&method](const StrategyRequest& request) { return make(method, request); };
   if (method.residuals != ResidualRule::kOurs) return entry;
   entry.in_auto = AutoUse::kFirst;
-  // Methods that leave nothing by construction.
+  // Methods that leave nothing by construction are compared with it.
   entry.rivals = {"single", "double", "pwid", "loops", "lom-corrected"};
   entry.fallbacks = {"", "0.6", "0.35"};
   return entry;
@@ -66,6 +82,13 @@ std::vector<StrategyEntry> entries() {
   std::vector<StrategyEntry> all;
   for (const ContourMethod& method : kContourMethods) all.push_back(entry_of(method));
   return all;
+}
+
+std::optional<StepRule> contour_rule(const std::string& name, const Stepover& stepover) {
+  const auto method = std::find_if(std::begin(kContourMethods), std::end(kContourMethods),
+                                   [&](const ContourMethod& one) { return name == one.name; });
+  if (method == std::end(kContourMethods) || method->residuals == ResidualRule::kOurs) return std::nullopt;
+  return parse_step_rule(stepover.is_given() ? stepover.text : method->stepover);
 }
 
 std::optional<StepRule> published_rule(const std::string& name) {

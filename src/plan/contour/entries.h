@@ -1,4 +1,4 @@
-// The rows of the contour-parallel methods in the table of strategies.
+// The entries of the contour-parallel methods in the table of strategies.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,13 @@
 
 namespace clearcut::plan::contour {
 
-/// Ours, then the corrected and the published methods.
+/// Clearcut's own method, then the corrected and the published ones.
 std::vector<StrategyEntry> entries();
 
-/// The step rule of a method that adds nothing to its contours; none for the others.
+/// The step rule of a method that adds nothing to its contours; nothing for other methods.
 std::optional<StepRule> published_rule(const std::string& method);
+
+/// The step rule that a contour method other than ours runs with; none for other strategies.
+std::optional<StepRule> contour_rule(const std::string& name, const Stepover& stepover);
 
 }  // namespace clearcut::plan::contour

@@ -7,9 +7,9 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// Interior angles up to this are corners; beyond it the contour is smooth or reflex there.
+/// Radians. Interior angles up to this are corners; at greater ones the contour is smooth or reflex.
 constexpr double kSmooth = kPi - 1e-6;
-/// Angles nearer than this are equal: a regular polygon has no single smallest angle.
+/// Radians. Angles that differ by less are equal: a regular polygon has no single smallest angle.
 constexpr double kSameAngle = 1e-6;
 
 double interior_angle(const Edge& before, const Edge& after) {
@@ -29,7 +29,7 @@ void add_corners(const Loop& loop, std::vector<Corner>& corners) {
   }
 }
 
-/// Sharpest first.
+/// Corners by angle, the sharpest first.
 std::vector<Corner> sorted_corners(const Region& contour) {
   std::vector<Corner> corners;
   add_corners(contour.outer(), corners);

@@ -26,32 +26,62 @@ TEST(Formulas, CpoRhoTable2Lom) {
   for (int i = 0; i < 9; ++i) EXPECT_DOUBLE_EQ(cut(kappa(radians(kAngles[i]))), printed[i]) << kAngles[i];
 }
 
+struct PrintedRow {
+  double radius;
+  double printed[9];
+};
+
+constexpr PrintedRow kTable2[] = {{5, {.534, .603, .669, .729, .782, .827, .862, .886, .898}},
+                                  {10, {.539, .616, .690, .758, .818, .868, .907, .934, .948}},
+                                  {20, {.541, .622, .700, .772, .835, .889, .930, .958, .973}},
+                                  {30, {.542, .625, .704, .777, .841, .895, .938, .966, .981}},
+                                  {40, {.542, .626, .706, .779, .844, .899, .941, .970, .985}},
+                                  {50, {.542, .626, .707, .781, .846, .901, .944, .973, .988}}};
+constexpr PrintedRow kTable1[] = {{5, {.09, .26, .42, .57, .71, .82, .91, .96, 1.00}},
+                                  {10, {.08, .26, .42, .56, .70, .82, .92, .96, 1.00}},
+                                  {20, {.08, .28, .44, .56, .72, .80, .92, .96, 1.00}},
+                                  {30, {.06, .24, .42, .54, .72, .84, .90, .96, 1.02}},
+                                  {40, {.08, .24, .40, .56, .72, .80, .96, .96, 1.04}},
+                                  {50, {.10, .30, .40, .50, .70, .80, .90, .90, 1.00}}};
+
+/// Cells of table 2 that a coefficient of (alpha, radius) gives to the printed digit.
+template <typename Coefficient>
+int cells_of_table_2(Coefficient coefficient) {
+  int same = 0;
+  for (const PrintedRow& row : kTable2)
+    for (int i = 0; i < 9; ++i) same += cut(coefficient(radians(kAngles[i]), row.radius)) == row.printed[i];
+  return same;
+}
+
 TEST(Formulas, CpoRhoTable2Rho) {
-  const struct {
-    double radius;
-    double printed[9];
-  } rows[] = {{5, {.534, .603, .669, .729, .782, .827, .862, .886, .898}},
-              {10, {.539, .616, .690, .758, .818, .868, .907, .934, .948}},
-              {20, {.541, .622, .700, .772, .835, .889, .930, .958, .973}},
-              {50, {.542, .626, .707, .781, .846, .901, .944, .973, .988}}};
-  for (const auto& row : rows) {
+  EXPECT_EQ(cells_of_table_2([](double alpha, double radius) { return rho(alpha, radius); }), 54);
+}
+
+/// What the table would show if a constant of the rule were another: it holds w to 1 % in the small radii, and the rest
+/// nearly everywhere.
+TEST(Formulas, CpoRhoTable2ShowsAChangeOfOnePerCent) {
+  EXPECT_LT(cells_of_table_2([](double alpha, double radius) { return rho(alpha, radius, 1.01); }), 54);
+  EXPECT_LT(cells_of_table_2([](double alpha, double radius) { return rho(alpha, radius, 0.99); }), 54);
+  EXPECT_LT(cells_of_table_2([](double alpha, double radius) { return rho(alpha, 1.01 * radius); }), 54);
+  EXPECT_LT(cells_of_table_2([](double alpha, double radius) { return rho(1.01 * alpha, radius); }), 10);
+  EXPECT_EQ(cells_of_table_2([](double alpha, double radius) { return 1.01 * rho(alpha, radius); }), 0);
+}
+
+/// The printed overlaps come from coefficients that were cut to three digits.
+TEST(Formulas, CpoRhoTable1) {
+  for (const PrintedRow& row : kTable1) {
     for (int i = 0; i < 9; ++i) {
-      EXPECT_NEAR(rho(radians(kAngles[i]), row.radius), row.printed[i], 0.00101)
-          << row.radius << " " << kAngles[i];
-      EXPECT_GE(rho(radians(kAngles[i]), row.radius), row.printed[i] - 1e-9)
+      const double alpha = radians(kAngles[i]);
+      EXPECT_NEAR(2 * row.radius * (cut(kappa(alpha)) - cut(rho(alpha, row.radius))), row.printed[i], 1e-9)
           << row.radius << " " << kAngles[i];
     }
   }
 }
 
-TEST(Formulas, CpoRhoTable1OverlapIsTheSineOfHalfTheAngle) {
-  const double printed[] = {.09, .26, .42, .57, .71, .82, .91, .97, 1.00};
-  for (const double radius : {5.0, 10.0, 20.0, 30.0, 40.0, 50.0}) {
-    for (int i = 0; i < 9; ++i) {
-      const double alpha = radians(kAngles[i]);
-      EXPECT_NEAR(2 * radius * (kappa(alpha) - rho(alpha, radius)), printed[i], 0.005);
-    }
-  }
+/// Captions: CPO-kappa figure 9 (tips of 90 degrees), CPO-rho figure 10 (30 degrees, R = 4).
+TEST(Formulas, CoefficientsOfTheCaptions) {
+  EXPECT_DOUBLE_EQ(std::floor(kappa(radians(90)) * 1e4) / 1e4, 0.8535);
+  EXPECT_DOUBLE_EQ(std::floor(rho(radians(30), 4) * 1e4) / 1e4, 0.5970);
 }
 
 TEST(Formulas, ResidualVanishesAtKappa) {
@@ -59,6 +89,11 @@ TEST(Formulas, ResidualVanishesAtKappa) {
     EXPECT_NEAR(residual_size(radians(degrees), 8, 1 - kappa(radians(degrees))), 0, 1e-12);
     EXPECT_GT(residual_size(radians(degrees), 8, 0.99 - kappa(radians(degrees))), 0);
   }
+}
+
+/// Eq. 4 as a number: R = 5, alpha = 60 degrees, step 7.01, so overlap 0.299.
+TEST(Formulas, ResidualOfFigure10) {
+  EXPECT_NEAR(residual_size(radians(60), 5, 0.299), -0.98, 1e-9);
 }
 
 TEST(Formulas, PassageOfTheTriangle) {

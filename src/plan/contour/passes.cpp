@@ -11,7 +11,7 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. Bisectors that are curved are followed this closely.
+/// mm. Curved bisectors are replaced by chords this near to them.
 constexpr double kBisectorChord = 0.005;
 
 Nearest nearest_on(const Path& path, Vec2 p, std::size_t& edge) {
@@ -26,8 +26,9 @@ Nearest nearest_on(const Path& path, Vec2 p, std::size_t& edge) {
   return best;
 }
 
-/// Share of the radius by which an ear may stray from the straight line that a loop stands for.
-constexpr double kStraightEar = 0.1;
+/// A published loop stands for a straight line from root to tip; the detour that it replaces may deviate from
+/// that line by this share of the radius.
+constexpr double kStraightDetour = 0.1;
 
 std::optional<CornerLoop> loop_of(ResidualRule rule) {
   switch (rule) {
@@ -52,10 +53,10 @@ bool stays_clear(const Path& loop, const Region& domain, double level) {
   });
 }
 
-/// mm. Paths begin on the axis a little above their ring's level, so near beside its corners.
+/// mm. Paths begin on the axis a little above the level of their ring, and so near its corners.
 constexpr double kAtCorner = 0.01;
 
-/// Inserts a way that returns to where it begins into a ring, at the place nearest to that.
+/// Inserts into a ring, at the point nearest to `begin`, a path that returns to where it begins.
 template <typename MakePath>
 void insert_path(Path& ring, Vec2 begin, MakePath&& path_from) {
   std::size_t at = 0;
@@ -137,7 +138,7 @@ class PassBuilder {
     return static_cast<int>(best);
   }
 
-  void add_ear(const RingNode& node, const ResidualPath& residual, const Region& domain) {
+  void add_detour(const RingNode& node, const ResidualPath& residual, const Region& domain) {
     const Vec2 root = residual.points.front();
     insert_path(passes_[ring_at_root(node, root)].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
       std::vector<Vec2> points = residual.points;
@@ -146,18 +147,21 @@ class PassBuilder {
     });
   }
 
-  /// The published loop instead of the way to the tip and back; none where it does not fit or stand for it.
-  std::optional<Path> loop_for(const std::vector<Vec2>& ear, Vec2 in, Vec2 out, const Region& domain) const {
+  /// The published loop instead of the path to the tip and back; nothing if it does not fit or does not clear
+  /// the same.
+  std::optional<Path> loop_for(const std::vector<Vec2>& detour, Vec2 in, Vec2 out,
+                               const Region& domain) const {
     const auto kind = loop_of(job_.residuals);
     if (!kind) return std::nullopt;
-    const Vec2 root = ear.front();
-    const Vec2 tip = *std::max_element(ear.begin(), ear.end(), [&](Vec2 a, Vec2 b) {
+    const Vec2 root = detour.front();
+    const Vec2 tip = *std::max_element(detour.begin(), detour.end(), [&](Vec2 a, Vec2 b) {
       return norm_squared(a - root) < norm_squared(b - root);
     });
     if (tip == root) return std::nullopt;
     const Edge path = Edge::line(root, tip);
-    const bool straight = std::all_of(
-        ear.begin(), ear.end(), [&](Vec2 p) { return distance(path, p) <= kStraightEar * job_.radius; });
+    const bool straight = std::all_of(detour.begin(), detour.end(), [&](Vec2 p) {
+      return distance(path, p) <= kStraightDetour * job_.radius;
+    });
     auto loop = straight ? corner_loop(*kind, root, tip, in, out, job_.radius) : std::nullopt;
     return loop && stays_clear(*loop, domain, job_.first_level) ? loop : std::nullopt;
   }
@@ -166,7 +170,7 @@ class PassBuilder {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (const auto& residual : residual_paths(nodes[i], job_.radius - job_.margin)) {
         if (residual.rooted) {
-          add_ear(nodes[i], residual, domain);
+          add_detour(nodes[i], residual, domain);
         } else {
           add_ridge(i, residual);
         }
@@ -197,7 +201,7 @@ class PassBuilder {
     if (residual.closed && residual.points.back() != residual.points.front())
       pass.path.push_back(Edge::line(residual.points.back(), residual.points.front()));
     if (pass.path.empty()) {
-      // All can be cleared from one point: reached on the way from the ring around it.
+      // One position clears it all: it is reached on a short path from the ring around it.
       std::size_t edge = 0;
       const auto foot =
           nearest_on(passes_[static_cast<std::size_t>(pass.parent)].path, residual.points[0], edge);
@@ -208,8 +212,8 @@ class PassBuilder {
     passes_.push_back(std::move(pass));
   }
 
-  /// CPO-rho 3.2: the passage from a contour's corner to the next contour, along the bisector, clears what the step
-  /// leaves there.
+  /// CPO-rho 3.2: the passage from a contour's corner to the next contour, along the bisector, clears what
+  /// the step leaves there.
   void add_passages(const std::vector<RingNode>& nodes, const Region& domain) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (nodes[i].children.empty()) continue;
@@ -228,8 +232,8 @@ class PassBuilder {
     }
   }
 
-  /// Lin et al.: along the bisector of every corner that the step leaves material in, from the ring at the
-  /// wall to where it meets another bisector.
+  /// Lin et al.: a pass along the bisector of every corner in which the step leaves material, from the ring
+  /// at the wall to where it meets another bisector.
   void add_bisectors(const Domain& domain, const std::vector<RingNode>& nodes) {
     const auto& axis = domain.clearance.axis();
     std::vector<std::vector<int>> edges_at(axis.points.size());
@@ -306,7 +310,8 @@ class PassBuilder {
   const RingJob& job_;
   const Tolerances& tol_;
   std::vector<Pass> passes_;
-  std::vector<std::vector<std::size_t>> rings_of_;  ///< per node: indices of passes, outer first
+  /// For each node: indices of its rings' passes, the outer one first.
+  std::vector<std::vector<std::size_t>> rings_of_;
   std::vector<int> component_of_;
   int components_ = 0;
 };

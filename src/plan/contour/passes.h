@@ -1,4 +1,4 @@
-// Rings and the passes that clear what they leave, as passes. Used by the planner alone.
+// Makes passes: rings, and paths that clear what rings leave.
 #pragma once
 
 #include <vector>
@@ -9,25 +9,26 @@
 
 namespace clearcut::plan::contour {
 
-/// An area in which rings are planned, with its clearance.
+/// An area in which rings are planned, and the distance to its boundary.
 struct Domain {
   Domain(Region of, const Tolerances& tol) : region(std::move(of)), clearance(region, tol) {}
   Region region;
   Clearance clearance;
 };
 
+/// How rings are planned.
 struct RingJob {
   double radius = 0;       ///< of the cutter, mm
-  double first_level = 0;  ///< of the rings at the wall, mm
+  double first_level = 0;  ///< mm from the wall to the first rings
   double reserve = 0;      ///< mm; as Layer::reserve
-  double margin = 0;       ///< mm by which what rings leave is cleared more than just so
+  double margin = 0;       ///< mm by which what rings leave is cleared with an overlap
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
 };
 
-/// Passes of all domains: rings, parents first, with ears where they would leave material in corners; then
-/// passes on ridges; then lines on which the cutter just fits. Components are numbered alike whatever the
-/// step.
+/// The passes of all domains: rings, each after the ring around it, with detours into corners where they
+/// would leave material; then passes along ridges of the medial axis; then lines where the cutter just fits.
+/// Components have the same numbers whatever the step is.
 std::vector<Pass> ring_passes(const std::vector<Domain>& domains, const RingJob& job, const Tolerances& tol);
 
 }  // namespace clearcut::plan::contour

@@ -9,12 +9,12 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. Rests thinner than this are rounding.
+/// mm. Rests thinner than this come from rounding.
 constexpr double kNothing = 0.002;
-/// Climb per mm of axis up to which a branch is a ridge.
+/// mm of clearance per mm of axis; a branch that rises less is a ridge.
 constexpr double kFlat = 0.01;
-/// Share of the radius by which a place has to rise above a ring's level for the ring to be there: nearer to a centre it
-/// would be a speck.
+/// Share of the radius. A ring is expected only where the clearance exceeds its level by this; nearer to a
+/// centre it would be a speck.
 constexpr double kRoom = 0.02;
 /// mm. Precision of the widest step.
 constexpr double kStepPrecision = 1e-4;
@@ -65,7 +65,7 @@ RingBand::RingBand(const std::vector<AxisPiece>& inside, double level, double ra
     vertices_[b].links.push_back(links_.size());
     links_.push_back({a, b, distance(low.point, piece.high.point)});
   }
-  // The band ends below 2 radius: what lies there goes on above it.
+  // Pieces above 2 radius are left out; axis points that lead to them rise without end.
   for (const auto& piece : inside) {
     if (piece.low.clearance < ceiling) continue;
     const auto at = known.find(piece.low_id);
@@ -74,7 +74,7 @@ RingBand::RingBand(const std::vector<AxisPiece>& inside, double level, double ra
   find_summits();
 }
 
-/// How high the axis climbs from every vertex. Links go up, so descending order serves all.
+/// Sets `summit` for every vertex. Links go upwards, so one visit in descending order is enough.
 void RingBand::find_summits() {
   std::vector<std::size_t> order(vertices_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -89,7 +89,7 @@ void RingBand::find_summits() {
   }
 }
 
-/// Shortest way along the axis from every vertex to clearance `level`.
+/// mm; shortest path along the axis from every vertex to the clearance `level`.
 std::vector<double> RingBand::lengths_to(double level) const {
   std::vector<double> lengths(vertices_.size(), kFar);
   using Entry = std::pair<double, std::size_t>;
@@ -130,7 +130,7 @@ RestCause RingBand::cause_at(std::size_t v, const std::vector<double>& lengths) 
     if (rises == 0) return RestCause::kCentre;
     return rises >= 2 ? RestCause::kNeck : RestCause::kCorner;
   }
-  // Uphill to the highest place that can be reached: flat there, it is a ridge.
+  // Goes uphill to the highest point; if the last link is flat, it is a ridge.
   std::size_t top = v, by = links_.size();
   for (bool climbed = true; climbed;) {
     climbed = false;
@@ -160,7 +160,7 @@ Rest RingBand::worst(double step, double reach) const {
     worst.length = length;
     at = v;
   };
-  // A point beside the axis is as far from it as it lies lower.
+  // A point beside the axis is as far from it as its clearance is lower.
   for (std::size_t v = 0; v < vertices_.size(); ++v) {
     if (lengths[v] > 0) consider(v, lengths[v] + vertices_[v].clearance - floor_);
   }

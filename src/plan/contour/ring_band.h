@@ -1,12 +1,12 @@
-// What a ring and the next one inside it leave, by the medial axis: exact criterion, causes, and the widest step that
-// leaves nothing.
+// Finds exactly, by the medial axis, what a ring and the next one inside it leave, why, and the widest step
+// that leaves nothing.
 //
-// A point p inside the ring at level d is cleared by it where clearance(p) <= d + R. Any other path uphill from p leads
-// to the axis and along it to the next ring at d + s, so p is cleared by that where that path is no longer than R. The
+// A point p inside the ring at clearance d is cleared by that ring if clearance(p) <= d + R. Else the path
+// uphill from p to the axis, and along the axis to the next ring at d + s, must be no longer than R. The
 // worst points are those of clearance d + R on every rising branch of the axis, its local minima (necks), and
-// branches that never reach d + s (centres, ridges). In a corner of angle alpha the clearance rises by sin(alpha / 2)
-// per mm of axis, so that (s - R) / sin(alpha / 2) <= R: the published kappa (CPO-kappa eq. 6). The published rule
-// measures alpha on the ring at d; what counts is the axis between d + R and d + s.
+// branches that never reach d + s (centres, ridges). In a corner of angle alpha the clearance rises by
+// sin(alpha / 2) per mm of axis, so that (s - R) / sin(alpha / 2) <= R: the published kappa (CPO-kappa
+// eq. 6). The published rule measures alpha on the ring at d, while the axis between d + R and d + s decides.
 #pragma once
 
 #include <vector>
@@ -18,30 +18,32 @@ namespace clearcut::plan::contour {
 /// Why something is left between two rings.
 enum class RestCause {
   kNone,
-  kCorner,  ///< the axis climbs less steeply than the step allows for: the corner has become sharper
+  kCorner,  ///< the clearance rises too slowly along the axis: the corner is too sharp for the step
   kNeck,    ///< a narrow place between two wider ones
   kCentre,  ///< a local maximum of the clearance that the next ring does not reach
   kRidge    ///< the same along a stretch of constant clearance
 };
 const char* name_of(RestCause cause);
 
+/// The worst place that two rings leave.
 struct Rest {
   RestCause cause = RestCause::kNone;
   Vec2 where;
-  double length = 0;  ///< mm of the longest path to the next ring; infinite where none leads there
+  double length = 0;  ///< mm; shortest path from there to the next ring; infinite if there is none
 };
 
-/// The axis inside one ring, between level + radius and level + 2 radius.
+/// The part of the axis inside one ring whose clearance is between level + radius and level + 2 radius, mm.
 class RingBand {
  public:
-  /// `inside`: all axis pieces inside the ring at `level`.
+  /// `inside`: all axis pieces inside the ring at `level` mm; `radius` of the cutter, mm.
   RingBand(const std::vector<AxisPiece>& inside, double level, double radius);
 
-  /// The worst place when the next ring lies `step` farther inside, radius <= step <= 2 radius; cause kNone where the
-  /// way is at most `reach` (the radius, less what passes shall overlap). Cost O(n log n) in pieces of the band.
+  /// The worst place if the next ring lies `step` mm farther inside, with radius <= step <= 2 radius. The
+  /// cause is kNone if no path is longer than `reach` mm: the radius less the overlap that passes shall have.
+  /// Cost O(n log n) for n axis pieces.
   Rest worst(double step, double reach) const;
 
-  /// The widest step between radius and 2 radius - (radius - reach) that leaves nothing, to 1e-4 mm. Where a centre
+  /// mm; the widest step between radius and radius + reach that leaves nothing, to 1e-4 mm. If a centre
   /// limits it, the next ring stays a fiftieth of the radius below that centre.
   double widest_step(double reach) const;
 
@@ -49,7 +51,7 @@ class RingBand {
   struct Vertex {
     Vec2 point;
     double clearance = 0;
-    double summit = 0;  ///< greatest clearance that the axis climbs to from here
+    double summit = 0;  ///< greatest clearance that a rising path along the axis reaches from here, mm
     std::vector<std::size_t> links;
   };
   struct Link {
@@ -61,7 +63,7 @@ class RingBand {
   std::vector<double> lengths_to(double level) const;
   RestCause cause_at(std::size_t vertex, const std::vector<double>& lengths) const;
 
-  double floor_ = 0;  ///< level + radius, and a little: rests thinner than that do not count
+  double floor_ = 0;  ///< mm; level + radius and a little more, because thinner rests do not count
   double level_ = 0;
   double radius_ = 0;
   std::vector<Vertex> vertices_;

@@ -1,7 +1,5 @@
 #include "plan/contour/search.h"
 
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -10,48 +8,49 @@
 #include "base/progress.h"
 #include "base/work_budget.h"
 #include "plan/common/retract_link.h"
-#include "plan/contour/skeleton.h"
-#include "plan/contour/tighten.h"
+#include "plan/contour/skeleton/skeleton.h"
+#include "plan/contour/skeleton/tighten.h"
 
 namespace clearcut::plan::contour {
 namespace {
 
 /// One plan that is tried.
-struct Trial {
-  double step;  ///< share of the diameter: wide steps need more mending in corners, narrow ones more rings
-  double turn_cost;  ///< what a right-angled corner counts, as a share of the way that braking and speeding
-                     ///< up take
+struct Variant {
+  double step;  ///< share of the diameter: wide steps leave more in corners, narrow ones need more rings
+  /// Cost of a corner of a right angle, as a share of the path on which the machine brakes and accelerates.
+  double turn_cost;
 };
-/// The first few serve large pockets, all of them small ones.
-constexpr Trial kTrials[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 0.15}, {0.8, 0.15},
-                             {0.95, 0.0},  {0.9, 0.0},  {1.0, 0.0},  {0.85, 0.0},  {0.75, 0.15}};
-/// Work allowed, in vertices of flexible paths: over all trials, and in one tree of rings. Rings that surround more
-/// stay as they are; only their links and what they surround is pulled taut.
+/// Large pockets use the first few of these, small ones all.
+constexpr Variant kVariants[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 0.15}, {0.8, 0.15},
+                                 {0.95, 0.0},  {0.9, 0.0},  {1.0, 0.0},  {0.85, 0.0},  {0.75, 0.15}};
+/// Greatest number of vertices of flexible paths: over all candidates, and in one tree of rings. Rings around
+/// more stay as they are, and only links and what lies inside is shortened.
 constexpr double kMostVerticesInAll = 800;
 constexpr double kMostFlexible = 800;
-/// Edges of rings; beyond, they stay without further search.
+/// Number of edges of rings above which there is no search.
 constexpr std::size_t kMostEdges = 60000;
-/// Step of the rings where only the inner ones are flexible, as a share of the diameter.
+/// Step of the rings where only inner ones are flexible, as a share of the diameter.
 constexpr double kLargeStep = 0.98;
-/// mm by which passes that stay clear more than just so: above the margin of the proof.
+/// mm by which passes that are not shortened clear with an overlap: more than the margin of the proof.
 constexpr double kSpareMargin = 0.002;
-/// Flexible paths have about this many vertices per radius of length.
+/// Number of vertices of flexible paths for each radius of length, about.
 constexpr double kVerticesPerRadius = 1.7;
-/// Share of the radius by which flexible paths may stray from the rings they start as.
+/// Share of the radius by which flexible paths may deviate from the rings that they begin as.
 constexpr double kChord = 0.004;
-/// Rounds after which plans are compared, and further rounds of the best.
-constexpr int kHeats = 3;
+/// Number of rounds after which plans are compared, and of further rounds for the best.
+constexpr int kCompareRounds = 3;
 constexpr int kFinalRounds = 3;
-/// Plans that stay to the end of the heats, and how much slower than the fastest they may be to be finished, too.
+/// Number of plans that stay until the last comparison; factor by which a plan may be slower than the fastest
+/// and still be finished.
 constexpr std::size_t kFinalists = 2;
 constexpr double kAsGood = 1.01;
-/// A plan that leaves a residual has to be this much faster than one that does not.
+/// A plan that leaves a residual has to be faster than one that does not by this factor.
 constexpr double kResidualHandicap = 1.005;
-/// mm. How far a lift crosses, for comparing with staying down.
+/// mm. Assumed distance that a retract link crosses.
 constexpr double kAcross = 10;
 
-/// The passes of one component, numbered anew and in the sense asked for, without lines on which the cutter
-/// just fits.
+/// The passes of one component with numbers of their own, in the direction asked for, without lines where the
+/// cutter just fits.
 std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, bool turned_round) {
   std::vector<Pass> own;
   std::vector<int> number(passes.size(), -1);
@@ -65,17 +64,18 @@ std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, b
   return own;
 }
 
-/// Trials have nothing to do with one another. What waits for them takes up no other work meanwhile.
+/// Runs work(i) for all i in parallel. Isolated, so that a thread that waits takes up no other work
+/// meanwhile.
 template <typename Work>
 void in_parallel(std::size_t count, const Work& work) {
   const auto uncounted = [&](std::size_t i) {
     const WorkBudget own = WorkBudget::unlimited();
     work(i);
   };
-  tbb::this_task_arena::isolate([&] { parallel_for(std::size_t{0}, count, uncounted); });
+  isolated_parallel_for(std::size_t{0}, count, uncounted);
 }
 
-/// One component's contest.
+/// Compares candidate plans for one component.
 class Search {
  public:
   Search(const ContourOptions& options, const RetractHeights& heights, const LegalArea& legal, double radius,
@@ -101,19 +101,19 @@ class Search {
     for (auto& entry : entries) entries_.push_back(*std::move(entry));
   }
 
-  struct Winner {
+  struct Fastest {
     std::vector<Path> paths;
     double residual = 0;  ///< mm
     double time = std::numeric_limits<double>::infinity();
   };
 
-  /// After every round of all the slower half retires; the fastest runs to the end, and others that are as good as
-  /// it. No paths when none is proven to clear everything.
-  Winner winner() {
+  /// After every round the slower half is dropped. The fastest is finished, and others that are nearly as
+  /// fast. No paths if none is proven to clear everything.
+  Fastest fastest() {
     if (entries_.empty()) return {};
     std::size_t running = entries_.size();
-    for (int heat = 0; heat < kHeats; ++heat) {
-      in_parallel(running, [&](std::size_t i) { run_heat(entries_[i]); });
+    for (int round = 0; round < kCompareRounds; ++round) {
+      in_parallel(running, [&](std::size_t i) { run_round(entries_[i]); });
       const auto end = entries_.begin() + static_cast<std::ptrdiff_t>(running);
       std::sort(entries_.begin(), end, [](const Entry& a, const Entry& b) { return a.time < b.time; });
       running = std::min(running, std::max(kFinalists, (running + 1) / 2));
@@ -121,14 +121,14 @@ class Search {
     const auto promising = static_cast<std::size_t>(
         std::count_if(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(running),
                       [&](const Entry& entry) { return entry.time < kAsGood * entries_.front().time; }));
-    std::vector<Winner> finished(std::max<std::size_t>(promising, 1));
+    std::vector<Fastest> finished(std::max<std::size_t>(promising, 1));
     in_parallel(finished.size(), [&](std::size_t i) { finished[i] = finish(entries_[i]); });
     const auto best = std::min_element(finished.begin(), finished.end(),
-                                       [](const Winner& a, const Winner& b) { return a.time < b.time; });
-    Winner winner = std::move(*best);
-    for (std::size_t i = finished.size(); i < entries_.size() && winner.paths.empty(); ++i)
-      winner = finish(entries_[i]);
-    return winner;
+                                       [](const Fastest& a, const Fastest& b) { return a.time < b.time; });
+    Fastest fastest = std::move(*best);
+    for (std::size_t i = finished.size(); i < entries_.size() && fastest.paths.empty(); ++i)
+      fastest = finish(entries_[i]);
+    return fastest;
   }
 
  private:
@@ -151,14 +151,14 @@ class Search {
     return {Tightener(skeleton_of(candidate.passes, skeleton), job), 0};
   }
 
-  void run_heat(Entry& entry) const {
+  void run_round(Entry& entry) const {
     throw_if_cancelled(options_.cancel);
     entry.tightener.pull(1);
     entry.time = retract_.time_of(paths_of(entry.tightener.skeleton()), kAcross);
   }
 
-  /// No paths when they are not proven to clear everything.
-  Winner finish(Entry& entry) const {
+  /// Finishes one candidate; no paths if it is not proven to clear everything.
+  Fastest finish(Entry& entry) const {
     throw_if_cancelled(options_.cancel);
     entry.tightener.pull(kFinalRounds);
     if (!entry.tightener.finish()) return {};
@@ -213,14 +213,14 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer
   if (edges > kMostEdges || options.effort <= 0) return;
   const bool large = vertices > kMostFlexible * options.effort;
   if (large) job.margin = kSpareMargin;
-  const auto trials = std::clamp<std::size_t>(
+  const auto count = std::clamp<std::size_t>(
       static_cast<std::size_t>(kMostVerticesInAll * options.effort / std::max(vertices, 1.0)), 1,
-      std::size(kTrials));
-  std::vector<std::vector<Pass>> variants(trials);
-  in_parallel(trials, [&](std::size_t k) {
+      std::size(kVariants));
+  std::vector<std::vector<Pass>> variants(count);
+  in_parallel(count, [&](std::size_t k) {
     RingJob own = job;
     own.step = [&, k](const RingNode&, const std::vector<AxisPiece>&) {
-      return 2 * job.radius * (large ? kLargeStep : kTrials[k].step);
+      return 2 * job.radius * (large ? kLargeStep : kVariants[k].step);
     };
     variants[k] = ring_passes(domains, own, tol);
   });
@@ -233,14 +233,14 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer
     if (where.empty()) continue;
     Search search(options, retract_heights(layer), legal, job.radius, where, layer.bare);
     std::vector<Search::Candidate> candidates;
-    for (std::size_t k = 0; k < trials; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       auto own = component_of(variants[k], component, !options.wall_on_right);
-      if (!own.empty()) candidates.push_back({std::move(own), kTrials[k].turn_cost});
+      if (!own.empty()) candidates.push_back({std::move(own), kVariants[k].turn_cost});
     }
     search.enter(candidates);
-    const auto winner = search.winner();
-    residual = std::max(residual, winner.paths.empty() ? result.residual : winner.residual);
-    if (!winner.paths.empty()) replace_component(result, component, winner.paths);
+    const auto fastest = search.fastest();
+    residual = std::max(residual, fastest.paths.empty() ? result.residual : fastest.residual);
+    if (!fastest.paths.empty()) replace_component(result, component, fastest.paths);
   }
   result.residual = residual;
 }

@@ -1,5 +1,5 @@
-// The fastest of several plans: rings at several steps, each pulled taut, checked by the machine's time. Used
-// by the planner alone.
+// Finds the fastest of several plans: rings at several steps, joined to shortened paths, compared by the
+// machine's time.
 #pragma once
 
 #include "plan/contour/contour.h"
@@ -7,8 +7,8 @@
 
 namespace clearcut::plan::contour {
 
-/// Replaces the passes of each component of `result` by one continuous path wherever that is proven to clear
-/// everything and is faster. `job` is what result.passes of the layer were made with.
+/// Replaces the passes of each component of `result` by one continuous path if that is proven to clear
+/// everything and is faster. `job`: what the passes were made with.
 void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer& layer,
                     const ContourOptions& options, const Tolerances& tol, LayerPasses& result);
 

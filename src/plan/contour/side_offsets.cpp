@@ -11,7 +11,7 @@ namespace {
 
 /// mm. Sides up to this long have vanished.
 constexpr double kVanished = 1e-9;
-/// rad. Sides nearer to parallel than this meet nowhere.
+/// rad. Sides nearer to parallel than this do not meet.
 constexpr double kParallel = 1e-9;
 
 double cot_half(double angle) {
@@ -22,7 +22,7 @@ Vec2 direction(double angle) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// One step from a contour to the next.
+/// Computes one step from a contour to the next.
 class Stepper {
  public:
   Stepper(SideList list, double step, ReflexCorners corners)
@@ -52,19 +52,20 @@ class Stepper {
   }
   bool is_reflex(const Side& corner) const { return corner.angle > kPi; }
 
-  /// Elsewhere a contour that has split may go on.
+  /// Contours with reflex corners may split, which the formulas do not notice.
   bool is_convex() const {
     return std::none_of(list_.sides.begin(), list_.sides.end(),
                         [&](const Side& side) { return is_reflex(side); });
   }
 
-  /// How much a step takes from the straight length at a corner; less than 0 where it adds.
+  /// mm that a step takes from the straight length at a corner; negative where it adds to it.
   double taken_at(const Side& corner) const {
-    if (is_reflex(corner) && (rounded_ || corner.radius > 0)) return 0;  // the arc grows
+    if (is_reflex(corner) && (rounded_ || corner.radius > 0))
+      return 0;  // the arc about the corner grows, the sides keep their length
     return std::max(0.0, step_ - corner.radius) * cot_half(corner.angle);
   }
 
-  /// CPO-kappa eq. 2, with the arcs of CPO-rho appendix B.
+  /// mm; length of side j after the step: CPO-kappa eq. 2, with the arcs of CPO-rho appendix B.
   double length_after(std::size_t j) const {
     return list_.sides[j].length - taken_at(corner_before(j)) - taken_at(list_.sides[j]);
   }
@@ -77,7 +78,8 @@ class Stepper {
     return shortest;
   }
 
-  /// CPO-kappa alg. 2, one side of the run at a time: side j goes, its neighbours reach to where they meet.
+  /// CPO-kappa alg. 2, one side of a run at a time: side j vanishes, its neighbours are prolonged to where
+  /// they meet.
   SideOffsetEnd merge(std::size_t j) {
     const std::size_t n = list_.sides.size(), i = (j + n - 1) % n, k = (j + 1) % n;
     Side &before = list_.sides[i], &side = list_.sides[j], &after = list_.sides[k];

@@ -1,5 +1,5 @@
-// Contours by formula, from lengths and angles alone: the papers' own method, kept apart from the geometric offsets so that
-// each can be held against the other.
+// Contours by formula, from lengths and angles alone, as the papers compute them. Kept apart from the
+// geometric offsets, so that each can be checked against the other.
 //
 // Source and symbols (CPO-kappa eq. 2, alg. 2 and 3; CPO-rho appendix B):
 //
@@ -13,9 +13,9 @@
 //   gamma                              rad    pi - alpha at the ends of a vanished side: its neighbours are
 //                                             prolonged to where they meet by L sin(gamma) / sin(alpha)
 //
-// Departures: CPO-rho prints the length beyond a vanished arc with one r cot(alpha / 2); both corners have their own
-// here. The formulas know nothing of contours that split, nor of an arc whose neighbour vanishes before it: that is
-// reported, not guessed.
+// Departures: CPO-rho prints the length beyond a vanished arc with one r cot(alpha / 2); here both corners
+// have a term of their own. The formulas do not cover contours that split, nor an arc whose neighbour
+// vanishes before it: both are reported as kBeyond.
 #pragma once
 
 #include <cmath>
@@ -27,10 +27,11 @@ namespace clearcut::plan::contour {
 
 /// How contours turn at reflex corners.
 enum class ReflexCorners {
-  kMitred,  ///< sharp, as in the papers: sides stay in touch where they would meet
-  kRounded  ///< by an arc about the corner, as Minkowski offsets have it: r grows by H from 0
+  kMitred,  ///< sharp, as in the papers: sides are prolonged to where they meet
+  kRounded  ///< by an arc about the corner, as in Minkowski offsets: r grows by H from 0
 };
 
+/// Whether there is a next contour.
 enum class SideOffsetEnd {
   kContour,  ///< there is a next contour
   kGone,     ///< all sides have vanished
@@ -40,10 +41,11 @@ enum class SideOffsetEnd {
 struct SideOffset {
   SideOffsetEnd end = SideOffsetEnd::kGone;
   SideList contour;
-  int vanished = 0;  ///< sides
+  int vanished = 0;  ///< number of sides that vanished
 };
 
-/// The next contour `step` mm inside `list`, which closes. Splits and crossings are not seen. Cost O(n^2) at worst.
+/// The next contour, `step` mm inside the closed contour `list`. Splits and crossings are not noticed. Cost
+/// O(n^2) at worst.
 SideOffset offset_sides(const SideList& list, double step, ReflexCorners corners);
 
 /// The lengths of all contours as CPO-kappa sums them (eq. 1 and 3).
@@ -54,16 +56,18 @@ struct PublishedLength {
   std::vector<double> angles;   ///< rad, smallest convex angle of each contour
   double passages = 0;  ///< mm, M = H / sin(alpha / 2) between contours, along the smallest angle's bisector
   double total = 0;     ///< mm
-  bool beyond = false;  ///< the formulas ended before the centre
+  bool beyond = false;  ///< the formulas failed before the centre was reached
 };
 
-/// All contours of a cutter of `radius` with `allowance` on the wall; `step` gives mm after a contour of smallest angle
-/// alpha (radians). Alg. 3 is not applied.
+/// The lengths of all contours for a cutter of `radius` mm and `allowance` mm on the wall. `step` returns the
+/// mm to the next contour for a smallest angle in radians. Alg. 3 is not applied.
 template <typename Step>
 PublishedLength published_length(const SideList& outline, double radius, double allowance, Step step);
 
+/// mm; straight sides and arcs.
 double length_of(const SideList& list);
-/// Smallest angle between straight sides below pi, without corners that are rounded; pi when there is none.
+/// Radians; the smallest angle below pi between straight sides, rounded corners left out; pi if there is
+/// none.
 double smallest_angle(const SideList& list);
 
 template <typename Step>

@@ -14,15 +14,16 @@ namespace {
 
 using Kind = StepRule::Kind;
 
-/// mm. Paths longer than the radius by less than this leave nothing that counts.
+/// mm. A path longer than the radius by less than this leaves nothing that counts.
 constexpr double kNoRest = 0.001;
 
-/// The published rule (CPO-rho eq. 8) has w = 1 mm, which makes no sense for cutters under 2 mm: w is at most R / 2.
+/// mm; the overlap w. The published rule (CPO-rho eq. 8) has 1 mm, too much for small cutters: w is at most
+/// R / 2.
 double overlap_of(const StepRule& rule, double radius) {
   return std::min(rule.value, radius / 2);
 }
 
-/// kappa or rho of the contour, with the angle that the rule takes.
+/// kappa or rho of the contour for the angle that the rule uses.
 double coefficient(const Region& contour, const StepRule& rule, double radius) {
   switch (rule.kind) {
     case Kind::kKappa:
@@ -123,6 +124,31 @@ double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, co
   CLEARCUT_ASSERT(!rule.contours.empty());
   const auto index = std::min(static_cast<std::size_t>(ring.depth), rule.contours.size() - 1);
   return step_after(ring, inside, rule.contours[index], radius);
+}
+
+std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& rule, double radius,
+                                       double first_level, const Tolerances& tol) {
+  constexpr double kSame = 1e-6;  // mm
+  std::vector<ContourStep> all, merged;
+  for (const auto& region : allowed) {
+    const auto step_of = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
+      return std::max(step_after(ring, inside, rule, radius), 1e-3 * radius);
+    };
+    for (const RingNode& ring : ring_tree(Clearance(region, tol), region, first_level, step_of, tol)) {
+      const double step = ring.children.empty() ? 0 : ring.next_level - ring.level;
+      all.push_back({ring.level, smallest_angle(ring.contour), step});
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const ContourStep& a, const ContourStep& b) { return a.from_wall < b.from_wall; });
+  for (const ContourStep& one : all) {
+    if (merged.empty() || one.from_wall - merged.back().from_wall >= kSame) {
+      merged.push_back(one);
+    } else if (one.smallest_angle < merged.back().smallest_angle) {
+      merged.back() = one;
+    }
+  }
+  return merged;
 }
 
 Rest worst_rest(const Regions& allowed, const StepRule& rule, double radius, const Tolerances& tol) {

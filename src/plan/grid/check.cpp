@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "plan/grid/interpolate.h"
 #include "plan/grid/reduce.h"
 #include "plan/grid/shape.h"
@@ -27,7 +27,7 @@ std::string place_of(const DesignElement& element) {
   return fmt::format("{} {} '{}'", element.source, name_of(element.kind), element.id);
 }
 
-/// Squares of the stock, at least.
+/// Number of squares of the stock's grid, about.
 double squares_of(const ElementJob& job) {
   const Box& plan = job.stock.plan;
   return (plan.width() / job.resolution + 1) * (plan.height() / job.resolution + 1);
@@ -37,7 +37,7 @@ bool fits_a_grid(const ElementJob& job) {
   return squares_of(job) <= kMostSquares;
 }
 
-/// Collects what is wrong with one element.
+/// Collects the faults of one element.
 class Checker {
  public:
   Checker(const ElementJob& job, const DesignElement& element, std::vector<ElementFault>& faults)
@@ -152,7 +152,7 @@ void check_job(const ElementJob& job, std::vector<ElementFault>& faults) {
                                       mm(job.resolution), squares_of(job), kMostSquares)});
 }
 
-/// How far a point is from the nearest centre of a square, mm.
+/// mm; distance from a point to the nearest centre of a square, the greater of both coordinates.
 double off(const SquareGrid& grid, Vec2 p) {
   const Vec2 away = p - grid.center(grid.nearest(p));
   return std::max(std::abs(away.x), std::abs(away.y));

@@ -1,4 +1,4 @@
-// What must hold before the elements of a job are interpolated and reduced.
+// Checks the elements of a job before they are interpolated and reduced.
 #pragma once
 
 #include <string>
@@ -10,16 +10,17 @@ namespace clearcut::plan::grid {
 
 struct ElementFault {
   std::string place;  ///< "file:line element 'id'"
-  std::string text;   ///< what is wrong with sizes, and what to do
+  std::string text;   ///< which size is wrong, and what to do
 };
 
-/// Every fault of every element, in their order; empty for a job that can be planned.
+/// Every fault of every element, in the elements' order; empty for a job that can be planned.
 std::vector<ElementFault> faults_of(const ElementJob& job);
 
 /// Throws one InputError with all faults on one line.
 void check(const ElementJob& job);
 
-/// Elements that do not lie on the grid: their squares are up to half a square off. To be told, not refused.
+/// Elements that do not lie on the grid, so that their squares are off by up to half a square. A warning, no
+/// fault.
 std::vector<ElementFault> off_grid(const ElementJob& job);
 
 }  // namespace clearcut::plan::grid

@@ -11,7 +11,7 @@ constexpr double kPaperStep = 0.001;    // mm in x, "1 micron"
 constexpr double kPointsPerSquare = 3;  // along a line
 constexpr double kRounding = 1e-9;      // mm
 
-/// Angle in [0, 2 pi) that leads from `start` to `p` about the arc's centre, going round with the arc.
+/// Angle in [0, 2 pi) from `start` to `p` about the arc's centre, in the arc's direction.
 double swept_to(const Edge& arc, Vec2 p) {
   const Vec2 a = arc.from - arc.center, b = p - arc.center;
   const double turned = std::atan2(cross(a, b), dot(a, b)) * (arc.turn == Turn::kClockwise ? -1 : 1);
@@ -51,7 +51,7 @@ Edge arc_of(const DesignElement& arc) {
 }
 
 double circle_step(double radius, double cell) {
-  // Beside x = -radius a step dx moves y by sqrt(2 radius dx).
+  // Beside x = -radius a step dx changes y by sqrt(2 radius dx).
   const double third = cell / kPointsPerSquare;
   return std::min({kPaperStep, third, third * third / (2 * radius)});
 }

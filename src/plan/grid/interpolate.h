@@ -1,5 +1,6 @@
-// The interpolators of the grid model: which squares an element activates.
-// Source: the grid paper, section II; docs/grid.md says where we leave it.
+// The interpolators of the grid model: which squares of the grid an element occupies ("activates", in the
+// paper).
+// Source: the grid paper, section II; docs/grid.md lists the departures.
 #pragma once
 
 #include <array>
@@ -9,32 +10,34 @@
 
 namespace clearcut::plan::grid {
 
-/// Points on the straight path, both ends included: max(2, ceil(3 distance / cell)) of them at regular steps
-/// of the coordinate with the longer extent.
+/// Points on the line, both ends included: max(2, ceil(3 distance / cell)) of them, at equal steps of the
+/// coordinate with the greater extent. mm.
 std::vector<Vec2> interpolate_line(Vec2 from, Vec2 to, double cell);
 
-/// The two centres of circles of `radius` through both points; the first lies on the left of from -> to.
-/// `radius` is at least half the distance (to rounding).
+/// The two centres of circles of `radius` mm through both points; the first lies on the left of from -> to.
+/// `radius` is at least half the distance, up to rounding.
 std::array<Vec2, 2> arc_centers(Vec2 from, Vec2 to, double radius);
-/// The arc of at most half a turn from `from` to `to` in the element's direction.
+/// The arc of at most half a turn between the ends of the element, in its direction.
 Edge arc_of(const DesignElement& arc);
 
-/// Step in x of the circular interpolator: 0.001 mm, less where the steep ends of a large circle would jump
-/// by more than a third of a square. mm.
+/// mm; step in x of the circular interpolator: 0.001 mm, or less if a steep part of the circle would jump by
+/// more than a third of a square.
 double circle_step(double radius, double cell);
-/// The full circle about (0, 0): x from -radius to radius in steps, upper half, then mirrored. Clockwise.
+/// The points of the full circle about (0, 0), clockwise: x from -radius to radius in steps of `step` mm, the
+/// upper half, then mirrored.
 std::vector<Vec2> circle_at_origin(double radius, double step);
-/// Points of the arc from its first to its last: circle, shift, trim by direction.
+/// Points of the arc from its first to its last: a circle at the origin, shifted to the centre, trimmed to
+/// the arc.
 std::vector<Vec2> interpolate_arc(const Edge& arc, double cell);
 
-/// The squares nearest to the points, each once, in the order of first touch.
+/// The squares nearest to the points, each once, in the order in which they are first touched.
 std::vector<Square> activate(const std::vector<Vec2>& points, const SquareGrid& grid);
-/// The squares of a rectangle row by row from its lower left corner: round(length / cell) + 1 in a row.
+/// The squares of a rectangle, row by row from its lower left corner: round(length / cell) + 1 in a row.
 std::vector<Square> activate_rectangle(const DesignElement& rectangle, const SquareGrid& grid);
-/// The squares whose centre is within `reach` mm of the straight path, row by row.
+/// The squares whose centre is within `reach` mm of the line, row by row.
 std::vector<Square> activate_near(Vec2 from, Vec2 to, double reach, const SquareGrid& grid);
 
-/// The squares of any element. Cost O(squares), arcs O(radius / circle_step).
+/// The squares of an element. Cost O(squares); for arcs O(radius / circle_step).
 std::vector<Square> interpolate(const DesignElement& element, const SquareGrid& grid);
 
 }  // namespace clearcut::plan::grid

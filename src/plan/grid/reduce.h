@@ -1,4 +1,4 @@
-// The reductions of the grid model: which of an element's squares the tool has to visit.
+// The reductions of the grid model: which of an element's squares the cutter has to visit.
 // Sources: the grid paper, section III (EPSA, LCERA, RPERA); Tour section 3.3.4. See docs/grid.md.
 #pragma once
 
@@ -9,42 +9,44 @@
 
 namespace clearcut::plan::grid {
 
-/// Places in a list of squares.
+/// Indices into a list of squares.
 using Places = std::vector<std::size_t>;
 
-/// The edges of a rectangle's squares. Corners belong to left and right alone.
+/// The squares along the four edges of a rectangle. Corners belong to left and right only.
 struct ElementEdges {
   Places left, right, lower, upper;
 };
 
-/// Edge point search (EPSA): from squares row by row, by adjacency and collinearity of three in succession.
-/// Rows have at least two squares, and there are at least two rows. O(n).
+/// Edge point search (EPSA): finds the edges of squares listed row by row, from whether three successive
+/// squares are adjacent and collinear. At least two rows of at least two squares. O(n).
 ElementEdges find_edges(const std::vector<Square>& squares);
 
-/// Linear and circular element reduction (LCERA): from both ends inwards, of the squares at or beyond the
-/// tool's periphery the nearest to it. The ends themselves are not kept: there the element ends, and the
-/// tool's centre stays its radius away. Ascending places; empty when the element is too short. `radius` in
-/// squares. O(n^2 / radius).
+/// Linear and circular element reduction (LCERA): from both ends inwards, repeatedly the nearest square at or
+/// beyond the tool's periphery. The ends are not kept: the element ends there, and the tool's centre stays a
+/// radius away. `radius` is measured in squares. Ascending indices; empty if the element is too short. O(n^2
+/// / radius).
 Places reduce_curve(const std::vector<Square>& squares, double radius);
 
-/// How many squares an edge moves inwards at a time: the tool's radius, rounded up, at least one.
+/// By how many squares an edge moves inwards each time: the tool's radius in squares, rounded up, at least
+/// one.
 int edge_step(double radius);
 
-/// The rows kept between the edge rows `low` and `high`: both move inwards by `step` squares until they meet
-/// (d1 = d2 = step, d3 by the rule). Ascending.
+/// The rows that are kept between the edge rows `low` and `high`: both move inwards by `step` squares until
+/// they meet (the paper's d1 = d2 = step, d3 by `rule`). Ascending.
 std::vector<int> kept_rows(int low, int high, int step, MiddleRow rule);
 
-/// Rectangular pocket reduction (RPERA): lower and upper edges inwards first, then left and right ones of
-/// what was kept. `radius` in squares; where it is not whole the next whole number is taken, so that walls
-/// stay whole. Ascending places. O(n).
+/// Rectangular pocket reduction (RPERA): first the lower and upper edges move inwards, then the left and
+/// right ones of what was kept. `radius` is measured in squares and rounded up, so that rows along walls stay
+/// complete. Ascending indices. O(n).
 Places reduce_rectangle(const std::vector<Square>& squares, double radius, MiddleRow rule);
 
-/// Squares with a neighbour (of four) that is not in the list. O(n log n).
+/// The squares of which one of the four neighbours is not in the list. O(n log n).
 Places boundary_of(const std::vector<Square>& squares);
-/// First phase of Tour's reduction: of the squares off the boundary no two are neighbours (of four).
+/// First phase of Tour's reduction: keeps squares off the boundary of which no two are neighbours (of four).
 Places reduce_neighbours(const std::vector<Square>& squares);
-/// Both phases: then no two are nearer than `radius` squares, the boundary being kept first; every square of
-/// the list is nearer than `radius` + 1 to one that was kept. Ascending places. O(n radius^2).
+/// Both phases of Tour's reduction: no two kept squares are nearer than `radius` squares, the boundary is
+/// kept first, and every square of the list is nearer than `radius` + 1 to a kept one. Ascending indices. O(n
+/// radius^2).
 Places reduce_area(const std::vector<Square>& squares, double radius);
 
 }  // namespace clearcut::plan::grid

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSamePoint = 1e-9;  // mm
 
-/// Everything within `reach` of an arc of at most half a turn whose radius is larger.
+/// All points within `reach` mm of an arc of at most half a turn whose radius is greater than `reach`.
 Region bent_stadium(Edge core, double reach) {
   if (core.turn == Turn::kClockwise) core = core.reversed();
   const auto beside = [&](Vec2 p, double away) {

@@ -1,4 +1,5 @@
-// The true shape of a design element: what is to be removed, and the curve the tool's centre follows.
+// The exact shape of a design element: the material to be removed, and the curve that the cutter's centre
+// follows.
 #pragma once
 
 #include <optional>
@@ -7,18 +8,18 @@
 
 namespace clearcut::plan::grid {
 
-/// The part of a line or arc where the tool's centre may be: `tool_radius` away from both ends, in a straight
-/// line. Absent for other kinds, and where the element is too short for the tool.
+/// The part of a line or arc on which the cutter's centre may be: at least `tool_radius` mm from both ends of
+/// the element, in a straight line. Nothing for other elements and for those too short for the tool.
 std::optional<Edge> core_of(const DesignElement& element, double tool_radius);
 
-/// Everything within `reach` > 0 mm of the straight path; a disc when from == to.
+/// All points within `reach` mm (> 0) of the line from `from` to `to`; a disc if both are equal.
 Region stadium(Vec2 from, Vec2 to, double reach);
 
-/// The material of an element, plan view. Lines and arcs must have a core; an arc's radius must exceed the
-/// tool's. Exact: lines and arcs.
+/// The material of an element in plan view, exact: bounded by lines and arcs. Lines and arcs must have a
+/// core, and an arc's radius must exceed the tool's.
 Region shape_of(const DesignElement& element, double tool_radius);
 
-/// The element as a feature of the part: walls all around, from the stock's top down by its depth.
+/// The element as a feature of the part: walls all round, from the top of the stock down by its depth.
 Feature feature_of(const DesignElement& element, const ElementJob& job);
 
 }  // namespace clearcut::plan::grid

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // mm
 
-/// Squares of one element, which of them are reduced, and where the tool goes for each.
+/// The squares of one element, which of them are kept by the reduction, and the point where the tool goes for
+/// each.
 struct Discrete {
   std::vector<Square> squares;
   std::vector<bool> reduced;
@@ -34,7 +35,7 @@ void mark(Discrete& result, const Places& kept) {
   for (const std::size_t i : kept) result.reduced[i] = true;
 }
 
-/// Lines and arcs: the tool goes to the place on the curve that the square stands for.
+/// Lines and arcs: the tool goes to the point of the curve nearest to each square.
 Discrete discrete_curve(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
   Discrete result = discrete(interpolate(element, grid), grid);
   mark(result, reduce_curve(result.squares, tool_radius / grid.cell));
@@ -44,7 +45,7 @@ Discrete discrete_curve(const DesignElement& element, double tool_radius, const 
   return result;
 }
 
-/// Holes and slots wider than the tool: those squares where the tool has room, in two phases.
+/// Holes and slots wider than the tool: squares where the tool fits, reduced in two phases.
 Discrete discrete_area(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
   const Vec2 to = element.kind == ElementKind::kHole ? element.from : element.to;
   const double room = element.width / 2 - tool_radius;
@@ -94,7 +95,7 @@ Discrete discrete_of(const DesignElement& element, const ElementJob& job, const 
   return any && wider ? result : discrete_axis(element, radius, grid);
 }
 
-/// From one point of an element to the next.
+/// The edge from one point of an element to the next.
 Edge step_between(Vec2 from, Vec2 to, const std::optional<Edge>& core) {
   if (!core || !core->is_arc()) return Edge::line(from, to);
   const bool left_about = cross(from - core->center, to - core->center) > 0;
@@ -150,18 +151,19 @@ Vec2 entry(const ElementVisit& visit, std::size_t turned) {
   return turned == 0 ? visit.path.front().from : visit.path.back().to;
 }
 
-/// Turns visits round so that the paths between them add up to least: shortest path over both directions.
+/// Reverses visits so that the paths between them are shortest in sum: a shortest path over both directions
+/// of each.
 void choose_directions(std::vector<ElementVisit>& visits) {
   std::vector<std::array<std::size_t, 2>> before(visits.size());
   std::array<double, 2> cost{0, 0};
   for (std::size_t i = 1; i < visits.size(); ++i) {
     std::array<double, 2> next{};
     for (const std::size_t turned : {0u, 1u}) {
-      const auto way = [&](std::size_t previous) {
+      const auto length_from = [&](std::size_t previous) {
         return cost[previous] + distance(entry(visits[i - 1], 1 - previous), entry(visits[i], turned));
       };
-      before[i][turned] = way(1) < way(0) ? 1 : 0;
-      next[turned] = way(before[i][turned]);
+      before[i][turned] = length_from(1) < length_from(0) ? 1 : 0;
+      next[turned] = length_from(before[i][turned]);
     }
     cost = next;
   }
@@ -173,7 +175,7 @@ void choose_directions(std::vector<ElementVisit>& visits) {
   }
 }
 
-/// The elements of one tool in the order of their visits.
+/// The elements of one tool in the order in which they are visited.
 std::vector<ElementVisit> visit_tool(int tool, const ElementJob& job, const PointTable& table,
                                      const VisitSolver& solve) {
   std::vector<ElementVisit> visits;

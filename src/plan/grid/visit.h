@@ -1,4 +1,4 @@
-// From elements to points, and from points to the way the tool visits them.
+// From design elements to points, and from points to the path on which the tool visits them.
 #pragma once
 
 #include <functional>
@@ -8,23 +8,24 @@
 
 namespace clearcut::plan::grid {
 
-/// The decision maker's table of a checked job: every square of every element, the reduced ones marked.
+/// The table of all squares of all elements of a checked job, the reduced ones marked (the paper's decision
+/// maker).
 PointTable tabulate(const ElementJob& job);
 
-/// An order of visits that makes the open path through the points short: their places.
+/// Finds an order that makes the open path through the points short; returns their indices.
 using VisitSolver = std::function<std::vector<int>(const std::vector<Vec2>&)>;
 
-/// One element's visits.
+/// How one element is visited.
 struct ElementVisit {
-  std::size_t element = 0;          ///< place in the job's elements
-  std::vector<std::size_t> points;  ///< places in the table, in order of visit
-  /// Through the points: straight, on arcs along the arc. A single point gives one edge without length.
+  std::size_t element = 0;          ///< index in the job's elements
+  std::vector<std::size_t> points;  ///< indices in the table, in order of visit
+  /// Through the points: lines, for arc elements arcs. For a single point one edge without length.
   Path path;
 };
 
-/// Elements of one tool follow each other, tools in the job's order; within an element and among the elements
-/// of a tool the solver decides, then each element's direction is chosen for the shortest path between them.
-/// Sets GridPoint::visit.
+/// Orders all visits and sets GridPoint::visit. Elements of one tool come together, tools in the job's order.
+/// The solver orders the points of an element and the elements of a tool; then each element's direction is
+/// chosen so that the paths between elements are shortest.
 std::vector<ElementVisit> plan_visits(const ElementJob& job, PointTable& table, const VisitSolver& solve);
 
 }  // namespace clearcut::plan::grid

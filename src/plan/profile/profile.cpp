@@ -10,7 +10,7 @@
 namespace clearcut::plan::profile {
 namespace {
 
-/// mm. Nearer than this to its place beside the outline an edge belongs to the profile.
+/// mm. An edge whose distance from the outline is right to within this belongs to the profile.
 constexpr double kOnContour = 1e-3;
 
 double distance_to(const Path& line, Vec2 p) {
@@ -31,14 +31,14 @@ void add(Path path, bool closed, double offset, LayerPasses& result) {
   pass.path = std::move(path);
   pass.closed = closed;
   pass.offset = offset;
-  // Along a wall the side of the material decides.
+  // Along a wall the direction is fixed: it decides the side of the material.
   pass.reversible = false;
   pass.may_cut_to_start = false;
   pass.component = static_cast<int>(result.legal.size());
   result.passes.push_back(std::move(pass));
 }
 
-/// Stretches of a loop of the legal area that run beside the outline.
+/// Adds the parts of a loop of the legal area that run beside the outline.
 void add_runs(const Loop& loop, const Path& line, double reach, LayerPasses& result) {
   std::vector<char> own;
   for (const Edge& edge : loop) own.push_back(runs_at(edge, line, reach) ? 1 : 0);

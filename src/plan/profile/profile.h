@@ -1,4 +1,4 @@
-// Profiles: the cutter's centre at its radius from an outline, or on a line.
+// Profiles: the cutter's centre follows an outline at its radius, or a line.
 #pragma once
 
 #include "base/tolerances.h"
@@ -6,8 +6,8 @@
 
 namespace clearcut::plan::profile {
 
-/// Passes along the profile, one loop where nothing is in the way, and open ones between tabs. Cost that of one inset of
-/// layer.allowed, and the edges of both outlines multiplied.
+/// The passes along the profile: one loop if nothing is in the way, else open passes, between tabs too. Costs
+/// one inset of layer.allowed, and the product of the edges of both outlines.
 LayerPasses plan_profile(const Layer& layer, const ProfileCut& cut, const Tolerances& tol);
 
 }  // namespace clearcut::plan::profile

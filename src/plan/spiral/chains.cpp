@@ -6,7 +6,7 @@
 namespace clearcut::plan::spiral {
 namespace {
 
-/// Islands of the node outside that lie within an island of the node inside.
+/// Indices of the islands of `outside` that lie within `island`, an island of the node next inside.
 std::vector<std::size_t> islands_within(const Loop& island, const Region& outside) {
   const Box where = box(island);
   std::vector<std::size_t> found;
@@ -25,7 +25,7 @@ class ChainBuilder {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       result_.chain_of_node.push_back(put(nodes_[i].contour.outer(), chain_before_outer(i), holder(i)));
       for (const auto& island : nodes_[i].contour.islands()) {
-        // An island's chain lies beside the outer loop's, not inside it.
+        // The chain of an island lies beside that of the outer loop, not inside it.
         island_chains_[i].push_back(put(island, chain_before_island(i, island), holder(i)));
       }
     }
@@ -35,7 +35,7 @@ class ChainBuilder {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-  /// Chain of the outer loop of the node around; -1 for the outermost.
+  /// Index of the chain of the outer loop of the node around; -1 for the outermost.
   int holder(std::size_t node) const {
     const int parent = nodes_[node].parent;
     return parent < 0 ? -1 : result_.chain_of_node[index(parent)];

@@ -1,4 +1,4 @@
-// Nested offset loops in chains: each loop with the one that follows it inwards. Used by the planner alone.
+// Sorts nested offset loops into chains, each loop with the one next inside it.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,20 @@
 
 namespace clearcut::plan::spiral {
 
-/// Loops that follow each other inwards one to one, the outermost first; a neck, or meeting another loop, ends it.
+/// Loops that follow each other inwards one to one, the outermost first. A neck, or a loop that meets
+/// another, ends a chain.
 struct SpiralChain {
-  std::vector<Loop> loops;  ///< oriented as in their regions: what is to be cut lies on the left
-  int parent = -1;  ///< chain of the loop around the outermost; -1: the outermost is of the first level
+  std::vector<Loop> loops;  ///< oriented as in their regions: the area to be cleared lies on the left
+  /// Index of the chain of the loop around the outermost; -1: the outermost is of the first level.
+  int parent = -1;
 };
 
 struct SpiralChains {
-  std::vector<SpiralChain> chains;  ///< parents come first
-  std::vector<int> chain_of_node;   ///< chain of each node's outer loop
+  std::vector<SpiralChain> chains;  ///< parents come before their children
+  std::vector<int> chain_of_node;   ///< for each node of the ring tree: index of the chain of its outer loop
 };
 
-/// Sorts the loops of a ring tree into chains. Cost: O(loops^2) of neighbouring nodes.
+/// Sorts the loops of a ring tree into chains. Costs O(loops^2) of neighbouring nodes.
 SpiralChains spiral_chains(const std::vector<RingNode>& nodes);
 
 }  // namespace clearcut::plan::spiral

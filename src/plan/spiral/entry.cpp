@@ -13,7 +13,8 @@ Strategy make(const StrategyRequest& request) {
   options.wall_on_right = request.step.wall_on_right();
   options.machine = request.plan.machine;
   options.feed = request.step.feed;
-  line_distance(request.stepover, 1);  // refused before anything is planned
+  line_distance(request.stepover,
+                1);  // throws for rules that mean nothing to spirals, before anything is planned
   return once_per_outline(
       [options, stepover = request.stepover, tol = request.plan.tol](const Layer& layer) mutable {
         options.stepover = line_distance(stepover, 2 * layer.tool_radius);
@@ -34,7 +35,8 @@ StrategyEntry entry() {
   entry.make = make;
   entry.in_auto = AutoUse::kTried;
   entry.least_length = least_length;
-  entry.margin = 1.15;  // of 120 random pockets: 1.17 to 2 times the least time
+  entry.margin =
+      1.15;  // its estimated time; of 120 random pockets spirals took 1.17 to 2 times the least time
   return entry;
 }
 

@@ -16,35 +16,35 @@
 namespace clearcut::plan::spiral {
 namespace {
 
-/// Steps that are tried, as shares of the diameter, the first for large areas alone.
+/// Steps that are tried, as shares of the diameter; in large areas only the first ones.
 constexpr double kSteps[] = {0.92, 0.86, 0.98, 0.8, 0.74, 0.68, 0.5, 0.35};
-/// As many of them are tried in any case; the rest only while there is nothing.
+/// So many of them are tried in any case, the others only while none has led to a plan.
 constexpr std::size_t kUsualSteps = 6;
-/// Share of the radius by which a step is fitted so that the innermost turn clears the middle.
+/// Share of the radius. Steps are chosen so that the innermost turn lies this far from the deepest point.
 constexpr double kMiddle = 0.95;
-/// Share of the radius of arcs in corners.
+/// Share of the radius: radius of the arcs in corners.
 constexpr double kCorner = 0.6;
-/// Corners stay sharp this near to where rounding them leaves something, radii.
+/// Share of the radius: corners this near to where rounding them leaves something stay sharp.
 constexpr double kSharpReach = 2.5;
-/// Distance of turns over the radius at the edge of a face: the first runs so far inside.
+/// Share of the radius: how far inside the edge of a face the first turn runs.
 constexpr double kInsideEdge = 0.6;
-/// Radii. Arcs of turns are looked at in places so far apart.
+/// Share of the radius: distance between the points of a turn's arcs at which legality is checked.
 constexpr double kLegalPitch = 0.25;
-/// Radii. Ridges shorter than this are not followed.
+/// Share of the radius: ridges of the medial axis shorter than this are not followed.
 constexpr double kLeastRidge = 1;
-/// mm. What is mended overlaps by about this where not even a residual may stay.
+/// mm. On layers where no residual may stay, detours that mend overlap by about this.
 constexpr double kBareMargin = 0.002;
-/// Work in all, in edges of turns: few steps are tried in large areas.
+/// Greatest number of edges of turns over all steps: in large areas few steps are tried.
 constexpr double kMostEdgesInAll = 6000;
-/// A candidate for one connected area.
+/// The candidate spirals of one connected area.
 struct Spirals {
   std::vector<Path> paths;
-  std::vector<int> parents;  ///< -1: none
+  std::vector<int> parents;  ///< index of the path around it; -1: none
   double time = std::numeric_limits<double>::infinity();
 };
 
-/// Spirals in one connected region; `from_wall`: its boundary is cut, too, as it is. What is farther than a radius from
-/// the rim of `around` has to be cleared.
+/// Plans the spirals in one connected region. `from_wall`: its boundary is itself cut. Everything farther
+/// than a radius from the rim of `around` has to be cleared.
 class SpiralPlanner {
  public:
   SpiralPlanner(const Region& region, bool from_wall, const Regions& around, const Region& legal,
@@ -87,7 +87,7 @@ class SpiralPlanner {
   }
 
  private:
-  /// The wanted steps, each made a little smaller where the middle is then reached evenly.
+  /// The steps to try, each also reduced so that a whole number of turns reaches the middle.
   std::vector<double> steps() const {
     const double diameter = 2 * layer_.tool_radius;
     std::vector<double> found;
@@ -109,7 +109,7 @@ class SpiralPlanner {
     return found;
   }
 
-  /// The first turn runs a little inside the edge of a face, but on it where the face is too narrow for that.
+  /// mm from the edge of a face to the first turn: a little inside, but 0 if the face is too narrow for that.
   double level_at_edge() const {
     const double inside = kInsideEdge * layer_.tool_radius;
     const auto loops = clearance_.inset(inside);
@@ -131,7 +131,7 @@ class SpiralPlanner {
     if (first_level_ == 0 && !nodes.empty()) nodes.front().contour = region_;
     const auto [chains, chain_of_node] = spiral_chains(nodes);
     Spirals result;
-    std::vector<std::size_t> kept;  // edges at the end of each way that stay as they are
+    std::vector<std::size_t> kept;  // for each path: number of edges at its end that stay as they are
     for (const auto& chain : chains) {
       result.parents.push_back(chain.parent);
       kept.push_back(0);
@@ -150,7 +150,7 @@ class SpiralPlanner {
     return result;
   }
 
-  /// Paths along the middle of what loops leave between them; what a few radii hold is left to the mending.
+  /// Paths along the ridges that loops leave between them; residuals of a few radii are left to mending.
   std::vector<Path> ridges(const RingNode& node) const {
     std::vector<Path> found;
     for (const auto& ridge : residual_paths(node, layer_.tool_radius - kBareMargin)) {
@@ -167,8 +167,8 @@ class SpiralPlanner {
 
   Loop oriented(const Loop& loop) const { return options_.wall_on_right ? loop : reversed(loop); }
 
-  /// From the innermost loop outwards, each turn beginning where the last has ended. `outermost`: how many edges belong
-  /// to the last turn and what it leaves of the outermost loop.
+  /// The spiral from the innermost loop outwards; each turn begins where the one before ended. `outermost`
+  /// returns how many edges belong to the last turn and to the rest of the outermost loop.
   Path spiral(const SpiralChain& chain, std::size_t& outermost) const {
     const Loop& innermost = chain.loops.back();
     const auto longest =
@@ -193,7 +193,8 @@ class SpiralPlanner {
     return path;
   }
 
-  /// Empty where the turn would run into something that does not belong to the loop, as islands that met it.
+  /// The turn to `loop`; empty if it would run into something that does not belong to the loop, such as an
+  /// island.
   Path turn_to(const Loop& loop, Vec2 start) const {
     Path turn = turn_inside(loop, start);
     return std::all_of(turn.begin(), turn.end(), [this](const Edge& edge) { return is_legal(edge); })
@@ -210,7 +211,7 @@ class SpiralPlanner {
     return true;
   }
 
-  /// Turns are built with the wall on the right; the other sense is their mirror image.
+  /// Turns are built with the wall on the right; for the other direction everything is mirrored.
   Path turn_inside(const Loop& loop, Vec2 start) const {
     if (options_.wall_on_right) return spiral_turn(loop, start);
     Loop mirrored;
@@ -226,7 +227,8 @@ class SpiralPlanner {
     return {mirror(edge.from), mirror(edge.to), mirror(edge.center), turn};
   }
 
-  /// Rounds all corners of the paths but for their last laps, and sharpens again those where that leaves something.
+  /// Rounds all corners except in the last `kept` edges of each path, and restores those where that leaves
+  /// something.
   void smooth(std::vector<Path>& paths, const std::vector<std::size_t>& kept) const {
     std::vector<Vec2> holes;
     const auto sharp = [&](Vec2 p) {
@@ -261,8 +263,8 @@ class SpiralPlanner {
   MendJob job_;
 };
 
-/// The paths of one legal area in the order in which they are cut: each after those inside it, nearest first, joined by
-/// legal paths where these are quicker than a lift.
+/// Joins the paths of one legal area in the order of cutting: each after those inside it, the nearest first,
+/// by links at depth where these are quicker than a retract link.
 class Joiner {
  public:
   Joiner(Spirals spirals, const Region& legal, const Layer& layer, const SpiralOptions& options)
@@ -302,7 +304,7 @@ class Joiner {
 
   bool is_loop(std::size_t i) const { return spirals_.paths[i].front().from == spirals_.paths[i].back().to; }
 
-  /// Loops may begin anywhere.
+  /// Path i; a loop begins at the place nearest to the end of the last path.
   Path begun_near(std::size_t i, const std::vector<Path>& joined) const {
     if (joined.empty() || !is_loop(i)) return spirals_.paths[i];
     return lap(spirals_.paths[i], joined.back().back().to);

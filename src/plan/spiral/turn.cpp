@@ -11,24 +11,24 @@
 namespace clearcut::plan::spiral {
 namespace {
 
-/// Greatest sweep of an arc that stands for one of changing radius.
+/// Radians. An arc of changing radius is replaced by arcs of at most this sweep.
 constexpr double kBandPiece = kPi / 6;
-/// mm. The turn's ends have to be found this near.
+/// mm. The ends of a turn have to be found to within this.
 constexpr double kFound = 1e-3;
-/// mm. Pieces of the rim whose ends are this near are joined.
+/// mm. Pieces of the rim whose ends are nearer than this are joined.
 constexpr double kJoined = 1e-6;
-/// mm. Gaps between pieces that are no more than rounding of the loop.
+/// mm. Gaps between pieces up to this come from rounding of the loop.
 constexpr double kGap = 2e-4;
-/// Sine. A piece that turns left by less does not lie farther left.
+/// Sine of an angle. A piece that turns left by less does not lie farther left.
 constexpr double kNoTurn = 1e-9;
-/// Sine of the steepest fall; steeper ones are not even, and end in a gap.
+/// Sine of the greatest angle at which a turn approaches the loop; a steeper one is uneven and ends in a gap.
 constexpr double kSteepest = 0.95;
-/// Cells of the index along the fall.
+/// Number of cells of the index along the part on which the turn goes over.
 constexpr double kCells = 64;
-/// The fall may end from this share of its length on, and up to so many mm after it.
+/// A turn may reach the loop from this share of that part's length on, and up to kLatest mm after it.
 constexpr double kEarliest = 0.6;
 constexpr double kLatest = 1.0;
-/// Below this change of direction there is no corner.
+/// Radians. A smaller change of direction is no corner.
 constexpr double kNoCorner = 3 * kPi / 180;
 
 struct OnLoop {
@@ -57,13 +57,14 @@ Edge through(Vec2 from, Vec2 middle, Vec2 to) {
   return Edge::from_bulge(from, to, -sagitta / half);
 }
 
-/// A piece of what may bound the loop widened to the left: beside an edge, about a joint, or of the loop itself.
+/// A piece of what may bound the loop widened to the left: beside an edge, about a corner, or the loop
+/// itself.
 struct RimPiece {
   Edge edge;
   bool on_loop = false;
 };
 
-/// All of them in the order of the loop. What is widened lies on their right.
+/// All such pieces in the order of the loop. What is widened lies on their right.
 class RimPieces {
  public:
   RimPieces(const Path& around, Vec2 start)
@@ -91,10 +92,12 @@ class RimPieces {
  private:
   double width_at(double travelled) const { return widest_ * std::max(0.0, 1 - travelled / fall_); }
 
-  /// Where the disc about a place of the loop touches the rim: a little ahead, since the next discs are smaller.
+  /// Unit vector from a place of the loop to where the disc about it touches the rim: a little ahead, because
+  /// later discs are smaller.
   Vec2 towards_rim(Vec2 heading) const { return left_of(heading) * aside_ + heading * ahead_; }
 
-  /// Left-hand arcs narrower than the band collapse to their centre.
+  /// The point of the rim beside the edge at t. Arcs that turn left with a smaller radius than the width
+  /// shrink to their centre.
   Vec2 beside(const Edge& edge, double t, double travelled) const {
     const double most = edge.turn == Turn::kCounterClockwise ? edge.radius() : widest_;
     return edge.at(t) + towards_rim(edge.tangent_at(t)) * std::min(most, width_at(travelled));
@@ -113,7 +116,8 @@ class RimPieces {
     travelled_ += whole;
   }
 
-  /// Round a corner of the loop that sticks out into the area, from `from` to where the next edge's piece begins.
+  /// Adds the arc about a corner that points into the area, from `from` to the beginning of the next edge's
+  /// piece.
   void add_joint(Vec2 from, Vec2 corner, Vec2 heading) {
     const Vec2 to = corner + towards_rim(heading) * width_at(travelled_);
     if (cross(from - corner, to - corner) < 0 && distance(from, to) > kJoined)
@@ -122,13 +126,13 @@ class RimPieces {
 
   double widest_;
   double fall_;
-  double ahead_;  ///< sine of the angle at which the rim falls
+  double ahead_;  ///< sine of the angle at which the rim approaches the loop
   double aside_;
   double travelled_ = 0;
   std::vector<RimPiece> pieces_;
 };
 
-/// The edge with other ends, near its own: arcs so small that this could turn them round become lines.
+/// The edge with other ends near its own; arcs so small that this could turn them round become lines.
 Edge between(const Edge& edge, Vec2 from, Vec2 to) {
   Edge moved = edge;
   moved.from = from;
@@ -137,7 +141,7 @@ Edge between(const Edge& edge, Vec2 from, Vec2 to) {
   return moved;
 }
 
-/// Goes along the pieces and on to the next one wherever another begins to lie farther left: so along the rim.
+/// Follows the rim: along each piece up to where another piece begins to lie farther left, then along that.
 class RimWalk {
  public:
   RimWalk(std::vector<RimPiece> pieces, double cell) : pieces_(std::move(pieces)), index_(cell) {
@@ -145,7 +149,8 @@ class RimWalk {
       index_.add(pieces_[i].edge.box().grown(kJoined), static_cast<std::uint32_t>(i));
   }
 
-  /// From `start` on the first piece to where the rim reaches the loop; empty where it has a gap.
+  /// The path from `start`, on the first piece, to where the rim reaches the loop; empty if the rim has a
+  /// gap.
   Path to_loop(Vec2 start) const {
     Path path;
     std::size_t at = 0;
@@ -166,11 +171,12 @@ class RimWalk {
   struct Step {
     std::size_t piece = 0;
     Vec2 point;
-    double travelled = std::numeric_limits<double>::infinity();  ///< along the piece before
-    double left = 0;  ///< how far to the left the next piece turns there, sine
+    double travelled = std::numeric_limits<double>::infinity();  ///< mm along the piece before
+    double left = 0;  ///< sine of the angle by which the next piece turns left there
   };
 
-  /// The first place after `from` on piece `at` where a later one turns left from it, or goes on from its end.
+  /// The first place after `from` on piece `at` where a later piece turns left from it, or continues it at
+  /// its end.
   std::optional<Step> next(std::size_t at, Vec2 from) const {
     const Edge& edge = pieces_[at].edge;
     const double whole = edge.length(), begin = nearest(edge, from).t * whole;
@@ -199,7 +205,7 @@ class RimWalk {
   BoxIndex index_;
 };
 
-/// The rest of a path after `way` mm, begun exactly at `start`.
+/// The path without its first `travelled` mm; begins exactly at `start`.
 Path after(const Path& path, double travelled, Vec2 start) {
   Path rest;
   for (const auto& edge : path) {
@@ -213,7 +219,7 @@ Path after(const Path& path, double travelled, Vec2 start) {
   return rest;
 }
 
-/// Way from the beginning of `path` to the place nearest to p.
+/// mm from the beginning of `path` to its place nearest to p.
 double length_to(const Path& path, Vec2 p) {
   double travelled = 0, best_travelled = 0, best = std::numeric_limits<double>::infinity();
   for (const auto& edge : path) {
@@ -227,7 +233,7 @@ double length_to(const Path& path, Vec2 p) {
   return best_travelled;
 }
 
-/// The remaining parts of an edge whose ends corners have taken away.
+/// Parameters of what corners leave of an edge.
 struct Trimmed {
   double begin = 0;
   double end = 1;
@@ -267,7 +273,7 @@ std::optional<Fillet> fillet(const Edge& before, const Edge& after, double radiu
   return std::nullopt;
 }
 
-/// The first `way` mm of a path.
+/// The first `travelled` mm of a path.
 Path beginning(const Path& path, double travelled) {
   Path first;
   for (const auto& edge : path) {
@@ -317,7 +323,7 @@ Path spiral_turn(const Loop& loop, Vec2 start) {
   const double fall = pieces.fall(), cell = std::max(distance(start, around.front().from), fall / kCells);
   Path turn = RimWalk(pieces.take(), cell).to_loop(start);
   if (turn.empty()) return {};
-  // Too early or too late: then something came between.
+  // If the loop was reached too early or too late, something else lay between.
   const double travelled = length_to(around, turn.back().to);
   if (travelled < kEarliest * fall || travelled > fall + kLatest) return {};
   const Path rest = after(around, travelled, turn.back().to);

@@ -1,4 +1,4 @@
-// One turn of a spiral: from a loop to the one around it, evenly. Used by the planner alone.
+// One turn of a spiral: from a loop to the loop around it, at an even rate.
 #pragma once
 
 #include <functional>
@@ -7,30 +7,34 @@
 
 namespace clearcut::plan::spiral {
 
-/// Share of the way round on which a turn falls from one loop to the next; on the rest it runs along the next. At 1
-/// turns would be even, and the wall had to be followed twice all round.
+/// Share of a turn on which it goes over from one loop to the next; on the rest it follows the next loop. At
+/// 1 turns would be even all round, but the wall would have to be followed once more.
 inline constexpr double kSpiralFall = 0.3;
 
-/// The way from `start`, a place on the next loop inwards, once round `loop` in its sense to the place of `loop` nearest
-/// to `start`, where it ends. Its distance from `loop` falls evenly from that of `start` to 0 on the first part of the
-/// way. A turn is nowhere farther from the turn before than their loops are, because both fall at the same place.
+/// The path from `start`, a place on the next loop inwards, once round `loop` in its direction to the place
+/// of `loop` nearest to `start`. Its distance from `loop` decreases evenly from that of `start` to 0 on the
+/// first part. A turn is nowhere farther from the turn before than their loops are from each other, because
+/// both go over at the same place.
 ///
-/// Method  Beside each edge of `loop` on the left at that distance, and about each corner that sticks out, runs a piece of
-///         what may bound the loop widened by that distance. The turn goes along them from the first on, and at each
-///         meeting on to the later one: so edges that vanish on the way in need no care.
-/// Error   arcs of changing radius are arcs through three of their places, at most 30 degrees each (0.1 % of the step).
-///         Empty when the loop cannot be followed; it should then be reached straight, and cut as it is.
+/// Method  Left of each edge of `loop` at that distance, and about each corner that points into the area,
+///         lies a piece of the rim of the loop widened by that distance. The turn follows these pieces in
+///         order and goes over to a later piece where they intersect, so that edges which vanish inwards need
+///         no rule of their own.
+/// Error   Arcs of changing radius are replaced by arcs through three of their points, at most 30 degrees
+///         each (0.1 % of the step). Empty if the loop cannot be followed; it should then be reached on a
+///         straight path and cut as it is.
 /// Cost    O(n log n) in edges.
 Path spiral_turn(const Loop& loop, Vec2 start);
 
-/// The loop from the place nearest to `start` once round, or as far as `share` of its length.
+/// The loop from its place nearest to `start` once round, or up to `share` of its length.
 Path lap(const Loop& loop, Vec2 start, double share = 1);
 
-/// Goes on with `more`: from where the path ends, exactly, and by a line where that is farther away than rounding.
+/// Continues `path` with `more`, which is made to begin exactly at the path's end; adds a line if they are
+/// farther apart than rounding.
 void append(Path& path, const Path& more);
 
-/// Corners become arcs of at most `radius` that touch both edges, except where `sharp` says so and where edges are too
-/// short.
+/// Replaces corners by arcs of at most `radius` mm that touch both edges, except where `sharp` is true and
+/// where edges are too short.
 Path with_round_corners(const Path& path, double radius, const std::function<bool(Vec2)>& sharp);
 
 }  // namespace clearcut::plan::spiral

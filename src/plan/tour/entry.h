@@ -1,4 +1,4 @@
-// The row of this strategy in the table of strategies.
+// The entry of this strategy in the table of strategies.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace clearcut::plan::tour {
 
-/// `solver_for` makes the search that puts the grid in order.
+/// `solver_for` makes the search that orders the points of the grid.
 StrategyEntry entry(std::function<TourSolver(const StrategyRequest&)> solver_for);
 
 }  // namespace clearcut::plan::tour

@@ -1,4 +1,4 @@
-// Square lattices of places to visit in a box.
+// Square lattices of points to visit in a box.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace clearcut::plan::tour {
 
 using Points = std::vector<Vec2>;
 
-/// Rows and columns of places, `pitch` mm apart, from the lower left one at `corner`.
+/// Rows and columns of points, `pitch` mm apart, from the lower left one at `corner`.
 struct Lattice {
   Vec2 corner;
   double pitch = 0;
@@ -19,14 +19,14 @@ struct Lattice {
   Vec2 at(int column, int row) const { return corner + Vec2{column * pitch, row * pitch}; }
 };
 
-/// From the box's lower left corner, as published.
+/// The lattice from the box's lower left corner, as published.
 Lattice published_lattice(const Box& box, double pitch);
-/// Stretched down from a pitch of at most `largest` mm so that the wider side of the box is met at both ends, in the middle
-/// of the other side. Of a box far smaller than the pitch only the middle is met.
+/// A lattice of at most `largest` mm pitch, reduced so that rows meet both ends of the box's longer side;
+/// centred along the other side. For a box far smaller than the pitch, its middle alone.
 Lattice fitted_lattice(const Box& box, double largest);
-/// The same lattice with as many more columns and rows as it takes to fill `box`.
+/// The same lattice with as many more columns and rows as fill `box`.
 Lattice filling(const Lattice& lattice, const Box& box);
-/// The places of the lattice that lie in `area`, row by row.
+/// The points of the lattice that lie in `area`, row by row.
 Points points_in(const Lattice& lattice, const LegalArea& area);
 
 }  // namespace clearcut::plan::tour

@@ -18,16 +18,17 @@
 namespace clearcut::plan::tour {
 namespace {
 
-/// mm. Visits to what is left reach this much farther than they must.
+/// mm. Visits to what is left go this much farther than they must.
 constexpr double kReserve = 0.01;
-/// Rounds of mending that reroute the way; those after only add to it, which always ends.
+/// Rounds of mending. The first kRerouted change the path; later ones only add detours, which always ends.
 constexpr int kRerouted = 3;
 constexpr int kMendings = 40;
-/// Radii, and directions, of the places of a disc that are asked whether they need it.
+/// Shares of the radius, and number of directions: the points of a disc at which it is tested whether its
+/// centre is needed.
 constexpr double kProbes[] = {0.45, 0.95};
 constexpr int kProbeDirections = 12;
 
-/// A single point stays, as a way of no length.
+/// A path through the points; for a single point one edge without length.
 Path path_through(const Points& points) {
   Path path = line_path(points);
   if (path.empty() && !points.empty()) path.push_back(Edge::line(points.front(), points.front()));
@@ -42,20 +43,20 @@ struct Work {
   const Tolerances& tol;
   std::vector<Edge> walls;  ///< the passes along the walls
   LegalArea target;
-  bool pocket = true;  ///< closed all round
+  bool pocket = true;  ///< the layer is a pocket closed all round
 
   double radius() const { return layer.tool_radius; }
   double pitch() const { return options.pitch * (options.pitch_in_mm ? 1 : 2 * radius()); }
 };
 
-/// A way under construction in one legal area: points joined by straight legal moves.
+/// A path in one legal area while it is built: points joined by straight legal moves.
 class Route {
  public:
   explicit Route(const LegalPaths& paths) : paths_(paths) {}
 
   const Points& points() const { return points_; }
 
-  /// Visits the points in this order. False where the area does not join two of them: then no more is visited.
+  /// Goes to the points in this order. False if the area does not connect two of them; then it stops there.
   bool follow(const Points& stops) {
     for (const Vec2 stop : stops) {
       if (!points_.empty()) {
@@ -68,13 +69,14 @@ class Route {
     return true;
   }
 
-  /// Visits p as well, where that costs least: instead of a straight move, or beside it.
+  /// Adds a visit of p where it is shortest: instead of a straight move, or (`beside`) as a detour from it
+  /// and back.
   void visit(Vec2 p, bool beside) {
     if (points_.size() < 2) {
       follow({p});
       return;
     }
-    std::vector<std::pair<double, std::size_t>> least;  // cost at least so much, by move
+    std::vector<std::pair<double, std::size_t>> least;  // lower bound of the length, and index of the move
     for (std::size_t i = 0; i + 1 < points_.size(); ++i)
       least.emplace_back(extra(points_[i], p, points_[i + 1], beside), i);
     std::sort(least.begin(), least.end());
@@ -107,12 +109,12 @@ class Route {
   }
 
  private:
-  /// What the visit costs at least.
+  /// mm; lower bound of the length that the visit adds.
   static double extra(Vec2 a, Vec2 p, Vec2 b, bool beside) {
     if (beside) return a == b ? 2 * distance(a, p) : 2 * distance(Edge::line(a, b), p);
     return distance(a, p) + distance(p, b) - distance(a, b);
   }
-  /// What comes between a and b then; empty where there is no way.
+  /// The points between a and b with the visit; empty if there is no legal path.
   Points detour(Vec2 a, Vec2 p, Vec2 b, bool beside) const {
     const Vec2 foot = a == b ? a : nearest_point(Edge::line(a, b), p);
     const auto there = paths_.bends(beside ? foot : a, p), back = paths_.bends(p, beside ? foot : b);
@@ -135,8 +137,8 @@ class Route {
   Points points_;
 };
 
-/// Which points of a lattice are visited: those well inside what the walls' passes leave, and those that clear of it what
-/// no other does.
+/// Which points of a lattice are visited: those well inside what the wall passes leave, and those that clear
+/// some of it that no other point does.
 class GridChoice {
  public:
   GridChoice(const Lattice& lattice, const LegalArea& legal, const LegalArea& rest, double radius)
@@ -190,7 +192,7 @@ class GridChoice {
     return false;
   }
 
-  /// Whether a chosen point about (column, row) clears q.
+  /// Whether a chosen point near (column, row) clears q.
   bool is_cleared(Vec2 q, int column, int row) const {
     constexpr int kAround = 3;
     for (int r = std::max(0, row - kAround); r <= std::min(lattice_.rows - 1, row + kAround); ++r) {
@@ -209,13 +211,13 @@ class GridChoice {
   std::vector<char> chosen_;
 };
 
-/// Everything about one connected legal area of a layer.
+/// Plans one connected legal area of a layer.
 class AreaPlanner {
  public:
   AreaPlanner(const ClearingComponent& component, const Work& work)
       : legal_(component.legal), rest_(component.rest), work_(work), paths_({legal_}), route_(paths_) {}
 
-  /// The way through the grid and whatever else must be visited; empty when nothing must.
+  /// The path through the grid and whatever else must be visited; empty if nothing must.
   Path plan() {
     if (rest_.empty() && !work_.options.published) return {};
     follow(grid());
@@ -240,8 +242,8 @@ class AreaPlanner {
     return choice.points();
   }
 
-  /// The rest as far as the first row keeps from its rim: a place between them half a pitch from the nearest points of
-  /// the row is just within a radius of those.
+  /// The rest without a rim. A point between the rim and the first row, half a pitch from the nearest points
+  /// of that row, is just within a radius of them.
   Regions well_inside() const {
     const double radius = work_.radius(), half = std::min(work_.pitch() / 2, radius);
     const double margin = 0.98 * std::sqrt(radius * radius - half * half) - 0.02 * radius;
@@ -270,7 +272,7 @@ class AreaPlanner {
     route_.follow(stops);
   }
 
-  /// Places of the target that neither the walls' passes nor the way clear.
+  /// Points of the target that neither the wall passes nor the path clear.
   Points holes() const {
     std::vector<Edge> edges = work_.walls;
     for (const auto& edge : path_through(route_.points())) {
@@ -281,14 +283,15 @@ class AreaPlanner {
     const auto matters = [&](Vec2 p) { return paths_.area().contains(p) && work_.target.contains(p); };
     Points found = cover.holes(matters);
     if (work_.pocket) return found;
-    // Beside open sides a hole may be bounded by the target's own edge.
+    // Beside open sides the target's own boundary may bound a hole.
     for (const auto& region : rest_) {
       for (const auto& edge : region.edges()) add_left_of(edge, edges, cover, found);
     }
     return found;
   }
 
-  /// The middle of every stretch of an edge that is left. Stretches end where the rim of a sweep crosses the edge.
+  /// Adds the middle of every part of an edge that is left. Parts end where the rim of a sweep crosses the
+  /// edge.
   void add_left_of(const Edge& edge, const std::vector<Edge>& swept, const Cover& cover,
                    Points& found) const {
     std::vector<double> cuts{0, 1};
@@ -307,7 +310,7 @@ class AreaPlanner {
     }
   }
 
-  /// What bounds the sweep of an edge.
+  /// What bounds the area swept along an edge.
   std::vector<Edge> rim_of(const Edge& path) const {
     const double radius = work_.radius();
     std::vector<Edge> rim;
@@ -329,8 +332,8 @@ class AreaPlanner {
     return rim;
   }
 
-  /// Visits every hole; one visit serves all that it reaches. Beside the way as far in as its rim, so that no
-  /// long thin hole is nibbled at.
+  /// Visits every hole; one visit clears all holes within reach. With `beside` visits are detours as far in
+  /// as the hole's rim, so that a long thin hole is not cleared in many small steps.
   void mend(Points left, bool beside) {
     if (route_.points().empty()) return follow(thinned(left));
     while (!left.empty()) {
@@ -342,7 +345,7 @@ class AreaPlanner {
     }
   }
 
-  /// A few of the points, such that every other is within half a radius of one.
+  /// Some of the points, such that every other one is within half a radius of one of them.
   Points thinned(const Points& points) const {
     Points kept;
     for (const Vec2 p : points) {
@@ -353,8 +356,8 @@ class AreaPlanner {
     return kept;
   }
 
-  /// From where the first hole and those around it are cleared: as near to the way as possible. Where no place
-  /// serves all of them the hole is large and visited at its rim.
+  /// The centre that clears the first hole and those around it, as near to the path as possible. If no centre
+  /// clears all of them, the hole is large and its rim is visited.
   Vec2 place_for(const Points& left) const {
     const double radius = work_.radius();
     Points group;

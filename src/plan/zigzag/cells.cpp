@@ -9,7 +9,7 @@
 namespace clearcut::plan::zigzag {
 namespace {
 
-/// mm. Taken off the radius where lines are cut short.
+/// mm. Lines are shortened as for a radius smaller by this.
 constexpr double kShortening = 0.001;
 
 struct Interval {
@@ -17,14 +17,14 @@ struct Interval {
   double to = 0;
 };
 
-/// A piece of boundary that is monotone in x and in y, upwards (or level).
+/// A piece of the boundary that is monotone in x and in y; from `low` to `high`.
 struct Piece {
   Vec2 low;
   Vec2 high;
   bool arc = false;
   Vec2 center;
   double radius = 0;
-  double side = 0;  ///< arcs: x = center.x + side * sqrt(radius^2 - (y - center.y)^2)
+  double side = 0;  ///< of arcs, 1 or -1: x = center.x + side * sqrt(radius^2 - (y - center.y)^2)
 
   double x_at(double y) const {
     if (high.y - low.y < 1e-12) return low.x;
@@ -35,7 +35,7 @@ struct Piece {
   }
 };
 
-/// Parameters at which an arc runs level or upright, with the ends.
+/// Parameters at which an arc is horizontal or vertical, and those of both ends.
 std::vector<double> quadrant_cuts(const Edge& edge) {
   std::vector<double> cuts{0};
   const double begin = angle_of(edge.from - edge.center), sweep = edge.sweep();
@@ -64,11 +64,11 @@ void add_pieces(const Edge& edge, std::vector<Piece>& pieces) {
   }
 }
 
-/// What a strip needs of its line, left to right.
+/// What one connected part of a strip asks of its line.
 struct Need {
-  Interval reach;    ///< from where to where the strip's part of the region reaches
-  double right_end;  ///< the line has to go on at least to here
-  double left_end;   ///< and to begin here or before
+  Interval reach;    ///< x: extent of that part of the region
+  double right_end;  ///< x: the line has to extend at least to here
+  double left_end;   ///< x: the line has to begin here or farther left
 };
 
 class Strips {
@@ -111,7 +111,7 @@ class Strips {
     };
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const std::size_t first = strip_of(pieces_[i].low.y), last = strip_of(pieces_[i].high.y);
-      // Pieces that end on the border of a strip count for both sides of it.
+      // Pieces that end on the border of two strips belong to both.
       const std::size_t from = first > 0 && pieces_[i].low.y - low(first) < 1e-9 ? first - 1 : first;
       for (std::size_t s = from; s <= last; ++s) pieces_in_[s].push_back(i);
     }
@@ -124,7 +124,7 @@ class Strips {
     return {a, b};
   }
 
-  /// Where the level line at y runs inside the region.
+  /// The x intervals in which the horizontal line at y lies inside the region.
   std::vector<Interval> sections(std::size_t strip, double y) const {
     std::vector<double> crossings;
     for (const std::size_t i : pieces_in_[strip]) {
@@ -152,7 +152,7 @@ class Strips {
     return whole;
   }
 
-  /// Raises the demands on the line's ends so that everything of the piece in the strip is reached from it.
+  /// Extends the line's ends as far as the piece in the strip needs to be cleared.
   void demand(const Piece& piece, std::size_t strip, std::vector<Need>& needs) const {
     const auto [a, b] = clipped(piece, strip);
     const double middle_x = (a.x + b.x) / 2, y = middle(strip);
@@ -170,7 +170,7 @@ class Strips {
     place(a);
     place(b);
     if (!piece.arc || piece.radius >= radius_) return;
-    // Discs that hold a small arc touch it from outside where both centres and the place are in line.
+    // A disc just holds a small arc where the two centres and the point of contact are on one line.
     const double dy = piece.center.y - y, between = radius_ - piece.radius;
     if (std::abs(dy) > between) return;
     for (const double side : {-1.0, 1.0}) {
@@ -192,14 +192,14 @@ class Strips {
 };
 
 ZigzagLine line_of(const Need& need, double y) {
-  // Both demands met by one place: any between them will do.
+  // Both ends are satisfied by one point: any between them will do.
   const double middle = std::clamp((need.left_end + need.right_end) / 2, need.reach.from, need.reach.to);
   const bool place = need.right_end <= need.left_end;
   return {{place ? middle : std::max(need.left_end, need.reach.from), y},
           {place ? middle : std::min(need.right_end, need.reach.to), y}};
 }
 
-/// A strip's stretch and the cell it belongs to.
+/// The extent of one connected part of a strip, and the cell that it belongs to.
 struct Placed {
   Interval reach;
   std::size_t cell = 0;
@@ -219,7 +219,7 @@ std::vector<ZigzagCell> zigzag_cells(const Region& rest, double radius, double w
     const auto needs = strips.needs(strip);
     std::vector<Placed> here;
     for (const Need& need : needs) {
-      // A cell goes on where one stretch follows one.
+      // A cell continues if exactly one part follows one part.
       std::optional<std::size_t> on;
       int neighbours = 0;
       for (const Placed& placed : below) {

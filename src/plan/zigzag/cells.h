@@ -1,4 +1,4 @@
-// Parallel lines that clear a region, and the cells in which they follow each other. Used by the planner alone.
+// Parallel lines that clear a region, grouped into cells in which they follow each other.
 #pragma once
 
 #include <vector>
@@ -7,25 +7,25 @@
 
 namespace clearcut::plan::zigzag {
 
-/// A line of the cutter's centre from left to right, x.from <= x.to, or a single place.
+/// A line of the cutter's centre, left.x <= right.x; a single point if both are equal.
 struct ZigzagLine {
   Vec2 left;
   Vec2 right;
 };
 
-/// Lines one above the other, upwards; neighbours overlap, and nothing lies between them.
+/// Lines one above the other, upwards; neighbours overlap in x, and nothing lies between them.
 struct ZigzagCell {
   std::vector<ZigzagLine> lines;
 };
 
 /// Lines along x that clear `rest`, in cells.
 ///
-/// Method  `rest` is cut into horizontal strips of equal height, at most `widest_step`. The line in the middle of a
-///         strip runs as far as the strip's part of `rest` reaches, less what the disc at its end clears. So every
-///         place of the line lies right above or below a point of `rest`, at most a radius away: where `rest` keeps a
-///         radius from the boundary of the legal area, all lines are legal.
-/// Error   `radius` is taken 1 um less, so residuals stay below that.
-/// Cost    O(edges * strips they cross).
+/// Method  `rest` is divided into horizontal strips of equal height, at most `widest_step` mm. The line in
+///         the middle of a strip is as long as the part of `rest` in the strip, less what the disc at its end
+///         clears. So every point of the line lies straight above or below a point of `rest`, at most a
+///         radius away: if `rest` is everywhere a radius inside the legal area, all lines are legal.
+/// Error   Lines are computed for a radius smaller by 1 um, so residuals stay below that.
+/// Cost    O(edges * strips that they cross).
 std::vector<ZigzagCell> zigzag_cells(const Region& rest, double radius, double widest_step);
 
 }  // namespace clearcut::plan::zigzag

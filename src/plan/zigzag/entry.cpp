@@ -13,7 +13,8 @@ Strategy make(const StrategyRequest& request) {
   options.material_on_right = request.step.wall_on_right();
   options.machine = request.plan.machine;
   options.feed = request.step.feed;
-  line_distance(request.stepover, 1);  // refused before anything is planned
+  line_distance(request.stepover,
+                1);  // throws for rules that mean nothing to lines, before anything is planned
   return once_per_outline(
       [options, stepover = request.stepover, tol = request.plan.tol](const Layer& layer) mutable {
         options.stepover = line_distance(stepover, 2 * layer.tool_radius);

@@ -13,18 +13,19 @@
 namespace clearcut::plan::zigzag {
 namespace {
 
-/// Share of the diameter by which neighbouring lines overlap at least.
+/// Share of the diameter: least overlap of neighbouring lines.
 constexpr double kOverlap = 0.01;
-/// Share of its time by which a line is dearer when the material is on the wrong side.
+/// Share of a line's time by which it counts as slower if the material is on the wrong side.
 constexpr double kWrongSide = 0.02;
-/// Directions that are tried: those of the longest walls and square to them, and some of the compass.
+/// Directions that are tried: those of the longest walls, square to these, and multiples of kCompassStep
+/// radians.
 constexpr std::size_t kMostWallDirections = 6;
 constexpr double kCompassStep = kPi / 4;
-/// Directions nearer than this are one.
+/// Radians. Directions that differ by less are equal.
 constexpr double kSameDirection = 0.5 * kPi / 180;
-/// Directions that are planned to the end; all are estimated.
+/// Number of directions for which the whole path is planned; the others are only estimated.
 constexpr std::size_t kFinalists = 3;
-/// Beyond so many edges of an outline only the first direction is planned.
+/// Outlines with more edges than this are planned in the first direction alone.
 constexpr std::size_t kMostEdges = 5000;
 
 Edge rotated(const Edge& edge, double angle) {
@@ -44,14 +45,14 @@ Region rotated(const Region& region, double angle) {
   return Region::from_valid_loops(rotated(region.outer(), angle), std::move(islands));
 }
 
-/// A direction with the cells it gives.
+/// A direction and the cells that it gives.
 struct Draft {
-  double angle = 0;
+  double angle = 0;  ///< radians
   std::vector<ZigzagCell> cells;
-  double estimate = 0;  ///< seconds, too little
+  double estimate = 0;  ///< seconds, a lower bound
 };
 
-/// One connected legal area.
+/// Plans one connected legal area.
 class ZigzagPlanner {
  public:
   ZigzagPlanner(const ClearingComponent& component, const Layer& layer, const ZigzagOptions& options)
@@ -62,7 +63,7 @@ class ZigzagPlanner {
         routes_({component.legal}, area_),
         retract_(options.machine, options.feed, retract_heights(layer)) {}
 
-  /// The paths of the cutter, one for each stretch without a lift.
+  /// The paths of the cutter, one for each stretch without a retract link.
   std::vector<Path> plan() const {
     if (component_.rest.empty()) return {};
     auto drafts = drafts_of(directions());
@@ -126,7 +127,8 @@ class ZigzagPlanner {
     return drafts;
   }
 
-  /// Lines, the paths between them, and about one radius and two turns from each cell to the next.
+  /// Seconds: the lines, the moves between them, and about one radius and two turns from each cell to the
+  /// next.
   double estimate(const std::vector<ZigzagCell>& cells) const {
     double path = 0, turns = 0;
     for (const auto& cell : cells) {
@@ -144,8 +146,8 @@ class ZigzagPlanner {
     return path / speed() + turns * speed() / options_.machine.acceleration;
   }
 
-  /// Length of the lines of a cell that are cut with the material on the wrong side. Each line but the first, which is
-  /// a slot, has the material ahead: above it where the cell is cut upwards.
+  /// mm of a cell's lines with the material on the wrong side. The first line is cut as a slot; for each
+  /// other line the material lies ahead: above it if the cell is cut upwards.
   double wrong_side_length(const ZigzagCell& cell, int variant) const {
     const bool upwards = (variant & 1) == 0;
     double wrong = 0;
@@ -204,7 +206,7 @@ class ZigzagPlanner {
     }
   }
 
-  /// A place that clears everything alone is reached on the way to the wall.
+  /// A path from p, a single point that clears everything, to the nearest place on the wall.
   Path path_to_wall(Vec2 p) const {
     Vec2 best = p;
     double best_distance = std::numeric_limits<double>::infinity();

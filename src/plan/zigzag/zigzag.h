@@ -12,21 +12,23 @@
 namespace clearcut::plan::zigzag {
 
 struct ZigzagOptions {
-  std::optional<Radians> angle;    ///< of the lines against x; absent: the fastest found
-  std::optional<double> stepover;  ///< mm, greatest distance of lines; absent: as wide as leaves nothing
-  /// Lines on which the material lies right of the cutter are preferred (climb milling for a clockwise spindle);
-  /// false: left.
+  std::optional<Radians> angle;  ///< of the lines to the x axis; absent: the fastest one found
+  /// mm, greatest distance between lines; absent: the widest that leaves nothing.
+  std::optional<double> stepover;
+  /// Lines with the material on the right of the cutter are preferred (climb milling for a clockwise
+  /// spindle); false: on the left.
   bool material_on_right = true;
-  /// What directions are checked by.
+  /// The machine and the feed with which the times of directions are compared.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
 };
 
-/// The passes of one layer.
+/// Plans the passes of one layer.
 ///
-/// Shape   for each connected legal area one open pass, more where a lift is quicker than a way at depth; then the
-///         wall passes, which surround it. Empty where the cutter has no legal position.
-/// Error   nothing reachable of the target is left thicker than tol.uncut, whatever the angle and the stepover.
+/// Shape   One open pass for each connected legal area, more if a retract link is quicker than a link at
+///         depth; then the wall passes around it. Empty if the cutter fits nowhere.
+/// Error   Nothing reachable of the target is left thicker than tol.uncut, whatever the angle and the
+///         stepover.
 /// Cost    O(n log n + directions * (lines + cells^2 * edges)).
 LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const Tolerances& tol);
 

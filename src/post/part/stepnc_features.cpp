@@ -187,7 +187,6 @@ class FeatureWriter {
       case FeatureKind::kOutsideProfile:
       case FeatureKind::kInsideProfile:
       case FeatureKind::kEngraving:
-      case FeatureKind::kChamfer:
         return outside_profile();
       case FeatureKind::kOpenPocket:
         break;

@@ -6,13 +6,14 @@
 #include <unordered_set>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "read/common/outline_roles.h"
+#include "read/common/stock_edge.h"
 #include "read/common/text.h"
+#include "read/repair/crossings/nesting.h"
 #include "read/repair/mends.h"
-#include "read/repair/nesting.h"
 #include "stock/kerf.h"
 #include "stock/stacking.h"
 
@@ -150,20 +151,39 @@ bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const Re
   return a.role == LayerRole::kPocket && b.role == LayerRole::kPocket && same_top && depth(a) == depth(b);
 }
 
-/// What two layers of pockets of one floor both cover is milled once.
-void share_overlaps(std::vector<ShapedGroup>& groups, const ReadOptions& options, Diagnostics& diagnostics) {
+/// The regions of one group that overlap regions of the other are taken out of it.
+Regions take_overlapping(Regions& regions, const Regions& others, const Tolerances& tol) {
+  Regions overlapping, apart;
+  for (Region& region : regions) {
+    const bool meets = near_any(others, {region}) && area(intersect({region}, others, tol)) >= kShared;
+    (meets ? overlapping : apart).push_back(std::move(region));
+  }
+  regions = std::move(apart);
+  return overlapping;
+}
+
+/// Pockets of two layers and one floor that overlap become one pocket, of the layer that has more of it: there is no wall
+/// where they meet.
+void unite_overlaps(ShapedGroup& later, ShapedGroup& earlier, const ReadOptions& options,
+                    Diagnostics& diagnostics) {
+  const Regions all = earlier.regions;
+  const Regions from_later = take_overlapping(later.regions, all, options.tol);
+  if (from_later.empty()) return;
+  const Regions from_earlier = take_overlapping(earlier.regions, from_later, options.tol);
+  ShapedGroup& larger = area(from_later) > area(from_earlier) ? later : earlier;
+  const Regions united = unite(from_later, from_earlier, options.tol);
+  larger.regions.insert(larger.regions.end(), united.begin(), united.end());
+  diagnostics.note(later.group.where, "overlaps layer " + printable(earlier.group.name) +
+                                          " of the same depth; what overlaps is milled as one pocket");
+}
+
+void unite_overlapping_layers(std::vector<ShapedGroup>& groups, const ReadOptions& options,
+                              Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      ShapedGroup &later = groups[i], &earlier = groups[j];
-      const bool meet = !later.regions.empty() && !earlier.regions.empty() &&
-                        are_pockets_of_one_floor(later.group, earlier.group, options) &&
-                        near_any(earlier.regions, later.regions);
-      if (!meet || area(intersect(earlier.regions, later.regions, options.tol)) < kShared) continue;
-      Regions rest = subtract(later.regions, earlier.regions, options.tol);
-      const bool holds_earlier = area(subtract(earlier.regions, later.regions, options.tol)) < kShared;
-      (holds_earlier ? earlier.regions : later.regions) = holds_earlier ? Regions{} : std::move(rest);
-      diagnostics.note(later.group.where, "overlaps layer " + printable(earlier.group.name) +
-                                              " of the same depth; what both cover is milled once");
+      const bool meet = !groups[i].regions.empty() && !groups[j].regions.empty() &&
+                        are_pockets_of_one_floor(groups[i].group, groups[j].group, options);
+      if (meet) unite_overlaps(groups[i], groups[j], options, diagnostics);
     }
   }
 }
@@ -380,7 +400,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
   assign_outline_roles(shaped, layers, options, part.source_file);
   if (options.overview) return;
-  share_overlaps(shaped, options, part.diagnostics);
+  unite_overlapping_layers(shaped, options, part.diagnostics);
   std::vector<Feature> features;
   for (ShapedGroup& one : shaped) {
     const LayerRole role = one.group.role;
@@ -400,6 +420,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
     return feature.floor_z < features.front().floor_z;
   });
   add_features(part, std::move(features));
+  open_at_stock_edge(part, options.tol);
   // A deep pocket within a shallow one begins on its floor.
   if (several_floors) stock::stack_tops(part, options.tol);
 }

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "read/common/text.h"
 #include "read/read_part.h"
-#include "read/repair/nesting.h"
+#include "read/repair/crossings/nesting.h"
 
 namespace clearcut::read {
 namespace {

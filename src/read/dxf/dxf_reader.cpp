@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "base/units.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"

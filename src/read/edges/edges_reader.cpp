@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "base/units.h"
 #include "geometry/side_list.h"
 #include "read/common/drawing.h"

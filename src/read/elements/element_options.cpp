@@ -7,7 +7,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 
 namespace clearcut::read {
 namespace {

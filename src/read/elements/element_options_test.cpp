@@ -19,8 +19,7 @@ ElementDefaults with_tools() {
   return defaults;
 }
 
-TEST(ElementOptions, EqualTheJobFile) {
-  const ElementJob file = read_elements_text(R"(
+const char* const kJob = R"(
 [stock]
 x = [0, 60]
 y = [0, 60]
@@ -63,8 +62,28 @@ from = [5, 32]
 to = [25, 34]
 width = 7
 depth = 2
-)",
-                                             "job.toml");
+)";
+
+void expect_same(const DesignElement& a, const DesignElement& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.from, b.from);
+  if (a.kind != ElementKind::kRectangle) {
+    EXPECT_EQ(a.to, b.to);
+  }
+  EXPECT_EQ(a.radius, b.radius);
+  EXPECT_EQ(a.direction, b.direction);
+  EXPECT_EQ(a.length, b.length);
+  EXPECT_EQ(a.width, b.width);
+  EXPECT_EQ(a.base, b.base);
+  EXPECT_EQ(a.tool, b.tool);
+  EXPECT_EQ(a.depth, b.depth);
+  EXPECT_EQ(a.stepdown, b.stepdown);
+  EXPECT_EQ(a.cutting.feed.has_value(), b.cutting.feed.has_value());
+}
+
+TEST(ElementOptions, EqualTheJobFile) {
+  const ElementJob file = read_elements_text(kJob, "job.toml");
   ElementDefaults defaults = with_tools();
   defaults.stock = "0,60,0,60,-5,0";
   const ElementJob typed = elements_of_options({{"line", "5,6,40,6.5"},
@@ -78,22 +97,7 @@ depth = 2
   EXPECT_DOUBLE_EQ(typed.stock.z_bottom, file.stock.z_bottom);
   ASSERT_EQ(typed.elements.size(), file.elements.size());
   for (std::size_t i = 0; i < file.elements.size(); ++i) {
-    const DesignElement &a = typed.elements[i], &b = file.elements[i];
-    EXPECT_EQ(a.id, b.id);
-    EXPECT_EQ(a.kind, b.kind);
-    EXPECT_EQ(a.from, b.from);
-    if (a.kind != ElementKind::kRectangle) {
-      EXPECT_EQ(a.to, b.to);
-    }
-    EXPECT_EQ(a.radius, b.radius);
-    EXPECT_EQ(a.direction, b.direction);
-    EXPECT_EQ(a.length, b.length);
-    EXPECT_EQ(a.width, b.width);
-    EXPECT_EQ(a.base, b.base);
-    EXPECT_EQ(a.tool, b.tool);
-    EXPECT_EQ(a.depth, b.depth);
-    EXPECT_EQ(a.stepdown, b.stepdown);
-    EXPECT_EQ(a.cutting.feed.has_value(), b.cutting.feed.has_value());
+    expect_same(typed.elements[i], file.elements[i]);
   }
   EXPECT_EQ(typed.tools[1].number, 2);
 }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/file.h"
+#include "base/files/file.h"
 #include "read/common/data_value.h"
 
 namespace clearcut::read {

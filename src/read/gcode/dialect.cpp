@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/error.h"
-#include "read/gcode/g_words.h"
+#include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
 
@@ -37,6 +37,7 @@ constexpr std::array kRules{
                  .cycle_rises_over = true,
                  .feeds_out_to_clear = true,
                  .keeps_cycle_words = false,
+                 .rereads_cycle_numbers = true,
                  .resets_modes = true,
                  .saves_modes = true},
     DialectRules{.dialect = Dialect::kGrbl,

@@ -23,8 +23,10 @@ struct DialectRules {
   bool returns_to_r = false;  ///< cycles return to R until a G98 is seen
   bool cycle_rises_over =
       false;  ///< the way over the next hole goes up to the height before the cycles at once
-  bool feeds_out_to_clear = false;   ///< G89, G74, G84 feed up to the clear height, not to R
-  bool keeps_cycle_words = true;     ///< Z, R and Q hold from one cycle word to another
+  bool feeds_out_to_clear = false;  ///< G89, G74, G84 feed up to the clear height, not to R
+  bool keeps_cycle_words = true;    ///< Z, R and Q hold from one cycle word to another
+  bool rereads_cycle_numbers =
+      false;                         ///< G20, G21 within a cycle: the numbers it holds count in the new units
   bool radius_beats_center = false;  ///< R with I, J: R is taken
   bool home_is_top = false;          ///< machine Z zero is the upper end of the travel
   bool resets_modes = false;         ///< begins in G17, G90, G94, G54, G80 whatever ran before

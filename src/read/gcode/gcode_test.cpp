@@ -178,6 +178,13 @@ TEST(GcodeCycles, IncrementalRepeats) {
                 "\nrapid to 2 0 1\nplunge to 2 0 -2 F100\nrapid to 2 0 1");
 }
 
+/// LinuxCNC's interpreter takes the height before the cycles, 5 mm, for 5 inches.
+TEST(GcodeCycles, UnitsThatChangeWithinOneAreReadAsTheControlDoes) {
+  EXPECT_EQ(from_origin("G99 G91 G81 X1 Z-3 R-4\nG20\nG81 X1 Z-1 R-4"),
+            std::string(kStart) + "\nrapid to 1 0 5\nrapid to 1 0 1\nplunge to 1 0 -2 F100\nrapid to 1 0 1" +
+                "\nrapid to 26.4 0 25.4\nplunge to 26.4 0 0 F100\nrapid to 26.4 0 25.4");
+}
+
 TEST(GcodeCycles, MissingWordsAreRefused) {
   EXPECT_THAT(message_of("G0 X0 Y0 Z5\nG81 X1 Z-3"),
               HasSubstr("test.ngc:2: drilling cycle without its Z or R"));

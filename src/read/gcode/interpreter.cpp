@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/format.h"
-#include "read/gcode/g_words.h"
+#include "base/text/format.h"
+#include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
 
@@ -83,6 +83,11 @@ void Interpreter::set_modes(const Block& block) {
 }
 
 void Interpreter::use_units(double unit) {
+  if (cycle_.code != 0 && unit != modes_.unit) {
+    if (!rules_.rereads_cycle_numbers)
+      refuse("units change within a drilling cycle; end it by G80 before G20 or G21");
+    cycle_.scale(unit / modes_.unit);
+  }
   modes_.unit = unit;
   units_said_ = true;
 }

@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "read/gcode/arc.h"
-#include "read/gcode/block.h"
-#include "read/gcode/builder.h"
-#include "read/gcode/cycle.h"
 #include "read/gcode/dialect.h"
-#include "read/gcode/frame.h"
 #include "read/gcode/gcode.h"
+#include "read/gcode/motion/arc.h"
+#include "read/gcode/motion/builder.h"
+#include "read/gcode/motion/cycle.h"
+#include "read/gcode/motion/frame.h"
+#include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/format.h"
-#include "read/gcode/g_words.h"
+#include "base/text/format.h"
 #include "read/gcode/interpreter.h"
+#include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
 

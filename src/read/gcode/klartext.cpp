@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/format.h"
-#include "read/gcode/arc.h"
-#include "read/gcode/lines.h"
+#include "base/text/format.h"
 #include "read/gcode/marker.h"
+#include "read/gcode/motion/arc.h"
+#include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
 

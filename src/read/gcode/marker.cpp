@@ -3,7 +3,7 @@
 #include <charconv>
 #include <string>
 
-#include "read/gcode/lines.h"
+#include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
 

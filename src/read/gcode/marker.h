@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "read/gcode/builder.h"
+#include "read/gcode/motion/builder.h"
 
 namespace clearcut::read::gcode {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "read/gcode/block.h"
-#include "read/gcode/g_words.h"
+#include "read/gcode/words/block.h"
+#include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/format.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/job/machine_file.h"
@@ -47,6 +47,34 @@ std::optional<std::string> stepover_of(DataSection& section) {
   return section.text("stepover");
 }
 
+/// The Tour text's algorithm and its settings, which mean nothing to ours.
+std::optional<VisitSolver> solver_of(DataSection& section) {
+  const auto name = section.choice("solver", {"modern", "published"});
+  VisitSolver solver;
+  PublishedSolver& own = solver.published;
+  if (const auto generations = count(section, "generations", 2e9)) own.generations = *generations;
+  own.population = count(section, "population", 1e6);
+  own.selection = section.text("selection");
+  own.crossover = section.text("crossover");
+  own.mutation = section.text("mutation");
+  own.crossover_rate = section.not_negative("crossover_rate");
+  own.mutation_rate = section.not_negative("mutation_rate");
+  own.most_shared = section.not_negative("most_shared");
+  solver.is_published = name == std::size_t{1};
+  if (!solver.is_published && own.is_set())
+    section.fail("sets the published solver; add solver = \"published\"");
+  return name ? std::optional(solver) : std::nullopt;
+}
+
+PublishedChoices published_of(DataSection& section) {
+  PublishedChoices choices;
+  if (const auto passage = section.choice("passage", {"shortest", "bisector"}))
+    choices.bisector_passages = *passage == 1;
+  if (const auto grid = section.choice("grid", {"ours", "published"})) choices.published_grid = *grid == 1;
+  choices.solver = solver_of(section);
+  return choices;
+}
+
 CutSettings settings_of(DataSection& section) {
   static const std::vector<std::string> entries{"helix", "ramp", "zigzag", "plunge"};
   static const std::vector<std::string> directions{"climb", "conventional"};
@@ -80,6 +108,7 @@ CutSettings settings_of(DataSection& section) {
   out.slot_feed = feed_of(section, "slot_feed");
   out.spindle_rpm = section.positive("spindle");
   out.coolant = section.flag("coolant");
+  out.published = published_of(section);
   return out;
 }
 
@@ -226,13 +255,15 @@ void read_plan_section(DataSection section, JobFile& job) {
     section.fail_at("engagement", "must be at most 360 degrees");
   job.objective = section.text("objective");
   job.time_s = section.positive("time");
+  job.accept = section.texts("accept");
   if (const auto seed = count(section, "seed", 2e9)) job.seed = static_cast<std::uint64_t>(*seed);
   section.refuse_unknown();
 }
 
 void read_machine_section(DataSection section, JobFile& job) {
   Machine base;
-  if (const auto file = section.text("file")) base = read_machine(beside(job.file, *file));
+  if (const auto file = section.text("file")) job.machine_file = beside(job.file, *file);
+  if (job.machine_file) base = read_machine(*job.machine_file);
   job.machine = machine_of_section(section, base);
 }
 
@@ -243,8 +274,7 @@ void note_sources(const DataValue& root, JobFile& job) {
     return found ? key_sources(*found, job.file, Origin::kJobFile) : Sources{};
   };
   const DataValue* machine = root.find("machine");
-  const DataValue* machine_file = machine ? machine->find("file") : nullptr;
-  if (machine_file) job.sources.merge(machine_sources(beside(job.file, machine_file->text)));
+  if (job.machine_file) job.sources.merge(machine_sources(*job.machine_file));
   if (machine) job.sources.merge(machine_sources_of(*machine, job.file, Origin::kJobFile));
   job.plan.sources = of("plan");
   job.sources.merge(job.plan.sources);

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "model/machine.h"
-#include "model/origin.h"
+#include "model/options/origin.h"
+#include "model/options/published_solver.h"
+#include "model/options/shop_options.h"
 #include "model/part.h"
-#include "model/shop_options.h"
 #include "read/read_options.h"
 #include "read/tools/tool_library.h"
 
@@ -36,6 +37,7 @@ struct CutSettings {
   std::optional<MmPerMin> feed, plunge_feed, ramp_feed, slot_feed;
   std::optional<double> spindle_rpm;
   std::optional<bool> coolant;
+  PublishedChoices published;
   Sources sources;  ///< "job.toml:12" of each key
 };
 
@@ -74,6 +76,7 @@ struct JobFile {
   ToolOptions tool_options;
   std::vector<int> tool_numbers;  ///< of the library, in order; empty: all
   std::string preset;             ///< name of the library's preset; "": the first
+  std::optional<std::filesystem::path> machine_file;
   Machine machine;
   CutSettings plan;
   std::vector<OperationRule> operations;
@@ -86,6 +89,7 @@ struct JobFile {
   std::optional<std::string> objective;
   std::optional<double> time_s;
   std::optional<std::uint64_t> seed;
+  std::vector<std::string> accept;  ///< conditions that hold at the machine, by name
   Sources sources;  ///< of the keys of [plan], [machine] and [output], and of its machine file
 };
 
@@ -100,8 +104,9 @@ JobFile read_job(const std::filesystem::path& file);
 /// read_part and read_tool_library, and when a tool number or a feature name matches nothing.
 Part part_of_job(const JobFile& job, const ReadOptions& over);
 
-/// The same; `sources` are afterwards those of every value that the job or its tool library states.
-Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources);
+/// The same; `sources` are afterwards those of every value that the job or its tool library states, `published` what it chooses
+/// as published.
+Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources, StepChoices& published);
 /// The job's own tools, then those of its library that it uses: the tools of its part, in their order.
 std::vector<LibraryTool> tools_of_job(const JobFile& job);
 

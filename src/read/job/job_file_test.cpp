@@ -109,7 +109,8 @@ TEST_F(Job, MachineToolsLibraryAndOutput) {
   const JobFile read = job(
       kPart +
       "[machine]\nfile = \"mill.toml\"\nacceleration = 250\n[tools]\nlibrary = \"tools.toml\"\nuse = [2]\n"
-      "[plan]\nobjective = \"turns\"\nseed = 7\nengagement = 80\n[output]\nprogram = \"out.ngc\"\npost = "
+      "[plan]\nobjective = \"turns\"\nseed = 7\naccept = [\"g55\"]\nengagement = 80\n[output]\nprogram = "
+      "\"out.ngc\"\npost = "
       "\"grbl\"\n");
   EXPECT_EQ(read.machine.name, "mill");
   EXPECT_DOUBLE_EQ(read.machine.rapid.mm_per_min(), 3000);
@@ -117,6 +118,7 @@ TEST_F(Job, MachineToolsLibraryAndOutput) {
   EXPECT_DOUBLE_EQ((*read.machine.travel)[2][0], -50);
   EXPECT_EQ(*read.output.post, "grbl");
   EXPECT_EQ(*read.seed, 7u);
+  EXPECT_EQ(read.accept, std::vector<std::string>{"g55"});
   const Part with_tools = part_of_job(read, {});
   ASSERT_EQ(with_tools.tools.size(), 1u);
   EXPECT_EQ(with_tools.tools[0].number, 2);

@@ -5,9 +5,10 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/format.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
 #include "read/common/drawing.h"
+#include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/job/job_file.h"
 #include "read/read_part.h"
@@ -189,7 +190,8 @@ void leave_nothing(Operation& operation, const std::string& place, Sources& sour
 /// Applies tools, plan and operation rules to a part.
 class Dresser {
  public:
-  Dresser(const JobFile& job, Part& part, StepSources& sources) : job_(job), part_(part), sources_(sources) {}
+  Dresser(const JobFile& job, Part& part, StepSources& sources, StepChoices& published)
+      : job_(job), part_(part), sources_(sources), published_(published) {}
 
   void run() {
     set_tools();
@@ -293,6 +295,7 @@ class Dresser {
       // What roughing leaves on the walls is not left by finishing, unless its own rule says so.
       if (is_finishing(*source.settings)) leave_nothing(operation, source.place, sources);
       apply_settings(*source.settings, part_, source.place, operation);
+      published_[step_key(planned.step)].merge(source.settings->published);
       sources.merge(source.settings->sources);
     }
     return std::move(planned.step);
@@ -301,6 +304,7 @@ class Dresser {
   const JobFile& job_;
   Part& part_;
   StepSources& sources_;
+  StepChoices& published_;
   std::vector<Planned> steps_;
   std::map<int, CuttingPreset> presets_;
 };
@@ -313,10 +317,11 @@ std::vector<LibraryTool> tools_of_job(const JobFile& job) {
 
 Part part_of_job(const JobFile& job, const ReadOptions& over) {
   StepSources sources;
-  return part_of_job(job, over, sources);
+  StepChoices published;
+  return part_of_job(job, over, sources, published);
 }
 
-Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources) {
+Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources, StepChoices& published) {
   if (capitals(job.part_file.extension().string()) == ".TOML") {
     throw InputError(job.file, "the part of a job cannot be a job; name the drawing or program");
   }
@@ -328,10 +333,13 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   const std::string text = read_file(job.part_file.string(), kLargestFile);
   Part part = read_part_text(text, job.part_file.string(), options);
   if (options.overview && part.features.empty()) return part;
-  if (job.stock && !is_step_solid(text)) part.stock = stock_of(*job.stock, part, job.file);
+  if (job.stock && !is_step_solid(text)) {
+    part.stock = stock_of(*job.stock, part, job.file);
+    if (job.stock->x && job.stock->y) open_at_stock_edge(part, options.tol);
+  }
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
-  Dresser(job, part, sources).run();
+  Dresser(job, part, sources, published).run();
   return part;
 }
 

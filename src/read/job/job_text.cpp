@@ -1,7 +1,7 @@
 // The commented job that `init` writes.
 #include <fmt/format.h>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "read/job/job_file.h"
 
 namespace clearcut::read {
@@ -120,6 +120,10 @@ const char* const kRest = R"(
 # slot_angle = 150         # degrees of engagement above which slot_feed rules
 # spindle = 12000          # rpm
 # scallop = 0.5            # mm, steps that layers may leave on leaning walls
+# passage = "shortest"     # of contours: bisector (of a corner; the published methods' own), shortest
+# grid = "ours"            # of the strategy tour: ours, published
+# solver = "modern"        # of the strategy tour: modern, published (also generations, population, selection, crossover,
+                           # mutation, crossover_rate, mutation_rate, most_shared)
 # rest = false             # true: all tools given, larger ones first, each on what is left
 # after = "before.ngc"     # a program that has run before: only what it left is cut
 # finish = "walls"         # walls, floor, all: finishing after everything else
@@ -131,6 +135,7 @@ const char* const kRest = R"(
 # objective = "time"       # length, turns, angle, engagement, time
 # time = 10                # longest search, s
 # seed = 1
+# accept = ["g55"]         # conditions of the verdict that hold at the machine, by name
 
 # [[operation]]            # what differs for some features; the same keys as [plan], and:
 # feature = "POCKET*"      # name, * for anything

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "model/machine.h"
-#include "model/origin.h"
+#include "model/options/origin.h"
 #include "read/common/data_value.h"
 
 namespace clearcut::read {

@@ -8,10 +8,11 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "read/common/data_value.h"
 #include "read/common/drawing.h"
+#include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/repair/repair.h"
@@ -281,6 +282,7 @@ Part read_outline_json(std::string_view text, const std::string& file_name, cons
     note_unknown_keys(context, root, known);
     add_features(part, {feature_of(context, root, unit, part.name.empty() ? "pocket" : part.name)});
   }
+  open_at_stock_edge(part, options.tol);
   return part;
 }
 

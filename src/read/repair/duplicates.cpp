@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "read/repair/clean.h"
-#include "read/repair/edge_index.h"
+#include "read/repair/crossings/edge_index.h"
 #include "read/repair/mends.h"
 #include "read/repair/near_grid.h"
 

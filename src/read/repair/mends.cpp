@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/format.h"
+#include "base/text/format.h"
 
 namespace clearcut::read {
 

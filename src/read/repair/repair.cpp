@@ -7,13 +7,13 @@
 #include "geometry/boolean.h"
 #include "read/repair/arcs.h"
 #include "read/repair/clean.h"
-#include "read/repair/crossings.h"
+#include "read/repair/crossings/crossings.h"
+#include "read/repair/crossings/meetings.h"
+#include "read/repair/crossings/nesting.h"
+#include "read/repair/crossings/trimming.h"
 #include "read/repair/duplicates.h"
 #include "read/repair/joining.h"
-#include "read/repair/meetings.h"
 #include "read/repair/mends.h"
-#include "read/repair/nesting.h"
-#include "read/repair/trimming.h"
 
 namespace clearcut::read {
 namespace {

@@ -76,13 +76,20 @@ std::vector<const Path*> pointers(const std::vector<Path>& paths) {
   return out;
 }
 
+/// The kernel's boxes of curved faces may be wider than the solid, and beside that nothing stands.
+Box within(const Box& box, const Box& solid) {
+  return {{std::max(box.min.x, solid.min.x), std::max(box.min.y, solid.min.y)},
+          {std::min(box.max.x, solid.max.x), std::min(box.max.y, solid.max.y)}};
+}
+
 /// Only faces that look up all over are bounded by their edges in plan view; others get their box.
-Cell cell_of(const SolidFace& face, Places& places, const RepairOptions& how, Diagnostics& mends) {
+Cell cell_of(const SolidFace& face, const Box& solid, Places& places, const RepairOptions& how,
+             Diagnostics& mends) {
   Cell cell;
   cell.face = face.number - 1;
   cell.z = face.z_high;
   if (face.facing == Facing::kMixed) {
-    cell.curves = {box_loop(face.plan)};
+    cell.curves = {box_loop(within(face.plan, solid))};
   } else {
     // A seam is there both ways.
     const std::vector<Path> all = snapped(face.outline, places);
@@ -104,7 +111,7 @@ HeightMap::HeightMap(const SolidModel& solid, const std::string& file_name, cons
   for (const SolidFace& face : solid.faces) {
     if (face.facing != Facing::kUp && face.facing != Facing::kMixed) continue;
     how.where = file_name + ": face " + std::to_string(face.number);
-    Cell cell = cell_of(face, places, how, mends_);
+    Cell cell = cell_of(face, solid.plan, places, how, mends_);
     if (!cell.area.empty()) cells_.push_back(std::move(cell));
   }
 }

@@ -4,7 +4,7 @@
 
 #include "model/part.h"
 #include "read/stepnc/members.h"
-#include "read/stepnc/profile.h"
+#include "read/stepnc/shapes/profile.h"
 
 namespace clearcut::read::stepnc {
 

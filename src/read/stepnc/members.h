@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "read/stepnc/placement.h"
+#include "read/stepnc/shapes/placement.h"
 
 namespace clearcut::read::stepnc {
 

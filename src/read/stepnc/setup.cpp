@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 
 namespace clearcut::read::stepnc {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/part.h"
-#include "read/stepnc/placement.h"
+#include "read/stepnc/shapes/placement.h"
 
 namespace clearcut::read::stepnc {
 

@@ -7,12 +7,12 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/format.h"
-#include "model/not_machined.h"
+#include "base/text/format.h"
+#include "model/results/not_machined.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/parts.h"
-#include "read/stepnc/regions.h"
 #include "read/stepnc/setup.h"
+#include "read/stepnc/shapes/regions.h"
 #include "stock/stacking.h"
 
 namespace clearcut::read::stepnc {

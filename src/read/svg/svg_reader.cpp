@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/common/units.h"

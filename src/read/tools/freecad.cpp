@@ -5,7 +5,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/file.h"
+#include "base/files/file.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/tools/formats.h"
@@ -142,6 +142,7 @@ ToolLibrary read_freecad_library(std::string_view text, const std::string& file_
       continue;
     }
     auto tool = read_freecad_bit(read_file(bit->string(), kLargestBit), bit->string(), library.diagnostics);
+    library.files.push_back(bit->string());
     if (!tool) continue;
     tool->tool.number = static_cast<int>(std::clamp(quantity(entry.find("nr")).value_or(0), 0.0, 1e6));
     library.tools.push_back(std::move(*tool));

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/file.h"
-#include "base/format.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/tools/formats.h"

@@ -29,6 +29,7 @@ struct LibraryTool {
 struct ToolLibrary {
   std::vector<LibraryTool> tools;  ///< in the order of the file; numbers are unique
   Diagnostics diagnostics;         ///< tools and values that were dropped, and why
+  std::vector<std::string> files;  ///< paths of those that were read besides the library's own
 };
 
 struct ToolOptions {

@@ -14,6 +14,8 @@ namespace clearcut::read {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -141,6 +143,7 @@ TEST(Tools, FreecadLibraryFindsItsBits) {
   ASSERT_EQ(library.tools.size(), 1u);
   EXPECT_EQ(library.tools[0].tool.number, 9);
   EXPECT_EQ(library.tools[0].tool.kind, ToolKind::kBallEndMill);
+  EXPECT_THAT(library.files, ElementsAre(EndsWith("a.fctb")));
   EXPECT_EQ(said(library, Severity::kSkipped, "'gone.fctb' was not found"), 1);
   fs::remove_all(folder);
 }

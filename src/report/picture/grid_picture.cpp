@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "report/picture/palette.h"
 #include "report/picture/svg_writer.h"
 

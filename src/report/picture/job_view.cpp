@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "report/text.h"
 
 namespace clearcut::report {

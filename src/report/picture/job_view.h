@@ -4,9 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "model/findings.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 
 namespace clearcut::report {
 

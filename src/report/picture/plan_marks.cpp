@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "report/picture/palette.h"
 #include "report/text.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "model/findings.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 #include "report/picture/svg_writer.h"
 
 namespace clearcut::report {

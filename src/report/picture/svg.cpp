@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/format.h"
+#include "base/text/format.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"

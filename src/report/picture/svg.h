@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "model/findings.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 
 namespace clearcut::report {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/format.h"
+#include "base/text/format.h"
+#include "base/text/xml_text.h"
 #include "base/units.h"
-#include "base/xml_text.h"
 
 namespace clearcut::report {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/xml_text.h"
+#include "base/text/xml_text.h"
 #include "report/picture/palette.h"
 #include "report/viewer/html_data.h"
 #include "report/viewer/html_page.h"

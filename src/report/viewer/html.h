@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "model/findings.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 
 namespace clearcut::report {
 

@@ -9,7 +9,7 @@
 #include <regex>
 #include <sstream>
 
-#include "base/file.h"
+#include "base/files/file.h"
 #include "kinematics/kinematics.h"
 #include "report/sample_job.h"
 #include "report/viewer/html_data.h"

@@ -4,3 +4,4 @@
 #include "studies/genetic_study.h"
 #include "studies/method_study.h"
 #include "studies/reproduce.h"
+#include "studies/reproduction_page.h"

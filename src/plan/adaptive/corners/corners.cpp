@@ -12,60 +12,61 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// mm. No arc need come nearer to the corner.
+/// mm. Arcs need not come nearer to the corner than this.
 constexpr double kNearest = 1e-3;
-/// mm. Centres nearer than this to each other are one; what may stay at a centre that was visited.
+/// mm. Two centres nearer than kNear are taken for one. At a centre that was visited kVisited may stay.
 constexpr double kNear = 1e-4;
 constexpr double kVisited = 2.5e-3;
-/// Tool radii. Walls that are not cut up to this near are not prepared; nor are arcs wider than this.
-/// Tool radii between samples for cusps.
+/// Share of the tool radius: distance between samples along a wall when cusps are searched for.
 constexpr double kCuspStep = 0.02;
-/// Factor between the distances at which a wall is looked at.
+/// Factor between the distances from the corner at which a wall is sampled.
 constexpr double kFarther = 1.25;
-/// mm. Shorter arcs are lines. Cusps that may stay on the wall between two arcs.
+/// mm. Arcs shorter than kShortArc become lines. Cusps up to kCusp may stay on the wall between arcs.
 constexpr double kShortArc = 0.0025;
 constexpr double kCusp = 2e-3;
-/// Radians that arcs are aimed above the limit; that are no excess.
+/// Radians. Arcs are aimed this much above the limit; an excess up to kAbove is accepted.
 constexpr double kAim = 0.012;
 constexpr double kAbove = 0.02;
 constexpr int kMostArcs = 400;
-/// Log of the factor that is enough for an arc; share of what a spiral gains from which on it is.
+/// The gain of an arc is the log of how much nearer to the corner it ends. At kGoodGain an arc is
+/// good enough; so is one that has kArcShare of the gain that a spiral would have.
 constexpr double kGoodGain = 0.7;
 constexpr double kArcShare = 0.45;
-/// Radians kept off the limit on spirals, the first that is enough; their arcs turn by as much.
+/// Radians. Margins to the limit on spirals, tried in this order; greatest and least turn of their arcs.
 constexpr double kMargins[] = {0, 0.05, 0.12};
 constexpr double kWidestSpiralTurn = 0.8;
 constexpr double kLeastSpiralTurn = 0.3;
-/// Factor between distances that are as good as the same.
+/// Two distances within this factor are taken for equal.
 constexpr double kCloseTo = 1.01;
-/// Tries at an arc; factors between their ends, where they exceed the limit, and where ends do.
+/// Tries for one arc; factors applied to its end when the arc, or its end alone, exceeds the limit.
 constexpr int kMostTries = 6;
 constexpr double kNotSoNear = 1.15;
 constexpr double kNearer = 0.8;
-/// Ends on the second wall from which a straight path back is tried where cusps stay; moves round a corner beyond which it is not.
+/// After up to kMostStraight ends on the second wall the cutter may go straight back over the cusps of the
+/// first wall, unless the path round the corner has more than kLong moves.
 constexpr int kMostStraight = 2;
 constexpr std::size_t kLong = 12;
-/// How near the first guess is.
+/// Factor between the first guess of a distance and the distance found.
 constexpr double kGuessed = 1.04;
-/// Radians more off the wall, at first.
+/// Radians by which the turn off the wall grows in the first tries.
 constexpr double kMoreTurn = 0.02;
-/// Of the distance from the corner: a centre that was visited touches nothing, the next ones do.
+/// Share of the distance from the corner: where a centre touches nothing, centres this much farther on do.
 constexpr double kAhead = 0.05;
-/// Turns of a heading until the engagement is at the limit.
+/// Number of turns of a heading until the engagement is at the limit.
 constexpr int kMostTurns = 5;
-/// An arc that comes no nearer than by this factor is none; nor a move along the wall.
+/// Arcs that come nearer by less than kLeastGain, and moves along the wall by less than the other, are left out.
 constexpr double kLeastGain = 0.97;
 constexpr double kEnoughAlong = 0.8;
 
-/// From u to v, > 0 to the left.
+/// The angle from u to v in radians, positive to the left.
 double angle_between(Vec2 u, Vec2 v) {
   return std::atan2(cross(u, v), dot(u, v));
 }
 
-/// Distances from the corner along its first wall, side 0, and its second, side 1.
+/// Builds the path round one corner. Distances: mm from the corner along its first (0) or second wall (1).
 class CornerCuts {
  public:
-  /// From its `straight`-th end on the second wall it goes back to the first wall straight and on along that, over the cusps there.
+  /// After the `straight`-th end on the second wall the path goes straight back to the first, over the cusps.
   CornerCuts(const Wall& wall, const Corner& corner, RemainingStock& remaining, double limit, int straight)
       : wall_(wall),
         remaining_(remaining),
@@ -75,7 +76,7 @@ class CornerCuts {
         limit_(limit),
         straight_(straight) {}
 
-  /// The first wall is cut up to `a` before the corner, the second from `b` after it on.
+  /// The path from `a` mm before the corner to `b` mm after it, until at most `residual` mm stay.
   std::optional<CornerRound> cuts(double a, double b, double residual) {
     cut_[0] = a;
     cut_[1] = b;
@@ -89,14 +90,14 @@ class CornerCuts {
     return CornerRound{std::move(path_), s_ + cut_[1], residual_before_};
   }
 
-  /// Whether it had to go along the first wall again at last.
+  /// Whether it had to cut along the first wall again because of cusps.
   bool leaves_cusps() const { return cusps_ > 0; }
 
  private:
   Vec2 at(int side, double x) const { return wall_.at(side == 0 ? s_ - x : s_ + x); }
-  /// Heading into the corner.
+  /// The wall's heading towards the corner.
   Vec2 into(int side, double x) const { return side == 0 ? wall_.heading(s_ - x) : -wall_.heading(s_ + x); }
-  /// Angles are > 0 to the side of the other wall.
+  /// u turned by `angle` radians; positive towards the other wall.
   static Vec2 turned(int side, Vec2 u, double angle) { return rotated(u, side == 0 ? angle : -angle); }
 
   double angle(Vec2 u, Vec2 v) const { return side_ == 0 ? angle_between(u, v) : angle_between(v, u); }
@@ -109,7 +110,7 @@ class CornerCuts {
     path_.push_back(edge);
   }
 
-  /// Whether it keeps the limit; if so it is taken.
+  /// Cuts along the edge if that keeps the limit.
   bool take_within(const Edge& edge) {
     if (!remaining_.is_legal(edge) || remaining_.length_within(edge, limit_ + kAbove) < edge.length())
       return false;
@@ -121,8 +122,8 @@ class CornerCuts {
     return remaining_.engagement(edge.to, edge.tangent_at(1)) <= limit_ + kAim;
   }
 
-  /// The least number of (0, most] at which the engagement of an edge's end keeps the limit, where larger ones do; none when `most`
-  /// does not. Looked for near `guess` first.
+  /// The least number x in (0, most] for which the end of edge_to(x) keeps the limit, if larger ones do;
+  /// nothing if `most` does not. Numbers near `guess` are tried first.
   template <typename EdgeTo>
   std::optional<double> nearest_within(double most, double guess, const EdgeTo& edge_to) const {
     double low = std::min(kNearest, most), high = guess * kGuessed;
@@ -136,7 +137,7 @@ class CornerCuts {
       low = std::min(low, high);
       if (ends_within(edge_to(low))) return low;
     }
-    // By shares: an arc may come nearer a hundredfold.
+    // Geometric bisection, because an arc may come nearer by a factor of a hundred.
     while (high > low * kCloseTo) {
       const double middle = std::sqrt(low * high);
       (ends_within(edge_to(middle)) ? high : low) = middle;
@@ -144,7 +145,7 @@ class CornerCuts {
     return high;
   }
 
-  /// As near on the first wall as the limit lets.
+  /// Goes along the first wall, as near to the corner as the limit allows.
   void go_along_first(double least) {
     const double from = cut_[0];
     const auto along = [&](double to) { return Edge::line(at(0, to + kNear), at(0, to)); };
@@ -163,13 +164,14 @@ class CornerCuts {
     }
   }
 
-  /// A path to the other wall and how near it comes there.
+  /// A path to the other wall, and the distance from the corner at which it ends.
   struct Crossing {
     Path path;
     double to = 0;
   };
 
-  /// To the other wall, nearer than before: on an arc, or where that gains much less, on a spiral.
+  /// Goes to the other wall, nearer to the corner than before: on an arc or, if that gains much less, on a
+  /// spiral.
   bool go_across() {
     if (side_ == 1 && --straight_ == 0 && go_back()) return true;
     const double most = cut_[1 - side_];
@@ -196,7 +198,7 @@ class CornerCuts {
   std::optional<Crossing> arc_across() {
     const int other = 1 - side_;
     const double most = cut_[other];
-    // Each crossing is like the one before, only smaller.
+    // Arcs on the same side are similar to each other: the last one is the first guess.
     Crossed& before = crossed_[side_];
     const double first = first_turn();
     double turn = first + before.more_turn, more = kMoreTurn, short_of = 1;
@@ -221,21 +223,21 @@ class CornerCuts {
     return std::nullopt;
   }
 
-  /// About the last centre on the other wall, with the heading `limit` off the direction to it: from the pole, the rays to the
-  /// cutter shrink by exp(-turn / tan(limit)).
+  /// A spiral about the last centre on the other wall, the pole, on which the heading is off the direction to
+  /// the pole by `limit` radians: its radius shrinks by exp(-turn / tan(limit)).
   struct Spiral {
     Vec2 pole;
-    Vec2 ray;  ///< where it begins, from the pole
+    Vec2 ray;  ///< from the pole to the beginning, mm
     double limit = 0;
     double radius(double turn) const { return norm(ray) * std::exp(-turn / std::tan(limit)); }
   };
 
-  /// None where it gains less than a factor of exp(least).
+  /// A spiral to the other wall; nothing if its gain is less than `least`.
   std::optional<Crossing> spiral_across(double least) {
     const int other = 1 - side_;
     if (cut_[other] >= RadiusShares::kCornerReach * radius_) return std::nullopt;
     const Vec2 pole = at(other, cut_[other]);
-    // A little nearer to the limit, in a little fewer arcs than the last one.
+    // A smaller margin and one arc fewer than for the last spiral are tried first.
     int& arcs = spiral_arcs_[side_];
     arcs = std::max(0, arcs - 1);
     if (arcs == 0 && margin_ > 0) --margin_;
@@ -258,7 +260,7 @@ class CornerCuts {
     return std::nullopt;
   }
 
-  /// Where it meets the other wall.
+  /// The distance from the corner at which the spiral meets the other wall, mm.
   double end_of(const Spiral& spiral) const {
     const int other = 1 - side_;
     double low = 0, high = cut_[other];
@@ -281,7 +283,7 @@ class CornerCuts {
     return path;
   }
 
-  /// To the first wall where it is cut already.
+  /// Goes straight back to the first wall, to where it is already cut. False if the limit forbids it.
   bool go_back() {
     const double to = std::max(cut_[0], cusps_);
     if (back_ == to || !take_within(Edge::line(here(), at(0, to)))) return false;
@@ -291,13 +293,14 @@ class CornerCuts {
     return true;
   }
 
-  /// At last, over what arcs left on the first wall between them; the next cut goes along the second.
+  /// Ends the path: cuts the cusps that arcs left on the first wall, then goes to where the second wall is
+  /// cut on from.
   bool go_to_second(double residual) {
     if (cusps_ > 0 && (cut_cusps_from_second(residual) || cut_cusps())) side_ = 0;
     if (side_ == 1) return true;
     const Edge line = Edge::line(here(), at(1, cut_[1]));
     if (remaining_.is_legal(line)) return take_within(line);
-    // Between walls that curve into the area: along the wall again.
+    // Between walls that curve into the area the line is not legal: along the wall again.
     for (const Edge& edge : wall_.part(s_ - cusps_, s_ - cut_[0])) take(edge);
     return take_within(Edge::line(here(), at(1, cut_[1])));
   }
@@ -309,7 +312,8 @@ class CornerCuts {
     return std::all_of(cusps.begin(), cusps.end(), [&](const Edge& edge) { return take_within(edge); });
   }
 
-  /// The same from the second wall at once, if no more than the residual that may stay does so on the first.
+  /// Cuts the cusps by going from the second wall at once to their far end, if the residual that then stays
+  /// on the first wall is thin enough.
   bool cut_cusps_from_second(double residual) {
     if (side_ == 0) return false;
     const std::size_t before = remaining_.cuts();
@@ -326,12 +330,13 @@ class CornerCuts {
     return false;
   }
 
-  /// Of a heading from along the wall to as little off it as the limit lets.
+  /// Radians from the wall's direction to the heading that leaves the wall least within the limit.
   double first_turn() const {
     const Vec2 from = here(), along = into(side_, cut_[side_]),
                across = at(1 - side_, cut_[1 - side_]) - from;
-    const double seen = angle(along, across);
-    double turn = cut_[1 - side_] < RadiusShares::kCornerReach * radius_ ? std::max(0.0, seen - limit_) : 0.0;
+    const double between = angle(along, across);
+    double turn =
+        cut_[1 - side_] < RadiusShares::kCornerReach * radius_ ? std::max(0.0, between - limit_) : 0.0;
     const double ahead = std::max(kNearest, kAhead * cut_[side_]);
     for (int i = 0; i < kMostTurns; ++i) {
       const Vec2 heading = turned(side_, along, turn);
@@ -342,15 +347,15 @@ class CornerCuts {
     return turn;
   }
 
-  /// mm. How far the first wall is from the line of the second where it is cut up to.
+  /// mm from the end of the cut on the first wall to the line of the second wall.
   double aside() const { return cut_[0] * std::sin(turn_); }
 
-  /// Whether a cut along the second wall may begin on the first, and leave a wedge.
+  /// Whether the cut along the second wall may begin on the first wall, leaving a wedge.
   bool may_end_on_first(double residual) const {
     return side_ == 0 && cusps_ == 0 && aside() <= residual - Walls::kWedge;
   }
 
-  /// Thickness of what stays.
+  /// mm; thickness of what stays in the corner.
   double left() const {
     const double a = cut_[0], b = cut_[1];
     return a * b * std::sin(turn_) / std::sqrt(a * a + b * b + 2 * a * b * std::cos(turn_));
@@ -366,20 +371,22 @@ class CornerCuts {
   int straight_;
   double cut_[2] = {};
   int side_ = 0;
-  double cusps_ = 0;            ///< on the first wall up to there
-  double residual_before_ = 0;  ///< what may stay at the corner does so on the first wall up to there
-  /// The last arc from a side.
+  double cusps_ = 0;  ///< mm from the corner: the first wall has cusps up to there; 0: none
+  /// mm from the corner: the residual in the corner touches the first wall up to there.
+  double residual_before_ = 0;
+  /// The last arc from each side.
   struct Crossed {
-    double gain = 0;       ///< how near it came, over how near the other wall was cut
-    double more_turn = 0;  ///< radians that it had to leave its wall by
+    /// Distance at which it ended, divided by the distance up to which that wall was cut before.
+    double gain = 0;
+    double more_turn = 0;  ///< radians by which it left its wall beyond first_turn()
   } crossed_[2];
-  std::size_t margin_ = 0;   ///< of the last spiral
-  int spiral_arcs_[2] = {};  ///< of the last spiral from each side, 0: none
-  double back_ = -1;         ///< where it last went back to the first wall
+  std::size_t margin_ = 0;   ///< index into kMargins: that of the last spiral
+  int spiral_arcs_[2] = {};  ///< number of arcs of the last spiral from each side; 0: none
+  double back_ = -1;         ///< mm from the corner: where it last went back to the first wall
   Path path_;
 };
 
-/// Distance from the corner to the first centre on a wall that touches nothing.
+/// mm from the corner to the first centre on a wall that touches nothing thicker than kVisited.
 std::optional<double> first_visited(const Wall& wall, double s, double sign,
                                     const RemainingStock& remaining) {
   for (double x = kNearest; x < RadiusShares::kCornerReach * remaining.tool_radius(); x *= kFarther) {

@@ -1,4 +1,4 @@
-// Cuts the material that is left in a corner of the walls without exceeding the engagement limit.
+// Cuts the material that is left in a corner between two walls without exceeding the engagement limit.
 #pragma once
 
 #include <optional>
@@ -9,42 +9,48 @@
 
 namespace clearcut::plan::adaptive {
 
-/// A place where a wall turns to the left by more than the engagement limit, walked in its direction (the cutter is inside).
+/// A place where a wall turns to the left by more than the engagement limit; the cutter is on the wall's
+/// left, inside the corner.
 struct Corner {
   WallPlace place;
-  double turn = 0;  ///< radians between the walls' directions
+  double turn = 0;  ///< radians between the directions of the two walls
 };
 
-/// How much nearer to a corner each arc between its walls ends than the one before; `turn` (of the corner) and `limit` in
-/// radians.
+/// The cutter goes to and fro between the walls of a corner on arcs. By which factor each arc ends nearer to
+/// the corner than the one before; `turn` (of the corner) and `limit` in radians.
 double arc_gain(double turn, double limit);
 
+/// All corners of the walls for an engagement limit of `limit` radians, and the places of given corners.
 std::vector<Corner> corners_of(const Walls& walls, double limit);
 std::vector<WallPlace> places_of(const std::vector<Corner>& corners);
 
-/// The path round a corner, from its first wall to its second, or to a place from where the second is cut straight.
+/// The path round a corner: from its first wall to its second, or to a place from which the second wall is
+/// cut straight on.
 struct CornerRound {
   Path path;
-  double end = 0;              ///< mm along the wall: there the cut goes on
-  double residual_before = 0;  ///< mm of the first wall along which what may stay in the corner stands
-  double wedge =
-      0;  ///< mm: thickness of the wedge that stays along the second wall where the path ends on the first
+  double end = 0;  ///< mm along the wall: where cutting along the second wall goes on
+  /// mm of the first wall, up to the corner, along which the residual in the corner touches.
+  double residual_before = 0;
+  /// mm; thickness of the wedge that stays along the second wall if the path ends on the first wall.
+  double wedge = 0;
 };
 
-/// The cuts round one corner, from `from` mm before it on the first wall, which is cut up to there.
+/// The path round one corner; it begins on the first wall, `from` mm before the corner, up to where that wall
+/// is cut.
 ///
-/// A cutter driven straight into a corner meets the thin crescent that is left there on as much of its circle as
-/// the walls turn. Between two centres visited before, nothing is left but what the corner of their hull shows:
-/// a centre meets the directions between the normals of its two tangents to that hull. So along the first wall
-/// until the engagement is at its limit; from there on an arc, off the wall as little as the limit lets, to the second wall,
-/// where the engagement is at the limit again; back on such an arc; and again, each time a fixed share nearer. The
-/// engagement is that with the remaining stock itself: residuals on the walls count.
+/// A cutter driven straight into a corner meets the thin crescent that is left there on as much of its circle
+/// as the walls turn. Nothing is left between centres visited before except outside of their convex hull: at
+/// a centre, the engaged directions are those between the normals of its two tangents to that hull. So the
+/// cutter goes along the first wall until the engagement is at its limit, from there on an arc to the second
+/// wall, where the engagement is at the limit again, back on such an arc, and so on, each time nearer by a
+/// fixed factor. Engagements are computed from the remaining stock itself, residuals on the walls included.
 ///
-/// Shape   from the first wall to the second; none where the engagement does not keep the limit.
-/// Error   what is left in the corner is at most `residual` mm thick.
+/// Shape   From the first wall to the second; nothing if the engagement cannot keep the limit (radians).
+/// Error   What stays in the corner is at most `residual` mm thick.
 std::optional<CornerRound> round_corner(const Walls& walls, const Corner& corner, double from,
                                         RemainingStock& remaining, double limit, double residual);
-/// mm before the corner up to which its first wall is cut; none when that is more than RadiusShares::kCornerReach.
+/// mm before the corner up to which its first wall is cut; nothing if that is more than
+/// RadiusShares::kCornerReach radii.
 std::optional<double> prepared_before(const Walls& walls, const Corner& corner,
                                       const RemainingStock& remaining);
 

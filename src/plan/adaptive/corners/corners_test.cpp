@@ -94,13 +94,13 @@ TEST(RoundCorner, LeavesAWedgeThatTheWallsAllowUpToTheEndOfTheSecond) {
   EXPECT_LE(round->wedge, kResidual);
   for (const Edge& edge : round->path) wedge.remaining.cut(edge);
   wedge.remaining.cut(Edge::line(round->path.back().to, wedge.away * (20 * wedge.radius)));
-  const auto bears = [&] {
+  const auto touches = [&] {
     wedge.walls.update(wedge.remaining, wedge.region.box());
     return wedge.walls.touches_after({0, wedge.corner(1.36).place.s + 0.2 * wedge.radius}, 5 * wedge.radius);
   };
-  EXPECT_TRUE(bears()) << "thicker than what may stay on walls";
+  EXPECT_TRUE(touches()) << "thicker than what may stay on walls";
   wedge.walls.leave_wedge(wedge.corner(1.36).place, round->wedge);
-  EXPECT_FALSE(bears());
+  EXPECT_FALSE(touches());
 }
 
 TEST(RoundCorner, IsNoneWhereTheWallsAreFarFromCut) {

@@ -9,29 +9,32 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii between samples along the wall.
+/// Share of the tool radius: distance between samples along the wall.
 constexpr double kWallStep = 0.03;
-/// Tool radii. Length of the moves off the wall: the first, the longest, and the factor from one to the next.
+/// Shares of the tool radius: lengths of moves off the wall, the first and the longest; factor from one to
+/// the next.
 constexpr double kFirst = 0.01;
 constexpr double kLongest = 0.06;
 constexpr double kGrow = 1.4;
-/// Tool radii of path without engagement that end a trochoidal step, once it cuts and before it does.
+/// Shares of the tool radius: length without engagement that ends a step, after it has cut something and
+/// before.
 constexpr double kAir = 0.15;
 constexpr double kFarAir = 0.6;
-/// Tool radii: the tightest turn to the right, towards the material.
+/// Share of the tool radius: radius of the tightest turn to the right, towards the material.
 constexpr double kRightTurn = 0.5;
-/// mm: the shortest move off the wall.
+/// mm. Length of the shortest move off the wall.
 constexpr double kShortest = 4e-4;
-/// mm: error of a place on the wall, and of the arcs that are fitted to the moves.
+/// mm. Error of places on the wall, and of the arcs that are fitted to the moves.
 constexpr double kPlace = 1e-4;
 constexpr double kTolerance = 2e-4;
-/// Radians: most turn of a move that is not the shortest; most turn off the wall, and of the shortest moves.
+/// Radians. Greatest turn within a move; greatest turn where the cutter leaves the wall, and within the
+/// shortest moves.
 constexpr double kTurn = 0.16;
 constexpr double kLeave = 1.9;
-/// Radians: error of a turn; and how far below the limit the engagement is as good as at it.
+/// Radians. Error of turns; an engagement this much below the limit counts as at the limit.
 constexpr double kAngle = 1e-3;
 constexpr double kNearLimit = 5e-4;
-/// Moves of one trochoidal step, and changes between wall and open, after which it ends.
+/// After this many moves, or changes between the wall and the open, a step ends.
 constexpr int kMostSteps = 4000;
 constexpr int kMostRuns = 30;
 
@@ -68,7 +71,7 @@ double TrochoidalSteps::wall_engagement(double s) const {
   return remaining_.engagement(wall_.at(s), wall_.heading(s));
 }
 
-/// Whether there is still something to be expected.
+/// Adds a move to the lengths with and without engagement. False if the cutter has cut nothing for too long.
 bool TrochoidalSteps::counts_air(double step, double engagement) {
   if (engagement > EngagementTolerance::kNone) {
     engaged_ += step;
@@ -112,7 +115,7 @@ TrochoidalSteps::State TrochoidalSteps::stepped(double step, double turn) const 
   return {state_.point + heading * step, heading};
 }
 
-/// The least turn to the left between `least` and `most` with which the engagement keeps the limit after a step.
+/// The least turn to the left, between `least` and `most`, after which a move of `step` mm keeps the limit.
 std::optional<double> TrochoidalSteps::step_turn(double step, double least, double most) const {
   const auto excess = [&](double turn) {
     const State next = stepped(step, turn);
@@ -122,7 +125,7 @@ std::optional<double> TrochoidalSteps::step_turn(double step, double least, doub
   if (above <= 0) return least;
   double below = excess(most);
   if (below > 0) return std::nullopt;
-  // By the secant where that closes in, else by halves: the engagement may jump.
+  // By the secant where it converges, else by bisection: the engagement may jump.
   bool halve = false;
   while (most - least > kAngle && below < -kNearLimit) {
     const double width = most - least;
@@ -173,7 +176,7 @@ TrochoidalSteps::Next TrochoidalSteps::freely() {
   return Next::kDone;
 }
 
-/// To the wall at the place beside `outside`.
+/// Goes to the wall where it lies between the cutter and `outside`, a point beyond it.
 TrochoidalSteps::Next TrochoidalSteps::meet_wall(Vec2 outside) {
   double in = 0, out = 1;
   while ((out - in) * distance(state_.point, outside) > kPlace) {
@@ -186,7 +189,7 @@ TrochoidalSteps::Next TrochoidalSteps::meet_wall(Vec2 outside) {
   end_run();
   state_.point = met;
   if (hit.distance > 2 * kPlace) return Next::kDone;
-  // Not back to where the trochoidal step has been.
+  // A step does not go back to where it has already been.
   const double lap = std::ceil((s_ - kPlace - hit.s) / wall_.length()) * wall_.length();
   if (hit.s + lap >= until_ || hit.s + lap <= s_ + kPlace) return Next::kDone;
   s_ = hit.s + lap;

@@ -1,4 +1,5 @@
-// Trochoidal steps: cuts what is left in narrow ends, where no single arc keeps the engagement limit.
+// Trochoidal steps: small cuts along a wall that clear narrow ends, where no single arc keeps the engagement
+// limit.
 #pragma once
 
 #include "plan/adaptive/remaining_stock.h"
@@ -6,24 +7,25 @@
 
 namespace clearcut::plan::adaptive {
 
-/// Computes trochoidal steps along one wall. What is cut is on the left of the direction of travel.
+/// Computes trochoidal steps along one wall. The material lies on the right of the direction of travel.
 ///
-/// Where the area is much narrower than the cutter, what counts is not how much stands there but how the hull of the
-/// centres visited so far is left: the engagement is the angle between the heading and the tangent to that hull. At a
-/// constant angle the centre runs on a logarithmic spiral about the last centre on the opposite wall, and meets that
-/// wall a share of the width farther on: the share is exp(-turn / tan(limit)), so a trochoidal step is possible at any limit.
+/// Where the area is much narrower than the cutter, the engagement depends on the convex hull of the centres
+/// visited so far alone: it is the angle between the heading and the tangent to that hull. At a constant
+/// angle the centre runs on a logarithmic spiral about the last centre on the opposite wall. It meets that
+/// wall after exp(-turn / tan(limit)) of the width, so that a step is possible at any limit.
 class TrochoidalSteps {
  public:
   TrochoidalSteps(const RemainingStock& remaining, const Wall& wall, double limit)
       : remaining_(remaining), wall_(wall), radius_(remaining.tool_radius()), limit_(limit) {}
 
-  /// From the wall at s, where the cutter touches nothing: along the wall until the engagement would exceed the limit, on
-  /// with the engagement at the limit, along the wall again where it is met, until nothing is cut any more or the wall's
-  /// place `until` is reached. Empty where nothing can be cut.
-  /// Cost: steps turn by at most kTurn; some 10 queries for the engagement each.
+  /// One step that begins on the wall at s, mm along it, where the cutter touches nothing. It goes along the
+  /// wall until the engagement would exceed the limit, then off it with the engagement at the limit, and
+  /// along the wall again where it meets it. It ends when nothing is cut any more or at the place `until` of
+  /// the wall, mm. Empty if nothing can be cut. Cost: some 10 queries for the engagement for each move; a
+  /// move turns by at most kTurn.
   Path trochoidal_step(double s, double until);
-  /// The same from beside the wall, over its place s: first towards the wall with the engagement at the limit, at last along
-  /// it as far as anything is cut.
+  /// One step that begins at a clear place beside the wall, opposite to its place s: first towards the wall
+  /// with the engagement at the limit, then along the wall as far as anything is cut.
   Path trochoidal_step_from_aside(Vec2 approach_point, double s);
 
  private:
@@ -51,12 +53,12 @@ class TrochoidalSteps {
   const Wall& wall_;
   double radius_;
   double limit_;
-  double s_ = 0;      ///< mm along the wall: where the cutter is, or was last
+  double s_ = 0;      ///< mm along the wall: the cutter's place, or its last one before it left the wall
   double until_ = 0;  ///< mm along the wall: where the step ends at the latest
   State state_;
   double step_ = 0;
-  double air_ = 0;      ///< mm since the cutter last engaged
-  double engaged_ = 0;  ///< mm of the step in which the cutter engaged
+  double air_ = 0;      ///< mm since the cutter last cut anything
+  double engaged_ = 0;  ///< mm of the step on which the cutter cut
   std::vector<Vec2> run_;
   Path path_;
 };

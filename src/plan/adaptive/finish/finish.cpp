@@ -11,39 +11,41 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii between the marks that finishing cuts follow, where nothing may stay: what stands between two is no thicker
-/// than an eighth of its square.
+/// Share of the tool radius: distance between the marks along which finishing cuts run. What stands between
+/// two marks is at most an eighth of its square times the radius thick.
 constexpr double kFinePitch = 0.06;
-/// mm from a wall within which the cutter counts as being on it.
+/// mm. A cutter this near to a wall counts as being on it.
 constexpr double kOnWall = 1e-4;
-/// mm along a wall: not there at all.
+/// mm along a wall: stands for no place.
 constexpr double kEndless = 1e300;
-/// Radians that residuals on the walls may add to the engagement that a corner's turn alone explains.
+/// Radians that residuals on walls may add to the engagement that the turn of a corner alone causes.
 constexpr double kResiduals = 0.4;
-/// Tool radii between samples at the border of the target.
+/// Share of the tool radius: distance between samples along the border of the target.
 constexpr double kBorderPitch = 0.02;
-/// mm. Material within this distance of what the cutter cannot reach is no rest.
+/// mm. Material this near to what the cutter cannot reach is not a rest.
 constexpr double kReach = 5e-4;
-/// mm. So far beyond its reach the cutter still touches the border of the target.
+/// mm. The cutter touches the border of the target within its radius plus this.
 constexpr double kTouched = 1e-6;
-/// Tool radii. A cut round a rest has at least this radius.
+/// Share of the tool radius: a cut round a rest is at least this long.
 constexpr double kLeastRound = 0.3;
-/// Tool radii. Shorter stretches of wall that are finished already are run over at the cutting feed: a link costs more.
+/// Share of the tool radius: shorter finished stretches of wall are run over, because a link would cost more.
 constexpr double kMergeGap = 1.0;
-/// Tool radii from a wall of the approach points from which trochoidal steps towards it are tried.
+/// Shares of the tool radius: distances from a wall at which approach points of trochoidal steps are tried.
 constexpr double kApproachPoints[] = {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.7, 1, 1.4};
-/// Tool radii between samples at a wall that is cut by trochoidal steps.
+/// Share of the tool radius: distance between samples along a wall that is cut by trochoidal steps.
 constexpr double kTrochoidalPitch = 0.02;
-/// mm. Trochoidal steps that shorten the unfinished stretch of wall by less are idle.
+/// mm. A trochoidal step that shortens the unfinished stretch of wall by less counts as having cut nothing.
 constexpr double kLeastTrochoidalStep = 1e-3;
-/// Tool radii between the places of a stretch from beside which trochoidal steps are tried, and how many places at most.
+/// Share of the tool radius: distance between the places of a stretch from beside which trochoidal steps are
+/// tried; greatest number of such places.
 constexpr double kAsidePitch = 0.1;
 constexpr int kMostAside = 400;
-/// Trochoidal steps for one stretch of wall; the rest is cut straight.
+/// Greatest number of trochoidal steps for one stretch of wall; what they leave is cut straight.
 constexpr int kMostTrochoidalSteps = 300;
-/// Times that all walls are gone over with trochoidal steps.
+/// Greatest number of times that all walls are cut by trochoidal steps.
 constexpr int kMostRounds = 30;
-/// Tool radii of wall on both sides of its end that are run along where something still stands at the end.
+/// Share of the tool radius: wall on both sides of a wall's end that is cut along if something still stands
+/// there.
 constexpr double kBeyondEnd = 0.2;
 
 }  // namespace
@@ -59,15 +61,19 @@ AdaptiveFinish::AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, co
       cuts_(remaining, path, {legal, kFinePitch * radius_, ResidualLimits::kWall}, area, limit,
             {kMergeGap * radius_, RadiusShares::kWallPitch * radius_}) {}
 
-bool AdaptiveFinish::run(bool open, int most_rests) {
+bool AdaptiveFinish::run(bool open, int most_rests, StepPictures& pictures) {
   follow_walls();
+  pictures.after("walls and corners");
   cut_walls();
   if (open) cut_wall_ends();
-  return cut_rests(open, most_rests);
+  pictures.after("trochoidal steps");
+  const bool all = cut_rests(open, most_rests);
+  pictures.after("rests");
+  return all;
 }
 
-/// Along the walls within the limit, round corners from one to the next; where they bear more, it is cut like any front.
-/// Corners that could not be cut then are tried again.
+/// Cuts along the walls within the limit and round corners from one wall to the next; thick material is cut
+/// off the wall as in clearing. Corners that could not be cut then are tried again at the end.
 void AdaptiveFinish::follow_walls() {
   if (path_.empty()) return;
   cuts_.walls.update(remaining_, legal_.box());
@@ -85,7 +91,7 @@ void AdaptiveFinish::follow_walls() {
       misses = 0;
       if (path_.at() != before) go_on_round_corners();
     } else {
-      // Where no link leads to one start it seldom leads to the next ones.
+      // If no link leads to one start, links to the next ones are rare: more of them are given up each time.
       cuts_.walls.give_up(start, ++misses);
     }
   }
@@ -96,8 +102,8 @@ void AdaptiveFinish::follow_walls() {
   }
 }
 
-/// From the end of a cut before a corner round it and along the next wall, and so on. Where it is not the corner that
-/// stopped the cut it goes on as if there were none, once.
+/// From the end of a cut before a corner: cuts round the corner, along the next wall, and so on. If a cut
+/// ends before a corner for another reason, it is continued once as if the corner were no stop.
 void AdaptiveFinish::go_on_round_corners() {
   std::vector<WallPlace> passed;
   for (Vec2 before{1e300, 0}; path_.at() != before;) {
@@ -118,7 +124,7 @@ void AdaptiveFinish::go_on_round_corners() {
   }
 }
 
-/// On along the wall before a corner, or off it.
+/// Cuts on along the wall before a corner, or off it, as if the corner were no stop.
 void AdaptiveFinish::cut_without_stop(const Corner& corner, double from) {
   auto stops = places_of(all_corners_);
   std::erase(stops, corner.place);
@@ -127,7 +133,7 @@ void AdaptiveFinish::cut_without_stop(const Corner& corner, double from) {
   cuts_.walls.set_stops(places_of(all_corners_));
 }
 
-/// mm. How far along its first wall a corner is from the cutter; infinite where that is not on it.
+/// mm along the corner's first wall from the cutter to the corner; infinite if the cutter is not on it.
 double AdaptiveFinish::ahead(const Corner& corner) const {
   const Wall& wall = cuts_.walls.wall(corner.place.wall);
   if (distance(cuts_.walls.point(corner.place), path_.at()) > RadiusShares::kCornerReach * radius_)
@@ -146,14 +152,14 @@ std::vector<Corner>::iterator AdaptiveFinish::nearest_corner() {
                           [&](const Corner& a, const Corner& b) { return far(a) < far(b); });
 }
 
-/// Cuts a corner up to which its first wall is cut. Where the cut ends.
+/// Cuts a corner whose first wall is cut up to it. Returns where the cut ends; nothing if it was not made.
 std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, double from) {
   const auto round = round_corner(cuts_.walls, corner, from, remaining_, limit_, ResidualLimits::kCorner);
   if (!round) return std::nullopt;
   const auto link = path_.link_to(round->path.front().from, ResidualLimits::kCornerLink);
   if (!link) return std::nullopt;
   path_.cut(round->path, *link);
-  // Its residual is thicker than those of walls.
+  // The residual in a corner is thicker than those on walls: marks near it no longer count.
   const double pitch = RadiusShares::kWallPitch * radius_;
   cuts_.walls.leave_out({corner.place, round->residual_before + pitch, pitch});
   if (round->wedge > 0) cuts_.walls.leave_wedge(corner.place, round->wedge);
@@ -161,22 +167,22 @@ std::optional<WallPlace> AdaptiveFinish::finish_corner(const Corner& corner, dou
   return WallPlace{corner.place.wall, round->end};
 }
 
-/// What walls still bear: by trochoidal steps where that leads on, else straight along, the nearest stretch first.
+/// Cuts what walls still touch, the nearest stretch first: by trochoidal steps, else straight along.
 void AdaptiveFinish::cut_walls() {
   int round = 0;
   for (auto stretches = unfinished(); !stretches.empty(); stretches = unfinished()) {
-    bool bitten = false;
+    bool any_cut = false;
     for (auto left = stretches; !left.empty() && round < kMostRounds;) {
       const auto next = nearest_stretch(left);
-      bitten = cut_in_trochoidal_steps(*next) || bitten;
+      any_cut = cut_in_trochoidal_steps(*next) || any_cut;
       left.erase(next);
     }
     ++round;
-    if (!bitten) cut_stretch(*nearest_stretch(stretches));
+    if (!any_cut) cut_stretch(*nearest_stretch(stretches));
   }
 }
 
-/// Where a wall leaves the stock a point of the target may stand beyond the last mark: over it, a little farther.
+/// Where a wall leaves the stock, a corner of the target may stand beyond the last mark: cuts past it.
 void AdaptiveFinish::cut_wall_ends() {
   for (const Region& region : target_) {
     for (const Edge& edge : region.edges()) {
@@ -192,7 +198,7 @@ void AdaptiveFinish::cut_wall_ends() {
   }
 }
 
-/// Whether anything within reach stands at a corner of the target.
+/// Whether material within the cutter's reach stands at a corner of the target.
 bool AdaptiveFinish::stands_at(Vec2 corner) const {
   for (int i = 0; i < 8; ++i) {
     const Vec2 p = corner + direction_of(kPi / 4 * i) * ResidualLimits::kRest;
@@ -216,14 +222,15 @@ std::vector<WallStretch>::const_iterator AdaptiveFinish::nearest_stretch(
                           [&](const WallStretch& a, const WallStretch& b) { return far(a) < far(b); });
 }
 
-/// By trochoidal steps within the limit, each from where the wall is clear. Whether that took anything away.
+/// Cuts a stretch by trochoidal steps within the limit, each from a clear place of the wall. True if any cut.
 bool AdaptiveFinish::cut_in_trochoidal_steps(const WallStretch& stretch) {
   const Walls& walls = cuts_.walls;
   TrochoidalSteps steps(remaining_, walls.wall(stretch.wall), limit_);
-  const auto bearing = [&](const WallStretch& within) {
-    return bearing_part(walls, within, kTrochoidalPitch * radius_, ResidualLimits::kTrochoidal, remaining_);
+  const auto touching = [&](const WallStretch& within) {
+    return unfinished_part(walls, within, kTrochoidalPitch * radius_, ResidualLimits::kTrochoidal,
+                           remaining_);
   };
-  auto left = bearing(stretch);
+  auto left = touching(stretch);
   const bool began = left.has_value();
   bool idle = false;
   int trochoidal_steps = 0;
@@ -234,14 +241,14 @@ bool AdaptiveFinish::cut_in_trochoidal_steps(const WallStretch& stretch) {
     path_.cut(trochoidal_step, *link);
     ++trochoidal_steps;
     const auto before = *left;
-    left = bearing(before);
+    left = touching(before);
     if (left) idle = before.to - before.from - (left->to - left->from) < kLeastTrochoidalStep;
   }
   if (trochoidal_steps > (idle ? 1 : 0) || !began) return began;
   return trochoidal_step_from_aside(stretch);
 }
 
-/// The same from beside any place of a stretch, the middle first.
+/// One trochoidal step from beside some place of the stretch, the middle first. True if it cut anything.
 bool AdaptiveFinish::trochoidal_step_from_aside(const WallStretch& stretch) {
   if (trochoidal_step_from_aside(WallPlace{stretch.wall, (stretch.from + stretch.to) / 2})) return true;
   const double whole = stretch.to - stretch.from;
@@ -253,7 +260,7 @@ bool AdaptiveFinish::trochoidal_step_from_aside(const WallStretch& stretch) {
   return false;
 }
 
-/// Towards the wall at `place` from a clear place beside it, and along it. Whether anything was cut.
+/// One trochoidal step from a clear place beside the wall at `place`. True if it cut anything.
 bool AdaptiveFinish::trochoidal_step_from_aside(const WallPlace& place) {
   const Wall& wall = cuts_.walls.wall(place.wall);
   const Vec2 p = wall.at(place.s), inwards = left_of(wall.heading(place.s));
@@ -277,7 +284,8 @@ bool AdaptiveFinish::trochoidal_step_from_aside(const WallPlace& place) {
 std::optional<LinkPath> AdaptiveFinish::link_to_trochoidal_step(const WallStretch& stretch) {
   const Vec2 p = cuts_.walls.point({stretch.wall, stretch.from});
   if (!path_.empty()) {
-    // A trochoidal step begins near the end of the one before: straight over the residual there rather than round it.
+    // A step begins near the end of the one before: straight over the thin residual there is shorter than
+    // round it.
     if (remaining_.is_free(path_.at(), p, ResidualLimits::kCornerLink)) return LinkPath{{p}};
     if (auto link = path_.link_to(p, RemainingStock::kFree)) return link;
     if (auto link = path_.link_to(p, ResidualLimits::kCornerLink)) return link;
@@ -301,7 +309,7 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
     return path_.cut(stretch, *link);
   }
   if (const auto link = path_.link_to(p, radius_ * (1 - std::cos(limit_))); link && !path_.empty()) {
-    // Over residuals: at the cutting feed.
+    // Through residuals, and therefore at the cutting feed.
     Path lead;
     for (const LinkMove& move : *link) lead.push_back(move.edge(lead.empty() ? path_.at() : lead.back().to));
     stretch.insert(stretch.begin(), lead.begin(), lead.end());
@@ -311,8 +319,7 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
   path_.cut(stretch, {});
 }
 
-/// What still stands between the cuts: over each place that the check of the whole cover finds. False where as many as
-/// `most` were cut and some are left.
+/// Cuts the rests that the exact check of the cover finds. False if `most` were cut and some are left.
 bool AdaptiveFinish::cut_rests(bool open, int most) {
   for (int left = most; left > 0;) {
     const auto holes =
@@ -336,7 +343,7 @@ std::vector<Vec2> AdaptiveFinish::rests(const Cover& cover, bool open) const {
   return holes;
 }
 
-/// Holes that reach beyond the target may have no vertex inside it; they meet its border.
+/// Holes that reach beyond the target may have no vertex inside it. They cross its border, sampled here.
 void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& holes) const {
   for (const Region& region : target_) {
     for (const Edge& edge : region.edges()) {
@@ -344,7 +351,7 @@ void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& 
       bool in_hole = false;
       for (double s = 0; s < length;) {
         const Vec2 p = edge.at(s / length);
-        // No nearer than by how far it is inside anything ends.
+        // A point `inside` mm deep in the cover has no hole within that distance.
         const double inside = radius_ + ResidualLimits::kRest - cover.distance_to(p);
         const bool hole = inside < 0 && is_within_reach(p, radius_ + kTouched);
         if (hole && !in_hole) holes.push_back(p);
@@ -372,8 +379,8 @@ Vec2 AdaptiveFinish::nearest_legal(Vec2 p) const {
   return best.point;
 }
 
-/// A short cut that ends at p from a side that is free: straight within the limit, else round what stands there, else
-/// straight.
+/// Makes a short cut that ends at p and begins at a clear place: straight within the limit, else round what
+/// stands at p, else straight beyond the limit.
 bool AdaptiveFinish::cut_rest(Vec2 p) {
   return from_approach_points_about(p,
                                     [&](Vec2 approach_point, const LinkPath& link) {
@@ -387,7 +394,7 @@ bool AdaptiveFinish::cut_rest(Vec2 p) {
          });
 }
 
-/// Whether `cut` cuts from one of the clear places about p, the nearest first.
+/// Tries `cut` from each clear place about p, the nearest first, until it succeeds.
 template <typename Cut>
 bool AdaptiveFinish::from_approach_points_about(Vec2 p, const Cut& cut) {
   for (const double reach : {0.3, 0.6, 1.0, 1.5}) {
@@ -410,7 +417,7 @@ bool AdaptiveFinish::cut_straight(Vec2 approach_point, Vec2 p, double limit, con
   return true;
 }
 
-/// With what stands about p on the right, within the limit.
+/// Cuts with the material about p on the right, within the limit.
 bool AdaptiveFinish::cut_round(Vec2 approach_point, Vec2 p, const LinkPath& link) {
   path_.note_start(approach_point);
   for (const double turn : {0.25, 0.5, 0.0}) {
@@ -425,7 +432,7 @@ bool AdaptiveFinish::cut_round(Vec2 approach_point, Vec2 p, const LinkPath& link
   return false;
 }
 
-/// What no free path leads to is entered from above.
+/// Enters from above, beside p, because no clear path leads there.
 bool AdaptiveFinish::enter_rest(Vec2 p) {
   for (const double reach : {0.5, 0.2, 0.05, 0.01, 0.002}) {
     for (int i = 0; i < 8; ++i) {

@@ -1,10 +1,12 @@
-// The last steps of adaptive clearing: residuals on walls, corners, narrow ends, and rests that no cut has reached.
+// The last steps of adaptive clearing: residuals on walls, corners, narrow ends, and rests that no cut has
+// reached.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "plan/adaptive/corners/corners.h"
+#include "plan/adaptive/step_pictures.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 #include "plan/common/cover.h"
 
@@ -13,16 +15,17 @@ namespace clearcut::plan::adaptive {
 /// Cuts what clearing has left in one connected legal area, until nothing stays that the cutter can reach.
 class AdaptiveFinish {
  public:
-  /// `legal`: where the centre may be; `area`: where cuts off the walls run, a little smaller. All is kept by reference.
+  /// `legal`: where the centre may be. `area`: the somewhat smaller area for cuts off the walls. `limit`: of
+  /// the engagement, radians. References are kept.
   AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal, const Regions& area,
                  const Regions& target, double limit);
 
-  /// In this order: along the walls within the limit, round corners, by trochoidal steps what still stands along walls, and what
-  /// the exact check of the whole cover finds.
-  /// `open`: something beside the target is free. Up to `most_rests` rests are cut one by one; false where that was not
-  /// enough.
-  bool run(bool open, int most_rests);
-  /// One cut that begins beside the material and ends at a wall or in the open; see Tracer::cut_on.
+  /// Runs all steps in this order: along walls within the limit; round corners; trochoidal steps where
+  /// material still stands along walls; the rests that the exact check of the cover finds. `open`: the target
+  /// has open sides. Cuts up to `most_rests` rests one by one; false if more were left. `pictures` get one for each step.
+  bool run(bool open, int most_rests, StepPictures& pictures);
+  /// One cut that begins at a clear place beside the material and ends at a wall or in the open; see
+  /// Tracer::cut_on.
   Path cut_on(Vec2 from, Vec2 heading) { return cuts_.tracer.cut_on(from, heading, 0); }
 
  private:
@@ -63,7 +66,7 @@ class AdaptiveFinish {
   double limit_;
   WallCuts cuts_;
   std::vector<Corner> all_corners_;
-  std::vector<Corner> corners_;  ///< not yet cut
+  std::vector<Corner> corners_;  ///< those not yet cut
 };
 
 }  // namespace clearcut::plan::adaptive

@@ -9,60 +9,67 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii between samples of the engagement along an arc before it is taken, and between samples of where it runs; for
-/// the latter no more than so many radians of turn, too.
+/// Shares of the tool radius: distance between samples of the engagement along a candidate, and between
+/// samples of its position, which are also at most kAsideTurn radians apart.
 constexpr double kSamplePitch = 0.4;
 constexpr double kAside = 0.1;
 constexpr double kAsideTurn = 0.25;
-/// Tool radii: length of the arc that is tried first, of the shortest and of the longest.
+/// Shares of the tool radius: length of the candidate that is tried first, of the shortest and of the
+/// longest.
 constexpr double kFirst = 1.0;
 constexpr double kShortestArc = 0.02;
 constexpr double kLongestArc = 12;
-/// Tool radii: the tightest radius to the right, towards the material.
+/// Share of the tool radius: radius of the tightest turn to the right, towards the material.
 constexpr double kRightTurn = 1.0;
-/// Tool radii off a wall at which a cut counts as having left it; and the most radians that it turns until then.
+/// Share of the tool radius: distance from a wall at which a cut counts as having left it; and the greatest
+/// turn until then, radians.
 constexpr double kOffWall = 0.005;
 constexpr double kLargestOff = 1.27;
-/// Tool radii of path in which the engagement comes back to its limit where it was below.
+/// Share of the tool radius: length in which the engagement rises to its limit if it was below.
 constexpr double kRise = 0.5;
-/// Arcs from wall to wall, in tool radii: the tightest radius, the greatest length, the pitch of samples.
+/// Crossings, in shares of the tool radius: the tightest radius, the greatest length, the distance between
+/// samples.
 constexpr double kTightestAcross = 0.3;
 constexpr double kLongestAcross = 3.5;
 constexpr double kSampleAcross = 0.3;
-/// How far arcs may stay below the limit, summed along the arc: kBelow radians over its first kShortBelow tool radii and one
-/// more, and kLongBelow radians over all of its length.
+/// How far the engagement of an arc may stay below the limit, summed along the arc: kBelow radians over its
+/// length (at most kShortBelow tool radii) and one tool radius more, and kLongBelow radians over all of its
+/// length.
 constexpr double kBelow = 0.06;
 constexpr double kShortBelow = 2.0;
 constexpr double kLongBelow = 0.01;
-/// Radians: an engagement this near to what was aimed at is good.
+/// Radians. An engagement this near to the aimed one is accepted.
 constexpr double kAimed = 0.006;
-/// Radians: most turn of one arc.
+/// Radians: greatest turn of one arc.
 constexpr double kMostTurn = 2.0;
-/// Samples along an arc that is looked at closely.
+/// Number of samples along an arc that is sampled closely.
 constexpr int kCloseSamples = 8;
-/// Radians of turn of half a stride that counts as straight.
+/// Radians. A turn between two samples smaller than twice this is computed as straight.
 constexpr double kFlatTurn = 5e-10;
-/// Factors between curvatures that are tried for an arc from wall to wall, and between those that are as good as the same;
-/// most tries, and most of them with close samples; share of its length that such an arc may lose.
+/// Factor between curvatures tried for a crossing; factor within which two are taken for equal; number of
+/// tries, and of tries with close samples; share of a crossing's length that may be lost.
 constexpr double kOtherCurvature = 1.15;
 constexpr double kCloseCurvature = 1.05;
 constexpr int kMostAcross = 7;
 constexpr int kMostTighter = 5;
 constexpr double kMostLost = 0.11;
-/// Radians. Kinks between arcs: with 500 mm/s2 and a junction deviation of 0.01 mm no brake up to 2500 mm/min.
+/// Radians: greatest kink. A machine with 500 mm/s2 and a junction deviation of 0.01 mm need not brake for it
+/// up to 2500 mm/min.
 constexpr double kMostKink = 0.15;
-/// Radians below the limit from where arcs rise to it without a kink; and corrections until a kinked arc is aimed.
+/// Radians. Arcs that begin more than this below the limit get no kink. Number of corrections until an arc
+/// with a kink is aimed.
 constexpr double kMostRise = 0.1;
 constexpr int kMostBends = 5;
-/// Share of its length that an arc aimed at a wall may turn out longer.
+/// Share of its length by which an arc aimed at a wall may become longer.
 constexpr double kToWall = 0.2;
 
-/// u turned by the angle of the direction v.
+/// u turned by the angle of the unit vector v.
 Vec2 turned(Vec2 u, Vec2 v) {
   return {u.x * v.x - u.y * v.y, u.x * v.y + u.y * v.x};
 }
 
-/// Places along a candidate at equal distances, one after the other: cheaper than computing each from the start.
+/// Points and headings along a candidate at equal distances. Each is computed from the one before, which is
+/// cheaper.
 class Strides {
  public:
   Strides(const CutterState& from, const CandidateArc& candidate, double stride)
@@ -101,7 +108,7 @@ Edge edge_of(const CutterState& from, const CandidateArc& candidate) {
 
 Edge arc_to(const CutterState& from, double kink, Vec2 p) {
   const Vec2 heading = rotated(from.heading, kink);
-  // The sagitta is a quarter of how far p is aside of the heading.
+  // The sagitta is a quarter of the distance of p from the line along the heading.
   if (std::abs(cross(heading, p - from.point)) < 4 * kShortestMove) return Edge::line(from.point, p);
   return tangent_arc(from.point, heading, p);
 }
@@ -140,7 +147,7 @@ std::optional<CandidateArc> ArcAimer::find_candidate(const CutterState& from) co
   return find_candidate_closely(from, guess);
 }
 
-/// The arc of this length, or up to the wall ahead, if it keeps the engagement steady.
+/// A candidate of this length, or up to the wall ahead, if its engagement is steady.
 std::optional<CandidateArc> ArcAimer::steady_candidate(const CutterState& from, double length,
                                                        double guess) const {
   auto candidate = aim(from, length, guess, 1);
@@ -163,19 +170,19 @@ std::optional<CandidateArc> ArcAimer::steady_candidate(const CutterState& from, 
   return candidate;
 }
 
-/// The arc of this length at whose end, or at the worst of as many places as `samples`, the engagement is at the limit, or
-/// as near below as turns allow.
+/// The candidate of this length that has the engagement at the limit at its end, or at the highest of
+/// `samples` samples, or as near below the limit as the allowed turns permit.
 std::optional<CandidateArc> ArcAimer::aim(const CutterState& from, double length, double guess,
                                           int samples) const {
   const double rightmost = std::max(-1 / (kRightTurn * radius_), -kMostTurn / length);
   const double leftmost = std::min(1 / from.tightest, kMostTurn / length);
-  double right = rightmost, left = leftmost;  // too much engagement, too little
+  double right = rightmost, left = leftmost;  // curvatures with too much and with too little engagement
   const double slope = length + length * length / (2 * radius_ * std::sin(limit_));
   CandidateArc candidate{std::clamp(guess, right, left), length};
   std::optional<CandidateArc> best;
   for (int i = 0; i < 8; ++i) {
     double excess = engagement_after(from, candidate, length) - limit_;
-    // Closer to each other where the arc begins.
+    // Samples are denser near the beginning.
     for (int k = 1; k < samples; ++k)
       excess =
           std::max(excess, engagement_after(from, candidate, length * k * k / (samples * samples)) - limit_);
@@ -195,7 +202,8 @@ std::optional<CandidateArc> ArcAimer::aim(const CutterState& from, double length
   return best;
 }
 
-/// The candidate with a kink before it, so that the engagement is at the limit in its middle, too.
+/// The candidate with a kink at its beginning, chosen so that the engagement is at the limit in its middle,
+/// too.
 std::optional<CandidateArc> ArcAimer::bend(const CutterState& from, CandidateArc candidate) const {
   if (from.engagement < limit_ - kMostRise) return std::nullopt;
   const double whole = candidate.length, half = whole / 2, q = 1 / (radius_ * std::sin(limit_));
@@ -203,7 +211,8 @@ std::optional<CandidateArc> ArcAimer::bend(const CutterState& from, CandidateArc
     const double at_half = engagement_after(from, candidate, half) - limit_ - EngagementTolerance::kPeak,
                  at_end = engagement_after(from, candidate, whole) - limit_ - EngagementTolerance::kPeak;
     if (std::max(std::abs(at_half), std::abs(at_end)) <= kAimed) return candidate;
-    // The engagement falls by 1 per radian of heading and by q per mm to the left.
+    // The engagement falls by 1 per radian that the heading turns to the left, and by q per mm that the
+    // cutter is to the left.
     const double a = 1 + q * half, b = half + q * half * half / 2, c = 1 + q * whole,
                  d = whole + q * whole * whole / 2;
     candidate.kink += (at_half * d - at_end * b) / (a * d - b * c);
@@ -216,7 +225,7 @@ std::optional<CandidateArc> ArcAimer::bend(const CutterState& from, CandidateArc
   return std::nullopt;
 }
 
-/// Whether the engagement keeps to its limit all along, and does not stay far below.
+/// Whether the engagement stays near its limit all along: never above, and not far below in the mean.
 bool ArcAimer::is_steady(const CutterState& from, const CandidateArc& candidate) const {
   const int samples = static_cast<int>(candidate.length / (kSamplePitch * radius_)) + 2;
   double missing = 0;
@@ -265,7 +274,7 @@ bool ArcAimer::meets_wall(const CutterState& from, double curvature) const {
   return length_inside(from, {curvature, longest}) < longest;
 }
 
-/// How the arc of that curvature up to the wall ahead does, which is `crossing`.
+/// Tries the arc of that curvature up to the wall ahead; describes it in `crossing`.
 ArcAimer::Fit ArcAimer::cross(const CutterState& from, double curvature, Crossing& crossing) const {
   const double longest = std::min(kLongestAcross * radius_, kMostTurn / curvature);
   CandidateArc& candidate = crossing.candidate;
@@ -305,7 +314,8 @@ std::optional<CandidateArc> ArcAimer::surely_within(const CutterState& from, Can
 }
 
 double ArcAimer::length_inside(const CutterState& from, const CandidateArc& candidate) const {
-  // As near to each other that no wall is passed: those that bend into the area do so by the cutter's radius at least.
+  // So close that no wall between two samples is missed: walls that bend into the area have at least the
+  // cutter's radius.
   const double by_length = candidate.length / (kAside * radius_),
                by_turn = std::abs(candidate.curvature) * candidate.length / kAsideTurn;
   const int samples = static_cast<int>(std::max(by_length, by_turn)) + 1;
@@ -346,7 +356,7 @@ bool ArcAimer::leaves_wall(const CutterState& from, const CandidateArc& candidat
 
 double ArcAimer::length_off(const CutterState& from, const CandidateArc& candidate) const {
   if (!from.off_wall) return 0;
-  // Over a length x it comes off by x slope + x^2 curvature / 2.
+  // After a length x the cutter is x slope + x^2 curvature / 2 off the wall.
   const double slope = std::sin(*from.off_wall + candidate.kink), aside = kOffWall * radius_,
                root = slope * slope + 2 * candidate.curvature * aside;
   const double rate = root < 0 ? 0 : slope + std::sqrt(root);

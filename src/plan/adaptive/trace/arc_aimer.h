@@ -7,77 +7,84 @@
 
 namespace clearcut::plan::adaptive {
 
-/// mm. Shorter moves are left out.
+/// mm. Shorter moves are not made.
 inline constexpr double kShortestMove = 1e-4;
 
-/// Where the cutter is in a cut that has the material on its right, and how the cut may go on.
+/// Where the cutter is in a cut, with the material on its right, and what the next arc begins with.
 struct CutterState {
   Vec2 point;
   Vec2 heading;
-  double curvature = 0;   ///< 1 / mm, > 0 to the left
-  double engagement = 0;  ///< radians at the end of the last move, before that move was cut
-  double usual = 0;       ///< mm, length of the last arc: the next one is probably as long
-  double tightest = 1;    ///< mm, radius of the tightest turn to the left that may be tried
-  std::optional<double>
-      off_wall;  ///< set where the cutter is on a wall: radians between its heading and the wall
+  double curvature = 0;   ///< of the last arc, 1 / mm; positive to the left
+  double engagement = 0;  ///< at the end of the last arc, before that arc was cut; radians
+  double usual = 0;       ///< mm, length of the last arc: a first guess for the next one
+  /// Radians between heading and wall, where the cutter is on a wall.
+  double tightest = 1;  ///< mm, smallest radius of turns to the left that may be tried
+  std::optional<double> off_wall;
 };
 
-/// An arc that may be cut next from a CutterState, tried before anything is taken away.
+/// An arc that may be cut next, from a CutterState. Candidates are compared before any material is removed.
 struct CandidateArc {
-  double curvature = 0;     ///< 1 / mm, > 0 to the left
+  double curvature = 0;     ///< 1 / mm; positive to the left
   double length = 0;        ///< mm
-  double kink = 0;          ///< radians by which the heading turns to the left before the arc
-  bool meets_wall = false;  ///< it ends at the border of the area for cuts
+  double kink = 0;          ///< radians by which the heading turns to the left at the beginning of the arc
+  bool meets_wall = false;  ///< whether it ends at a border of the area for cuts
 };
 
-/// A single arc from one wall up to another, below the engagement limit where it cannot be at it.
+/// A single arc from one wall to another. Its engagement is at or below the limit all along.
 struct Crossing {
   CandidateArc candidate;
-  double lost = 0;  ///< mm of a cut at the limit that would take what the arc leaves standing
+  double lost = 0;  ///< mm of a cut at the limit that would remove what this arc leaves standing
+  /// Whether `lost` is small beside the length of the arc, so that the arc is worth cutting.
   bool loses_little() const;
 };
 
-/// Place and unit heading on a path.
+/// A point of a path and the unit vector along which the path goes on.
 struct Heading {
   Vec2 point;
   Vec2 heading;
 };
-/// Where a candidate is after `length` mm.
+/// Point and heading on a candidate, `length` mm after its beginning.
 Heading after(const CutterState& from, const CandidateArc& candidate, double length);
-/// The candidate as an edge; a line where its curvature is next to none.
+/// The candidate as an edge: an arc, or a line if its curvature is next to zero.
 Edge edge_of(const CutterState& from, const CandidateArc& candidate);
-/// The arc to p that begins with the heading turned by `kink`; a line where that is flat.
+/// The arc to p that begins along the heading turned by `kink` radians to the left; a line if it is nearly
+/// straight.
 Edge arc_to(const CutterState& from, double kink, Vec2 p);
 
-/// Solves for the curvature and length of candidates by sampling the engagement along them.
+/// Finds curvature and length of candidates by computing the engagement at samples along them.
 class ArcAimer {
  public:
-  /// `limit`: engagement in radians that arcs are aimed at. Arcs stay inside `area`, where the centre may run while it cuts off
-  /// walls. The remaining stock is kept by reference.
+  /// `limit`: the engagement that candidates shall have at their end, radians. `area`: where the centre may
+  /// be while it cuts off the walls. `remaining` is kept by reference.
   ArcAimer(const RemainingStock& remaining, const Regions& area, double limit);
 
-  /// The longest arc found whose engagement ends at the limit and stays near it all along, at most up to the wall ahead;
-  /// none where no curvature does that.
+  /// The longest candidate found whose engagement ends at the limit and stays near it all along; it ends at
+  /// the wall ahead at the latest. Nothing if no curvature does that.
   std::optional<CandidateArc> find_candidate(const CutterState& from) const;
-  /// For places where the engagement falls or jumps and find_candidate() fails: a short arc of about the curvature `guess`,
-  /// sampled closely.
+  /// A short candidate of about the curvature `guess`, 1 / mm, with close samples: for places where the
+  /// engagement falls or jumps so that find_candidate() finds none.
   std::optional<CandidateArc> find_candidate_closely(const CutterState& from, double guess) const;
-  /// A single arc up to the wall ahead in the place of `candidate` and those after it, if little is lost by that.
+  /// A single arc up to the wall ahead instead of `candidate` and those that would follow, if that leaves
+  /// little standing.
   std::optional<CandidateArc> to_wall(const CutterState& from, const CandidateArc& candidate) const;
-  /// The flattest arc up to the wall ahead that keeps the limit all along. Curvatures near `guess` (1 / mm) are tried first.
+  /// The flattest arc up to the wall ahead that keeps the limit all along. Curvatures near `guess`, 1 / mm,
+  /// are tried first.
   std::optional<Crossing> across(const CutterState& from, double guess) const;
-  /// The same arc after close sampling, a little tighter where it has to be; none where it exceeds the limit anyway.
+  /// The crossing `across` checked at close samples and made a little tighter where needed; nothing if it
+  /// exceeds the limit even so.
   std::optional<CandidateArc> surely_within(const CutterState& from, CandidateArc across) const;
-  /// Whether an arc of that curvature (1 / mm) meets a wall within the greatest length of arcs from wall to wall.
+  /// Whether an arc of that curvature, 1 / mm, meets a wall within the greatest length of a crossing.
   bool meets_wall(const CutterState& from, double curvature) const;
-  /// mm of the candidate inside the area for cuts. Where it begins on a wall, which lies outside of that area, its beginning
-  /// counts as inside.
+  /// mm of the candidate inside the area for cuts. Walls lie outside of that area: the beginning of a
+  /// candidate that leaves a wall counts as inside.
   double length_inside(const CutterState& from, const CandidateArc& candidate) const;
-  /// Whether a candidate that begins on a wall gets into the area for cuts.
+  /// Whether a candidate that begins on a wall comes into the area for cuts.
   bool leaves_wall(const CutterState& from, const CandidateArc& candidate) const;
-  /// mm of such a candidate from the wall to where it is well inside the area for cuts; 0 where it never is.
+  /// mm of a candidate that begins on a wall up to where it is well inside the area for cuts; 0 if it never
+  /// is.
   double length_off(const CutterState& from, const CandidateArc& candidate) const;
-  /// Radians by which an arc of `radius` mm that begins along a straight wall turns up to there.
+  /// Radians by which an arc of `radius` mm that begins along a straight wall has turned when it is well
+  /// inside the area.
   double turn_off(double radius) const;
   bool is_inside(Vec2 p) const { return area_.contains(p); }
 

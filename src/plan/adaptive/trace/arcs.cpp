@@ -7,16 +7,16 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Arcs flatter than this (sagitta, mm) are lines; wider than this (radius, mm) too.
+/// mm. Arcs with a sagitta below kFlat or a radius above kWidest are replaced by lines.
 constexpr double kFlat = 1e-4;
 constexpr double kWidest = 5000;
-/// Radians that an arc turns by at most.
+/// Radians: greatest turn of an arc.
 constexpr double kMostSweep = 3;
-/// Radians. Edges that are one have their headings as near to each other.
+/// Radians: two edges are joined only if their headings at the joint differ by less.
 constexpr double kSameHeading = 0.008;
-/// mm that the end of an arc is aside of its heading, below which that is straight.
+/// mm. An arc whose end is nearer than this to the line along its heading is a line.
 constexpr double kAside = 1e-6;
-/// Points that make an arc.
+/// Smallest number of points that an arc is fitted to.
 constexpr std::size_t kFewest = 5;
 
 std::optional<Vec2> circle_center(Vec2 a, Vec2 b, Vec2 c) {
@@ -28,7 +28,7 @@ std::optional<Vec2> circle_center(Vec2 a, Vec2 b, Vec2 c) {
              d;
 }
 
-/// The arc from a to c over b; a line where that is flat.
+/// The arc from a to c through b; a line if it is flat.
 Edge edge_through(Vec2 a, Vec2 b, Vec2 c) {
   const double sagitta = std::abs(cross(unit(c - a), b - a));
   const auto center = circle_center(a, b, c);
@@ -40,16 +40,17 @@ bool is_same_heading(Vec2 a, Vec2 b) {
   return dot(a, b) > 0 && std::abs(cross(a, b)) < kSameHeading;
 }
 
-/// The edge from first to last through a point between them, if all others are near it.
+/// The edge from the first point to the last through a middle one, if all others are within `tolerance` mm of
+/// it.
 std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
-  // Through three or four points there is an arc even where they turn a corner.
+  // Fewer points always lie on some arc, even if they turn a corner.
   const Edge edge = points.size() < kFewest
                         ? Edge::line(points.front(), points.back())
                         : edge_through(points.front(), points[points.size() / 2], points.back());
   if (std::abs(edge.sweep()) > kMostSweep) return std::nullopt;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     if (i > 0 && distance(edge, points[i]) > tolerance) return std::nullopt;
-    // Between the points, too: their chords' middles may not stand off a different circle.
+    // Also between points, so that the edge does not stand off them on a different circle.
     const Vec2 middle = (points[i] + points[i + 1]) / 2.0;
     if (distance(edge, middle) > 2 * tolerance + norm_squared(points[i + 1] - points[i])) return std::nullopt;
   }

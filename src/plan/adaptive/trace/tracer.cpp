@@ -9,44 +9,50 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii. The tightest radius with which a cut leaves a wall, and the widest of the tightest turns allowed later on.
+/// Shares of the tool radius: the tightest radius with which a cut leaves a wall; upper bound for the
+/// tightest radius allowed after that.
 constexpr double kLeastTurn = 0.02;
 constexpr double kWidestTurn = 0.5;
-/// Tool radii of advance along a wall for which no tighter turn off the wall is looked for.
+/// Share of the tool radius: after this much advance along the wall no tighter departure is searched for.
 constexpr double kEnoughWall = 0.03;
-/// Tool radii along a wall. A departure moves back by up to as much to where an edge ends, which saves a move.
+/// Share of the tool radius along a wall. A departure is moved back by up to this to the end of an edge,
+/// which saves a move.
 constexpr double kNoMove = 0.02;
-/// Tool radii. Before a stop (a corner) thicker material than this is cut off the wall like elsewhere.
+/// Share of the tool radius. Before a stop (a corner), material thicker than this is cut off the wall as
+/// elsewhere.
 constexpr double kThick = 0.5;
-/// Tool radii of an arc before it comes to the wall that it leads off, tried from the longest to the shortest by this step.
+/// Shares of the tool radius: how long before the wall an arc that leads off it may begin, and the step
+/// between the lengths tried.
 constexpr double kLeastLead = 0.1;
 constexpr double kMostLead = 2.5;
 constexpr double kLeadStep = 0.05;
-/// Tool radii from a wall, within which one line or arc may take the place of several edges of it; and how much longer it may be.
+/// Shares of the tool radius: one line or arc may replace several edges of a wall if it stays within
+/// kBentWall of it; it may be longer by the factor kMostDetour.
 constexpr double kBentWall = 0.1;
 constexpr double kMostDetour = 1.1;
-/// Tool radii. Single arcs from wall to wall: how far they may leave the wall before the material they are after, and before
-/// the last place from which the wall can be left; the pitch at which they are looked for; and what a cut costs beside its
-/// length, for the link to it and its moves.
+/// Crossings, in shares of the tool radius: how far they may leave the wall before the material that they are
+/// for, and before the last departure; the distance between the places that are tried; what a cut costs
+/// beside its length, for its link and its moves.
 constexpr double kBeforeMaterial = 0.3;
 constexpr double kFarthestAcross = 0.6;
 constexpr double kAcrossPitch = 0.16;
 constexpr double kCostOfCut = 1.1;
-/// Radians of turn between samples along an arc off the wall, and how far it is sampled: a quarter turn. It takes at least
-/// kLeastLeave samples to leave one wall before another is met.
+/// Radians: turn between samples along an arc off the wall, and how far it is sampled, a quarter turn. An arc
+/// that meets another wall within fewer than kLeastLeave samples is not used.
 constexpr double kLeaveStep = 0.15;
 constexpr double kLeaveTurn = 1.6;
 constexpr int kLeastLeave = 4;
-/// Bisections of the stretch of wall in which the last place to leave it lies.
+/// Number of bisections in the search for the last place to leave a wall.
 constexpr int kMostHalvings = 4;
-/// Factor between the curvature of an arc at the limit where it begins and that of one from wall to wall.
+/// Factor from the curvature of an arc at the limit to the first guess for that of a crossing.
 constexpr double kTighterAcross = 1.1;
-/// Changes between wall and open without cutting, after which a cut ends.
+/// Number of changes between wall and open without cutting, after which a cut ends.
 constexpr int kMostIdle = 4;
-/// mm along a wall: no place found.
+/// mm along a wall: stands for no place.
 constexpr double kNowhere = -1e300;
 
-/// From the first edge's beginning to the last one's end, with the heading that there is there if that is an arc's.
+/// One line or arc from the first edge's beginning to the last edge's end; an arc if the last edge is one,
+/// with the same heading at its end.
 Edge as_one(std::span<const Edge> edges) {
   const Vec2 from = edges.front().from, to = edges.back().to;
   if (!edges.back().is_arc()) return Edge::line(from, to);
@@ -122,7 +128,7 @@ Tracer::Next Tracer::follow_wall() {
   double s = first, cut_until = std::max(first, material_s_);
   while (s - first < wall.length() * 0.999) {
     const double end = wall.edge_end(s), next = std::min(s + step_, std::max(s + step_ / 3, end));
-    // The heading may change where an edge ends.
+    // The heading may change at the end of an edge, so both sides are computed.
     const double before = wall_engagement(next - 1e-7),
                  engagement = next < end ? before : std::max(before, wall_engagement(next + 1e-7));
     if (engagement > limit_ && walls_.to_stop({place_.wall, s}) < RadiusShares::kCornerReach * radius_ &&
@@ -141,7 +147,8 @@ Tracer::Next Tracer::follow_wall() {
   return Next::kDone;
 }
 
-/// A little farther than what was found to bear something; not just over the end of an edge, where nothing stands there.
+/// mm along the wall where the cut ends: a little beyond the last place that touched material, but not just
+/// beyond the end of an edge where nothing stands.
 double Tracer::end_of_cut(double cut_until) const {
   const Wall& wall = walls_.wall(place_.wall);
   const double over = cut_until + along_.overrun, end = wall.edge_end(cut_until);
@@ -152,8 +159,8 @@ double Tracer::end_of_cut(double cut_until) const {
   return stands(end) || stands((end + over) / 2) || stands(over) ? over : end;
 }
 
-/// Leaves the wall between `s_clear`, where the engagement is within the limit, and `s_over`, where it is not: as late and with
-/// as wide a radius as the engagement allows.
+/// Leaves the wall between `s_clear`, where the engagement is within the limit, and `s_over`, where it is
+/// not: as late, and with as wide a radius, as the limit allows.
 Tracer::Next Tracer::depart(double s_clear, double s_over) {
   const double first = place_.s;
   s_over = last_within(s_clear, s_over);
@@ -166,7 +173,7 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
     best_radius = radius;
     if (best - first > kEnoughWall * radius_) break;
   }
-  // Rather where an edge ends than just after it: that would be one more move.
+  // If an edge ends just before, the departure is moved there, which saves a move.
   const double end = walls_.wall(place_.wall).edge_end(best - kNoMove * radius_);
   if (end > first && end < best && can_leave(end, best_radius)) best = end;
   if (best_radius > 0) return leave(best, best_radius);
@@ -174,8 +181,8 @@ Tracer::Next Tracer::depart(double s_clear, double s_over) {
   return Next::kDone;
 }
 
-/// By bisection: the last place along the wall at which the engagement keeps the limit, between one where it does and one
-/// where it does not.
+/// The last place between `s_clear` and `s_over` at which the engagement on the wall keeps the limit, by
+/// bisection.
 double Tracer::last_within(double s_clear, double s_over) const {
   if (wall_engagement(s_over) <= limit_ + EngagementTolerance::kExcess) return s_over;
   for (int i = 0; i < kMostHalvings; ++i) {
@@ -185,8 +192,8 @@ double Tracer::last_within(double s_clear, double s_over) const {
   return s_clear;
 }
 
-/// The last place up to `s_over` from which an arc of `radius` leaves the wall within the limit; kNowhere when there is
-/// none after `least`.
+/// mm along the wall: the last place up to `s_over` from which an arc of `radius` mm leaves the wall within
+/// the limit; kNowhere if there is none after `least`.
 double Tracer::latest_departure(double s_clear, double s_over, double radius, double least) {
   double good = s_over, bad = s_over;
   while (!can_leave(good, radius)) {
@@ -201,7 +208,8 @@ double Tracer::latest_departure(double s_clear, double s_over, double radius, do
   return good;
 }
 
-/// Whether an arc to the left off the wall keeps the limit for a quarter turn, or until it meets a wall.
+/// Whether an arc of `radius` mm to the left off the wall at s keeps the limit for a quarter turn, or until
+/// it meets a wall.
 bool Tracer::can_leave(double s, double radius) {
   const Wall& wall = walls_.wall(place_.wall);
   const Vec2 from = wall.at(s), heading = wall.heading(s);
@@ -218,7 +226,7 @@ bool Tracer::can_leave(double s, double radius) {
   const auto exceeds = [&](int sample) {
     return remaining_.engagement(at(sample), rotated(heading, sample * kLeaveStep)) > limit_;
   };
-  // Where the last one failed the next one mostly fails, too.
+  // The sample at which the last arc failed is the likeliest to fail again.
   if (critical_sample_ < samples && exceeds(critical_sample_)) return false;
   for (int sample = 0; sample < samples; ++sample) {
     if (sample == critical_sample_ || !exceeds(sample)) continue;
@@ -229,7 +237,7 @@ bool Tracer::can_leave(double s, double radius) {
   return is_within(first);
 }
 
-/// Off the wall at s, where an arc of `radius` may: on one that is aimed, else on that and on from there.
+/// Leaves the wall at s, from where an arc of `radius` mm keeps the limit: on an aimed arc, else on that arc.
 Tracer::Next Tracer::leave(double s, double radius) {
   if (first_departure_ == kNowhere) first_departure_ = s;
   std::optional<DepartureArc> off;
@@ -262,14 +270,15 @@ Tracer::Next Tracer::leave(double s, double radius) {
   return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise)) ? Next::kTrace : Next::kDone;
 }
 
-/// On the wall at s, heading `kink` off it.
+/// The cutter state on the wall at s, with the heading turned by `kink` radians off the wall.
 CutterState Tracer::state_at(double s, double radius, double kink) const {
   const Wall& wall = walls_.wall(place_.wall);
   return {wall.at(s), rotated(wall.heading(s), kink),          1 / radius, limit_ - kink,
           radius,     std::min(radius, kWidestTurn * radius_), kink};
 }
 
-/// The arc aimed off the wall at s with a heading `kink` off it, up to the wall that it meets.
+/// The arc aimed off the wall at s with the heading `kink` radians off the wall, up to the wall that it
+/// meets.
 std::optional<Tracer::DepartureArc> Tracer::departure_arc(double s, double radius, double kink) const {
   const CutterState from = state_at(s, radius, kink);
   const auto candidate = aimer_.find_candidate(from);
@@ -277,10 +286,11 @@ std::optional<Tracer::DepartureArc> Tracer::departure_arc(double s, double radiu
   return up_to_wall(s, from, *candidate);
 }
 
-/// The best single arc to another wall that leaves this one where `off` does or before, if a cut loses little by it.
+/// The best single arc to another wall that leaves this wall where `off` does or before; nothing if a cut
+/// would lose too much by it.
 std::optional<Tracer::DepartureArc> Tracer::crossing_arc(const DepartureArc& off) const {
   if (off.arc.turn != Turn::kCounterClockwise) return std::nullopt;
-  // Arcs that keep the limit farther are tighter.
+  // Arcs that keep the limit for longer are tighter.
   double guess = kTighterAcross / off.arc.radius(), best_value = 0, best_s = 0;
   if (!aimer_.meets_wall(off.from, 1 / off.arc.radius())) return std::nullopt;
   std::optional<Crossing> best;
@@ -304,8 +314,8 @@ std::optional<Tracer::DepartureArc> Tracer::crossing_arc(const DepartureArc& off
   return candidate ? std::optional(up_to_wall(best_s, from, *candidate)) : std::nullopt;
 }
 
-/// The candidate off the wall at s as a departure arc. Where it meets another wall, or comes near to one, and the cut can go on
-/// along that, the arc is bent a little to end on it.
+/// The candidate as a departure arc from s. If it meets another wall, or ends near one, and the cut can go on
+/// along that, the arc is changed a little to end on it.
 Tracer::DepartureArc Tracer::up_to_wall(double s, const CutterState& from, CandidateArc candidate) const {
   const double least = 2 * aimer_.length_off(from, candidate),
                beyond = candidate.length + RadiusShares::kEndsAtWall * radius_,
@@ -320,7 +330,8 @@ Tracer::DepartureArc Tracer::up_to_wall(double s, const CutterState& from, Candi
   return off;
 }
 
-/// With the arc off the wall, begun before it comes to the wall. Whether enough of it was taken.
+/// Begins the cut at an approach point on the circle of the arc, before the arc touches the wall. True if
+/// enough of the arc was cut.
 bool Tracer::begin_beside(const DepartureArc& off) {
   const Edge& from_wall = off.arc;
   if (from_wall.turn != Turn::kCounterClockwise) return false;
@@ -331,7 +342,7 @@ bool Tracer::begin_beside(const DepartureArc& off) {
   const Edge arc = Edge::arc(*approach_point, from_wall.to, from_wall.center, from_wall.turn);
   const double lead = arc.length() - from_wall.length();
   double within = remaining_.length_within(arc, limit_ + EngagementTolerance::kExcess);
-  // Arcs that follow one that ends sooner are longer.
+  // A slightly shorter arc lets the next one be longer.
   if (within < arc.length())
     within = std::min(within, remaining_.length_within(arc, limit_ + EngagementTolerance::kExcess / 2));
   if (within < lead + off.least || !can_begin_(*approach_point)) return false;
@@ -342,7 +353,8 @@ bool Tracer::begin_beside(const DepartureArc& off) {
   return true;
 }
 
-/// The last free place on its circle before the arc off the wall at s; none where more would stay on the wall than may.
+/// The last clear point on the arc's circle before it touches the wall at s; nothing if too much would stay
+/// on the wall.
 std::optional<Vec2> Tracer::approach_point_before(double s, const Edge& arc) const {
   const double radius = arc.radius();
   const WallPlace material{place_.wall, std::min(material_s_, s)};
@@ -357,7 +369,7 @@ std::optional<Vec2> Tracer::approach_point_before(double s, const Edge& arc) con
   return std::nullopt;
 }
 
-/// After an arc off a wall: along the wall that it came to, or on.
+/// What follows an arc off a wall: the wall that it ends on, else more arcs.
 Tracer::Next Tracer::on_from(const DepartureArc& off) {
   if (!off.met || path_.back().to != off.arc.to) return Next::kTrace;
   follow_from(*off.met);
@@ -370,15 +382,15 @@ void Tracer::follow_from(const WallPlace& place) {
   material_s_ = place.s;
 }
 
-/// Cuts along the wall from s_from to s_to, in as few moves as may stand for its edges, up to where the engagement would exceed
-/// the limit. Whether that was all of it.
+/// Cuts along the wall from s_from to s_to, up to where the engagement would exceed the limit; several edges
+/// are replaced by one move where possible. True if all of it was cut.
 bool Tracer::append_wall(double s_from, double s_to) {
   if (s_to <= s_from) return true;
   if (path_.empty() && can_begin_ && !can_begin_(walls_.point({place_.wall, s_from}))) return false;
   const Path part = walls_.wall(place_.wall).part(s_from, s_to);
   std::span<const Edge> left = part;
   for (double s = s_from; !left.empty();) {
-    // As many edges as one may stand for.
+    // As many edges as one move can replace.
     std::size_t count = left.size();
     while (count > 1 && !append_as_one(left.first(count), s)) --count;
     if (count == 1 && !append(left.front())) return false;
@@ -388,7 +400,7 @@ bool Tracer::append_wall(double s_from, double s_to) {
   return true;
 }
 
-/// On one line or arc where all that stays on the wall, from s_from on, may stay there.
+/// Cuts along one line or arc instead of `part`, if what then stays on the wall from s_from on may stay.
 bool Tracer::append_as_one(std::span<const Edge> part, double s_from) {
   const Edge one = as_one(part);
   double end = s_from;

@@ -10,48 +10,49 @@
 
 namespace clearcut::plan::adaptive {
 
-/// How cuts follow walls.
+/// When a cut along a wall ends.
 struct AlongWalls {
-  double air = 0;      ///< mm of wall without engagement after which a cut ends
-  double overrun = 0;  ///< mm that a cut runs on past the last place where it engaged
+  double air = 0;      ///< mm of wall without engagement after which the cut ends
+  double overrun = 0;  ///< mm by which it goes past the last place where it cut anything
 };
 
 /// Traces cuts with the material on the right of the direction of travel.
 class Tracer {
  public:
-  /// `limit`: largest engagement in radians. Off the walls the centre stays inside `area`. What is traced is taken away from
-  /// `remaining` at once. All is kept by reference.
+  /// `limit`: largest engagement, radians. Off the walls the centre stays inside `area`. Traced cuts are
+  /// removed from `remaining` at once. All arguments but numbers are kept by reference.
   Tracer(RemainingStock& remaining, const Walls& walls, const Regions& area, double limit, AlongWalls along);
 
-  /// One cut that begins on a wall: along the wall until the engagement would exceed the limit, off it on an arc, and on with
-  /// the engagement at the limit until the cutter meets a wall ahead or runs into the open. Empty when nothing can be cut there
-  /// within the limit. `material_s`: mm along the wall where the material begins that the cut is for. Where what stays on the
-  /// wall is a residual that may stay, and `can_begin` accepts the place, the cut begins beside the wall with the arc that
-  /// leads off it.
+  /// One cut that begins on a wall. It follows the wall until the engagement would exceed the limit, leaves
+  /// it on an arc, and goes on with the engagement at the limit until it meets a wall or runs into the open.
+  /// Empty if nothing can be cut from there. `material_s`: mm along the wall to where the material begins. If
+  /// only a residual that may stay touches the wall before the arc, and `can_begin` is true for a point
+  /// beside the wall, the cut begins at that point instead.
   using CanBegin = std::function<bool(Vec2)>;
   Path cut_from(const WallPlace& start, double material_s, const CanBegin& can_begin = {});
-  /// One cut that begins off the walls, at `from` with a unit heading; `curvature` (1 / mm, > 0 to the left) is tried first.
+  /// One cut that begins off the walls at `from`; `heading` is a unit vector; `curvature`, 1 / mm and
+  /// positive to the left, is tried first.
   Path cut_on(Vec2 from, Vec2 heading, double curvature);
 
-  /// mm along the wall where the last cut first left it.
+  /// mm along the wall at which the last cut left it for the first time.
   double first_departure() const { return first_departure_; }
 
  private:
   enum class Next { kDone, kTrace, kWall };
-  /// How much was cut at some moment, to get back to it.
+  /// How many moves and cuts had been made at some moment, to return to that state.
   struct Mark {
     std::size_t moves = 0, cuts = 0;
   };
-  /// An arc off a wall at s (mm along it), from that state. It is of use if at least `least` mm of it can be cut. `met`: where
-  /// it ends on a wall.
+  /// An arc off a wall and the cutter state that it begins with. It is used if at least `least` mm of it can
+  /// be cut.
   struct DepartureArc {
-    double s = 0;
+    double s = 0;  ///< mm along the wall
     CutterState from;
     Edge arc;
     double least = 0;
-    std::optional<WallPlace> met;
+    std::optional<WallPlace> met;  ///< the place where the arc ends on a wall
   };
-  /// An arc that ends on a wall at a small angle; the cut goes on along the wall from there.
+  /// An arc that ends on a wall at so small an angle that the cut goes on along the wall.
   struct Landing {
     Edge arc;
     WallPlace place;
@@ -102,16 +103,16 @@ class Tracer {
   AlongWalls along_;
   double step_;
   Path path_;
-  double engaged_ = 0;  ///< mm of the cut so far in which the cutter engaged
-  double air_ = 0;      ///< mm since the cutter last engaged
+  double engaged_ = 0;  ///< mm of this cut on which the cutter cut anything
+  double air_ = 0;      ///< mm since the cutter last cut anything
   CutterState state_;
   WallPlace place_;
   double material_s_ = 0;
   CanBegin can_begin_;
-  Mark before_wall_;  ///< as it was before the cut came to the wall that it follows
+  Mark before_wall_;  ///< the state before the cut met the wall that it follows now
   double first_departure_ = 0;
-  int critical_sample_ =
-      0;  ///< sample at which the last rejected arc off the wall exceeded the limit: tried first
+  /// The sample at which the last rejected departure arc exceeded the limit: checked first.
+  int critical_sample_ = 0;
 };
 
 }  // namespace clearcut::plan::adaptive

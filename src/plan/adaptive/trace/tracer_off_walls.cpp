@@ -1,4 +1,4 @@
-// The part of Tracer that runs away from walls: arcs at the limit, one after the other, and where they meet a wall.
+// The part of Tracer that cuts off the walls: arcs at the limit, one after the other, up to a wall.
 #include <cmath>
 
 #include "plan/adaptive/parameters.h"
@@ -7,22 +7,25 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii. Shorter arcs do not lead on.
+/// Share of the tool radius: arcs shorter than this are not made.
 constexpr double kShortestArc = 0.02;
-/// Tool radii. The smallest radius of turn that is tried where the engagement rises whatever the cutter does.
+/// Share of the tool radius: the smallest radius of turn that is tried where the engagement rises whatever
+/// the cutter does.
 constexpr double kTightest = 0.1;
-/// Tool radii of wall that still bears something, for which a cut does not end before the wall but follows it.
+/// Share of the tool radius. If the wall still touches material for this length, a cut that meets it goes on
+/// along it.
 constexpr double kShortWall = 0.2;
-/// Cosine of the angle between the direction of travel and a wall that is met; above it the cut goes on along the wall.
+/// Cosine of the angle between heading and wall. A cut that meets a wall at a smaller angle goes on along it.
 constexpr double kSlide = 0.5;
-/// Length along the wall over the distance from it of the last move onto a wall: 2 is an angle of 27 degrees.
+/// The last move to a wall ends this many times its distance farther on along the wall: 2 is an angle of 27
+/// degrees.
 constexpr double kMeetSlope = 2;
-/// Arcs of one cut: a bound that no cut comes near to.
+/// Number of arcs after which a cut ends: a bound that no cut comes near to.
 constexpr int kMostArcs = 20000;
 
 }  // namespace
 
-/// Cuts the edge up to where the engagement would exceed the limit. Whether that was all of it.
+/// Cuts the edge up to where the engagement would exceed the limit. True if all of it was cut.
 bool Tracer::append(const Edge& edge) {
   const double length = distance(edge.from, edge.to) < kShortestMove ? 0 : edge.length();
   if (length <= 0) return true;
@@ -33,7 +36,7 @@ bool Tracer::append(const Edge& edge) {
 }
 
 void Tracer::take(Edge edge) {
-  if (!path_.empty()) edge.from = path_.back().to;  // the same point to rounding
+  if (!path_.empty()) edge.from = path_.back().to;  // equal up to rounding
   remaining_.cut(edge);
   path_.push_back(edge);
 }
@@ -42,8 +45,8 @@ bool Tracer::is_within(const Edge& edge) const {
   return remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess) >= edge.length();
 }
 
-/// mm of an edge up to where its engagement is too high. Where it jumps there, the edge is ended earlier, because no arc leads
-/// on from a peak.
+/// mm of an edge up to where its engagement is too high. Where the engagement jumps there, less of the edge
+/// is cut, because no arc could go on from a peak.
 double Tracer::length_within(const Edge& edge) const {
   const double length = edge.length(),
                within = remaining_.length_within(edge, limit_ + EngagementTolerance::kExcess),
@@ -60,7 +63,8 @@ void Tracer::go(const Edge& edge, double within) {
   state_.point = part.to;
   state_.heading = part.tangent_at(1);
   state_.curvature = edge.is_arc() ? (edge.turn == Turn::kCounterClockwise ? 1 : -1) / edge.radius() : 0;
-  state_.engagement = remaining_.engagement(state_.point, state_.heading);  // before it is cut
+  state_.engagement =
+      remaining_.engagement(state_.point, state_.heading);  // before the material there is removed
   state_.usual = within;
   state_.off_wall.reset();
   take(part);
@@ -102,7 +106,7 @@ Tracer::Next Tracer::trace() {
   return Next::kDone;
 }
 
-/// Runs up to the wall where the arc leaves the area, and on along it where it is met at a small angle.
+/// Goes to the wall where the candidate leaves the area, and goes on along it if it is met at a small angle.
 Tracer::Next Tracer::meet_wall(const CandidateArc& candidate, double inside) {
   const auto landing = landing_of(state_, candidate, inside);
   if (landing && remaining_.is_legal(landing->arc) && is_within(landing->arc)) {
@@ -117,7 +121,8 @@ Tracer::Next Tracer::meet_wall(const CandidateArc& candidate, double inside) {
   return landing && step_to_wall(landing->place) ? Next::kWall : Next::kDone;
 }
 
-/// The candidate, bent a little to end on the wall that it meets after `inside` mm; none where a cut would not go on along that.
+/// The candidate changed a little to end on the wall that it meets after `inside` mm; nothing if the cut
+/// could not go on along that wall.
 std::optional<Tracer::Landing> Tracer::landing_of(const CutterState& from, const CandidateArc& candidate,
                                                   double inside) const {
   const auto [end, heading] = after(from, candidate, inside);
@@ -127,7 +132,8 @@ std::optional<Tracer::Landing> Tracer::landing_of(const CutterState& from, const
   return Landing{arc_to(from, candidate.kink, walls_.point(met)), met};
 }
 
-/// Whether a cut that meets a wall with that heading goes on along it: it bears something there.
+/// Whether a cut that meets a wall with that heading goes on along it: the angle is small and the wall still
+/// touches material.
 bool Tracer::leads_along(const WallPlace& met, Vec2 heading) const {
   if (dot(heading, walls_.wall(met.wall).heading(met.s)) < kSlide ||
       !walls_.touches_after({met.wall, met.s + kShortWall * radius_}, radius_))
@@ -136,7 +142,7 @@ bool Tracer::leads_along(const WallPlace& met, Vec2 heading) const {
          met.s <= place_.s - radius_;
 }
 
-/// Straight to a wall that the cut has come near to.
+/// Goes straight to a wall that the cut has come near to.
 bool Tracer::step_to_wall(const WallPlace& place) {
   const Mark before = mark();
   const Edge line = Edge::line(state_.point, walls_.point(place));

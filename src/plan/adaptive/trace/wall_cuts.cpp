@@ -7,25 +7,27 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Tool radii along the wall. A cut begins no farther before the material that it is after.
+/// Share of the tool radius: a cut begins at most this far along the wall before the material that it is for.
 constexpr double kLongestApproach = 1.5;
-/// Tool radii. A start from which a cut advances less along the wall is given up.
+/// Share of the tool radius: a start is given up if a cut from it gets less than this farther along the wall.
 constexpr double kLeastAdvance = 0.03;
-/// Approach points beside a wall: length along the wall of the last move onto it over the distance that it comes from, tried
-/// in this order; and how many tool radii along the wall such a point may be away.
+/// Approach points beside a wall: how far along the wall the last move onto it goes, divided by the distance
+/// from the wall; tried in this order. An approach point is at most kFarthestApproachPoint tool radii away
+/// along the wall.
 constexpr double kApproachSlopes[] = {0, 2, 6, 16};
 constexpr double kFarthestApproachPoint = 3;
-/// Tool radii. A start no farther from the end of the last cut is led to straight, at the cutting feed.
+/// Share of the tool radius: to a start this near the cutter goes straight from the end of the last cut, at
+/// the cutting feed.
 constexpr double kStraightOn = 0.6;
-/// mm. Shorter leads are none.
+/// mm. Leads shorter than this are not made.
 constexpr double kShortest = 1e-4;
 
 }  // namespace
 
-/// A clear link to an approach point, from where a short move leads to the first place of a cut.
+/// A clear link to an approach point and a short move from there to the first place of a cut.
 struct WallCuts::Approach {
   LinkPath link;
-  Path lead;  ///< at the cutting feed, through residuals
+  Path lead;  ///< cut at the cutting feed, because it goes through residuals
   WallPlace first;
 };
 
@@ -76,8 +78,8 @@ bool WallCuts::cut_from(const WallPlace& start) {
   return true;
 }
 
-/// A cut from a place on the wall where nothing stands, or from beside it. Most cuts are of this kind. The link to the place is
-/// only looked for once it is known that something can be cut from there.
+/// A cut from a clear place on the wall or beside it; most cuts are of this kind. The link to the place is
+/// searched for only when something can be cut from there.
 WallCuts::Outcome WallCuts::cut_from_clear_wall(const WallPlace& start) {
   const auto first = clear_place_before(start);
   if (!first) return Outcome::kNoLink;
@@ -103,13 +105,13 @@ void WallCuts::add(const WallPlace& start, const Path& cut, const LinkPath& link
   if (!walls.is_start(start)) return;
   const bool advances = walls.advances(start, tracer.first_departure(), kLeastAdvance * radius_);
   stuck_ = advances ? 0 : stuck_ + 1;
-  // The next ones seldom get farther.
+  // The starts next to it seldom get farther: more of them are given up each time.
   if (!advances) walls.give_up(start, (stuck_ + 1) / 2);
 }
 
-/// The last place before the start where the wall bears nothing.
+/// The last clear place on the wall before the start.
 std::optional<WallPlace> WallCuts::clear_place_before(const WallPlace& start) const {
-  // Rather where an edge ends than just before it: that would be one more move.
+  // If the start is just before the end of an edge, the end itself, which saves a move.
   const WallPlace end{start.wall, walls.wall(start.wall).edge_end(start.s)};
   if (end.s < start.s + RadiusShares::kWallPitch * radius_ &&
       !remaining_.touches(walls.point(end), RemainingStock::kFree))
@@ -126,7 +128,7 @@ double WallCuts::farthest_before(const WallPlace& start) const {
   return std::min(kLongestApproach * radius_, walls.from_stop(start));
 }
 
-/// Where no clear place on the wall can be reached.
+/// An approach to the start over a place off the wall, for starts that no clear place on the wall leads to.
 std::optional<WallCuts::Approach> WallCuts::approach_to(const WallPlace& start) const {
   const double farthest = farthest_before(start);
   if (const auto approach = straight_on_to(start)) return approach;
@@ -137,7 +139,7 @@ std::optional<WallCuts::Approach> WallCuts::approach_to(const WallPlace& start) 
   return approach_through_residuals(start);
 }
 
-/// From where the last cut ended at the cutting feed, where that is near.
+/// Straight from the end of the last cut, if that is near.
 std::optional<WallCuts::Approach> WallCuts::straight_on_to(const WallPlace& place) const {
   if (path_.empty()) return std::nullopt;
   const Edge lead = Edge::line(path_.at(), walls.point(place));
@@ -148,8 +150,8 @@ std::optional<WallCuts::Approach> WallCuts::straight_on_to(const WallPlace& plac
   return Approach{{}, {lead}, place};
 }
 
-/// Over an approach point beside the wall. Only the first clear one is tried: where no link leads to one, it seldom leads to
-/// the others.
+/// From an approach point beside the wall. Only the first clear one is tried: if no link leads to it, links
+/// to the others are rare.
 std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace& place) const {
   const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
   for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {
@@ -168,7 +170,8 @@ std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace&
   return std::nullopt;
 }
 
-/// Over what clearing left on the walls behind the start, within the limit.
+/// Along the wall from a place behind the start, through the residuals that clearing left there, within the
+/// limit.
 std::optional<WallCuts::Approach> WallCuts::approach_through_residuals(const WallPlace& start) const {
   if (path_.empty()) return std::nullopt;
   const double farthest = farthest_before(start);
@@ -194,9 +197,9 @@ std::optional<WallCuts::Approach> WallCuts::approach_through_residuals(const Wal
   return std::nullopt;
 }
 
-/// Whether the engagement keeps the limit on a move.
+/// Whether a move keeps the engagement limit.
 bool WallCuts::is_within(const Edge& edge) const {
-  // Most moves that exceed it do at their end.
+  // Most moves that exceed it do so at their end, which is cheaper to check.
   return remaining_.engagement(edge.to, edge.tangent_at(1)) <= limit_ &&
          remaining_.length_within(edge, limit_) >= edge.length();
 }

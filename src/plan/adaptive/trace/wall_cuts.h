@@ -1,4 +1,4 @@
-// Cuts that begin at walls which still touch material.
+// Makes the cuts that begin at walls which still touch material, and the links to them.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,11 @@
 
 namespace clearcut::plan::adaptive {
 
-/// Walls to cut along, and the cuts that begin there.
+/// The walls of one area, and the cuts that begin at them.
 class WallCuts {
  public:
-  /// Cuts off the walls stay inside `area`, their engagement below `limit`.
+  /// Cuts off the walls stay inside `area` and keep the engagement limit `limit`, radians. References are
+  /// kept.
   WallCuts(RemainingStock& remaining, ClearingPath& path, Walls walls, const Regions& area, double limit,
            AlongWalls along);
   WallCuts(const WallCuts&) = delete;
@@ -22,10 +23,10 @@ class WallCuts {
   Walls walls;
   Tracer tracer;
 
-  /// Goes to the wall at `start` or just before it, and cuts from there. Whether the place is settled: cut, or given up
-  /// because nothing can be cut from it; false where no way leads there.
+  /// Links to the wall at `start`, or to a clear place just before it, and cuts from there. True if the start
+  /// is done with: it was cut, or nothing can be cut from it. False if no link leads there.
   bool cut_from(const WallPlace& start);
-  /// The start that is nearest to the cutter. `starts` holds at least one.
+  /// The one of `starts` that is nearest to the cutter; there must be one.
   WallPlace nearest(const std::vector<WallPlace>& starts) const;
 
  private:
@@ -45,7 +46,7 @@ class WallCuts {
   ClearingPath& path_;
   double radius_;
   double limit_;
-  int stuck_ = 0;  ///< cuts that did not get farther along the wall than the one before
+  int stuck_ = 0;  ///< number of successive cuts that got no farther along the wall than the one before
 };
 
 }  // namespace clearcut::plan::adaptive

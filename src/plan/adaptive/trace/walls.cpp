@@ -8,7 +8,8 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Material that may stay on the wall of a front, as a share of what the wall pass takes there anyway.
+/// On the wall of a clearing area: the material that may stay, as a share of what the wall pass removes there
+/// anyway.
 constexpr double kWallShare = 0.25;
 
 }  // namespace
@@ -140,7 +141,7 @@ void Walls::update(const RemainingStock& remaining, const Box& where) {
     for (std::size_t i = 0; i < marks.points.size(); ++i) {
       if (marks.touching[i] != 1 || !where.contains(marks.points[i])) continue;
       if (marks.touched[i] && !remaining.is_removed(*marks.touched[i])) continue;
-      // What touches the wall goes last: only a cutter at the mark takes it.
+      // Material outwards of the wall stands longest, because only a cutter at the mark removes it.
       const Vec2 outwards = -left_of(walls_[w].heading(static_cast<double>(i) * marks.pitch));
       marks.touched[i] = remaining.touched(marks.points[i], marks.residuals[i], outwards);
       marks.touching[i] = marks.touched[i] ? 1 : 0;
@@ -235,42 +236,40 @@ bool Walls::is_alone(const WallPlace& place, const std::vector<WallPlace>& place
 
 namespace {
 
-/// mm. Thinner residuals are left.
-
 void add_unfinished(const Walls& walls, std::size_t index, double pitch, double gap,
                     const RemainingStock& remaining, std::vector<WallStretch>& out) {
   const Wall& wall = walls.wall(index);
   const int count = std::max(8, static_cast<int>(std::ceil(wall.length() / pitch)));
   const double step = wall.length() / count;
-  // A corner may bear where the places beside it do not.
-  std::vector<char> bears(static_cast<std::size_t>(count), 0);
+  // A corner may touch material where the samples beside it do not.
+  std::vector<char> touches(static_cast<std::size_t>(count), 0);
   double end = 0;
   for (const Edge& edge : wall.loop()) {
     end += edge.length();
     if (remaining.touches(edge.to, ResidualLimits::kFinishedWall))
-      bears[static_cast<std::size_t>(end / step) % bears.size()] = 1;
+      touches[static_cast<std::size_t>(end / step) % touches.size()] = 1;
   }
-  std::vector<int> bearing;
+  std::vector<int> touching;
   for (int i = 0; i < count; ++i) {
-    if (bears[static_cast<std::size_t>(i)] ||
+    if (touches[static_cast<std::size_t>(i)] ||
         remaining.touches(wall.at(i * step), ResidualLimits::kFinishedWall))
-      bearing.push_back(i);
+      touching.push_back(i);
   }
-  if (bearing.empty()) return;
-  // Begin after the widest gap; a wall without one is run all round.
+  if (touching.empty()) return;
+  // The list begins after the widest gap. A wall that touches material all along is cut all round.
   std::size_t first = 0;
   int widest = 0;
-  for (std::size_t k = 0; k < bearing.size(); ++k) {
-    const int before = k == 0 ? bearing.back() - count : bearing[k - 1];
-    if (bearing[k] - before <= widest) continue;
-    widest = bearing[k] - before;
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    const int before = k == 0 ? touching.back() - count : touching[k - 1];
+    if (touching[k] - before <= widest) continue;
+    widest = touching[k] - before;
     first = k;
   }
-  double from = (bearing[first] - 1) * step, to = from;
+  double from = (touching[first] - 1) * step, to = from;
   if (widest * step < gap) return out.push_back({index, from, from + wall.length()});
-  for (std::size_t k = 0; k < bearing.size(); ++k) {
-    const std::size_t at = (first + k) % bearing.size();
-    const double s = (bearing[at] + (at < first ? count : 0)) * step;
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    const std::size_t at = (first + k) % touching.size();
+    const double s = (touching[at] + (at < first ? count : 0)) * step;
     if (s - to > gap) {
       out.push_back({index, from, to});
       from = s - step;
@@ -289,8 +288,8 @@ std::vector<WallStretch> unfinished_walls(const Walls& walls, double pitch, doub
   return stretches;
 }
 
-std::optional<WallStretch> bearing_part(const Walls& walls, const WallStretch& stretch, double pitch,
-                                        double residual, const RemainingStock& remaining) {
+std::optional<WallStretch> unfinished_part(const Walls& walls, const WallStretch& stretch, double pitch,
+                                           double residual, const RemainingStock& remaining) {
   constexpr double kPlace = 1e-4;
   const Wall& wall = walls.wall(stretch.wall);
   std::vector<double> places{stretch.from};
@@ -298,15 +297,15 @@ std::optional<WallStretch> bearing_part(const Walls& walls, const WallStretch& s
     const double s = places.back();
     places.push_back(std::min({s + pitch, stretch.to, std::max(wall.edge_end(s), s + kPlace)}));
   }
-  const auto bears = [&](double s) { return remaining.touches(wall.at(s), residual); };
-  const auto border = [&](double clear, double bearing) {
-    while (std::abs(bearing - clear) > kPlace)
-      (bears((clear + bearing) / 2) ? bearing : clear) = (clear + bearing) / 2;
+  const auto touches = [&](double s) { return remaining.touches(wall.at(s), residual); };
+  const auto border = [&](double clear, double touching) {
+    while (std::abs(touching - clear) > kPlace)
+      (touches((clear + touching) / 2) ? touching : clear) = (clear + touching) / 2;
     return clear;
   };
-  const auto first = std::find_if(places.begin(), places.end(), bears);
+  const auto first = std::find_if(places.begin(), places.end(), touches);
   if (first == places.end()) return std::nullopt;
-  const auto last = std::find_if(places.rbegin(), places.rend(), bears);
+  const auto last = std::find_if(places.rbegin(), places.rend(), touches);
   return WallStretch{stretch.wall, first == places.begin() ? *first : border(*(first - 1), *first),
                      last == places.rbegin() ? *last : border(*(last - 1), *last)};
 }

@@ -1,0 +1,36 @@
+// What the order of a grid is judged by.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace clearcut::inline model {
+
+enum class ObjectiveKind {
+  kLength,
+  kTurns,
+  kAngle,
+  kTime,
+  kEngagement,
+  kEngagementInverse,
+  kEngagementExact
+};
+/// "length", "turns", "angle", "time", "engagement", "engagement-inverse", "engagement-exact".
+const char* name_of(ObjectiveKind kind);
+
+struct ObjectiveTerm {
+  ObjectiveKind kind = ObjectiveKind::kTime;
+  double weight = 1;
+};
+
+/// A sum of terms; one term that is not weighted is that quantity itself.
+struct Objective {
+  std::vector<ObjectiveTerm> terms{ObjectiveTerm{}};
+  bool weighted = false;
+};
+
+/// "turns", or weights: "1:length,20:turns". Throws InputError at `place` that lists the names.
+Objective parse_objective(const std::string& text, const std::string& place);
+
+}  // namespace clearcut::inline model

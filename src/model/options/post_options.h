@@ -1,0 +1,33 @@
+// How a program is to be written for its controller.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/tolerances.h"
+#include "base/units.h"
+
+namespace clearcut::inline model {
+
+struct PostOptions {
+  std::string dialect = "linuxcnc";  ///< linuxcnc grbl fanuc haas heidenhain mach3 mach4 marlin
+  bool inch = false;
+  std::string program_name;         ///< "1234" or "O1234" gives Fanuc and Haas their program number
+  std::vector<std::string> header;  ///< comment lines: part, stock, tools, times, certificate summary
+  std::optional<int> decimals;      ///< 1 to 6; default per dialect and unit
+  bool arcs = true;                 ///< false: lines only, within tol.chord
+  bool tool_changer = true;         ///< false: a pause (M0) instead of M6
+  bool length_offset = true;        ///< false: no G43
+  bool exact_stop = false;          ///< G61 instead of blending, where the control knows it
+  bool continuous = false;  ///< where the control states no bound: no G61, corners are rounded by its own
+  std::optional<int> program_number;    ///< of the O word, before any in program_name
+  int work_offset = 54;                 ///< G54 to G59: where the part's zero is
+  bool block_numbers = false;           ///< N words, in tens
+  bool optional_stop = false;           ///< M1 before every tool but the first
+  std::optional<Seconds> spindle_wait;  ///< after the spindle starts; default per dialect
+  MmPerMin rapid = MmPerMin::of(3000);  ///< for controls whose G0 takes an F word (Marlin)
+  Tolerances tol;
+};
+
+}  // namespace clearcut::inline model

@@ -1,0 +1,47 @@
+// How the Tour text's genetic algorithm is run, where somebody asks for it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+namespace clearcut::inline model {
+
+/// The Tour text's genetic algorithm; what is left out is as published.
+struct PublishedSolver {
+  std::optional<long long> generations;  ///< at most; absent: until 1000 bring no gain (4.3.3)
+  std::optional<int> population;
+  std::optional<std::string> selection, crossover, mutation;  ///< names of operators
+  std::optional<double> crossover_rate, mutation_rate;
+  std::optional<double> most_shared;  ///< share of edges above which two individuals are too similar
+
+  bool is_set() const {
+    return generations || population || selection || crossover || mutation || crossover_rate ||
+           mutation_rate || most_shared;
+  }
+};
+
+/// What orders the visits of a grid.
+struct VisitSolver {
+  bool is_published = false;  ///< else ours
+  PublishedSolver published;
+};
+
+/// Where a user chooses between what the texts print and ours. Absent: nobody says.
+struct PublishedChoices {
+  std::optional<bool> bisector_passages;  ///< of contour methods (CPO-kappa eq. 3)
+  std::optional<bool> published_grid;     ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
+  std::optional<VisitSolver> solver;      ///< of the strategy tour and of elements
+
+  /// Those of `other` go before these.
+  void merge(const PublishedChoices& other) {
+    if (other.bisector_passages) bisector_passages = other.bisector_passages;
+    if (other.published_grid) published_grid = other.published_grid;
+    if (other.solver) solver = other.solver;
+  }
+};
+
+/// By step_key().
+using StepChoices = std::map<std::string, PublishedChoices>;
+
+}  // namespace clearcut::inline model

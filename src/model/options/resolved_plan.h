@@ -1,0 +1,97 @@
+// A job with everything decided: what the stages after resolve() work from.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/tolerances.h"
+#include "model/machine.h"
+#include "model/move.h"
+#include "model/options/objective.h"
+#include "model/options/origin.h"
+#include "model/options/post_options.h"
+#include "model/options/published_solver.h"
+#include "model/options/stepover.h"
+#include "model/part.h"
+#include "model/work_material.h"
+
+namespace clearcut::inline model {
+
+struct StrategyEntry;
+
+/// Finishing after everything else.
+enum class Finish { kNone, kWalls, kFloor, kAll };
+
+/// Whether contours are cut from the middle to the walls or the other way round.
+enum class ContourOrder { kInsideOut, kOutsideIn };
+
+/// One step of the workplan. Lengths in mm.
+struct ResolvedStep {
+  const StrategyEntry* strategy = nullptr;  ///< null: the fastest of those that are tried ("auto")
+  Stepover stepover;
+  std::optional<Radians> stroke_angle;  ///< of parallel lines against x; absent: the fastest is looked for
+  MmPerMin feed, plunge_feed, ramp_feed;
+  MmPerMin lead_feed;  ///< into and out of passes
+  MmPerMin slot_feed;  ///< where the cutter is in the material all round; the feed where nobody asks
+  double spindle_rpm = 0;
+  bool spindle_clockwise = true;
+  bool coolant = false;
+  CutDirection direction = CutDirection::kClimb;
+  double stepdown = 0;
+  double allowance_side = 0, allowance_floor = 0;
+  EntryKind entry = EntryKind::kPlunge;
+  EntryKind entry_at_limit = EntryKind::kHelix;  ///< of strategies that limit the engagement
+  Radians entry_angle;
+  bool is_plunge_asked = false;           ///< round holes are then not bored along a helix
+  double zigzag_length = 0;               ///< of one way of a zigzag ramp; 0: up to two diameters
+  std::optional<double> helix_widest;     ///< diameter of the centre's circle; absent: each entry's own limit
+  std::optional<double> helix_narrowest;  ///< likewise
+  double lead = 0;                        ///< radius of arcs, length of lines; 0: none
+  std::optional<Radians> lead_angle;      ///< of lines against the pass; absent: arcs
+  double cross_z = 0;                     ///< where rapids cross between passes; absolute
+  std::optional<bool> bisector_passages;  ///< of contour methods; absent: the method decides
+  VisitSolver solver;                     ///< of the strategy tour
+  bool published_grid = false;            ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
+
+  /// Where the wall is, seen along closed passes.
+  bool wall_on_right() const { return (direction == CutDirection::kClimb) == spindle_clockwise; }
+};
+
+/// One line of what was decided, for people and certificates.
+struct ResolvedValue {
+  int step = -1;  ///< place in the workplan; -1: of the whole plan
+  std::string name;
+  std::string value;
+  std::string unit;
+  Source source;
+};
+
+struct ResolvedPlan {
+  Part part;  ///< with the steps that options add; its operations hold what `steps` hold
+  std::vector<ResolvedStep> steps;  ///< as many as part.workplan
+  ContourOrder order = ContourOrder::kInsideOut;
+  std::optional<Vec2> start;             ///< where cutting begins; absent: anywhere
+  std::optional<double> engagement_deg;  ///< limit; absent: none
+  Objective objective;
+  std::optional<double>
+      search_s;  ///< longest search; absent: as long as is worth it, the same on any machine
+  std::uint64_t seed = 1;
+  int threads = 1;
+  double lead_overlap = 0, overrun = 0, link_lift = 0;  ///< mm
+  std::optional<MmPerMin> link_feed;  ///< absent: the feed, or a rapid within a pass through cut material
+  Radians slot_angle;                 ///< engagement above which the slot feed rules
+  Finish finish = Finish::kNone;
+  std::optional<WorkMaterial> material;  ///< absent: no forces
+  std::optional<Toolpath> earlier;       ///< a program that has run before on this stock
+  Machine machine;
+  std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
+  PostOptions post;
+  Tolerances tol;
+  std::stop_token cancel;             ///< asked to stop, the stages end with Cancelled
+  std::vector<ResolvedValue> values;  ///< all of the above, in the order of the workplan, then of the whole
+};
+
+}  // namespace clearcut::inline model

@@ -1,0 +1,229 @@
+// The published genetic algorithm: what crossover and mutation promise.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "order/genetic/crossover.h"
+#include "order/genetic/initial.h"
+#include "order/genetic/mutation.h"
+#include "order/genetic/test_problems.h"
+#include "order/test_support.h"
+
+namespace clearcut::order {
+namespace {
+
+using testing::open_problem;
+using testing::problem_of_kind;
+using testing::random_genome;
+
+/// Tour 3.6.2 (b.2.1) and table 3.1.
+const Genome kParent1({0, 3, 7, 5, 4, 1, 8, 2, 6});
+
+const Genome kParent2({0, 5, 8, 2, 6, 3, 1, 4, 7});
+
+TEST(Crossover, EveryChildIsAValidOrder) {
+  for (const std::string& name : crossover_names()) {
+    for (int kind = 0; kind < 3; ++kind) {
+      for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        const Problem problem = problem_of_kind(kind, 2 + static_cast<int>(seed) * 2, seed);
+        const Moves moves(problem);
+        const Ground ground(moves, 24);
+        if (ground.free_count() < 2) continue;
+        Random random(seed);
+        const auto crossover = crossover_named(name, ground);
+        Genome child;
+        for (int i = 0; i < 10; ++i) {
+          crossover->cross(random_genome(problem, random), random_genome(problem, random), random, child);
+          EXPECT_TRUE(is_valid(problem, child.genes())) << name << " kind " << kind << " seed " << seed;
+          for (int p = 0; p < child.size(); ++p) EXPECT_EQ(child.place(child.at(p)), p);
+        }
+      }
+    }
+  }
+}
+
+TEST(Crossover, TwoEqualParentsHaveThatChild) {
+  for (const char* name : {"pmx", "ox", "cx", "eax"}) {
+    const Problem problem = open_problem(20, 3);
+    const Moves moves(problem);
+    const Ground ground(moves, 24);
+    Random random(1);
+    const Genome parent = random_genome(problem, random);
+    Genome child;
+    crossover_named(name, ground)->cross(parent, parent, random, child);
+    EXPECT_EQ(child.genes(), parent.genes()) << name;
+  }
+}
+
+/// The text's two offspring: the stretch 5 4 1 of parent 1 in parent 2, and 2 6 3 of parent 2 in parent 1.
+TEST(Crossover, PmxGivesTheTextsOffspring) {
+  const Problem problem = open_problem(9, 1);
+  const Moves moves(problem);
+  const Ground ground(moves, 24);
+  const auto crossover = pmx(ground);
+  Random random(1);
+  bool first_seen = false, second_seen = false;
+  Genome child;
+  for (int i = 0; i < 2000; ++i) {
+    crossover->cross(kParent1, kParent2, random, child);
+    first_seen = first_seen || child.genes() == Tour{0, 1, 7, 2, 6, 3, 8, 5, 4};
+    crossover->cross(kParent2, kParent1, random, child);
+    second_seen = second_seen || child.genes() == Tour{0, 2, 8, 5, 4, 1, 3, 6, 7};
+  }
+  EXPECT_TRUE(first_seen);
+  EXPECT_TRUE(second_seen);
+}
+
+/// Outside the stretch a PMX child differs from the first parent only where a displaced gene went: at most as
+/// many positions as inside.
+TEST(Crossover, PmxKeepsMostOfTheFirstParent) {
+  const Problem problem = open_problem(40, 2);
+  const Moves moves(problem);
+  const Ground ground(moves, 24);
+  const auto crossover = pmx(ground);
+  Random random(5);
+  Genome child;
+  for (int i = 0; i < 200; ++i) {
+    const Genome a = random_genome(problem, random), b = random_genome(problem, random);
+    crossover->cross(a, b, random, child);
+    int as_first = 0, as_second = 0;
+    for (int p = 0; p < 40; ++p) {
+      as_first += child.at(p) == a.at(p) ? 1 : 0;
+      as_second += child.at(p) == b.at(p) ? 1 : 0;
+    }
+    EXPECT_GE(as_first + 2 * as_second, 40);
+    EXPECT_GE(as_second, 1);
+  }
+}
+
+/// The genes that do not come from the second parent keep the order they have in the first.
+TEST(Crossover, OxKeepsTheOrderOfTheRest) {
+  const Problem problem = open_problem(30, 2);
+  const Moves moves(problem);
+  const Ground ground(moves, 24);
+  const auto crossover = ox(ground);
+  Random random(5);
+  Genome child;
+  for (int i = 0; i < 200; ++i) {
+    const Genome a = random_genome(problem, random), b = random_genome(problem, random);
+    crossover->cross(a, b, random, child);
+    bool explained = false;
+    for (int low = 0; low < 30 && !explained; ++low) {
+      for (int high = low; high < 30 && !explained; ++high) {
+        Tour rest;
+        bool donated = true;
+        for (int p = low; p <= high; ++p) donated = donated && child.at(p) == b.at(p);
+        for (int p = 0; p < 30; ++p) {
+          if (p < low || p > high) rest.push_back(a.place(child.at(p)));
+        }
+        explained = donated && std::is_sorted(rest.begin(), rest.end());
+      }
+    }
+    EXPECT_TRUE(explained);
+  }
+}
+
+TEST(Crossover, CxGivesEveryPositionAGeneOfOneOfTheParents) {
+  const Problem problem = open_problem(30, 2);
+  const Moves moves(problem);
+  const Ground ground(moves, 24);
+  const auto crossover = cx(ground);
+  Random random(5);
+  Genome child;
+  for (int i = 0; i < 200; ++i) {
+    const Genome a = random_genome(problem, random), b = random_genome(problem, random);
+    crossover->cross(a, b, random, child);
+    int from_second = 0;
+    for (int p = 0; p < 30; ++p) {
+      EXPECT_TRUE(child.at(p) == a.at(p) || child.at(p) == b.at(p));
+      from_second += child.at(p) == b.at(p) ? 1 : 0;
+    }
+    EXPECT_GE(from_second, 1);
+  }
+}
+
+/// Nearly all edges of an ERX child are edges of a parent; for the text's parents table 3.1 lists them.
+TEST(Crossover, ErxInheritsEdges) {
+  const Problem problem = random_problem(60, 2);
+  const Moves moves(problem);
+  const Ground ground(moves, 24);
+  const auto crossover = erx(ground);
+  Random random(5);
+  Genome child;
+  double shared = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Genome a = random_genome(problem, random), b = random_genome(problem, random);
+    crossover->cross(a, b, random, child);
+    int inherited = 0;
+    for (int p = 0; p < 60; ++p) {
+      const int u = child.at(p), v = child.at((p + 1) % 60);
+      inherited += has_edge(a, u, v, true) || has_edge(b, u, v, true) ? 1 : 0;
+    }
+    shared += inherited / 60.0;
+  }
+  EXPECT_GT(shared / 100, 0.75);
+}
+
+/// An EAX child has the edges of its parents, except the few that join subtours.
+TEST(Crossover, EaxInheritsEdges) {
+  const Problem problem = random_problem(100, 4);
+  const Moves moves(problem);
+  const Ground ground(moves, 24);
+  const auto crossover = eax(ground);
+  Random random(5);
+  Genome child;
+  int different = 0;
+  for (int i = 0; i < 30; ++i) {
+    const Genome a(nearest_path(ground, 2, random)), b(nearest_path(ground, 2, random));
+    crossover->cross(a, b, random, child);
+    int foreign = 0;
+    for (int p = 0; p < 100; ++p) {
+      const int u = child.at(p), v = child.at((p + 1) % 100);
+      foreign += has_edge(a, u, v, true) || has_edge(b, u, v, true) ? 0 : 1;
+    }
+    EXPECT_LE(foreign, 30);
+    different += child.genes() == a.genes() ? 0 : 1;
+  }
+  EXPECT_GT(different, 15);
+}
+
+TEST(Mutation, PromisesHold) {
+  for (int kind = 0; kind < 3; ++kind) {
+    const Problem problem = problem_of_kind(kind, 40, 7);
+    const Moves moves(problem);
+    const Ground ground(moves, 6);
+    const bool closed = problem.closed();
+    for (const std::string& name : mutation_names()) {
+      const auto mutation = mutation_named(name, ground);
+      Random random(3);
+      int changed = 0;
+      for (int i = 0; i < 300; ++i) {
+        const Genome before = random_genome(problem, random);
+        Genome after = before;
+        after.apply(mutation->choose(before, random));
+        ASSERT_TRUE(is_valid(problem, after.genes())) << name;
+        const int edges = closed ? 40 : 39;
+        const int fresh = edges - static_cast<int>(std::lround(shared_edges(after, before, closed) * edges));
+        EXPECT_LE(fresh, name == "exchange" ? 4 : 2) << name;  // Tour 4.3.3 iii
+        changed += fresh > 0 ? 1 : 0;
+        if (name != "nearest" || fresh == 0) continue;
+        bool near = false;  // one of the new edges joins near neighbours
+        for (int p = 0; p < edges; ++p) {
+          const int a = after.at(p), b = after.at((p + 1) % 40);
+          if (has_edge(before, a, b, closed)) continue;
+          const auto& of_a = ground.neighbours.nearest(a);
+          const auto& of_b = ground.neighbours.nearest(b);
+          near =
+              near || std::count(of_a.begin(), of_a.end(), b) + std::count(of_b.begin(), of_b.end(), a) > 0;
+        }
+        EXPECT_TRUE(near);
+      }
+      EXPECT_GT(changed, 200) << name << " kind " << kind;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clearcut::order

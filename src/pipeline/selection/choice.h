@@ -1,0 +1,76 @@
+// Several strategies for every workingstep, of which the fastest that is certified clean is kept.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "model/move.h"
+#include "model/results/contest.h"
+#include "pipeline/selection/strategies.h"
+
+namespace clearcut::pipeline {
+
+/// What one strategy made of one workingstep.
+struct StepPlan {
+  Section section;  ///< without moves where the cutter does not fit
+  double time_s = std::numeric_limits<double>::infinity();
+  ClearedSize size;    ///< what bounds other strategies
+  bool pocket = true;  ///< closed all round
+  bool rest = false;   ///< cleared by others around it
+  bool hole = false;   ///< a round hole or a profile: made without any strategy
+};
+
+/// A workingstep with what is tried for it, its tool and feed as far as bounds need them.
+struct ChoiceStep {
+  std::string feature;
+  int workingstep = 0;
+  double tool_radius = 0;
+  MmPerMin feed;
+  Attempts attempts;
+};
+
+using StepPlanner = std::function<StepPlan(int workingstep, const Attempt& attempt)>;
+
+/// The plans of all workingsteps. What is chosen depends on the plans alone, not on clocks or threads.
+class Choice {
+ public:
+  /// Plans the first two attempts of every step, then those others that may be faster by their least length and are worth
+  /// the effort; all in parallel on `threads`. Throws what the planner throws for a step's first strategy.
+  Choice(std::vector<ChoiceStep> steps, StepPlanner planner, int threads);
+
+  const Section& section(std::size_t step) const;
+  /// Takes the next best plan after one that was not certified clean: a slower one, else a fallback. False when
+  /// nothing is left, and the last plan stays.
+  bool next(std::size_t step);
+  const Attempt& attempt(std::size_t step) const;
+  /// Names of strategies whose planning took too much work.
+  std::vector<std::string> left_out(std::size_t step) const;
+  std::vector<Contest> contests() const;
+
+ private:
+  struct Try {
+    Attempt attempt;
+    StepPlan plan;
+    double least_s = 0;
+    Outcome outcome = Outcome::kNotTried;
+  };
+  struct Candidates {
+    std::vector<Try> tries;  ///< planned ones first, fastest first
+    std::size_t at = 0;
+    std::size_t planned = 0;
+    std::size_t fallbacks = 0;  ///< used
+  };
+  void plan_first();
+  void plan_others();
+  void rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work);
+  void sort(Candidates& candidates) const;
+  void plan_into(std::size_t step, Try& one) const;
+
+  std::vector<ChoiceStep> steps_;
+  StepPlanner planner_;
+  int threads_;
+  std::vector<Candidates> candidates_;
+};
+
+}  // namespace clearcut::pipeline

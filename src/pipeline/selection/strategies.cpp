@@ -1,0 +1,107 @@
+#include "pipeline/selection/strategies.h"
+
+#include "pipeline/tour/tour_solver.h"
+#include "plan/adaptive/entry.h"
+#include "plan/contour/entries.h"
+#include "plan/spiral/entry.h"
+#include "plan/tour/entry.h"
+#include "plan/zigzag/entry.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+plan::tour::TourSolver solver_for(const StrategyRequest& request) {
+  return tour_solver(request.plan, request.step, request.briefly);
+}
+
+StrategyTable all_strategies() {
+  std::vector<StrategyEntry> all{
+      plan::zigzag::entry(),
+      plan::spiral::entry(),
+      plan::adaptive::entry(),
+      plan::tour::entry(solver_for),
+  };
+  for (StrategyEntry& entry : plan::contour::entries()) all.push_back(std::move(entry));
+  return StrategyTable(std::move(all));
+}
+
+constexpr const char* kAuto = "auto";
+
+/// The strategy by itself: beside its rivals first, then as it is.
+Attempts attempts_of(const StrategyEntry& strategy, const Stepover& stepover) {
+  const bool beside = !strategy.rivals.empty();
+  Attempts attempts{{{&strategy, stepover, beside && !stepover.is_given()}}, {}};
+  if (beside) attempts.fallbacks.push_back({&strategy, stepover});
+  return attempts;
+}
+
+/// Whether "auto" tries a strategy: where the engagement is limited only those that keep the limit, since the others
+/// begin with a slot.
+bool is_tried(const StrategyEntry& strategy, const ResolvedPlan& plan) {
+  return strategy.in_auto != AutoUse::kNever && (!plan.engagement_deg || strategy.limits_engagement);
+}
+
+Attempt attempt_of(const StrategyEntry& strategy, const Stepover& stepover) {
+  Attempt attempt{&strategy, strategy.takes_stepover ? stepover : Stepover{}};
+  attempt.beside_rivals = !strategy.rivals.empty() && !stepover.is_given();
+  attempt.briefly = strategy.in_auto == AutoUse::kBriefly;
+  return attempt;
+}
+
+}  // namespace
+
+const StrategyTable& built_in_strategies() {
+  static const StrategyTable table = all_strategies();
+  return table;
+}
+
+const StrategyTable& strategies_of(const resolve::PlanOptions& options) {
+  return options.strategies ? *options.strategies : built_in_strategies();
+}
+
+std::vector<std::string> strategy_names(const StrategyTable& table) {
+  std::vector<std::string> names{kAuto};
+  for (const StrategyEntry& entry : table.entries()) names.push_back(entry.name);
+  return names;
+}
+
+const std::vector<std::string>& contour_method_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const StrategyEntry& entry : plan::contour::entries()) all.push_back(entry.name);
+    return all;
+  }();
+  return names;
+}
+
+std::optional<plan::contour::StepRule> published_rule(const std::string& strategy) {
+  return plan::contour::published_rule(strategy);
+}
+
+std::string description_of(const std::string& strategy, const StrategyTable& table) {
+  const StrategyEntry* entry = table.find(strategy);
+  return entry ? entry->description : "the fastest that certifies clean";
+}
+
+Strategy strategy_for(const Attempt& attempt, const ResolvedStep& step, const ResolvedPlan& plan) {
+  return attempt.strategy->make({step, plan, attempt.stepover, attempt.briefly});
+}
+
+Attempts attempts_for(const ResolvedStep& step, const ResolvedPlan& plan, const StrategyTable& table) {
+  if (step.strategy) return attempts_of(*step.strategy, step.stepover);
+  Attempts attempts;
+  for (const bool first : {true, false}) {
+    for (const StrategyEntry& entry : table.entries()) {
+      if (is_tried(entry, plan) && (entry.in_auto == AutoUse::kFirst) == first)
+        attempts.contest.push_back(attempt_of(entry, step.stepover));
+    }
+  }
+  for (const StrategyEntry& entry : table.entries()) {
+    if (entry.in_auto == AutoUse::kNever) continue;
+    for (const std::string& stepover : entry.fallbacks)
+      attempts.fallbacks.push_back({&entry, stepover.empty() ? step.stepover : Stepover{stepover}});
+  }
+  return attempts;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,50 @@
+#include "pipeline/steps/holes.h"
+
+#include "link/hole.h"
+#include "pipeline/certify.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+link::HoleWork work_of(const stock::RoundHole& hole, const std::vector<Layer>& layers) {
+  return {hole.center, hole.radius - layers.back().wall_stock, layers.front().z_top, layers.back().z};
+}
+
+bool is_drilled(const stock::RoundHole& hole, const ResolvedStep& step, const Tool& tool,
+                const Tolerances& tol) {
+  if (stock::only_plunges(tool)) return tool.radius() <= hole.radius + tol.fit;
+  return tool.center_cutting && step.allowance_side == 0 && stock::makes_hole(tool, hole, tol);
+}
+
+bool is_bored(const link::HoleWork& work, const Feature& feature, const ResolvedStep& step,
+              const Tool& tool) {
+  return step.strategy == nullptr && feature.kind == FeatureKind::kRoundHole && !step.is_plunge_asked &&
+         link::can_bore(work, tool.radius());
+}
+
+}  // namespace
+
+std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingstep,
+                                 const ResolvedPlan& plan) {
+  const ResolvedStep& step = plan.steps.at(static_cast<std::size_t>(workingstep));
+  const auto& planned = plan.part.workplan.at(static_cast<std::size_t>(workingstep));
+  const auto& feature = feature_of(plan.part, planned);
+  const auto& tool = tool_of(plan.part, planned);
+  const auto hole = stock::round_hole_of(feature, plan.tol);
+  std::optional<Section> section;
+  if (hole && !layers.empty()) {
+    const link::HoleWork work = work_of(*hole, layers);
+    const link::LinkOptions link = link_options(plan, workingstep, step.entry_at_limit);
+    if (is_drilled(*hole, step, tool, plan.tol)) {
+      section = link::drill_hole(work, step.stepdown, link);
+    } else if (is_bored(work, feature, step, tool)) {
+      section = link::bore_hole(work, step.stepdown, link);
+    }
+  }
+  if (!section && stock::only_plunges(tool)) section = Section{};
+  if (section) describe(*section, workingstep, plan);
+  return section;
+}
+
+}  // namespace clearcut::pipeline

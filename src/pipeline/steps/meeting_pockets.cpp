@@ -1,0 +1,79 @@
+#include "pipeline/steps/meeting_pockets.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "plan/common/layers.h"
+#include "resolve/left_over.h"
+#include "stock/at_depth.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// mm. Outlines that are no farther apart touch; what reaches no farther beyond an outline does not count.
+constexpr double kTouching = 0.005;
+
+bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
+  return !intersect(other.allowed, around, tol).empty() && !subtract(other.allowed, around, tol).empty();
+}
+
+}  // namespace
+
+MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Tolerances& tol) : tol_(tol) {
+  const Feature& pocket = feature_of(part, part.workplan[static_cast<std::size_t>(workingstep)]);
+  if (pocket.kind != FeatureKind::kClosedPocket) return;
+  const Box here = box(pocket.target).grown(kTouching);
+  std::optional<Regions> around;  // made for the first that asks: most pockets lie alone
+  for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
+    const Feature* other = &feature_of(part, part.workplan[static_cast<std::size_t>(i)]);
+    const bool open_to_layers =
+        other->floor_z < pocket.top_z && (i < workingstep || other->top_z <= pocket.top_z);
+    if (other == &pocket || !open_to_layers || !box(other->allowed).overlaps(here)) continue;
+    if (std::find(met_.begin(), met_.end(), other) != met_.end()) continue;
+    if (!around) around = dilate(pocket.target, kTouching, tol);
+    if (runs_into(*other, *around, tol)) met_.push_back(other);
+  }
+}
+
+std::vector<const Feature*> MeetingPockets::open_at(double z) const {
+  std::vector<const Feature*> open;
+  std::copy_if(met_.begin(), met_.end(), std::back_inserter(open),
+               [&](const Feature* other) { return other->floor_z <= z; });
+  return open;
+}
+
+void MeetingPockets::widen(Layer& layer) {
+  const auto open = open_at(layer.z);
+  if (open.empty()) return;
+  const bool upright = std::all_of(open.begin(), open.end(),
+                                   [](const Feature* other) { return other->wall_slope.radians() == 0; });
+  if (!upright || open != last_open_ || !plan::same_outline(layer.allowed, last_allowed_)) {
+    last_widened_ = widened(layer, open);
+    last_allowed_ = layer.allowed;
+    last_open_ = open;
+  }
+  if (last_widened_) layer.target = layer.allowed = *last_widened_;
+}
+
+std::optional<Regions> MeetingPockets::widened(const Layer& layer,
+                                               const std::vector<const Feature*>& open) const {
+  Regions wide = layer.allowed;
+  for (const Feature* other : open)
+    wide =
+        unite(wide, stock::at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol_), tol_);
+  const double around = 2 * (layer.tool_radius + layer.wall_stock);
+  const Regions near = dilate(layer.allowed, around, tol_);
+  const auto reached = [&](const Regions& allowed, double more) {
+    return resolve::swept(allowed, layer.tool_radius, layer.wall_stock, more, tol_);
+  };
+  const Regions with_others = intersect(layer.target, reached(intersect(wide, near, tol_), 0), tol_);
+  // A little more than by itself, or the two leave slivers all along where they are the same.
+  const Regions gained = subtract(with_others, reached(layer.allowed, tol_.uncut / 2), tol_);
+  if (gained.empty()) return std::nullopt;
+  const Regions beside = dilate(gained, around, tol_);
+  return unite(layer.allowed, intersect(wide, beside, tol_), tol_);
+}
+
+}  // namespace clearcut::pipeline

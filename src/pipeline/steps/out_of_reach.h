@@ -1,0 +1,18 @@
+// What the cutters that were chosen cannot reach, as a condition that somebody has to accept.
+#pragma once
+
+#include <vector>
+
+#include "base/tolerances.h"
+#include "model/control.h"
+#include "model/part.h"
+#include "model/results/findings.h"
+
+namespace clearcut::pipeline {
+
+/// One condition "out-of-reach" for each feature of which no position of its cutters reaches more than 2 %, or more than 1
+/// mm2, with the largest cutter that would leave less. Open where it is more than both; else met by being little: corners
+/// rounded by the cutter are what everybody expects. Cost O(1) insets of each such feature.
+std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol);
+
+}  // namespace clearcut::pipeline

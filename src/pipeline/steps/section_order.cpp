@@ -1,0 +1,144 @@
+#include "pipeline/steps/section_order.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "geometry/box.h"
+#include "order/solve.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// Seconds of one core that the search plans for, and its rounds: no clock, so that programs repeat.
+constexpr double kEffort = 0.005;
+constexpr long long kRounds = 3;
+
+using Indices = std::vector<std::size_t>;
+
+Vec2 begin_of(const Section& section) {
+  return section.moves.front().path.from;
+}
+
+Vec2 end_of(const Section& section) {
+  return section.moves.back().path.to;
+}
+
+Box swept_box(const Section& section, const Part& part) {
+  Box swept;
+  for (const Move& move : section.moves) {
+    const Box path = move.path.box();
+    swept.add(path.min);
+    swept.add(path.max);
+  }
+  return swept.grown(tool_of(part, part.workplan[static_cast<std::size_t>(section.workingstep)]).radius());
+}
+
+/// The sections that each section has to wait for.
+std::vector<Indices> predecessors(const std::vector<Section>& sections, const Part& part) {
+  std::vector<Box> boxes;
+  for (const Section& section : sections) boxes.push_back(swept_box(section, part));
+  std::vector<Indices> before(sections.size());
+  // What may come free is cut last, inner cut-outs before outer ones as the workplan has them.
+  const auto frees = [&](std::size_t i) {
+    const int index = part.workplan[static_cast<std::size_t>(sections[i].workingstep)].feature;
+    if (index >= static_cast<int>(part.features.size())) return false;
+    const auto& profile =
+        feature_of(part, part.workplan[static_cast<std::size_t>(sections[i].workingstep)]).profile;
+    return profile && profile->side != ProfileSide::kOn;
+  };
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (boxes[i].overlaps(boxes[j]) || (frees(i) && !frees(j))) before[i].push_back(j);
+    }
+  }
+  return before;
+}
+
+/// Sections in turns of one tool each: the tool in the spindle as long as anything can be cut with it.
+std::vector<Indices> turns_of_tools(const std::vector<Section>& sections,
+                                    const std::vector<Indices>& before) {
+  std::vector<Indices> turns;
+  std::vector<char> done(sections.size(), 0);
+  const auto ready = [&](std::size_t i) {
+    return !done[i] &&
+           std::all_of(before[i].begin(), before[i].end(), [&](std::size_t j) { return done[j]; });
+  };
+  for (std::size_t count = 0; count < sections.size();) {
+    std::size_t first = 0;
+    while (!ready(first)) ++first;
+    turns.emplace_back();
+    // What waits for a section comes after it in the list, so one look at each is enough.
+    for (std::size_t i = first; i < sections.size(); ++i) {
+      if (sections[i].tool_number != sections[first].tool_number || !ready(i)) continue;
+      done[i] = 1;
+      turns.back().push_back(i);
+      ++count;
+    }
+  }
+  return turns;
+}
+
+double rapids(const Indices& turn, const std::vector<Section>& sections, std::optional<Vec2> at) {
+  double sum = 0;
+  for (const std::size_t i : turn) {
+    if (at) sum += distance(*at, begin_of(sections[i]));
+    at = end_of(sections[i]);
+  }
+  return sum;
+}
+
+/// A turn as a path through the middles between the sections' beginnings and ends; `at` is its first point.
+order::Problem problem_of(const Indices& turn, const std::vector<Section>& sections,
+                          const std::vector<Indices>& before, std::optional<Vec2> at) {
+  order::Problem problem;
+  problem.name = "sections";
+  problem.shape = order::Shape::kOpenPath;
+  for (const std::size_t i : turn)
+    problem.points.push_back(lerp(begin_of(sections[i]), end_of(sections[i]), 0.5));
+  for (std::size_t a = 0; a < turn.size(); ++a) {
+    for (const std::size_t j : before[turn[a]]) {
+      const auto b = std::find(turn.begin(), turn.end(), j);
+      if (b != turn.end())
+        problem.precedence.push_back({static_cast<int>(b - turn.begin()), static_cast<int>(a)});
+    }
+  }
+  if (at) {
+    problem.start = problem.size();
+    problem.points.push_back(*at);
+  }
+  return problem;
+}
+
+Indices shorter(const Indices& turn, const std::vector<Section>& sections, const std::vector<Indices>& before,
+                std::optional<Vec2> at) {
+  if (turn.size() < (at ? 2 : 3)) return turn;
+  order::SolveOptions options;
+  options.stop.seconds = std::numeric_limits<double>::infinity();
+  options.stop.effort = kEffort;
+  options.stop.rounds = kRounds;
+  const auto tour =
+      order::solve(problem_of(turn, sections, before, at), *order::length_objective(), options).tour;
+  Indices ordered;
+  for (const int i : tour) {
+    if (i < static_cast<int>(turn.size())) ordered.push_back(turn[static_cast<std::size_t>(i)]);
+  }
+  return rapids(ordered, sections, at) < rapids(turn, sections, at) ? ordered : turn;
+}
+
+}  // namespace
+
+std::vector<Section> in_short_order(std::vector<Section> sections, const Part& part) {
+  const auto before = predecessors(sections, part);
+  std::vector<Section> out;
+  std::optional<Vec2> at;
+  for (const Indices& turn : turns_of_tools(sections, before)) {
+    for (const std::size_t i : shorter(turn, sections, before, at)) {
+      at = end_of(sections[i]);
+      out.push_back(std::move(sections[i]));
+    }
+  }
+  return out;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,172 @@
+#include "pipeline/steps/step_work.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/progress.h"
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "pipeline/steps/carve_step.h"
+#include "pipeline/steps/holes.h"
+#include "pipeline/steps/meeting_pockets.h"
+#include "plan/common/layers.h"
+#include "post/post.h"
+#include "resolve/left_over.h"
+#include "stock/round_hole.h"
+#include "stock/standing.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
+/// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path; decimals that are
+/// asked for are those of one unit.
+double printing_reserve(const ResolvedPlan& plan) {
+  if (plan.post.decimals) return std::max(0.0, post::rounding_of(plan.post) - plan.tol.gouge / 2);
+  PostOptions metric = plan.post, inch = plan.post;
+  metric.inch = false;
+  inch.inch = true;
+  return std::max(
+      {0.0, post::rounding_of(metric) - plan.tol.gouge / 2, post::rounding_of(inch) - plan.tol.gouge / 2});
+}
+
+/// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning
+/// walls to layers that begin elsewhere.
+bool is_bare(const Part& part, const Feature& feature) {
+  if (feature.wall_slope.radians() != 0) return true;
+  const Box here = box(feature.target);
+  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
+    return other.floor_z < feature.floor_z && box(other.target).overlaps(here);
+  });
+}
+
+/// What is cut of an open feature: as much beyond its edges as is asked for, walls excepted.
+Regions overrun(const Regions& target, const Regions& allowed, const ResolvedPlan& plan) {
+  const double beyond = plan.overrun;
+  if (beyond <= 0 || target.empty()) return target;
+  return intersect(dilate(target, beyond, plan.tol), allowed, plan.tol);
+}
+
+/// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
+/// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
+std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  const auto& step = part.workplan[static_cast<std::size_t>(index)];
+  const auto& feature = feature_of(part, step);
+  Operation operation = step.operation;
+  const double reserve = printing_reserve(plan);
+  operation.allowance_side += reserve;
+  operation.allowance_floor += reserve;
+  const Tool& tool = tool_of(part, step);
+  MeetingPockets met(part, index, plan.tol);
+  // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
+  const bool bare = is_bare(part, feature) || !met.empty();
+  const auto holes = stock::holes_before(part, index, plan.tol);
+  const stock::Standing standing(part, index, plan.tol);
+  auto layers = plan::layers_of(feature, operation, tool.radius(), plan.tol, tool.corner_radius,
+                                standing.top() - feature.top_z);
+  for (auto& layer : layers) {
+    layer.reserve = reserve;
+    layer.holes = holes;
+    if (part.stock) layer.stock = part.stock->plan;
+    Regions stands = standing.above(layer.z);
+    // It stands in the outline at the top: between leaning walls there is less.
+    if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, plan.tol);
+    if (stands.empty() || !closed_all_round(feature) || layer.z >= feature.top_z) {
+      layer.target = overrun(stands, layer.allowed, plan);
+    } else if (!met.empty()) {
+      met.widen(layer);
+    }
+    layer.bare = bare;
+  }
+  std::erase_if(layers, [](const Layer& layer) { return layer.target.empty(); });
+  const double across = plan.steps[static_cast<std::size_t>(index)].cross_z;
+  for (auto& layer : layers) layer.lift = across - (layers.front().z + layers.back().z) / 2;
+  return layers;
+}
+
+bool finishes(const Operation& operation) {
+  return operation.kind == OperationKind::kFinishing || operation.kind == OperationKind::kSideFinishing ||
+         operation.kind == OperationKind::kBottomFinishing;
+}
+
+/// mm. Most stock that one pass along the walls finishes, of the cutter's diameter.
+constexpr double kThinStock = 0.5;
+
+/// What one pass along its walls finishes: thin stock in a pocket closed all round, above the floor or at a floor that is
+/// finished otherwise.
+bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
+                       const Layer& layer, const Tolerances& tol) {
+  if (!closed_all_round(feature) || !finishes(step.operation)) return false;
+  if (step.operation.kind == OperationKind::kFinishing && last) return false;
+  return !resolve::is_thicker_than(left, 2 * kThinStock * layer.tool_radius, tol);
+}
+
+/// The layers with what earlier steps of the feature or an earlier program have left of them, where the step is to cut
+/// that alone: rest machining and finishing.
+std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  const auto& step = part.workplan[static_cast<std::size_t>(index)];
+  const bool finishing = finishes(step.operation) && resolve::follows_milling(part, index);
+  std::vector<LayerLeft> out;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const bool last = i + 1 == layers.size();
+    if (finishing && step.operation.kind == OperationKind::kBottomFinishing && !last) continue;
+    LayerLeft one{layers[i]};
+    const bool whole_floor =
+        finishing && last && !step.operation.rest && step.operation.kind != OperationKind::kSideFinishing;
+    if (!whole_floor && (finishing || step.operation.rest || plan.earlier)) {
+      const Regions left = resolve::left_over(part, index, one.layer, plan.earlier, plan.tol);
+      one.walls_only =
+          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan.tol);
+      if (!one.walls_only) one.layer.target = left;
+      one.rest = true;
+    }
+    if (!one.layer.target.empty()) out.push_back(std::move(one));
+  }
+  return out;
+}
+
+/// mm. Walls of features above that are no farther from one's own may stand in a rapid's way by rounding alone.
+constexpr double kFlush = 0.03;
+
+/// Top of the features above that do not reach beyond the walls of this one all round.
+std::optional<double> top_of_flush_walls(const Part& part, const Feature& feature, const Tolerances& tol) {
+  std::optional<double> top;
+  std::optional<Regions> around;  // made for the first that asks: few features lie under others
+  for (const Feature& other : part.features) {
+    const bool above = &other != &feature && other.floor_z > feature.floor_z && other.top_z > feature.top_z;
+    if (!above || !box(other.target).overlaps(box(feature.target))) continue;
+    if (intersect(other.target, feature.target, tol).empty()) continue;
+    if (!around) around = dilate(feature.target, kFlush, tol);
+    if (!subtract(*around, other.allowed, tol).empty())
+      top = std::max(top.value_or(other.top_z), other.top_z);
+  }
+  return top;
+}
+
+}  // namespace
+
+std::vector<StepWork> step_works(const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  std::vector<StepWork> works;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    throw_if_cancelled(plan.cancel);
+    StepWork work;
+    work.workingstep = static_cast<int>(i);
+    work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), plan.tol);
+    work.hole = carve_step(work.workingstep, plan);
+    if (work.hole) {
+      works.push_back(std::move(work));
+      continue;
+    }
+    const auto standing = standing_layers(work.workingstep, plan);
+    work.hole = hole_step(standing, work.workingstep, plan);
+    work.layers = layers_left(standing, work.workingstep, plan);
+    work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
+    works.push_back(std::move(work));
+  }
+  return works;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,192 @@
+#include "pipeline/tour/tour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/files/file.h"
+#include "base/text/format.h"
+#include "geometry/box.h"
+#include "order/lattice.h"
+#include "order/near/neighbours.h"
+#include "order/tsplib.h"
+#include "pipeline/tour/engagement_model.h"
+#include "pipeline/tour/tour_solver.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+order::ObjectivePtr single_objective(ObjectiveKind kind, double feed) {
+  switch (kind) {
+    case ObjectiveKind::kLength:
+      return order::length_objective();
+    case ObjectiveKind::kTurns:
+      return order::turns_objective();
+    case ObjectiveKind::kAngle:
+      return order::angle_objective();
+    case ObjectiveKind::kTime:
+      return order::time_objective(feed);
+    default:
+      throw InputError("--objective", fmt::format("'{}' needs a cutter; use length, turns, angle, time, or "
+                                                  "weights such as 1:length,20:turns",
+                                                  name_of(kind)));
+  }
+}
+
+constexpr const char* kOption = "--objective";
+
+order::Problem problem_of(const std::string& input, const TourOptions& options) {
+  const auto lattice = order::parse_lattice(input);
+  order::Problem problem = lattice ? order::lattice_problem(lattice->columns, lattice->rows)
+                                   : order::read_tsplib(read_file(input), input);
+  const bool closed = options.closed.value_or(!lattice);
+  problem.shape = closed ? order::Shape::kClosedTour : order::Shape::kOpenPath;
+  return problem;
+}
+
+}  // namespace
+
+order::ObjectivePtr objective_named(const std::string& text, double feed) {
+  return objective_of(parse_objective(text, kOption),
+                      [&](ObjectiveKind kind) { return single_objective(kind, feed); });
+}
+
+namespace {
+
+order::Solution solve_published(const order::Problem& problem, const order::Objective& objective,
+                                const TourOptions& options) {
+  order::GeneticOptions genetic = options.genetic;
+  genetic.seed = options.seed;
+  genetic.stop.seconds = options.time_s;
+  genetic.neighbours = options.genetic_neighbours.value_or(problem.neighbour_count);
+  return order::solve_genetic(problem, objective, genetic);
+}
+
+/// mm between a point and its nearest: the median; 1 where there is none.
+double pitch_of(const order::Problem& problem) {
+  if (problem.size() < 2) return 1;
+  const auto near = order::nearest_neighbours(problem.points, 1);
+  std::vector<double> steps;
+  for (int v = 0; v < problem.size(); ++v)
+    steps.push_back(order::straight_distance(problem, v, near.of(v)[0]));
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle > 0 ? *middle : 1;
+}
+
+/// Of the cutter, over which a block may reach: the raster has about eleven pixels to a radius.
+constexpr double kMostRadii = 800;
+
+/// A cutter in a block that reaches a radius beyond the points, as if they were the centres of a rectangular pocket.
+EngagementTask engagement_task(const order::Problem& problem, const TourOptions& options) {
+  EngagementTask task;
+  task.points = problem.points;
+  task.radius = options.diameter.value_or(2 * pitch_of(problem)) / 2;
+  Box block;
+  for (const Vec2 p : problem.points) block.add(p);
+  block = block.grown(task.radius);
+  if (block.width() > kMostRadii * task.radius || block.height() > kMostRadii * task.radius) {
+    throw InputError(
+        "--diameter",
+        fmt::format("{} mm is too small for points that reach over {} mm; engagement needs a "
+                    "cutter of at least {} mm here",
+                    trimmed(2 * task.radius, 4), trimmed(std::max(block.width(), block.height()), 3),
+                    trimmed(2 * std::max(block.width(), block.height()) / kMostRadii, 4)));
+  }
+  const Vec2 corners[] = {block.min, {block.max.x, block.min.y}, block.max, {block.min.x, block.max.y}};
+  task.target = {Region::from_valid_loops(loop_from_points(corners), {})};
+  return task;
+}
+
+order::ObjectivePtr objective_for(const order::Problem& problem, const TourOptions& options) {
+  return objective_of(parse_objective(options.objective, kOption), [&](ObjectiveKind kind) {
+    const double target = options.engagement_percent / 100;
+    const auto task = [&] { return engagement_task(problem, options); };
+    if (kind == ObjectiveKind::kEngagement)
+      return engagement_objective(target, [given = task()] { return raster_engagement(given); });
+    if (kind == ObjectiveKind::kEngagementInverse)
+      return engagement_objective(
+          target, [given = task()] { return raster_engagement(given); }, inverse_engagement_cost);
+    if (kind == ObjectiveKind::kEngagementExact)
+      return engagement_objective(target, [given = task()] { return exact_engagement(given); });
+    return single_objective(kind, options.feed);
+  });
+}
+
+}  // namespace
+
+TourResult solve_tour(const std::string& input, const TourOptions& options) {
+  TourResult result;
+  result.problem = problem_of(input, options);
+  const auto objective = objective_for(result.problem, options);
+  result.objective = options.objective;
+  if (options.solver == "published") {
+    result.solution = solve_published(result.problem, *objective, options);
+    return result;
+  }
+  if (options.solver != "modern")
+    throw InputError("--solver", fmt::format("'{}' is unknown; use modern or published", options.solver));
+  order::SolveOptions solve_options;
+  solve_options.stop.seconds = options.time_s;
+  solve_options.seed = options.seed;
+  solve_options.threads = options.threads;
+  result.solution = order::solve(result.problem, *objective, solve_options);
+  return result;
+}
+
+std::string tour_json(const TourResult& result) {
+  const auto& s = result.solution;
+  nlohmann::ordered_json json;
+  json["name"] = result.problem.name;
+  json["objective"] = s.objective;
+  json["objective_name"] = result.objective;
+  json["length"] = s.length;
+  json["turns"] = s.turns;
+  json["angle_deg"] = s.angle_deg;
+  json["bound"] = s.bound;
+  json["bound_basis"] = s.bound_basis;
+  json["gap"] = s.gap;
+  json["time_s"] = s.seconds;
+  json["seed"] = s.seed;
+  json["rounds"] = s.rounds;
+  json["method"] = s.method;
+  json["closed"] = result.problem.closed();
+  json["tour"] = s.tour;
+  return json.dump() + "\n";
+}
+
+std::string tour_svg(const TourResult& result) {
+  Box box;
+  for (const auto p : result.problem.points) box.add(p);
+  const double size = std::max({box.width(), box.height(), 1e-9});
+  const Box page = box.grown(0.03 * size);
+  std::string path;
+  for (const int i : result.solution.tour) {
+    const Vec2 p = result.problem.points[static_cast<std::size_t>(i)];
+    path += fmt::format("{}{} {}", path.empty() ? "M" : " L", trimmed(p.x, 4),
+                        trimmed(page.min.y + page.max.y - p.y, 4));
+  }
+  if (result.problem.closed()) path += " Z";
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{} {} {} {}\" width=\"1200\">"
+      "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"white\"/>"
+      "<path d=\"{}\" fill=\"none\" stroke=\"#1d4f91\" stroke-width=\"{}\" "
+      "stroke-linejoin=\"round\"/></svg>\n",
+      page.min.x, page.min.y, page.width(), page.height(), page.min.x, page.min.y, page.width(),
+      page.height(), path, size / 600);
+}
+
+std::string tour_line(const TourResult& result) {
+  const auto& s = result.solution;
+  return fmt::format(
+      "{}: {} points, {} {}, length {}, turns {}, angle {} deg, bound {} ({}), gap {:.4f} %, {:.2f} s, "
+      "seed {}, {}",
+      result.problem.name, result.problem.size(), result.objective, trimmed(s.objective, 4),
+      trimmed(s.length, 4), s.turns, trimmed(s.angle_deg, 3), trimmed(s.bound, 4), s.bound_basis, 100 * s.gap,
+      s.seconds, s.seed, s.method);
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,45 @@
+// Tours over point sets from files and lattices.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "order/genetic/genetic.h"
+#include "order/solve.h"
+
+namespace clearcut::pipeline {
+
+struct TourOptions {
+  /// length, turns, angle, time, engagement, engagement-inverse, engagement-exact, or weights "0.5:length,20:turns"
+  std::string objective = "length";
+  std::optional<bool> closed;  ///< default: TSPLIB files closed, lattices open
+  double time_s = 10;
+  std::uint64_t seed = 1;
+  int threads = 0;                 ///< 0: all cores
+  double feed = 1000;              ///< mm/min, for the objective time
+  std::optional<double> diameter;  ///< mm, of the cutter for engagement; default: two pitches of the points
+  double engagement_percent = 50;  ///< wanted share of the leading half circle in material
+  std::string solver = "modern";   ///< or "published": the text's genetic algorithm
+  order::GeneticOptions genetic;   ///< of the published solver; seed and time come from here above
+  std::optional<int> genetic_neighbours;  ///< 0: all points; default 24
+};
+
+struct TourResult {
+  order::Problem problem;
+  order::Solution solution;
+  std::string objective;
+};
+
+/// `input` is a TSPLIB file or a lattice such as "10x10". Throws InputError.
+TourResult solve_tour(const std::string& input, const TourOptions& options);
+
+/// The fields of `tour --json`: objective, length, turns, angle_deg, bound, gap, time_s, seed, tour
+/// (0-based).
+std::string tour_json(const TourResult& result);
+std::string tour_svg(const TourResult& result);
+std::string tour_line(const TourResult& result);
+
+/// Throws InputError for an unknown objective.
+order::ObjectivePtr objective_named(const std::string& text, double feed);
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,167 @@
+#include "plan/contour/passages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "base/units.h"
+#include "geometry/route/legal_area.h"
+
+namespace clearcut::plan::contour {
+namespace {
+
+/// Corners whose angles differ by less, radians, are equally sharp: the first of them leads on.
+constexpr double kSameAngle = 1e-6;
+/// Interior angles outside of these limits, radians, are no corners of a contour: tips of loops, and smooth joints.
+constexpr double kSharpest = 0.01, kSmooth = kPi - 1e-6;
+/// mm. Ends of passages that are nearer than this are the same.
+constexpr double kSamePlace = 1e-6;
+
+struct Place {
+  Vec2 point;
+  std::size_t edge = 0;
+  double t = 0;
+};
+
+Place nearest_place(const Path& ring, Vec2 p) {
+  Place best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const auto near = nearest(ring[i], p);
+    if (near.distance >= least) continue;
+    least = near.distance;
+    best = {near.point, i, near.t};
+  }
+  return best;
+}
+
+double angle_before(const Path& ring, std::size_t edge) {
+  const Vec2 in = ring[edge == 0 ? ring.size() - 1 : edge - 1].tangent_at(1), out = ring[edge].tangent_at(0);
+  return kPi - std::atan2(cross(in, out), dot(in, out));
+}
+
+/// The corner with the smallest interior angle; where the ring begins if it has none.
+Place sharpest_corner(const Path& ring) {
+  std::size_t best = 0;
+  double least = kSmooth;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const double angle = angle_before(ring, i);
+    if (angle < kSharpest || angle > least - kSameAngle) continue;
+    least = angle;
+    best = i;
+  }
+  return {ring[best].from, best, 0};
+}
+
+/// Once round from that place.
+Path begun_at(const Path& ring, const Place& place) {
+  const auto at = static_cast<std::ptrdiff_t>(place.edge);
+  const Edge& edge = ring[place.edge];
+  Path path;
+  const bool inside = place.point != edge.from && place.point != edge.to;
+  const std::ptrdiff_t first = place.point == edge.from ? at : at + 1;
+  if (inside) path.push_back(edge.part(place.t, 1));
+  path.insert(path.end(), ring.begin() + first, ring.end());
+  path.insert(path.end(), ring.begin(), ring.begin() + std::min(first, at + (inside ? 0 : 1)));
+  if (inside) path.push_back(edge.part(0, place.t));
+  return path;
+}
+
+/// Rings that one pass joins, from the wall inwards, and where each is begun.
+struct Run {
+  std::vector<std::size_t> rings;
+  std::vector<Place> begins;
+};
+
+class Joiner {
+ public:
+  Joiner(LayerPasses& layer, const ContourOptions& options)
+      : layer_(layer), options_(options), legal_(layer.legal), inner_(layer.passes.size()) {
+    for (std::size_t i = 0; i < layer.passes.size(); ++i) {
+      const Pass& pass = layer.passes[i];
+      if (pass.closed && pass.parent >= 0) inner_[static_cast<std::size_t>(pass.parent)].push_back(i);
+    }
+  }
+
+  void join() {
+    const std::size_t count = layer_.passes.size();
+    std::vector<int> place(count, -1);  // of each pass among those that stay
+    std::vector<Pass> joined;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (place[i] >= 0 || !layer_.passes[i].closed) continue;
+      const Run run = run_from(i);
+      for (const std::size_t ring : run.rings) place[ring] = static_cast<int>(joined.size());
+      joined.push_back(run.rings.size() > 1 ? joined_pass(run) : layer_.passes[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!layer_.passes[i].closed && !is_held(layer_.passes[i])) joined.push_back(layer_.passes[i]);
+    }
+    for (Pass& pass : joined) {
+      if (pass.parent >= 0) pass.parent = place[static_cast<std::size_t>(pass.parent)];
+    }
+    layer_.passes = std::move(joined);
+  }
+
+ private:
+  Run run_from(std::size_t outermost) const {
+    Run run{{outermost}, {sharpest_corner(layer_.passes[outermost].path)}};
+    while (inner_[run.rings.back()].size() == 1) {
+      const std::size_t next = inner_[run.rings.back()].front();
+      const Place begin = nearest_place(layer_.passes[next].path, run.begins.back().point);
+      if (!legal_.holds_line(run.begins.back().point, begin.point)) break;
+      run.rings.push_back(next);
+      run.begins.push_back(begin);
+    }
+    return run;
+  }
+
+  Path oriented_ring(std::size_t ring, const Place& begin) const {
+    Path path = begun_at(layer_.passes[ring].path, begin);
+    return options_.wall_on_right ? path : reversed(path);
+  }
+
+  Pass joined_pass(const Run& run) {
+    Pass joined = layer_.passes[run.rings.front()];
+    joined.path.clear();
+    joined.closed = joined.reversible = false;
+    const std::size_t last = run.rings.size() - 1;
+    for (std::size_t step = 0; step <= last; ++step) {
+      const std::size_t i = options_.outside_in ? step : last - step;
+      const Path ring = oriented_ring(run.rings[i], run.begins[i]);
+      if (step > 0) {
+        passages_.push_back(Edge::line(joined.path.back().to, ring.front().from));
+        joined.path.push_back(passages_.back());
+      }
+      joined.path.insert(joined.path.end(), ring.begin(), ring.end());
+    }
+    return joined;
+  }
+
+  /// Whether a pass is a passage that a joined pass already runs.
+  bool is_held(const Pass& pass) const {
+    if (pass.path.size() != 1) return false;
+    const Edge& own = pass.path.front();
+    const auto same = [](Vec2 a, Vec2 b) { return norm_squared(a - b) < kSamePlace * kSamePlace; };
+    return std::any_of(passages_.begin(), passages_.end(), [&](const Edge& edge) {
+      return (same(edge.from, own.from) && same(edge.to, own.to)) ||
+             (same(edge.from, own.to) && same(edge.to, own.from));
+    });
+  }
+
+  LayerPasses& layer_;
+  const ContourOptions& options_;
+  LegalArea legal_;
+  std::vector<std::vector<std::size_t>> inner_;  ///< rings right inside each ring
+  std::vector<Edge> passages_;
+};
+
+}  // namespace
+
+void join_along_bisectors(LayerPasses& layer, const ContourOptions& options) {
+  Joiner(layer, options).join();
+}
+
+}  // namespace clearcut::plan::contour

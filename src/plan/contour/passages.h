@@ -1,0 +1,19 @@
+// Passages from contour to contour along a corner's bisector, as the published methods run them.
+#pragma once
+
+#include "model/pass.h"
+#include "plan/contour/contour.h"
+
+namespace clearcut::plan::contour {
+
+/// Joins every run of rings, each of which surrounds one other, into one pass: once round each ring, beginning and ending at the
+/// corner whose bisector leads on, and along that bisector to the next. The corner is the smallest of the ring at the
+/// wall; where a corner has vanished farther in, the passage goes to the nearest place of the ring. Rings stay as they are
+/// where they surround several, or where the passage would leave the legal area.
+///
+/// Shape   passes from the innermost ring outwards, or inwards where options.outside_in; parents of
+///         all passes are those of the joined passes that hold them. Single passages that one of them runs are dropped.
+/// Source  [cpo_kappa] eq. 1 and 3, M = H / sin(alpha / 2); [cpo_rho] eq. 6 and 7.
+void join_along_bisectors(LayerPasses& layer, const ContourOptions& options);
+
+}  // namespace clearcut::plan::contour

@@ -1,0 +1,446 @@
+// Symbols of the minimisation (an augmented Lagrangian with Newton steps):
+//
+//   v_i       vertices of the paths                       unknown
+//   w         witnesses: points that have to be cleared  given, more after each exact check
+//   d(w)      distance from w to the nearest band (straight piece between neighbouring vertices)
+//   lambda_w  force with which w holds its band          multiplier
+//   rho       stiffness of that hold                     1 / mm
+//
+//   minimise  sum |v_i - v_(i+1)| + kEven / 2 sum |v_i - v_(i+1)|^2 / spacing   subject to   d(w) <= limit
+//
+// Along one path the Hessian couples successive vertices only, so that a Newton step is one block-tridiagonal
+// solve.
+#include "plan/contour/skeleton/minimise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/spatial/cell_grid.h"
+
+namespace clearcut::plan::contour {
+namespace {
+
+/// Weight of the springs that keep vertices evenly spaced.
+constexpr double kEven = 0.02;
+/// Share of the radius. Lengths below this are smoothed, so that vertices may meet.
+constexpr double kSoft = 0.01;
+/// Damping of the Newton step, 1 / radius.
+constexpr double kDamping = 0.02;
+/// Stiffness of the witnesses in the last step, 1 / radius.
+constexpr double kStiffest = 2e4;
+
+/// A symmetric 2 x 2 matrix.
+struct Sym2 {
+  double xx = 0, xy = 0, yy = 0;
+  Sym2& operator+=(const Sym2& o) {
+    xx += o.xx;
+    xy += o.xy;
+    yy += o.yy;
+    return *this;
+  }
+  friend Sym2 operator*(const Sym2& m, double k) { return {m.xx * k, m.xy * k, m.yy * k}; }
+  friend Vec2 operator*(const Sym2& m, Vec2 v) { return {m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y}; }
+  Sym2 inverse() const {
+    const double det = xx * yy - xy * xy;
+    return {yy / det, -xy / det, xx / det};
+  }
+  /// this * inner * this
+  Sym2 around(const Sym2& inner) const {
+    const Vec2 c0 = inner * Vec2{xx, xy}, c1 = inner * Vec2{xy, yy};
+    return {xx * c0.x + xy * c0.y, xx * c1.x + xy * c1.y, xy * c1.x + yy * c1.y};
+  }
+};
+
+Sym2 outer_product(Vec2 u) {
+  return {u.x * u.x, u.x * u.y, u.y * u.y};
+}
+
+Vec2 nearest_on_ring(const Path& ring, Vec2 p, Vec2* tangent = nullptr) {
+  Vec2 best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const auto& edge : ring) {
+    const auto on = nearest(edge, p);
+    if (on.distance >= best_distance) continue;
+    best_distance = on.distance;
+    best = on.point;
+    if (tangent) *tangent = edge.tangent_at(on.t);
+  }
+  return best;
+}
+
+/// A band at its present place, with what distances to it are computed from.
+struct Segment {
+  Vec2 a;
+  Vec2 d;
+  double inverse = 0;  ///< 1 / squared length, 1 / mm^2; 0 if it has none
+};
+
+/// A witness near the limit, and its part of the list of bands that may become its nearest until the next
+/// listing.
+struct Active {
+  std::uint32_t witness = 0;
+  std::uint32_t first = 0;
+  std::uint32_t end = 0;
+};
+
+}  // namespace
+
+struct BandMinimiser::Impl {
+  Impl(Bands& paths, const TightenJob& job) : paths_(paths), job_(job), grid_(job.where, job.radius) {
+    for (std::uint32_t i = 0; i < paths_.fixed.size(); ++i) {
+      grid_.for_cells(paths_.fixed[i].box().grown(1.5 * job_.radius),
+                      [&](std::size_t cell, Vec2) { fixed_in_.add(cell, i); });
+    }
+    fixed_in_.build(grid_.count());
+  }
+
+  /// See BandMinimiser::relax.
+  void relax(const Pull& pull, double limit) {
+    limit_ = limit;
+    skin_ = 0.1 * job_.radius;
+    moved_since_listing_ = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < pull.steps; ++i) {
+      const double share = static_cast<double>(i) / pull.steps;
+      tension_ = pull.tension;
+      stiffness_ = pull.soft / job_.radius * std::pow(kStiffest / pull.soft, share);
+      step(pull.reach * job_.radius * std::pow(pull.last_reach, share));
+    }
+  }
+
+  void step(double reach) {
+    if (moved_since_listing_ > skin_) list_active();
+    before_.resize(paths_.skeleton.points.size());
+    for (std::size_t i = 0; i < before_.size(); ++i) before_[i] = paths_.skeleton.points[i].at;
+    assemble();
+    paths_.for_paths([&](const std::vector<int>& path) { solve(path); });
+    const double longest = longest_move();
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      // Each move is limited on its own, so that one long move does not hold up the others.
+      const double far = norm(move_[i]);
+      paths_.skeleton.points[i].at = before_[i] + move_[i] * (far > reach ? reach / far : 1);
+    }
+    slide();
+    undo_illegal();
+    moved_since_listing_ += std::min(longest, reach);
+    paths_.moved += std::min(longest, reach);
+  }
+
+  double longest_move() const {
+    double most = 0;
+    for (const Vec2 m : move_) most = std::max(most, norm_squared(m));
+    return std::sqrt(most);
+  }
+
+  /// Computes gradient and Hessian of the augmented Lagrangian, by vertex and by band.
+  void assemble() {
+    gradient_.assign(paths_.skeleton.points.size(), {});
+    diagonal_.assign(paths_.skeleton.points.size(), {kDamping / job_.radius, 0, kDamping / job_.radius});
+    coupling_.assign(paths_.bands.size(), {});
+    move_.assign(paths_.skeleton.points.size(), {});
+    measure_bands();
+    for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) add_pull(i);
+    for (const auto& active : active_) add_hold(active);
+    if (job_.turn_cost * tension_ > 0)
+      paths_.for_paths([&](const std::vector<int>& path) { add_turns(path); });
+  }
+
+  void add_pull(std::uint32_t i) {
+    const Band band = paths_.bands[i];
+    const Vec2 d = paths_.at(band.b) - paths_.at(band.a);
+    const double soft = kSoft * job_.radius, spring = kEven / (kBandSpacing * job_.radius);
+    const double l = std::sqrt(norm_squared(d) + soft * soft);
+    const Vec2 u = d / l, g = (u + d * spring) * tension_;
+    Sym2 h = Sym2{(1 - u.x * u.x) / l + spring, -u.x * u.y / l, (1 - u.y * u.y) / l + spring} * tension_;
+    gradient_[band.a] = gradient_[band.a] - g;
+    gradient_[band.b] = gradient_[band.b] + g;
+    diagonal_[band.a] += h;
+    diagonal_[band.b] += h;
+    coupling_[i] += h * -1;
+  }
+
+  /// Adds turn_cost * (1 - cosine of the turn) at every vertex, with an upper bound of its curvature instead
+  /// of its Hessian.
+  void add_turns(const std::vector<int>& path) {
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      const auto before = static_cast<std::uint32_t>(path[i - 1]), here = static_cast<std::uint32_t>(path[i]);
+      const auto after = static_cast<std::uint32_t>(path[i + 1]);
+      const Vec2 d1 = paths_.at(here) - paths_.at(before), d2 = paths_.at(after) - paths_.at(here);
+      const double least = 0.1 * kBandSpacing * job_.radius;
+      const double l1 = std::max(least, std::sqrt(norm_squared(d1))),
+                   l2 = std::max(least, std::sqrt(norm_squared(d2)));
+      const Vec2 u1 = d1 / l1, u2 = d2 / l2;
+      const double c = dot(u1, u2);
+      const Vec2 g1 = (u2 - u1 * c) * (job_.turn_cost / l1), g2 = (u2 * c - u1) * (job_.turn_cost / l2);
+      gradient_[before] = gradient_[before] + g1;
+      gradient_[after] = gradient_[after] + g2;
+      gradient_[here] = gradient_[here] - g1 - g2;
+      const double bound = 2 * job_.turn_cost * (1 / (l1 * l1) + 1 / (l2 * l2));
+      for (const std::uint32_t v : {before, here, after}) diagonal_[v] += Sym2{bound, 0, bound};
+    }
+  }
+
+  static constexpr std::uint32_t kFixed = std::numeric_limits<std::uint32_t>::max();
+
+  /// The point of a band, or of a fixed edge, that is nearest to a witness.
+  struct Hold {
+    std::uint32_t band = kFixed;
+    double t = 0;
+    double distance = std::numeric_limits<double>::infinity();
+    Vec2 away;  ///< unit vector from that point to the witness
+  };
+
+  void add_hold(const Active& active) {
+    Witness& witness = paths_.witnesses[active.witness];
+    const Hold hold = nearest_hold(active, witness.p);
+    if (hold.distance < limit_ - skin_) return;
+    if (!witness.moving) return hold_band(hold, 1.0);
+    const Hold other = opposite_hold(active, witness.p, hold);
+    if (!std::isfinite(other.distance)) return hold_band(hold, 1.0);
+    // The witness moves to where both are equally far: along n1 - n2, the direction in which both distances
+    // change at the same rate.
+    const double rate = 1 - dot(hold.away, other.away);
+    const double gap = other.distance - hold.distance;
+    const double step = std::min(gap, 0.2 * job_.radius);
+    witness.p = witness.p + (hold.away - other.away) * (0.5 * step / rate);
+    const double half = (hold.distance + other.distance) / 2;
+    for (Hold h : {hold, other}) {
+      h.distance = half;
+      hold_band(h, 0.5);
+    }
+  }
+
+  /// Adds the force with which a witness at `hold.distance` pulls a band; `share`: change of the distance per
+  /// mm that the band moves.
+  void hold_band(const Hold& hold, double share) {
+    const double force = stiffness_ * (hold.distance - limit_) * share;
+    if (force <= 0 || hold.distance < 1e-9 || hold.band == kFixed) return;
+    const Band band = paths_.bands[hold.band];
+    const double bend = force / hold.distance;
+    Sym2 h = outer_product(hold.away) * (stiffness_ * share - bend);
+    h.xx += bend;
+    h.yy += bend;
+    const double s = 1 - hold.t, t = hold.t;
+    gradient_[band.a] = gradient_[band.a] - hold.away * (force * s);
+    gradient_[band.b] = gradient_[band.b] - hold.away * (force * t);
+    diagonal_[band.a] += h * (s * s);
+    diagonal_[band.b] += h * (t * t);
+    coupling_[hold.band] += h * (s * t);
+  }
+
+  /// The vector to p from the point of band `i` that is nearest to p; `t` is the parameter of that point.
+  Vec2 offset_from_band(std::uint32_t i, Vec2 p, double& t) const {
+    const Segment& band = segments_[i];
+    const Vec2 s = p - band.a;
+    t = std::clamp(dot(s, band.d) * band.inverse, 0.0, 1.0);
+    return s - band.d * t;
+  }
+
+  static void finish(Hold& hold, Vec2 offset) {
+    hold.distance = std::sqrt(norm_squared(offset));
+    if (hold.distance > 0) hold.away = offset / hold.distance;
+  }
+
+  Hold nearest_hold(const Active& active, Vec2 p) const {
+    Hold best;
+    Vec2 best_offset;
+    double nearest_squared = std::numeric_limits<double>::infinity(), t = 0;
+    for (std::uint32_t k = active.first; k < active.end; ++k) {
+      const Vec2 offset = offset_from_band(candidates_[k], p, t);
+      const double squared = norm_squared(offset);
+      if (squared >= nearest_squared) continue;
+      nearest_squared = squared;
+      best_offset = offset;
+      best.band = candidates_[k];
+      best.t = t;
+    }
+    finish(best, best_offset);
+    return best;
+  }
+
+  /// The nearest hold on the opposite side of p, fixed edges included.
+  Hold opposite_hold(const Active& active, Vec2 p, const Hold& nearest) const {
+    Hold best;
+    Vec2 best_offset;
+    double best_squared = std::numeric_limits<double>::infinity(), t = 0;
+    const auto opposite = [&](Vec2 offset, double squared) {
+      const double c = dot(offset, nearest.away);
+      return squared < best_squared && (c <= 0 || c * c < 0.25 * squared);
+    };
+    for (std::uint32_t k = active.first; k < active.end; ++k) {
+      const Vec2 offset = offset_from_band(candidates_[k], p, t);
+      const double squared = norm_squared(offset);
+      if (!opposite(offset, squared)) continue;
+      best_squared = squared;
+      best_offset = offset;
+      best.band = candidates_[k];
+      best.t = t;
+    }
+    for (const std::uint32_t i : fixed_in_.at(grid_.cell_of(p))) {
+      const Vec2 offset = p - nearest_point(paths_.fixed[i], p);
+      const double squared = norm_squared(offset);
+      if (squared <= 0 || !opposite(offset, squared)) continue;
+      best_squared = squared;
+      best_offset = offset;
+      best.band = kFixed;
+    }
+    if (std::isfinite(best_squared)) finish(best, best_offset);
+    return best;
+  }
+
+  /// Newton step for the free vertices of one path, by block elimination from its first to its last.
+  void solve(const std::vector<int>& path) {
+    const std::size_t n = path.size();
+    if (n == 0) return;
+    const std::size_t first_band = next_band_;
+    next_band_ = first_band + n - 1 == paths_.bands.size() ? 0 : first_band + n - 1;
+    pivot_.resize(n);
+    right_.resize(n);
+    const auto vertex = [&](std::size_t i) { return static_cast<std::uint32_t>(path[i]); };
+    for (std::size_t i = 0; i < n; ++i) {
+      Sym2 d = diagonal_[vertex(i)];
+      Vec2 r = -gradient_[vertex(i)];
+      if (paths_.on_ring(vertex(i))) {
+        d = kHeld;
+        r = {};
+      } else if (i > 0 && !paths_.on_ring(vertex(i - 1))) {
+        const Sym2 c = coupling_[first_band + i - 1];
+        const Sym2 reduced = c.around(pivot_[i - 1]);
+        d += reduced * -1;
+        r = r - c * (pivot_[i - 1] * right_[i - 1]);
+      }
+      pivot_[i] = d.inverse();
+      right_[i] = r;
+    }
+    for (std::size_t i = n; i-- > 0;) {
+      if (paths_.on_ring(vertex(i))) continue;
+      Vec2 r = right_[i];
+      if (i + 1 < n && !paths_.on_ring(vertex(i + 1)))
+        r = r - coupling_[first_band + i] * move_[vertex(i + 1)];
+      move_[vertex(i)] = pivot_[i] * r;
+    }
+    for (const std::size_t i : {std::size_t{0}, n - 1}) {
+      if (paths_.on_ring(vertex(i))) move_[vertex(i)] = slide_step(vertex(i));
+    }
+  }
+
+  Vec2 slide_step(std::uint32_t i) const {
+    Vec2 tangent{1, 0};
+    nearest_on_ring(paths_.skeleton.rings[static_cast<std::size_t>(paths_.skeleton.points[i].ring)],
+                    paths_.at(i), &tangent);
+    return tangent * (-dot(gradient_[i], tangent) / dot(tangent, diagonal_[i] * tangent));
+  }
+
+  void slide() {
+    for (auto& vertex : paths_.skeleton.points) {
+      if (vertex.ring < 0) continue;
+      vertex.at = nearest_on_ring(paths_.skeleton.rings[static_cast<std::size_t>(vertex.ring)], vertex.at);
+    }
+  }
+
+  /// Moves bands that have left the legal area back to where they were.
+  void undo_illegal() {
+    for (std::size_t i = 0; i < paths_.bands.size(); ++i) {
+      const Band band = paths_.bands[i];
+      if (safe_[i] || (paths_.at(band.a) == before_[band.a] && paths_.at(band.b) == before_[band.b]))
+        continue;
+      if (job_.legal->holds_line(paths_.at(band.a), paths_.at(band.b))) continue;
+      paths_.at(band.a) = before_[band.a];
+      paths_.at(band.b) = before_[band.b];
+    }
+  }
+
+  void measure_bands() {
+    segments_.resize(paths_.bands.size());
+    for (std::size_t i = 0; i < paths_.bands.size(); ++i) {
+      const Vec2 a = paths_.at(paths_.bands[i].a), d = paths_.at(paths_.bands[i].b) - a;
+      const double whole = norm_squared(d);
+      segments_[i] = {a, d, whole > 0 ? 1 / whole : 0};
+    }
+  }
+
+  /// Lists witnesses near the limit. Those well inside are skipped until bands may have moved away from them.
+  void list_active() {
+    active_.clear();
+    candidates_.clear();
+    const double far = limit_ + 2 * skin_, near = limit_ - 2 * skin_;
+    measure_bands();
+    sort_bands_into_grid(far);
+    for (std::uint32_t w = 0; w < paths_.witnesses.size(); ++w) {
+      Witness& witness = paths_.witnesses[w];
+      if (witness.near + (paths_.moved - witness.when) < near) continue;
+      const Vec2 p = witness.p;
+      const auto first = static_cast<std::uint32_t>(candidates_.size());
+      double nearest_squared = far * far, t = 0;
+      for (const std::uint32_t band : bands_in_.at(grid_.cell_of(p))) {
+        const double squared = norm_squared(offset_from_band(band, p, t));
+        if (squared > far * far) continue;
+        candidates_.push_back(band);
+        nearest_squared = std::min(nearest_squared, squared);
+      }
+      witness.near = std::sqrt(nearest_squared);
+      witness.when = paths_.moved;
+      if (nearest_squared < near * near || (witness.moving && !job_.matters(p))) {
+        candidates_.resize(first);
+        continue;
+      }
+      if (candidates_.size() == first) candidates_.push_back(nearest_band(p));
+      active_.push_back({w, first, static_cast<std::uint32_t>(candidates_.size())});
+    }
+    moved_since_listing_ = 0;
+  }
+
+  std::uint32_t nearest_band(Vec2 p) const {
+    std::uint32_t best = 0;
+    double best_distance = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) {
+      double t = 0;
+      const double d = norm_squared(offset_from_band(i, p, t));
+      if (d >= best_distance) continue;
+      best_distance = d;
+      best = i;
+    }
+    return best;
+  }
+
+  void sort_bands_into_grid(double far) {
+    safe_.assign(paths_.bands.size(), 0);
+    for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) {
+      Box box;
+      box.add(paths_.at(paths_.bands[i].a));
+      box.add(paths_.at(paths_.bands[i].b));
+      grid_.for_cells(box.grown(far), [&](std::size_t cell, Vec2) { bands_in_.add(cell, i); });
+      safe_[i] = job_.legal->surely_holds(box.grown(2 * skin_));
+    }
+    bands_in_.build(grid_.count());
+  }
+
+  static constexpr Sym2 kHeld{1, 0, 1};
+
+  Bands& paths_;
+  const TightenJob& job_;
+  double limit_ = 0;  ///< mm; witnesses pull bands that are farther away
+  double skin_ = 0;
+  double stiffness_ = 0;
+  double tension_ = 1;
+  std::vector<Active> active_;
+  std::vector<std::uint32_t> candidates_;
+  std::vector<Vec2> before_, gradient_, move_, right_;
+  std::vector<Sym2> diagonal_, coupling_, pivot_;
+  std::size_t next_band_ = 0;
+  double moved_since_listing_ = 0;
+  CellGrid grid_;
+  CellLists bands_in_, fixed_in_;
+  std::vector<Segment> segments_;
+  std::vector<char> safe_;  ///< for each band: whether it cannot leave the legal area before the next listing
+};
+
+BandMinimiser::BandMinimiser(Bands& paths, const TightenJob& job)
+    : impl_(std::make_unique<Impl>(paths, job)) {}
+BandMinimiser::~BandMinimiser() = default;
+
+void BandMinimiser::relax(const Pull& pull, double limit) {
+  impl_->relax(pull, limit);
+}
+
+}  // namespace clearcut::plan::contour

@@ -1,0 +1,14 @@
+// Removes corners from shortened paths.
+#pragma once
+
+#include "plan/contour/skeleton/bands.h"
+#include "plan/contour/skeleton/tighten.h"
+
+namespace clearcut::plan::contour {
+
+/// Drops every vertex of the paths without which the same area is cleared: fewer corners, shorter paths.
+/// Everything within `radius` mm of a path or ring stays so.
+/// Cost  O(vertices * (edges near)^2).
+void drop_needless_vertices(Bands& paths, const TightenJob& job, double radius);
+
+}  // namespace clearcut::plan::contour

@@ -1,0 +1,55 @@
+// A whole layer as one path of the cutter: rings near the wall that stay as they are, and flexible paths
+// between them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "model/pass.h"
+
+namespace clearcut::plan::contour {
+
+/// A vertex of a flexible path.
+struct FlexPoint {
+  Vec2 at;
+  int ring = -1;  ///< index of the ring along which alone it may slide; -1: it may move anywhere
+};
+
+/// A path to a ring, the ring cut once round from where that path ends, and detours that leave the ring and
+/// come back to it.
+struct Leg {
+  std::vector<int> path_in;  ///< indices of points; the last lies on the ring
+  int ring = -1;
+  /// Indices of points; each begins and ends with the same point, on the ring.
+  std::vector<std::vector<int>> detours;
+  bool retracted = false;  ///< a retract link leads to the beginning of path_in
+};
+
+/// All legs, in the order of cutting.
+struct Skeleton {
+  std::vector<FlexPoint> points;
+  std::vector<Path> rings;
+  std::vector<Leg> legs;
+};
+
+struct SkeletonOptions {
+  double chord = 0.05;  ///< mm; flexible paths begin as polygons this near to their rings
+  /// The innermost ring begins as near as possible to this point.
+  std::optional<Vec2> begin;
+  double retract_cost = 20;  ///< mm; feeding this far takes as long as a retract link
+  /// mm; rings stay as they are if the path inside is longer.
+  double flexible = 1e9;
+  /// Whether the straight path between two points is legal.
+  std::function<bool(Vec2, Vec2)> legal;
+};
+
+/// Orders passes from the inside out and joins them. Every tree of passes becomes one path that visits side
+/// branches on its way and ends on its ring at the wall, or on the first ring that stays as it is, which is
+/// then cut once round. Open passes without a parent are left out.
+Skeleton skeleton_of(const std::vector<Pass>& passes, const SkeletonOptions& options);
+
+/// The paths of the cutter's centre, one for each stretch without a retract link.
+std::vector<Path> paths_of(const Skeleton& skeleton);
+
+}  // namespace clearcut::plan::contour

@@ -1,0 +1,305 @@
+#include "plan/contour/skeleton/tighten.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "base/units.h"
+#include "geometry/spatial/cell_grid.h"
+#include "plan/common/cover.h"
+#include "plan/contour/skeleton/bands.h"
+#include "plan/contour/skeleton/minimise.h"
+#include "plan/contour/skeleton/polish.h"
+
+namespace clearcut::plan::contour {
+namespace {
+
+/// mm. The witnesses' limit is less than the radius by kPullMargin while paths are shortened, by
+/// kWitnessMargin at the end.
+constexpr double kPullMargin = 0.0005;
+constexpr double kWitnessMargin = 0.004;
+/// mm. The exact check runs with a radius smaller by this, which is more than any program's rounding.
+constexpr double kProvenMargin = 0.001;
+/// In the first kRoughRounds rounds the check runs with the radius times kFirstSample, so that only large
+/// holes count.
+constexpr double kFirstSample = 1.01;
+constexpr int kRoughRounds = 3;
+/// mm. Where passes fit exactly side by side there is no room for margins: the limit and the radius of the
+/// check are greater than the radius by these.
+constexpr double kResidualLimit = 0.0012;
+constexpr double kResidual = 0.0035;
+/// Distance between the first witnesses, as a share of the radius.
+constexpr double kSeedSpacing = 1.0;
+/// A vertex nearer than this to both its neighbours is dropped; share of the vertices' distance.
+constexpr double kCrowded = 0.3;
+/// Greatest size of a hole as a share of the radius; larger ones count as several.
+constexpr double kHoleSize = 2.0;
+/// Rim vertices this near to the middle of a hole belong to it; share of the hole's size.
+constexpr double kSameHole = 0.6;
+/// Number of rounds at the end in which the exact check has to find nothing; bands shorten in the first
+/// kSettlingRounds of them.
+constexpr int kSettlingRounds = 4;
+constexpr int kMendingRounds = 14;
+/// If more than kStalledAbove holes are left and kMostStalled rounds close fewer than a fifth of them, there
+/// is no room to close them.
+constexpr int kMostStalled = 2;
+constexpr std::size_t kStalledAbove = 20;
+/// Up to this many holes get a witness at every corner, because long thin holes would shrink slowly
+/// otherwise.
+constexpr std::size_t kFewHoles = 20;
+
+constexpr Pull kFirstPull{22, 0.3, 0.03, 2};
+constexpr Pull kLaterPull{10, 0.1, 0.03, 100};
+constexpr Pull kSettling{10, 0.02, 0.2, 2000};
+/// Without tension, so that nothing opens while the last holes are closed.
+constexpr Pull kMending{10, 0.02, 0.5, 2e4, 0};
+
+Bands bands_of(Skeleton skeleton) {
+  Bands paths{std::move(skeleton), {}, {}, {}, 0};
+  for (const auto& ring : paths.skeleton.rings)
+    paths.fixed.insert(paths.fixed.end(), ring.begin(), ring.end());
+  return paths;
+}
+
+}  // namespace
+
+struct Tightener::Impl {
+  Impl(Skeleton skeleton, TightenJob job)
+      : paths_(bands_of(std::move(skeleton))),
+        job_(std::move(job)),
+        minimiser_(paths_, job_),
+        limit_(job_.radius - kPullMargin) {
+    prove_with(kFirstSample * job_.radius);
+    respace();
+    paths_.list();
+    if (paths_.bands.empty()) return;
+    seed_witnesses();
+    seed_seams();
+  }
+
+  void pull(int rounds) {
+    if (round_ >= kRoughRounds) prove_with(job_.radius - kProvenMargin);
+    for (int k = 0; k < rounds && !paths_.bands.empty(); ++k) {
+      minimiser_.relax(round_++ == 0 ? kFirstPull : kLaterPull, limit_);
+      const Cover now = cover();
+      add_witnesses(now.holes(job_.matters), now);
+      respace();
+      paths_.list();
+    }
+  }
+
+  bool finish() {
+    // Witnesses that stand still are no longer needed and would work against the moving ones.
+    std::erase_if(paths_.witnesses, [](const Witness& w) { return !w.moving; });
+    limit_ = job_.radius - kWitnessMargin;
+    prove_with(job_.radius - kProvenMargin);
+    if (!mend(kMostStalled)) {
+      if (job_.bare) return false;
+      limit_ = job_.radius + kResidualLimit;
+      prove_with(job_.radius + kResidual);
+      if (!mend(kMendingRounds)) return false;
+    }
+    if (!all_legal()) return false;
+    drop_needless_vertices(paths_, job_, proven_);
+    return true;
+  }
+
+  void prove_with(double radius) {
+    if (proven_ == radius) return;
+    proven_ = radius;
+    auto rings = std::make_shared<Cover>(paths_.fixed, radius);
+    rings->keep_rim(job_.matters);
+    by_rings_ = std::move(rings);
+  }
+
+  double residual() const { return std::max(0.0, proven_ - job_.radius); }
+
+  bool mend(int most_stalled) {
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    int stalled = 0;
+    for (int k = 0; k < kMendingRounds && stalled < most_stalled; ++k) {
+      if (!paths_.bands.empty()) minimiser_.relax(k < kSettlingRounds ? kSettling : kMending, limit_);
+      const Cover now = cover();
+      const auto left = now.holes(job_.matters);
+      if (left.empty()) return true;
+      if (paths_.bands.empty()) return false;
+      if (left.size() > kStalledAbove && 5 * left.size() > 4 * before) ++stalled;
+      before = left.size();
+      add_witnesses(left, now);
+      if (left.size() <= kFewHoles) {
+        for (const Vec2 p : left) paths_.witnesses.push_back({p});
+      }
+      respace();
+      paths_.list();
+    }
+    return false;
+  }
+
+  void seed_witnesses() {
+    const Cover& by_rings = *by_rings_;
+    const double spacing = job_.radius * kSeedSpacing;
+    bool odd = false;
+    for (double y = job_.where.min.y; y <= job_.where.max.y; y += spacing * 0.866, odd = !odd) {
+      for (double x = job_.where.min.x + (odd ? spacing / 2 : 0); x <= job_.where.max.x; x += spacing) {
+        const Vec2 p{x, y};
+        if (!by_rings.holds(p) && job_.matters(p)) paths_.witnesses.push_back({p});
+      }
+    }
+    for (const Vec2 p : by_rings.holes(job_.matters)) paths_.witnesses.push_back({p});
+  }
+
+  /// Sets moving witnesses on both sides of every band, where its swept area borders on that of others.
+  void seed_seams() {
+    for (const auto& band : paths_.bands) {
+      const Vec2 a = paths_.at(band.a), b = paths_.at(band.b);
+      if (distance(a, b) < 1e-6) continue;
+      const Vec2 n = left_of(unit(b - a)) * limit_;
+      for (const Vec2 p : {lerp(a, b, 0.5) + n, lerp(a, b, 0.5) - n}) {
+        if (job_.matters(p)) paths_.witnesses.push_back({p, true});
+      }
+    }
+  }
+
+  /// Sets one witness in the middle of every hole, because the rim is already at the limit.
+  void add_witnesses(const std::vector<Vec2>& rim, const Cover& now) {
+    if (rim.empty()) return;
+    BoxIndex by_place(kHoleSize * job_.radius), by_witness(kHoleSize * job_.radius);
+    for (std::uint32_t i = 0; i < rim.size(); ++i) by_place.add({rim[i], rim[i]}, i);
+    std::vector<Vec2> added;
+    std::vector<double> reach;  // size of the holes in which the added ones lie
+    for (const Vec2 start : rim) {
+      const auto holes_near = by_witness.near({start, start});
+      if (std::any_of(holes_near.begin(), holes_near.end(),
+                      [&](std::uint32_t i) { return distance(added[i], start) < reach[i]; }))
+        continue;
+      double size = 0;
+      Vec2 p = across_hole(start, rim, by_place, now, size);
+      if (size == 0) {
+        p = deepest_near(start, now);
+        size = distance(p, start);
+      }
+      reach.push_back(std::max(1e-4, kSameHole * size));
+      by_witness.add(Box{p, p}.grown(reach.back()), static_cast<std::uint32_t>(added.size()));
+      added.push_back(p);
+      paths_.witnesses.push_back({p, true});
+      if (size < 1e-3) paths_.witnesses.push_back({p, false});
+    }
+  }
+
+  /// The middle between a rim vertex and the farthest other one in the same hole; `size` is 0 if there is
+  /// none.
+  Vec2 across_hole(Vec2 start, const std::vector<Vec2>& rim, const BoxIndex& by_place, const Cover& now,
+                   double& size) const {
+    const auto open = [&](Vec2 a, Vec2 b) {
+      return !now.holds(lerp(a, b, 0.5)) && !now.holds(lerp(a, b, 0.25)) && !now.holds(lerp(a, b, 0.75));
+    };
+    Vec2 middle = start;
+    for (const std::uint32_t i : by_place.near(Box{start, start}.grown(kHoleSize * job_.radius))) {
+      const double d = std::sqrt(norm_squared(rim[i] - start));
+      if (d <= size || !open(rim[i], start)) continue;
+      size = d;
+      middle = lerp(rim[i], start, 0.5);
+    }
+    return middle;
+  }
+
+  /// Moves from p, by shorter and shorter steps, to where bands are farthest away.
+  Vec2 deepest_near(Vec2 p, const Cover& now) const {
+    double depth = now.distance_to(p);
+    for (double step = 0.05 * job_.radius; step > 1e-3 * job_.radius;) {
+      Vec2 best = p;
+      for (int k = 0; k < 8; ++k) {
+        const Vec2 q = p + direction_of(k * kPi / 4) * step;
+        const double d = now.distance_to(q);
+        if (d > depth && d < 2 * job_.radius && job_.matters(q)) {
+          depth = d;
+          best = q;
+        }
+      }
+      if (best == p) step /= 4;
+      p = best;
+    }
+    return p;
+  }
+
+  Cover cover() const {
+    std::vector<Edge> edges;
+    for (const auto& band : paths_.bands) {
+      if (paths_.at(band.a) != paths_.at(band.b))
+        edges.push_back(Edge::line(paths_.at(band.a), paths_.at(band.b)));
+    }
+    return Cover(edges, by_rings_);
+  }
+
+  /// Splits long bands and drops vertices that are too close.
+  void respace() {
+    const double spacing = kBandSpacing * job_.radius;
+    paths_.moved += kCrowded * spacing;
+    paths_.for_paths([&](std::vector<int>& path) {
+      std::vector<int> even;
+      for (std::size_t i = 0; i < path.size(); ++i) {
+        const bool inner = i > 0 && i + 1 < path.size();
+        if (inner &&
+            crowded(paths_.point(even.back()), paths_.point(path[i]), paths_.point(path[i + 1]), spacing))
+          continue;
+        if (i > 0) split(even.back(), path[i], spacing, even);
+        even.push_back(path[i]);
+      }
+      path = std::move(even);
+    });
+  }
+
+  static bool crowded(Vec2 before, Vec2 p, Vec2 after, double spacing) {
+    const double reach = distance(before, p) + distance(p, after);
+    if (reach < kCrowded * spacing) return true;
+    return reach < spacing && reach - distance(before, after) < 0.002 * spacing;
+  }
+
+  void split(int from, int to, double spacing, std::vector<int>& path) {
+    const Vec2 a = paths_.point(from), b = paths_.point(to);
+    const int parts = static_cast<int>(distance(a, b) / spacing + 0.7);
+    for (int k = 1; k < parts; ++k) {
+      path.push_back(static_cast<int>(paths_.skeleton.points.size()));
+      paths_.skeleton.points.push_back({lerp(a, b, static_cast<double>(k) / parts), -1});
+    }
+  }
+
+  bool all_legal() const {
+    return std::all_of(paths_.bands.begin(), paths_.bands.end(), [&](const Band& band) {
+      return job_.legal->holds_line(paths_.at(band.a), paths_.at(band.b));
+    });
+  }
+
+  Bands paths_;
+  TightenJob job_;
+  BandMinimiser minimiser_;
+  double limit_;       ///< mm; witnesses pull bands that are farther away
+  double proven_ = 0;  ///< mm; radius of the exact check
+  std::shared_ptr<const Cover> by_rings_;
+  int round_ = 0;
+};
+
+Tightener::Tightener(Skeleton skeleton, TightenJob job)
+    : impl_(std::make_unique<Impl>(std::move(skeleton), std::move(job))) {}
+Tightener::~Tightener() = default;
+Tightener::Tightener(Tightener&&) noexcept = default;
+Tightener& Tightener::operator=(Tightener&&) noexcept = default;
+
+void Tightener::pull(int rounds) {
+  impl_->pull(rounds);
+}
+
+bool Tightener::finish() {
+  return impl_->finish();
+}
+
+double Tightener::residual() const {
+  return impl_->residual();
+}
+
+const Skeleton& Tightener::skeleton() const {
+  return impl_->paths_.skeleton;
+}
+
+}  // namespace clearcut::plan::contour

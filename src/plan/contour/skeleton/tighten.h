@@ -1,0 +1,51 @@
+// Shortens the flexible paths of a skeleton without leaving anything that they cleared.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "geometry/route/legal_area.h"
+#include "plan/contour/skeleton/skeleton.h"
+
+namespace clearcut::plan::contour {
+
+/// What the paths have to clear, and where they may run.
+struct TightenJob {
+  double radius = 0;                  ///< of the cutter, mm
+  std::function<bool(Vec2)> matters;  ///< whether a place has to be cleared
+  Box where;                          ///< a box around all places that have to be cleared
+  const LegalArea* legal = nullptr;   ///< where the centre may be
+  double turn_cost = 0;               ///< mm of path that take as long as a corner of a right angle costs
+  bool bare = false;                  ///< not even a thin residual may stay
+};
+
+/// Shortens the paths of a skeleton while everything that matters stays within the tool radius of a path or a
+/// ring.
+///
+/// Method  The paths are elastic bands that Newton steps shorten. Witnesses, points that have to be cleared,
+///         hold the bands near them; some stand still, some stay in the middle between two bands. After each
+///         round an exact check (Cover::holes) finds what is left, and new witnesses are set there.
+/// Cost    O(rounds * iterations * (vertices + witnesses near the limit)).
+class Tightener {
+ public:
+  Tightener(Skeleton skeleton, TightenJob job);
+  ~Tightener();
+  Tightener(Tightener&&) noexcept;
+  Tightener& operator=(Tightener&&) noexcept;
+
+  /// Makes a number of rounds; a few are enough to compare one skeleton with another.
+  void pull(int rounds);
+  /// Makes rounds with stiffer and stiffer witnesses until the check finds nothing left, then drops needless
+  /// vertices. False if something stays; the skeleton must not be used then.
+  bool finish();
+  const Skeleton& skeleton() const;
+  /// mm; how far from what is cut something may stay. 0, or a residual well below tol.uncut where passes fit
+  /// exactly side by side, as they do in pockets of round dimensions.
+  double residual() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace clearcut::plan::contour

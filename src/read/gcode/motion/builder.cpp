@@ -1,0 +1,233 @@
+#include "read/gcode/motion/builder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/text/format.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+/// mm; beyond any machine.
+constexpr double kLargestCoordinate = 1e6;
+/// Cycles, turns and repeats may write at most this many moves beyond a few for each line.
+constexpr long long kMostExpandedMoves = 1'000'000;
+constexpr long long kMovesPerLine = 8;
+/// mm; by so much the radii at the ends of an arc differ where its words are rounded to a thousandth.
+constexpr double kRoundedRadii = 1.5e-3;
+
+MoveKind guessed_kind(const Move& move, bool rapid) {
+  if (rapid) return MoveKind::kRapid;
+  if (move.is_vertical()) return move.z_to < move.z_from ? MoveKind::kPlunge : MoveKind::kRetract;
+  return move.z_to < move.z_from ? MoveKind::kRamp : MoveKind::kCut;
+}
+
+}  // namespace
+
+ToolpathBuilder::ToolpathBuilder(BuilderSetup setup, Diagnostics& diagnostics,
+                                 std::vector<Condition>& conditions)
+    : setup_(std::move(setup)), diagnostics_(diagnostics), conditions_(conditions), highest_(setup_.home_z) {}
+
+void ToolpathBuilder::begin_section(std::string label, int workingstep) {
+  label_ = std::move(label);
+  workingstep_ = workingstep;
+  new_section_ = true;
+}
+
+/// What has moved with the tool before keeps it; the next move begins a section of the new one. Rapids that come before a
+/// change under the new section's name belong to the section before.
+void ToolpathBuilder::change_tool(int number, bool by_hand, int line) {
+  auto& sections = toolpath_.sections;
+  const bool other = number != drive.tool;
+  if (other && !new_section_ && !section_cuts_ && sections.size() > 1) {
+    auto& before = sections[sections.size() - 2].moves;
+    before.insert(before.end(), sections.back().moves.begin(), sections.back().moves.end());
+    sections.pop_back();
+  }
+  new_section_ = new_section_ || section_cuts_ || other;
+  drive.tool = number;
+  add_event(by_hand ? ControlEventKind::kToolChangeByHand : ControlEventKind::kToolChange, line);
+}
+
+void ToolpathBuilder::add_event(ControlEventKind kind, int line, double seconds) {
+  control_.events.push_back({kind, static_cast<std::size_t>(moves_), line, seconds, drive.tool});
+}
+
+void ToolpathBuilder::set_spindle(int m, int line) {
+  const bool turned = drive_turns_, clockwise = drive.clockwise;
+  drive_turns_ = m != 5;
+  if (m != 5) drive.clockwise = m == 3;
+  if (!turned && drive_turns_) add_event(ControlEventKind::kSpindleStart, line);
+  if (turned && drive_turns_ && clockwise != drive.clockwise)
+    add_event(ControlEventKind::kSpindleStart, line);
+  if (turned && !drive_turns_) add_event(ControlEventKind::kSpindleStop, line);
+}
+
+void ToolpathBuilder::rapid(const Target& target, int line) {
+  straight(target, true, {}, line);
+}
+
+void ToolpathBuilder::feed(const Target& target, MmPerMin feed, int line) {
+  straight(target, false, feed, line);
+}
+
+void ToolpathBuilder::arc(const Edge& path, double z_to, MmPerMin feed, int line, double apart) {
+  if (apart > kRoundedRadii)
+    control_.arcs.push_back({static_cast<std::size_t>(moves_), apart - kRoundedRadii});
+  Move move{path, known(2, line), z_to, MoveKind::kCut, feed, line};
+  move.kind = guessed_kind(move, false);
+  append(move);
+  at_ = {path.to.x, path.to.y, z_to};
+}
+
+void ToolpathBuilder::lift_home(int line) {
+  straight({std::nullopt, std::nullopt, std::max(highest_, at_[2].value_or(setup_.home_z))}, true, {}, line);
+}
+
+void ToolpathBuilder::leave_plan(const std::string& name) {
+  away_ = name;
+}
+
+double ToolpathBuilder::known(std::size_t axis, int line) {
+  if (!at_[axis]) {
+    condition("start-position", line,
+              std::string("cuts or counts from a place the program has not stated; ") + "XYZ"[axis] +
+                  " is taken as " + (axis == 2 ? trimmed(setup_.home_z, 3) + " mm" : "0"));
+    at_[axis] = axis == 2 ? setup_.home_z : 0;
+  }
+  return *at_[axis];
+}
+
+/// From a place of the machine the way back to the work is known only where a rapid says X and Y up there.
+void ToolpathBuilder::check_return(const Target& target, bool rapid, int line) {
+  if (away_.empty()) return;
+  if (rapid && target[0] && target[1] && target[2].value_or(*at_[2]) >= *at_[2]) {
+    away_.clear();
+  } else if (!rapid || target[2].value_or(*at_[2]) < *at_[2]) {
+    condition(away_, line, "goes down from a place of the machine that the program does not state");
+    away_.clear();
+  }
+}
+
+void ToolpathBuilder::check_start(const Target& target, int line) {
+  const bool begins = (!at_[0] && target[0]) || (!at_[1] && target[1]);
+  const double low = std::min(at_[2].value_or(HUGE_VAL), at_[2] ? target[2].value_or(HUGE_VAL) : HUGE_VAL);
+  if (begins && low <= setup_.safe_z) {
+    condition("start-position", line,
+              "the first move in X and Y is at Z " + trimmed(low, 3) +
+                  " mm and begins where the machine happens to stand");
+  }
+}
+
+/// Rapids down before X and Y were stated happen above the first place, as far as anything is known.
+void ToolpathBuilder::place_first_rapids(Vec2 place) {
+  const std::vector<Unplaced> moves = std::move(unplaced_);
+  unplaced_.clear();
+  const bool low = std::any_of(moves.begin(), moves.end(),
+                               [&](const Unplaced& move) { return move.z_to <= setup_.safe_z; });
+  if (!low) return;
+  for (const Unplaced& move : moves) {
+    append({Edge::line(place, place), move.z_from, move.z_to, MoveKind::kRapid, {}, move.line});
+  }
+}
+
+void ToolpathBuilder::straight(const Target& target, bool rapid, MmPerMin feed, int line) {
+  for (const auto& value : target) {
+    if (value && !(std::abs(*value) <= kLargestCoordinate)) {
+      throw InputError(place(line), "coordinate beyond any machine; check the number and the units");
+    }
+  }
+  if (at_[2]) check_return(target, rapid, line);
+  check_start(target, line);
+  Target from = at_;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (!from[axis]) from[axis] = target[axis];
+  }
+  if (!from[2] && target[2]) from[2] = std::max(setup_.home_z, *target[2]);
+  at_ = from;
+  const bool placed = from[0] && from[1];
+  const bool moves_in_plan =
+      placed && ((target[0] && target[0] != from[0]) || (target[1] && target[1] != from[1]));
+  if (!rapid || moves_in_plan) {
+    for (std::size_t axis = 0; axis < 3; ++axis) known(axis, line);
+    from = at_;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (target[axis]) at_[axis] = target[axis];
+  }
+  if (at_[2]) highest_ = std::max(highest_, *at_[2]);
+  if (!from[0] || !from[1] || !from[2]) {
+    if (from[2] && *from[2] != *at_[2]) unplaced_.push_back({*from[2], *at_[2], line});
+    return;
+  }
+  Move move{
+      Edge::line({*from[0], *from[1]}, {*at_[0], *at_[1]}), *from[2], *at_[2], MoveKind::kCut, feed, line};
+  if (move.is_vertical() && move.z_from == move.z_to) return;
+  move.kind = guessed_kind(move, rapid);
+  append(move);
+}
+
+void ToolpathBuilder::append(const Move& move) {
+  if (!unplaced_.empty()) place_first_rapids(move.path.from);
+  check_size(move.line);
+  keep_control(move.line);
+  section_for(move).moves.push_back(move);
+  ++moves_;
+}
+
+void ToolpathBuilder::keep_control(int line) {
+  const SpindleState turning = drive.clockwise ? SpindleState::kClockwise : SpindleState::kCounterClockwise;
+  const ControlState state{
+      drive.tool, drive_turns_ ? turning : SpindleState::kOff, speed, drive.coolant, length, path_control};
+  auto& spans = control_.spans;
+  if (spans.empty() || spans.back().state != state) {
+    spans.push_back({static_cast<std::size_t>(moves_), line, state});
+  }
+}
+
+/// The tool, spindle and coolant of a section are those of its first feed move.
+Section& ToolpathBuilder::section_for(const Move& move) {
+  const bool cuts = !is_rapid(move.kind);
+  auto& sections = toolpath_.sections;
+  if (!new_section_ && cuts && section_cuts_) {
+    const Section& now = sections.back();
+    new_section_ = Drive{now.tool_number, now.spindle_rpm, now.spindle_clockwise, now.coolant} != drive;
+  }
+  if (new_section_) {
+    sections.push_back({.label = label_, .workingstep = workingstep_, .moves = {}});
+    new_section_ = section_cuts_ = false;
+  }
+  Section& section = sections.back();
+  if (!section_cuts_) {
+    section.tool_number = drive.tool;
+    section.spindle_rpm = drive.spindle_rpm;
+    section.spindle_clockwise = drive.clockwise;
+    section.coolant = drive.coolant;
+    section_cuts_ = cuts;
+  }
+  return section;
+}
+
+void ToolpathBuilder::check_size(int line) {
+  if (moves_ >= kMostExpandedMoves + kMovesPerLine * line) {
+    throw InputError(place(line), "cycles and repeats expand to over a million moves; shorten the program");
+  }
+}
+
+void ToolpathBuilder::condition(const std::string& name, int line, const std::string& what) {
+  const bool known = std::any_of(conditions_.begin(), conditions_.end(),
+                                 [&](const Condition& one) { return one.name == name; });
+  if (!known) conditions_.push_back({name, what, line});
+}
+
+void ToolpathBuilder::note(int line, const std::string& what) {
+  if (said_.insert(what).second) diagnostics_.note(place(line), what);
+}
+
+void ToolpathBuilder::warn(int line, const std::string& what) {
+  if (said_.insert(what).second) diagnostics_.warn(place(line), what);
+}
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,57 @@
+#include "read/gcode/motion/cycle.h"
+
+#include "base/error.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+constexpr double kMostPecks = 10000;
+
+Target place_along(const Hole& hole, double value) {
+  Target target;
+  target[hole.across] = value;
+  return target;
+}
+
+void peck_down(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) {
+  if (!(hole.peck > 0) || (hole.r - hole.bottom) / hole.peck > kMostPecks) {
+    throw InputError(builder.place(line), "peck drilling needs a Q word of a sensible size; correct it");
+  }
+  for (double depth = hole.r - hole.peck; depth > hole.bottom; depth -= hole.peck) {
+    builder.feed(place_along(hole, depth), feed, line);
+    if (hole.code == 830) builder.rapid(place_along(hole, hole.r), line);
+    builder.rapid(place_along(hole, depth + hole.gap), line);
+  }
+  builder.feed(place_along(hole, hole.bottom), feed, line);
+}
+
+}  // namespace
+
+void CycleWords::scale(double factor) {
+  for (auto* word : {&z, &r, &peck}) {
+    if (*word) **word *= factor;
+  }
+  level *= factor;
+}
+
+bool is_drill_cycle(int code) {
+  return code == 730 || code == 740 || (code >= 810 && code <= 860 && code % 10 == 0) || code == 890;
+}
+
+void drill(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) {
+  if (hole.code == 730 || hole.code == 830) {
+    peck_down(builder, hole, feed, line);
+  } else {
+    builder.feed(place_along(hole, hole.bottom), feed, line);
+  }
+  if (hole.dwell > 0) builder.add_event(ControlEventKind::kDwell, line, hole.dwell);
+  const bool feeds_out = hole.code == 740 || hole.code == 840 || hole.code == 890;
+  if (feeds_out || hole.code == 850) {
+    const bool all = feeds_out && hole.feeds_out_to_clear;
+    builder.feed(place_along(hole, all ? hole.clear : hole.r), feed, line);
+  }
+  builder.rapid(place_along(hole, hole.clear), line);
+}
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,43 @@
+// Canned drilling cycles, made into moves.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "read/gcode/motion/builder.h"
+
+namespace clearcut::read::gcode {
+
+/// The words that hold during a run of cycle blocks, mm, as they were written.
+struct CycleWords {
+  int code = 0;                ///< G word in tenths: 810 is G81; 0 while there is no cycle
+  std::optional<double> z;     ///< bottom: the word of the axis across the plane
+  std::optional<double> r;     ///< retract plane
+  std::optional<double> peck;  ///< Q word
+  double dwell = 0;            ///< s
+  double level = 0;            ///< where the tool was before the first block, as the program counts
+
+  void scale(double factor);
+};
+
+/// One hole along the axis `across`; places absolute, mm.
+struct Hole {
+  int code = 0;
+  std::size_t across = 2;
+  double bottom = 0;
+  double r = 0;
+  double clear = 0;  ///< where the cycle ends
+  double peck = 0;
+  double gap = 0.254;  ///< above the last depth, where feeding begins again
+  double dwell = 0;    ///< s, at the bottom
+  bool feeds_out_to_clear = false;
+};
+
+/// True for the cycles drill() knows: G73, G74, G81 to G86, G89.
+bool is_drill_cycle(int code);
+
+/// From the retract plane down to the bottom as the cycle says, and back to hole.clear. Throws InputError for pecks of
+/// an impossible size.
+void drill(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line);
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,164 @@
+#include "read/gcode/words/block.h"
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+constexpr double kLargestNumber = 1e9;
+
+bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+bool is_number_part(char c) {
+  return (c >= '0' && c <= '9') || c == '.' || c == '+' || c == '-';
+}
+
+/// "1e-05", as some scripts write it, is no number to a control, but an E word to others.
+bool has_exponent(std::string_view line, std::size_t at) {
+  if (at + 1 >= line.size() || (line[at] != 'e' && line[at] != 'E') || is_blank(line[at - 1])) return false;
+  return is_number_part(line[at + 1]);
+}
+
+std::string shown(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  if (std::isprint(byte)) return std::string("'") + c + "'";
+  return "byte " + std::to_string(byte);
+}
+
+int tenths(double value, char letter, const std::string& place) {
+  const double scaled = std::round(value * 10);
+  if (value < 0 || value > 10000 || std::abs(value * 10 - scaled) > 1e-6) {
+    throw InputError(place, std::string(1, letter) + " word with an impossible number; correct it");
+  }
+  return static_cast<int>(scaled);
+}
+
+}  // namespace
+
+void Block::clear() {
+  line = 0;
+  optional = percent = false;
+  g.clear();
+  m.clear();
+  comments.clear();
+  present_ = whole_ = 0;
+}
+
+void Block::set(char letter, double value, bool has_point) {
+  values_[static_cast<std::size_t>(letter - 'A')] = value;
+  present_ |= 1U << (letter - 'A');
+  if (!has_point) whole_ |= 1U << (letter - 'A');
+}
+
+bool BlockReader::next(Block& block) {
+  block.clear();
+  std::string_view line;
+  if (!lines_.next(line)) return false;
+  block.line = lines_.number();
+  parse(line, block);
+  return true;
+}
+
+void BlockReader::parse(std::string_view line, Block& block) const {
+  bool first = true;
+  for (std::size_t at = 0; at < line.size();) {
+    const char c = line[at];
+    if (is_blank(c)) {
+      ++at;
+      continue;
+    }
+    if (c == ';' || c == '*') {  // the rest is a comment, or Marlin's checksum
+      if (c == ';') block.comments.push_back(line.substr(at + 1));
+      return;
+    }
+    if (c == '(') {
+      const std::size_t close = line.find(')', at);
+      if (close == std::string_view::npos) {
+        throw InputError(place(block.line), "comment without its closing ')'; close it");
+      }
+      block.comments.push_back(line.substr(at + 1, close - at - 1));
+      at = close + 1;
+    } else if (c == '%') {
+      block.percent = true;
+      return;
+    } else if (c == '/' && first) {
+      block.optional = true;
+      ++at;
+    } else {
+      parse_word(line, at, block);
+    }
+    first = false;
+  }
+}
+
+void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& block) const {
+  const char c = line[at];
+  if (c == '#' || c == '[' || c == '=') {
+    throw InputError(place(block.line),
+                     "parameters and expressions are not read; post the program with plain numbers");
+  }
+  if (!is_letter(c) && c != ':') {
+    throw InputError(place(block.line), "unexpected " + shown(c) + "; this is no G-code word");
+  }
+  const char letter = c == ':' ? 'O' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  const std::size_t begin = ++at;
+  const double number = parse_number(line, at, letter, block.line);
+  if (letter == 'O' && at < line.size() && is_letter(line[at])) {
+    throw InputError(place(block.line),
+                     "subroutines and loops (O words) are not read; post the program without them");
+  }
+  if (letter == 'G') {
+    block.g.push_back(tenths(number, letter, place(block.line)));
+  } else if (letter == 'M') {
+    block.m.push_back(tenths(number, letter, place(block.line)));
+    if (block.m.back() == 1170 || block.m.back() == 1180) at = line.size();  // Marlin's messages
+  } else {
+    if (block.has(letter)) {
+      throw InputError(place(block.line), std::string("two ") + letter + " words in one block; split it");
+    }
+    block.set(letter, number, line.substr(begin, at - begin).find('.') != std::string_view::npos);
+  }
+}
+
+/// White space is allowed anywhere, also between digits.
+double BlockReader::parse_number(std::string_view line, std::size_t& at, char letter, int number) const {
+  char digits[48];
+  std::size_t count = 0;
+  for (; at < line.size() && (is_blank(line[at]) || is_number_part(line[at])); ++at) {
+    if (is_blank(line[at])) continue;
+    if (count == 0 && line[at] == '+') {
+      digits[count++] = '0';
+      continue;
+    }
+    if (count == sizeof digits) throw InputError(place(number), "number with too many digits; shorten it");
+    digits[count++] = line[at];
+  }
+  if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '<')) {
+    throw InputError(place(number),
+                     "parameters and expressions are not read; post the program with plain numbers");
+  }
+  if (count > 0 && has_exponent(line, at)) {
+    throw InputError(place(number), std::string(1, letter) + " word with an exponent; post plain decimals");
+  }
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits, digits + count, value, std::chars_format::fixed);
+  if (count == 0 || error != std::errc{} || end != digits + count) {
+    const std::string text(digits, count);
+    throw InputError(place(number), std::string(1, letter) + " word " +
+                                        (count == 0 ? "without a number" : "with '" + text + "'") +
+                                        "; correct it");
+  }
+  if (!(std::abs(value) <= kLargestNumber)) {
+    throw InputError(place(number),
+                     std::string(1, letter) + " word with a number no machine takes; correct it");
+  }
+  return value;
+}
+
+}  // namespace clearcut::read::gcode

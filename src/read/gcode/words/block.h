@@ -1,0 +1,57 @@
+// One block of a word-address program, taken apart into words.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "read/gcode/words/lines.h"
+
+namespace clearcut::read::gcode {
+
+struct Block {
+  int line = 0;
+  bool optional = false;  ///< begins with '/'
+  bool percent = false;   ///< a lone '%'
+  std::vector<int> g;     ///< G words in tenths: 911 is G91.1
+  std::vector<int> m;     ///< M words in tenths
+  std::vector<std::string_view> comments;
+
+  bool has(char letter) const { return (present_ >> (letter - 'A')) & 1U; }
+  double value(char letter) const { return values_[static_cast<std::size_t>(letter - 'A')]; }
+  bool has_axis() const { return has('X') || has('Y') || has('Z'); }
+  bool has_words() const { return present_ != 0 || !g.empty() || !m.empty(); }
+
+  void clear();
+  void set(char letter, double value, bool has_point = true);
+  /// The number was written without a decimal point.
+  bool is_whole(char letter) const { return (whole_ >> (letter - 'A')) & 1U; }
+
+ private:
+  std::array<double, 26> values_{};
+  std::uint32_t present_ = 0;
+  std::uint32_t whole_ = 0;
+};
+
+/// Cuts a text into blocks: white space, letter case, comments and checksums are dealt with here. Throws
+/// InputError("file:line", ...) for what is not a word.
+class BlockReader {
+ public:
+  BlockReader(std::string_view text, std::string file_name)
+      : lines_(text), file_name_(std::move(file_name)) {}
+  /// False at the end of the text.
+  bool next(Block& block);
+  std::string place(int line) const { return file_name_ + ":" + std::to_string(line); }
+
+ private:
+  void parse(std::string_view line, Block& block) const;
+  void parse_word(std::string_view line, std::size_t& at, Block& block) const;
+  double parse_number(std::string_view line, std::size_t& at, char letter, int number) const;
+
+  Lines lines_;
+  std::string file_name_;
+};
+
+}  // namespace clearcut::read::gcode

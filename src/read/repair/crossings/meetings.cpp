@@ -1,0 +1,198 @@
+#include "read/repair/crossings/meetings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/error.h"
+#include "base/units.h"
+
+namespace clearcut::read {
+namespace {
+
+/// mm. As in geometry: edges nearer than this meet.
+constexpr double kTouch = 1e-9;
+/// mm. Neighbours that part by less than this beyond their joint are taken for tangent, not for meeting
+/// again.
+constexpr double kTangentGap = 1e-7;
+/// mm. Shared stretches shorter than this are points.
+constexpr double kShortestOverlap = 1e-6;
+/// Overlapping boxes per box before they are made smaller: ordinary drawings have about ten.
+constexpr double kPairsPerBox = 30;
+/// Pairs that cost nothing worth saving.
+constexpr long long kAlwaysPairs = 1'000'000;
+/// Boxes in all, and overlapping pairs of them, before the search gives up: some seconds and half a
+/// gigabyte.
+constexpr double kMostBoxes = 2e6;
+constexpr long long kMostPairs = 50'000'000;
+
+/// The two directions in which a loop leaves a point of it.
+struct Passage {
+  Vec2 back, ahead;
+};
+
+class Search {
+ public:
+  /// `longest_box` of the index.
+  Search(const std::vector<Loop>& loops, std::size_t most, double longest_box)
+      : loops_(loops), index_(loops, longest_box), most_(most) {}
+
+  /// Nothing when more than `budget` pairs of boxes overlap.
+  std::optional<std::vector<Meeting>> run(long long budget) {
+    for (std::size_t l = 0; l < loops_.size(); ++l) {
+      for (std::size_t e = 0; e < loops_[l].size() && found_.size() < most_; ++e) {
+        look_about({static_cast<int>(l), static_cast<int>(e)});
+        if (pairs_ > budget) return std::nullopt;
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void look_about(EdgeId id) {
+    std::vector<EdgeId> later;
+    for (const Box& box : index_.boxes(id)) {
+      index_.visit(box.grown(kTouch), [&](EdgeId other) {
+        if (id < other) later.push_back(other);
+        ++pairs_;
+        return true;
+      });
+    }
+    std::sort(later.begin(), later.end());
+    later.erase(std::unique(later.begin(), later.end()), later.end());
+    for (const EdgeId other : later) {
+      if (are_neighbours(id, other)) {
+        compare_neighbours(id, other);
+      } else {
+        compare(id, other);
+      }
+    }
+  }
+
+  int size_of(int loop) const { return static_cast<int>(loops_[static_cast<std::size_t>(loop)].size()); }
+  EdgeId next(EdgeId id) const { return {id.loop, (id.edge + 1) % size_of(id.loop)}; }
+  EdgeId previous(EdgeId id) const { return {id.loop, (id.edge + size_of(id.loop) - 1) % size_of(id.loop)}; }
+  bool are_neighbours(EdgeId a, EdgeId b) const { return a.loop == b.loop && (next(a) == b || next(b) == a); }
+
+  void compare(EdgeId a, EdgeId b) {
+    const auto places = intersections(index_.edge(a), index_.edge(b));
+    if (places.empty()) return;
+    if (places.size() > 1 && stay_together(index_.edge(a), index_.edge(b), places[0], places[1])) {
+      found_.push_back({a, b, places[0], MeetingKind::kOverlap});
+      return;
+    }
+    for (const Vec2 place : places) found_.push_back({a, b, place, kind_at(a, b, place)});
+  }
+
+  static bool stay_together(const Edge& a, const Edge& b, Vec2 p, Vec2 q) {
+    return distance(p, q) > kShortestOverlap && distance(b, nearest(a, (p + q) / 2.0).point) <= 2 * kTouch;
+  }
+
+  void compare_neighbours(EdgeId a, EdgeId b) {
+    if (next(a) == b && turns_back(a, b))
+      found_.push_back({a, b, index_.edge(b).from, MeetingKind::kOverlap});
+    if (next(b) == a && turns_back(b, a))
+      found_.push_back({a, b, index_.edge(a).from, MeetingKind::kOverlap});
+    for (const Vec2 place : intersections(index_.edge(a), index_.edge(b))) {
+      const bool joint = (next(a) == b && is_joint(a, b, place)) || (next(b) == a && is_joint(b, a, place));
+      if (!joint) found_.push_back({a, b, place, kind_at(a, b, place)});
+    }
+  }
+
+  /// `second` runs back along `first`.
+  bool turns_back(EdgeId first, EdgeId second) const {
+    const Edge& a = index_.edge(first);
+    const Edge& b = index_.edge(second);
+    if (dot(-a.tangent_at(1), b.tangent_at(0)) < 0.99) return false;
+    const bool a_shorter = a.length() < b.length();
+    return distance(a_shorter ? b : a, (a_shorter ? a : b).at(0.5)) <= kTouch;
+  }
+
+  /// The place is the joint of the neighbours, or so near to it that they lie on each other in between.
+  bool is_joint(EdgeId first, EdgeId second, Vec2 place) const {
+    const Edge& a = index_.edge(first);
+    const Edge& b = index_.edge(second);
+    if (distance(place, b.from) <= kTangentGap) return true;
+    return distance(b, nearest(a, (place + b.from) / 2.0).point) <= kTangentGap;
+  }
+
+  Passage passage(EdgeId id, Vec2 place) const {
+    const Edge& edge = index_.edge(id);
+    if (distance(place, edge.from) <= 2 * kTouch) {
+      return {-index_.edge(previous(id)).tangent_at(1), edge.tangent_at(0)};
+    }
+    if (distance(place, edge.to) <= 2 * kTouch)
+      return {-edge.tangent_at(1), index_.edge(next(id)).tangent_at(0)};
+    const Vec2 along = edge.tangent_at(nearest(edge, place).t);
+    return {-along, along};
+  }
+
+  MeetingKind kind_at(EdgeId a, EdgeId b, Vec2 place) const {
+    const Passage one = passage(a, place), other = passage(b, place);
+    const auto back = is_left(one, other.back), ahead = is_left(one, other.ahead);
+    return back && ahead && *back != *ahead ? MeetingKind::kCrossing : MeetingKind::kTouch;
+  }
+
+  /// Whether a direction points to the left of a passage; nothing when it runs along it.
+  static std::optional<bool> is_left(const Passage& way, Vec2 direction) {
+    constexpr double kSame = 1e-7;
+    const auto turn = [](Vec2 from, Vec2 to) {
+      const double angle = std::atan2(cross(from, to), dot(from, to));
+      return angle < 0 ? angle + 2 * kPi : angle;
+    };
+    const double to_back = turn(way.ahead, way.back), to_direction = turn(way.ahead, direction);
+    if (to_direction < kSame || to_direction > 2 * kPi - kSame) return std::nullopt;
+    if (std::abs(to_direction - to_back) < kSame) return std::nullopt;
+    return to_direction < to_back;
+  }
+
+  const std::vector<Loop>& loops_;
+  const EdgeIndex index_;
+  const std::size_t most_;
+  std::vector<Meeting> found_;
+  long long pairs_ = 0;
+};
+
+}  // namespace
+
+bool is_shallow(const std::vector<Loop>& loops, const Meeting& meeting, double depth) {
+  const auto edge = [&](EdgeId id) -> const Edge& {
+    return loops[static_cast<std::size_t>(id.loop)][static_cast<std::size_t>(id.edge)];
+  };
+  const Edge &a = edge(meeting.a), &b = edge(meeting.b);
+  const auto stays_near = [&](const Edge& own, const Edge& other) {
+    for (const Vec2 end : {own.from, own.to}) {
+      const Vec2 middle = nearest(own, (end + meeting.at) / 2.0).point;
+      if (distance(other, end) <= depth && distance(other, middle) <= depth) return true;
+    }
+    return false;
+  };
+  if (stays_near(a, b) || stays_near(b, a)) return true;
+  // A shallow bow: the same two edges part again at their other crossing.
+  for (const Vec2 place : intersections(a, b)) {
+    const bool other = distance(place, meeting.at) > 2 * kTouch;
+    if (other && distance(b, nearest(a, (place + meeting.at) / 2.0).point) <= depth) return true;
+  }
+  return false;
+}
+
+std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, const std::string& where) {
+  double edges = 0, total = 0;
+  for (const Loop& loop : loops) {
+    edges += static_cast<double>(loop.size());
+    total += length(loop);
+  }
+  // Long slanting lines have large boxes that overlap for nothing: smaller ones, until there are few pairs.
+  double longest_box = std::numeric_limits<double>::infinity();
+  for (double boxes = 1; boxes * edges <= kMostBoxes || boxes == 1; boxes *= 8) {
+    const bool last = 8 * boxes * edges > kMostBoxes;
+    const auto few = static_cast<long long>(kPairsPerBox * boxes * edges);
+    const long long budget = last ? kMostPairs : std::max(few, kAlwaysPairs);
+    if (auto found = Search(loops, most, longest_box).run(budget)) return *found;
+    longest_box = total / (8 * boxes * edges);
+  }
+  throw InputError(where, "too many long lines lie across each other; simplify the drawing");
+}
+
+}  // namespace clearcut::read

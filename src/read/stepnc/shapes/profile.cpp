@@ -1,0 +1,175 @@
+#include "read/stepnc/shapes/profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/units.h"
+
+namespace clearcut::read::stepnc {
+
+namespace {
+
+constexpr double kMostSides = 1000;
+
+double positive_length(const Node& node, std::size_t argument, std::string_view what) {
+  const double value = node.needed_length(argument, what);
+  if (value <= 0) node.fail("the " + std::string(what) + " is not above zero; correct it");
+  return value;
+}
+
+PlanarMap placement_map(const Node& owner, std::size_t argument) {
+  const Frame frame = frame_of(owner.ref(argument));
+  if (!is_planar(frame))
+    owner.fail("its placement is tilted out of the feature's plane; only plane outlines can be milled");
+  return planar_map(frame);
+}
+
+Loop circle_loop(double radius) {
+  const Vec2 right{radius, 0}, left{-radius, 0};
+  return {Edge::arc(right, left, {}, Turn::kCounterClockwise),
+          Edge::arc(left, right, {}, Turn::kCounterClockwise)};
+}
+
+Loop rectangle_loop(const Node& profile) {
+  const double half_width = positive_length(profile, 1, "profile width") / 2;
+  const double half_length = positive_length(profile, 2, "profile length") / 2;
+  const Vec2 corners[] = {{-half_length, -half_width},
+                          {half_length, -half_width},
+                          {half_length, half_width},
+                          {-half_length, half_width}};
+  return loop_from_points(corners);
+}
+
+/// Flag .T.: the circle touches the sides; else the corners lie on it. One side is parallel to X, below.
+Loop ngon_loop(const Node& profile, Context& context) {
+  const double sides = profile.needed_number(2, "number of sides");
+  if (sides < 3 || sides > kMostSides || sides != std::floor(sides))
+    profile.fail("the number of sides must be a whole number from 3 to 1000; correct it");
+  context.spend(static_cast<std::size_t>(sides), profile);
+  const double step = 2 * kPi / sides;
+  double radius = positive_length(profile, 1, "diameter") / 2;
+  if (profile.flag(3) == true) radius /= std::cos(step / 2);
+  std::vector<Vec2> corners;
+  for (int k = 0; k < static_cast<int>(sides); ++k)
+    corners.push_back(radius * direction_of(-kPi / 2 - step / 2 + step * k));
+  return loop_from_points(corners);
+}
+
+Loop unplaced(const Node& profile, Context& context) {
+  if (profile.is("GENERAL_CLOSED_PROFILE"))
+    return curve_loop(profile.needed_ref(1, "closed profile shape"), context);
+  if (profile.is("CIRCULAR_CLOSED_PROFILE")) return circle_loop(positive_length(profile, 1, "diameter") / 2);
+  if (profile.is("RECTANGULAR_CLOSED_PROFILE")) return rectangle_loop(profile);
+  if (profile.is_any("NGON_CLOSED_PROFILE", "NGON_PROFILE")) return ngon_loop(profile, context);
+  profile.fail(
+      "not a closed profile that can be read (general, circular, rectangular, n-gon); use one of those");
+}
+
+/// Arc about the origin from +X.
+Path arc_from_x(double radius, double sweep) {
+  if (sweep == 0) return {};
+  const Turn turn = sweep > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
+  const int pieces = std::abs(sweep) > kPi ? 2 : 1;
+  Path path;
+  Vec2 from{radius, 0};
+  for (int k = 1; k <= pieces; ++k) {
+    const Vec2 to = std::abs(sweep) >= 2 * kPi && k == pieces ? Vec2{radius, 0}
+                                                              : radius * direction_of(sweep * k / pieces);
+    path.push_back(Edge::arc(from, to, {}, turn));
+    from = to;
+  }
+  return path;
+}
+
+double sweep_of(const Node& node, std::size_t argument, Context& context) {
+  const double sweep = context.angle(node.needed_number(argument, "sweep angle"));
+  if (sweep == 0 || std::abs(sweep) > 2 * kPi + 1e-9)
+    node.fail("the sweep angle must be up to a full turn, not zero; correct it");
+  return std::clamp(sweep, -2 * kPi, 2 * kPi);
+}
+
+Path linear_path(const Node& path, Context& context) {
+  (void)context;
+  const double distance = positive_length(path, 1, "distance");
+  const Vec3 axis = path.unset(2) ? Vec3{1, 0, 0} : axis_of(path.needed_ref(2, "direction"));
+  const Vec2 direction{axis.x, axis.y};
+  if (norm(direction) == 0) path.fail("its direction is not in the plane; correct it");
+  return {Edge::line({}, unit(direction) * distance)};
+}
+
+}  // namespace
+
+bool is_closed_profile(const Node& profile) {
+  return profile.is_any("GENERAL_CLOSED_PROFILE", "CIRCULAR_CLOSED_PROFILE", "RECTANGULAR_CLOSED_PROFILE",
+                        "NGON_CLOSED_PROFILE", "NGON_PROFILE");
+}
+
+bool has_own_placement(const Node& profile) {
+  return !profile.unset(0) && !is_identity(frame_of(profile.ref(0)));
+}
+
+Loop closed_profile(const Node& profile, bool placed, Context& context) {
+  context.spend(1, profile);
+  const Loop loop = unplaced(profile, context);
+  return placed ? placement_map(profile, 0).path(loop) : loop;
+}
+
+Path open_profile(const Node& profile, Context& context) {
+  const PlanarMap map = placement_map(profile, 0);
+  if (profile.is("GENERAL_PROFILE")) return map.path(curve_path(profile.needed_ref(1, "profile"), context));
+  if (profile.is("LINEAR_PROFILE"))
+    return map.path({Edge::line({}, {positive_length(profile, 1, "profile length"), 0})});
+  if (profile.is("PARTIAL_CIRCULAR_PROFILE"))
+    return map.path(arc_from_x(positive_length(profile, 1, "radius"), sweep_of(profile, 2, context)));
+  profile.fail("not an open outline that can be read (general, linear, partial circular); use one of those");
+}
+
+CrossSection cross_section(const Node& profile, Context& context) {
+  CrossSection section;
+  if (profile.is("LINEAR_PROFILE")) {
+    section.width = positive_length(profile, 1, "profile length");
+  } else if (profile.is("SQUARE_U_PROFILE")) {
+    section.width = positive_length(profile, 1, "width");
+    section.lean =
+        std::max(context.lean(profile.number(3).value_or(0)), context.lean(profile.number(5).value_or(0)));
+    const double fillet = std::max(profile.length(2).value_or(0), profile.length(4).value_or(0));
+    if (section.lean < 0)
+      profile.fail("walls that overhang (negative angle) cannot be milled from above; correct it");
+    if (section.lean > 0)
+      context.warn(
+          "slot with leaning walls: its width is taken at the top, so that nothing is cut away that should "
+          "stay",
+          profile);
+    if (fillet > 0) context.note("floor fillets are left to the cutter's own corner radius", profile);
+  } else if (profile.is("ROUNDED_U_PROFILE")) {
+    section.width = positive_length(profile, 1, "width");
+    section.rounded_below = section.width / 2;
+  } else {
+    profile.fail(
+        profile.is("TEE_PROFILE")
+            ? "the undercut of a T slot needs a T-slot cutter, which is not planned; write its neck as a "
+              "slot with SQUARE_U_PROFILE"
+            : "a slot of this cross-section has no flat floor and cannot be machined yet; write its upright "
+              "part as a slot with SQUARE_U_PROFILE");
+  }
+  return section;
+}
+
+Path travel_path(const Node& path, Context& context) {
+  context.spend(1, path);
+  const PlanarMap map = [&] {
+    const Frame frame = frame_of(path.ref(0));
+    // Some writers turn the path's frame so that the cross-section lies in its XY plane: the directions are
+    // then still given in the feature's frame, so only the place counts.
+    return is_planar(frame) ? planar_map(frame) : PlanarMap{{frame.origin.x, frame.origin.y}};
+  }();
+  if (path.is("LINEAR_PATH")) return map.path(linear_path(path, context));
+  if (path.is("GENERAL_PATH")) return map.path(curve_path(path.needed_ref(1, "swept path"), context));
+  if (path.is("PARTIAL_CIRCULAR_PATH"))
+    return map.path(arc_from_x(positive_length(path, 1, "radius"), sweep_of(path, 2, context)));
+  if (path.is("COMPLETE_CIRCULAR_PATH")) return map.path(circle_loop(positive_length(path, 1, "radius")));
+  path.fail(
+      "not a travel path that can be read (linear, general, partial or complete circular); use one of those");
+}
+
+}  // namespace clearcut::read::stepnc

@@ -1,0 +1,24 @@
+// Certificates that were read back, as text: their schema, their seal, and where two of them differ.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clearcut::report {
+
+/// Where a certificate departs from docs/certificate.schema.json, a sentence each: "/faults/0/kind: ...". Text that is no JSON
+/// object is one such sentence.
+std::vector<std::string> certificate_faults(std::string_view certificate);
+
+/// Whether the seal is the SHA-256 of all other fields: false once any of them was changed.
+bool seal_holds(std::string_view certificate);
+
+/// Every field that differs: "/verdict: \"CLEAN\" is now \"FAULTY\"". Fields named in `left_out`, as paths from the top
+/// ("/question/arguments"; "/inputs/*/name" for every item of a list), are not compared. Throws InputError on text that is no
+/// JSON.
+std::vector<std::string> certificate_differences(std::string_view before, std::string_view now,
+                                                 const std::set<std::string>& left_out = {});
+
+}  // namespace clearcut::report

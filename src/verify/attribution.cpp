@@ -1,0 +1,78 @@
+#include "verify/attribution.h"
+
+#include <algorithm>
+
+namespace clearcut::verify {
+namespace {
+
+/// mm. A move belongs to a feature's range of heights when it leaves it by no more than this.
+constexpr double kHeightSlack = 0.05;
+/// mm. Rounding of a path that just touches an outline.
+constexpr double kTouch = 1e-3;
+
+Vec2 middle_of(const Move& move) {
+  return move.is_vertical() ? move.path.from : move.path.at(0.5);
+}
+
+}  // namespace
+
+Attribution::Attribution(const Part& part) : part_(part) {
+  for (const Feature& feature : part.features) {
+    std::vector<Edge> edges;
+    for (const Region& region : feature.target) {
+      for (const Edge& edge : region.edges()) edges.push_back(edge);
+    }
+    outlines_.emplace_back(std::move(edges));
+  }
+}
+
+int Attribution::by_section(const Section& section) const {
+  const int count = static_cast<int>(part_.workplan.size());
+  if (section.workingstep >= 0 && section.workingstep < count) return section.workingstep;
+  if (section.label.empty()) return -1;
+  for (int i = 0; i < count; ++i) {
+    const Workingstep& step = part_.workplan[i];
+    if (section.label == step.name || section.label == part_.features[step.feature].name) return i;
+  }
+  return -1;
+}
+
+int Attribution::by_place(const JudgedMove& judged, int previous) const {
+  const Vec2 middle = middle_of(*judged.move);
+  if (previous >= 0 && fits(judged, middle, previous)) return previous;
+  int found = -1;
+  for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
+    if (fits(judged, middle, i) && (found < 0 || has_tool(judged, i))) found = i;
+  }
+  return found;
+}
+
+std::optional<double> Attribution::stepdown_at(const JudgedMove& judged) const {
+  const Vec2 middle = middle_of(*judged.move);
+  std::optional<double> of_tool, of_any;
+  for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
+    const std::optional<double> stepdown = part_.workplan[i].operation.stepdown;
+    if (!stepdown || !fits(judged, middle, i, judged.radius())) continue;
+    of_any = std::max(of_any.value_or(0), *stepdown);
+    if (has_tool(judged, i)) of_tool = std::max(of_tool.value_or(0), *stepdown);
+  }
+  return of_tool ? of_tool : of_any;
+}
+
+bool Attribution::has_tool(const JudgedMove& judged, int workingstep) const {
+  const int index = part_.workplan[workingstep].operation.tool;
+  return judged.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
+         &part_.tools[index] == judged.tool;
+}
+
+bool Attribution::fits(const JudgedMove& judged, Vec2 p, int workingstep, double beside) const {
+  const int index = part_.workplan[workingstep].feature;
+  const Feature& feature = part_.features[index];
+  const double z = judged.low_z();
+  if (z < feature.floor_z - kHeightSlack || z >= feature.top_z - 1e-6) return false;
+  const EdgeTree& outline = outlines_[index];
+  // Over open sides and at thin ends the centre runs beside the target.
+  return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + beside + kTouch).edge >= 0;
+}
+
+}  // namespace clearcut::verify

@@ -1,0 +1,38 @@
+// Which workingstep a move serves.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/move.h"
+#include "model/part.h"
+#include "verify/checked_move.h"
+#include "verify/part/edge_tree.h"
+
+namespace clearcut::verify {
+
+/// Finds the workingstep that a feed move serves. Labels of the program group figures and name faults; no verdict rests on them.
+class Attribution {
+ public:
+  explicit Attribution(const Part& part);
+
+  /// The workingstep that the whole section names: by number, else by the name of the workingstep or the feature; -1: none.
+  int by_section(const Section& section) const;
+
+  /// A workingstep whose feature the move lies in, `previous` if it does, else one with the move's tool; -1: none.
+  int by_place(const JudgedMove& judged, int previous) const;
+
+  /// mm. The greatest stepdown of the workingsteps whose feature the move lies in or within a radius beside, where the work of
+  /// one feature reaches into the next; of those with its tool if there are any. Absent where none states one.
+  std::optional<double> stepdown_at(const JudgedMove& judged) const;
+
+ private:
+  bool has_tool(const JudgedMove& judged, int workingstep) const;
+  /// Whether the cutter at p touches the workingstep's feature, or comes within `beside` mm of it, at the move's depth.
+  bool fits(const JudgedMove& judged, Vec2 p, int workingstep, double beside = 0) const;
+
+  const Part& part_;
+  std::vector<EdgeTree> outlines_;  ///< of the features' targets
+};
+
+}  // namespace clearcut::verify

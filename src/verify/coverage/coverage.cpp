@@ -1,0 +1,425 @@
+#include "verify/coverage/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "verify/coverage/swath_cover.h"
+#include "verify/coverage/wall_film.h"
+#include "verify/part/legal_centers.h"
+
+namespace clearcut::verify {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+/// Cells with more outline edges than this are divided instead of computing a convex hull.
+constexpr int kHullEdges = 12;
+/// Number of swaths that are tried on one cell, the nearest first.
+constexpr int kSwathsTried = 12;
+/// Number of undecided smallest cells after which the smallest size doubles, so that programs which leave
+/// much take no longer.
+constexpr int kLeavesPerSize = 4000;
+/// If more is left elsewhere, what is left is measured in cells of R / kAreaCells.
+constexpr double kAreaCells = 64;
+/// If something is left, its area is measured with residuals down to this fraction of the tolerance.
+constexpr double kFineShare = 50;
+/// mm, for rounding of coordinates.
+constexpr double kRounding = 1e-9;
+/// mm. A point so much farther from the nearest legal centre than the cutter reaches is out of reach.
+constexpr double kBeyondReach = 1e-6;
+/// The area of unreachable corners is counted in cells of R / kCornerCells.
+constexpr double kCornerCells = 48;
+
+class CoverageProof {
+ public:
+  /// `fine`: counts residuals down to a fraction of the tolerance, to measure the area of what is left.
+  CoverageProof(const CoverageQuestion& question, const Tolerances& tol, bool fine)
+      : question_(question),
+        film_(question),
+        tol_(tol),
+        fine_(fine),
+        widest_(fine ? tol.uncut / kFineShare
+                     : std::max(widest_left(tol) - question.path_tolerance, widest_left(tol) / 2)),
+        slack_(widest_ / 2),
+        followed_(fine ? tol.uncut : widest_),
+        target_(*question.target),
+        legal_(*question.part, question.z, question.radius + question.allowance,
+               target_.box().grown(question.radius), tol),
+        deviation_(legal_.boundary().edges().size(), -1) {
+    std::map<double, std::vector<Edge>> paths;
+    for (const Swath& swath : question.swaths) paths[swath.radius].push_back(swath.path);
+    for (auto& [radius, edges] : paths) trees_.emplace_back(radius, EdgeTree(std::move(edges)));
+  }
+
+  Coverage run() {
+    result_.target_mm2 = area(*question_.target);
+    if (target_.empty()) return result_;
+    result_.reachable = any_within_reach();
+    if (!result_.reachable) {
+      result_.unreachable_mm2 = result_.target_mm2;
+      return result_;
+    }
+    for (std::size_t i = 0; i < question_.swaths.size(); ++i) swaths_.push_back({0, static_cast<int>(i)});
+    for (std::size_t i = 0; i < target_.edges().size(); ++i) outline_.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < deviation_.size(); ++i) legals_.push_back(static_cast<int>(i));
+    const Box box = target_.box();
+    const Cell root{box.center(), std::max(box.width(), box.height()) / 2 + 1e-3, true, Legality::kMixed};
+    visit(root, {{0, end(swaths_)}, {0, end(outline_)}, {0, end(legals_)}});
+    return result_;
+  }
+
+ private:
+  enum class Legality : unsigned char { kMixed, kNone, kAll };  ///< which points of a cell are legal centres
+
+  struct Cell {
+    Vec2 center;
+    double half = 0;
+    bool on_outline = true;  ///< the target's outline may run through it
+    Legality legality = Legality::kMixed;
+
+    double reach() const { return half * 1.41421356237309515; }
+    Box box() const { return {{center.x - half, center.y - half}, {center.x + half, center.y + half}}; }
+    Cell quarter(int i) const {
+      const double h = half / 2;
+      return {{center.x + (i & 1 ? h : -h), center.y + (i & 2 ? h : -h)}, h, on_outline, legality};
+    }
+  };
+  struct Range {
+    int begin = 0, end = 0;
+    bool empty() const { return begin == end; }
+  };
+  /// What lies near a cell, as ranges of the stacks below.
+  struct Near {
+    Range swaths, outline, legals;
+  };
+  struct NearSwath {
+    double excess;  ///< mm; how far the cell's centre lies outside the swath
+    int index;
+  };
+
+  template <typename T>
+  static int end(const std::vector<T>& stack) {
+    return static_cast<int>(stack.size());
+  }
+
+  void visit(Cell cell, const Near& parents) {
+    const int marks[] = {end(swaths_), end(outline_), end(legals_)};
+    Near near;
+    if (!settle(cell, parents, near)) {
+      for (int i = 0; i < 4; ++i) visit(cell.quarter(i), near);
+    }
+    swaths_.resize(marks[0]);
+    outline_.resize(marks[1]);
+    legals_.resize(marks[2]);
+  }
+
+  /// Whether a legal centre reaches some of the target. If the legal area has no boundary nearby, either all
+  /// of the target is legal or nothing.
+  bool any_within_reach() const {
+    const std::vector<Edge>& legal = legal_.boundary().edges();
+    if (legal.empty()) return legal_.contains(target_.edges().front().at(0.5));
+    return std::any_of(legal.begin(), legal.end(), [this](const Edge& curve) { return reaches(curve); });
+  }
+
+  bool reaches(const Edge& curve) const {
+    if (target_.winding(curve.from) != 0 || target_.nearest(curve.from, question_.flat).edge >= 0)
+      return true;
+    if (curve.from == curve.to) return false;
+    bool found = false;
+    target_.overlapping(curve.box().grown(question_.flat), [&](int i) {
+      found = found || distance(target_.edges()[i], curve) <= question_.flat;
+    });
+    return found;
+  }
+
+  /// Decides a cell if possible; else fills `near` for its quarters.
+  bool settle(Cell& cell, const Near& parents, Near& near) {
+    if (covered_by_one(cell, parents.swaths, near.swaths)) return true;
+    if (beside_target(cell, parents.outline, near.outline)) return true;
+    ConvexPolygon part = part_in_target(cell, near.outline);
+    if (part.empty()) return true;
+    if (film_.may_be() && film_.holds_on_one_wall(part, cell.center, cell.reach())) return true;
+    if (cell.half <= question_.flat && take_covered(part, near.swaths)) return true;
+    const bool within_reach = list_legals(cell, part, parents.legals, near.legals);
+    if (cell.legality == Legality::kNone) {
+      if (near.legals.empty()) return count_unreachable(cell, near);
+      if (program_follows(near.legals)) return count_corner(cell, near);
+    }
+    return cell.half <= question_.flat / 4 && settle_uncut(cell, part, near, within_reach);
+  }
+
+  /// Decides a cell that is not cut, or one of the smallest; `part` contains what may be left of it.
+  bool settle_uncut(const Cell& cell, const ConvexPolygon& part, const Near& near, bool within_reach) {
+    const bool smallest = 2 * cell.half <= smallest_cell();
+    const double excess = excess_at(cell.center), thickness = excess + cell.reach();
+    const double width = width_of(cell, thickness);
+    if (width <= widest_) return count_width(width);
+    // If more is left elsewhere, only the area matters.
+    const bool minor = width <= worst_width_ && cell.half <= question_.flat / kAreaCells;
+    const bool all_left = near.swaths.empty() && within_reach && cell.reach() <= 0.05 * excess;
+    if (!smallest && !minor && !all_left) return false;
+    return count_uncut(cell, part, width);
+  }
+
+  /// mm; upper bound of the widest disc of material centred in the cell, if no point of the cell is farther
+  /// than `thickness` from what was cut: the disc reaches neither into what was cut, nor over the edge of the
+  /// target, nor to where no legal centre reaches.
+  double width_of(const Cell& cell, double thickness) const {
+    const double beside = target_.nearest(cell.center, thickness + cell.reach()).distance + cell.reach();
+    const double beyond =
+        cell.legality == Legality::kAll ? kInfinite : to_unreachable(cell.center) + cell.reach();
+    return 2 * std::min({thickness, beside, beyond});
+  }
+
+  /// Upper bound of the distance from p to the nearest point that no legal centre reaches: straight away from the nearest legal
+  /// centre as far as that one reaches, where no other reaches it. Infinite where another does, or p itself is legal.
+  double to_unreachable(Vec2 p) const {
+    const double reach = question_.flat + kBeyondReach;
+    const EdgeTree::Hit hit = legal_.boundary().nearest(p);
+    if (hit.edge < 0 || hit.distance < kBeyondReach || legal_.contains(p)) return kInfinite;
+    if (hit.distance >= reach) return 0;
+    const Vec2 from = nearest_point(legal_.boundary().edges()[hit.edge], p);
+    const Vec2 out = from + unit(p - from) * reach;
+    const double least = legal_.boundary().nearest(out).distance;
+    return least > question_.flat && !legal_.contains(out) ? distance(p, out) : kInfinite;
+  }
+
+  bool covered_by_one(const Cell& cell, Range from, Range& out) {
+    out.begin = end(swaths_);
+    for (int k = from.begin; k < from.end; ++k) {
+      const int index = swaths_[k].index;
+      const Swath& swath = question_.swaths[index];
+      const double excess = distance(swath.path, cell.center) - swath.radius;
+      if (excess + cell.reach() <= slack_) return count_covered(excess + cell.reach());
+      if (excess <= cell.reach()) swaths_.push_back({excess, index});
+    }
+    out.end = end(swaths_);
+    return false;
+  }
+
+  bool beside_target(Cell& cell, const Range from, Range& out) {
+    if (!cell.on_outline) return false;
+    out.begin = end(outline_);
+    for (int k = from.begin; k < from.end; ++k) {
+      if (distance(target_.edges()[outline_[k]], cell.center) <= cell.reach())
+        outline_.push_back(outline_[k]);
+    }
+    out.end = end(outline_);
+    cell.on_outline = !out.empty();
+    return !cell.on_outline && target_.winding(cell.center) == 0;
+  }
+
+  /// A convex polygon that contains the cell's part of the target.
+  ConvexPolygon part_in_target(const Cell& cell, Range outline) {
+    const ConvexPolygon square = ConvexPolygon::square(cell.center, cell.half);
+    if (!cell.on_outline || outline.end - outline.begin > kHullEdges) return square;
+    extremes_.clear();
+    const Box box = cell.box();
+    for (int k = outline.begin; k < outline.end; ++k)
+      append_extremes(target_.edges()[outline_[k]], box, extremes_);
+    for (const Vec2 corner : square.points()) {
+      if (target_.winding(corner) != 0) extremes_.push_back(corner);
+    }
+    if (extremes_.empty()) return target_.winding(cell.center) != 0 ? square : ConvexPolygon();
+    return ConvexPolygon::hull(extremes_);
+  }
+
+  /// Removes swath after swath from the polygon; true if what remains lies in one.
+  bool take_covered(ConvexPolygon& rest, Range near) {
+    if (near.end - near.begin > 8 * kSwathsTried) return false;
+    std::sort(swaths_.begin() + near.begin, swaths_.begin() + near.end,
+              [](const NearSwath& a, const NearSwath& b) {
+                return a.excess < b.excess || (a.excess == b.excess && a.index < b.index);
+              });
+    const int last = std::min(near.end, near.begin + kSwathsTried);
+    for (int round = 0; round < 2; ++round) {
+      for (int k = near.begin; k < last; ++k) {
+        const Swath& swath = question_.swaths[swaths_[k].index];
+        const double excess = excess_over(rest, swath);
+        if (excess <= slack_) return count_covered(excess);
+        if (round == 0) rest = rest_after(rest, swath);
+        if (rest.empty()) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Lists the boundary of the legal area within the cutter's reach of the cell. True if all of `part` is
+  /// within reach.
+  bool list_legals(Cell& cell, const ConvexPolygon& part, Range from, Range& out) {
+    out.begin = end(legals_);
+    double least = kInfinite;
+    int nearest = -1;
+    for (int k = from.begin; k < from.end; ++k) {
+      const double d = distance(legal_.boundary().edges()[legals_[k]], cell.center);
+      if (d < least) least = d, nearest = legals_[k];
+      if (d <= question_.flat + cell.reach()) legals_.push_back(legals_[k]);
+    }
+    out.end = end(legals_);
+    if (cell.legality == Legality::kMixed && least > cell.reach()) {
+      cell.legality = legal_.contains(cell.center) ? Legality::kAll : Legality::kNone;
+    }
+    if (cell.legality == Legality::kAll || least + cell.reach() <= question_.flat) return true;
+    return nearest >= 0 &&
+           excess_over(part, {legal_.boundary().edges()[nearest], question_.flat}) <= kRounding;
+  }
+
+  bool program_follows(Range legals) {
+    double most = 0;
+    for (int k = legals.begin; k < legals.end && most <= followed_; ++k) {
+      double& deviation = deviation_[legals_[k]];
+      if (deviation < 0) deviation = deviation_of_program(legal_.boundary().edges()[legals_[k]]);
+      most = std::max(most, deviation);
+    }
+    if (most > followed_) return false;
+    result_.thickness_mm = std::max(result_.thickness_mm, most);
+    return true;
+  }
+
+  /// mm; upper bound of how far any point of the curve lies from the nearest path; greater for smaller
+  /// cutters.
+  double deviation_of_program(const Edge& curve) const {
+    const bool point = curve.from == curve.to;
+    const Vec2 middle = point ? curve.from : curve.at(0.5);
+    double bound = kInfinite, at_middle = kInfinite;
+    for (const auto& [radius, tree] : trees_) {
+      const double smaller = std::max(0.0, question_.flat - radius);
+      for (const Vec2 p : {middle, curve.from, curve.to}) {
+        const EdgeTree::Hit hit = tree.nearest(p, tol_.uncut * 2 + curve.length());
+        if (hit.edge < 0) continue;
+        if (p == middle) at_middle = std::min(at_middle, hit.distance + smaller);
+        bound = std::min(bound, deviation_of(curve, tree.edges()[hit.edge]) + smaller);
+      }
+    }
+    const double good = slack_ / 5;
+    if (at_middle > tol_.uncut) return kInfinite;
+    if (bound <= 1.1 * at_middle + good || point || curve.length() < good) return bound;
+    const double first = deviation_of_program(curve.part(0, 0.5));
+    return first > tol_.uncut ? first : std::max(first, deviation_of_program(curve.part(0.5, 1)));
+  }
+
+  /// mm; how far p lies outside everything that was swept; negative inside.
+  double excess_at(Vec2 p) const {
+    double least = kInfinite;
+    for (const auto& [radius, tree] : trees_) least = std::min(least, tree.nearest(p).distance - radius);
+    const Box box = target_.box();
+    return std::min(least, std::hypot(box.width(), box.height()));
+  }
+
+  /// mm; a cell small enough to distinguish what a cutter reaches from what it nearly reaches.
+  double smallest_cell() const {
+    return std::min(question_.flat / 4, tol_.uncut / 8 * std::exp2(leaves_ / kLeavesPerSize));
+  }
+
+  /// Records that what lies at most `excess` mm outside a swath is at most twice as wide.
+  bool count_covered(double excess) { return count_width(2 * excess); }
+
+  bool count_width(double width) {
+    result_.thickness_mm = std::max(result_.thickness_mm, width);
+    return true;
+  }
+
+  bool count_uncut(const Cell& cell, const ConvexPolygon& part, double width) {
+    ++leaves_;
+    result_.uncut_mm2 += part.area();
+    if (width > worst_width_) {
+      result_.worst = cell.center;
+      worst_width_ = width;
+    }
+    return count_width(width);
+  }
+
+  bool count_unreachable(const Cell& cell, const Near& near) {
+    if (cell.on_outline || film_.may_be()) return count_corner(cell, near);
+    result_.unreachable_mm2 += 4 * cell.half * cell.half;
+    return true;
+  }
+
+  /// Adds the part of a cell that no centre reaches; the program is known to have cut the rest as far as
+  /// possible.
+  bool count_corner(Cell cell, Near near) {
+    const int marks[] = {end(outline_), end(legals_)};
+    if (!settle_corner(cell, near)) {
+      for (int i = 0; i < 4; ++i) count_corner(cell.quarter(i), near);
+    }
+    outline_.resize(marks[0]);
+    legals_.resize(marks[1]);
+    return true;
+  }
+
+  bool settle_corner(Cell& cell, Near& near) {
+    if (beside_target(cell, near.outline, near.outline)) return true;
+    const double least = keep_nearest_legals(cell, near.legals);
+    if (least + cell.reach() <= question_.flat) return true;
+    const double area = 4 * cell.half * cell.half;
+    const bool beyond = least > question_.flat;
+    if (2 * cell.half <= question_.flat / kCornerCells) {
+      if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) && !film_.holds(cell.center)) {
+        result_.unreachable_mm2 += area;
+      }
+      return true;
+    }
+    if (cell.on_outline || least - cell.reach() <= question_.flat || film_.may_be()) return false;
+    result_.unreachable_mm2 += area;
+    return true;
+  }
+
+  /// Keeps of the list the edges that may be nearest to a point of the cell; returns the distance of the
+  /// cell's centre.
+  double keep_nearest_legals(const Cell& cell, Range& legals) {
+    double least = kInfinite;
+    const auto apart = [&](int k) { return distance(legal_.boundary().edges()[legals_[k]], cell.center); };
+    const Range from = legals;
+    for (int k = from.begin; k < from.end; ++k) least = std::min(least, apart(k));
+    if (from.end - from.begin == 1) return least;
+    legals.begin = end(legals_);
+    for (int k = from.begin; k < from.end; ++k) {
+      if (apart(k) <= least + 2 * cell.reach()) legals_.push_back(legals_[k]);
+    }
+    legals.end = end(legals_);
+    return least;
+  }
+
+  const CoverageQuestion& question_;
+  const WallFilm film_;
+  const Tolerances& tol_;
+  const bool fine_;
+  const double widest_;  ///< mm; what is left up to this width is no fault
+  const double slack_;   ///< mm; what lies at most this far outside a swath is not too wide
+  /// mm; a program that keeps as near to the boundary of the legal area leaves nothing thicker in corners.
+  const double followed_;
+  EdgeTree target_;
+  LegalCenters legal_;
+  /// mm; of the program from each edge of the legal boundary; -1: not computed yet.
+  std::vector<double> deviation_;
+  std::vector<std::pair<double, EdgeTree>> trees_;  ///< for each tool radius: the paths cut with it
+  // Stacks of what lies near the cells from the whole target down to the current one.
+  std::vector<NearSwath> swaths_;
+  std::vector<int> outline_, legals_;
+  std::vector<Vec2> extremes_;
+  int leaves_ = 0;
+  double worst_width_ = 0;
+  Coverage result_;
+};
+
+}  // namespace
+
+Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol) {
+  if (question.flat > tol.uncut) {
+    Coverage coverage = CoverageProof(question, tol, false).run();
+    const bool left =
+        coverage.thickness_mm + question.path_tolerance > widest_left(tol) && coverage.uncut_mm2 > 0;
+    if (left)
+      coverage.uncut_mm2 = std::max(coverage.uncut_mm2, CoverageProof(question, tol, true).run().uncut_mm2);
+    coverage.path_tolerance_mm = question.path_tolerance;
+    if (coverage.reachable)
+      coverage.thickness_mm = std::max(coverage.thickness_mm + question.path_tolerance, question.above);
+    return coverage;
+  }
+  Coverage nothing;
+  nothing.target_mm2 = nothing.unreachable_mm2 = area(*question.target);
+  return nothing;
+}
+
+}  // namespace clearcut::verify

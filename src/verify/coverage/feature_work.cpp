@@ -1,0 +1,275 @@
+#include "verify/coverage/feature_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <span>
+#include <stop_token>
+
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "verify/blend.h"
+
+namespace clearcut::verify {
+namespace {
+
+using Tasks = std::vector<std::function<void()>>;
+
+/// Radians. Arcs are divided into swaths of at most this sweep, less than half a turn.
+constexpr double kSwathSweep = 2.0;
+
+/// Runs independent tasks on up to `threads` threads; none writes what another one uses. Rethrows the first
+/// exception in the order of tasks. Once `cancel` asks to stop no task is begun any more, and it throws
+/// Cancelled.
+void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
+  std::vector<std::exception_ptr> thrown(tasks.size());
+  const auto work = [&](std::size_t i) {
+    try {
+      if (!cancel.stop_requested()) tasks[i]();
+    } catch (...) {
+      thrown[i] = std::current_exception();
+    }
+  };
+  on_threads(threads, [&] { parallel_for(std::size_t{0}, tasks.size(), work); });
+  for (const std::exception_ptr& exception : thrown) {
+    if (exception) std::rethrow_exception(exception);
+  }
+  throw_if_cancelled(cancel);
+}
+
+/// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`.
+void append_swaths(const JudgedMove& judged, double z, double level, std::vector<Swath>& out) {
+  const Move& move = *judged.move;
+  const double tip = move.is_vertical() ? judged.low_z() : std::max(move.z_from, move.z_to);
+  const double radius = radius_at(*judged.tool, level - tip);
+  if (radius <= 0) return;
+  if (move.is_vertical()) return out.push_back({move.path, radius});
+  double t0 = 0, t1 = 1;
+  if (move.z_from > z) t0 = (z - move.z_from) / (move.z_to - move.z_from);
+  if (move.z_to > z) t1 = (z - move.z_from) / (move.z_to - move.z_from);
+  const double sweep = std::abs(move.path.sweep()) * (t1 - t0);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / kSwathSweep)));
+  for (int i = 0; i < pieces; ++i) {
+    const double a = t0 + (t1 - t0) * i / pieces, b = t0 + (t1 - t0) * (i + 1) / pieces;
+    Edge piece = a == 0 && b == 1 ? move.path : move.path.part(a, b);
+    if (piece.from == piece.to) piece.turn = Turn::kStraight;
+    out.push_back({piece, radius});
+  }
+}
+
+/// Whether a feed move comes near the target with its tip at or below z.
+bool counts_at(const JudgedMove& judged, double z, const Box& target, const Tolerances& tol) {
+  if (!judged.feeds() || !judged.tool || judged.low_z() > z) return false;
+  const Move& move = *judged.move;
+  const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+  return path.grown(judged.radius() + 2 * tol.uncut).overlaps(target);
+}
+
+/// What feed moves sweep at a level. Tips up to tol.uncut above it count. Only moves within 2 tol.uncut of
+/// the target count, because what farther ones leave is thick.
+std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<JudgedMove>& moves,
+                             const Tolerances& tol) {
+  const double z = level + tol.uncut;
+  std::vector<Swath> swaths;
+  for (const JudgedMove& judged : moves) {
+    if (counts_at(judged, z, target, tol)) append_swaths(judged, z, level, swaths);
+  }
+  return swaths;
+}
+
+/// mm; how far the control may leave the paths of these moves at most: it rounds corners, or runs another
+/// arc.
+double liberty_at(double z, const Box& target, const std::vector<JudgedMove>& moves, const Tolerances& tol) {
+  double most = 0;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    if (!counts_at(moves[i], z, target, tol)) continue;
+    most = std::max(most, moves[i].doubt);
+    if (i > 0 && moves[i].path_tolerance > most)
+      most = std::max(most, corner_tolerance(std::span(&moves[i - 1], 2)));
+  }
+  return most;
+}
+
+/// mm; how far above the level the highest level move lies that is taken to have cut it.
+double height_above(double level, const Box& target, const std::vector<JudgedMove>& moves,
+                    const Tolerances& tol) {
+  double most = 0;
+  for (const JudgedMove& judged : moves) {
+    const bool counts = judged.is_flat() && counts_at(judged, level + tol.uncut, target, tol);
+    if (counts) most = std::max(most, judged.low_z() - level);
+  }
+  return most;
+}
+
+/// What one step of a feature is to reach: no other goes as deep with a smaller cutter and leaves no more on the walls.
+struct FinestWork {
+  double radius = 0;
+  double flat = 0;  ///< radius of its flat end
+  double allowance_side = 0;
+};
+
+bool covers(const FinestWork& a, const FinestWork& b) {
+  return a.radius <= b.radius && a.allowance_side <= b.allowance_side;
+}
+
+/// Of the steps that go down to z: what leaves stock on the floor does not reach it. Mostly one, the last.
+std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, double z,
+                                     const Tolerances& tol) {
+  std::vector<FinestWork> finest;
+  for (const Workingstep& step : part.workplan) {
+    const Operation& operation = step.operation;
+    const double lowest = part.features[work.feature].floor_z + operation.allowance_floor;
+    const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());
+    if (step.feature != work.feature || lowest > z + tol.gouge) continue;
+    const Tool tool = known ? part.tools[operation.tool] : Tool{};
+    const FinestWork own{tool.radius(), flat_radius_of(tool), operation.allowance_side};
+    if (std::any_of(finest.begin(), finest.end(),
+                    [&](const FinestWork& other) { return covers(other, own); }))
+      continue;
+    std::erase_if(finest, [&](const FinestWork& other) { return covers(own, other); });
+    finest.push_back(own);
+  }
+  return finest;
+}
+
+/// What two steps leave of what each of them reaches: the worse of the two; out of reach is what neither reaches.
+Coverage both(const Coverage& a, const Coverage& b) {
+  Coverage worse = a.thickness_mm >= b.thickness_mm ? a : b;
+  worse.reachable = a.reachable || b.reachable;
+  worse.uncut_mm2 = std::max(a.uncut_mm2, b.uncut_mm2);
+  worse.unreachable_mm2 = std::min(a.unreachable_mm2, b.unreachable_mm2);
+  return worse;
+}
+
+class WorkJudge {
+ public:
+  WorkJudge(const Part& part, const FinishedPart& finished, const JudgedProgram& program,
+            const VerifyOptions& options)
+      : part_(part), finished_(finished), program_(program), options_(options) {}
+
+  void judge_level(const FeatureWork& work, LevelCoverage& level) const {
+    if (work.smallest_radius <= 0) return;
+    const Tolerances& tol = options_.tol;
+    const Feature& feature = part_.features[work.feature];
+    CoverageQuestion question;
+    question.part = &finished_;
+    question.target = &feature.target;
+    question.z = level.z + tol.gouge;
+    question.swaths = swaths_at(level.z, box(feature.target), program_.moves, tol);
+    question.path_tolerance = liberty_at(level.z + tol.uncut, box(feature.target), program_.moves, tol);
+    question.above = height_above(level.z, box(feature.target), program_.moves, tol);
+    level.any_cut = !question.swaths.empty();
+    bool first = true;
+    for (const FinestWork& finest : finest_works(part_, work, level.z, tol)) {
+      question.radius = finest.radius;
+      question.flat = finest.flat;
+      question.allowance = finest.allowance_side;
+      const Coverage one = coverage_of(question, tol);
+      level.coverage = first ? one : both(level.coverage, one);
+      first = false;
+    }
+  }
+
+  void add_layers(FeatureWork& work) const {
+    for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
+      const Workingstep& step = part_.workplan[i];
+      // Steps that leave stock on walls for a later one make no scallops.
+      if (step.feature != work.feature || step.operation.allowance_side > work.allowance_side) continue;
+      for (const double z : program_.layers[i]) {
+        if (z > work.floor.z + options_.tol.uncut) work.layers.push_back({z, false, {}});
+      }
+    }
+    const auto higher = [](const LevelCoverage& a, const LevelCoverage& b) { return a.z > b.z; };
+    std::sort(work.layers.begin(), work.layers.end(), higher);
+  }
+
+  bool leans(const FeatureWork& work) const { return part_.features[work.feature].wall_slope.radians() > 0; }
+
+ private:
+  const Part& part_;
+  const FinishedPart& finished_;
+  const JudgedProgram& program_;
+  const VerifyOptions& options_;
+};
+
+void refine(FeatureWork& work, const Operation& operation, double radius, double flat) {
+  if (radius < work.smallest_radius) {
+    work.smallest_radius = radius;
+    work.smallest_flat = flat;
+  }
+  work.greatest_radius = std::max(work.greatest_radius, radius);
+  work.allowance_side = std::min(work.allowance_side, operation.allowance_side);
+  work.allowance_floor = std::min(work.allowance_floor, operation.allowance_floor);
+  if (operation.scallop)
+    work.scallop = std::min(work.scallop.value_or(*operation.scallop), *operation.scallop);
+}
+
+}  // namespace
+
+std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work) {
+  if (feature.wall_slope.radians() <= 0) return std::nullopt;
+  Scallop scallop{0, work.scallop, feature.top_z};
+  double above = feature.top_z;
+  const auto look_at = [&](double z) {
+    const double step = (above - z) * std::sin(feature.wall_slope.radians());
+    if (step > scallop.height_mm) scallop.height_mm = step, scallop.z = z;
+    above = z;
+  };
+  for (const LevelCoverage& layer : work.layers) look_at(layer.z);
+  look_at(work.floor.z);
+  return scallop;
+}
+
+std::vector<FeatureWork> works_of(const Part& part) {
+  std::vector<FeatureWork> works;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const Workingstep& step = part.workplan[i];
+    const Operation& operation = step.operation;
+    if (part.features[static_cast<std::size_t>(step.feature)].carving) continue;
+    const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());
+    const Tool tool = known ? part.tools[operation.tool] : Tool{};
+    if (is_carved(part.features[static_cast<std::size_t>(step.feature)], tool)) continue;
+    auto work = std::find_if(works.begin(), works.end(),
+                             [&](const FeatureWork& w) { return w.feature == step.feature; });
+    if (work == works.end()) {
+      FeatureWork first;
+      first.feature = step.feature;
+      first.smallest_radius = first.greatest_radius = tool.radius();
+      first.smallest_flat = flat_radius_of(tool);
+      first.allowance_side = operation.allowance_side;
+      first.allowance_floor = operation.allowance_floor;
+      works.push_back(first);
+      work = works.end() - 1;
+    }
+    work->last_workingstep = static_cast<int>(i);
+    refine(*work, operation, tool.radius(), flat_radius_of(tool));
+    work->floor.z = part.features[step.feature].floor_z + work->allowance_floor;
+  }
+  return works;
+}
+
+void judge_works(const Part& part, const FinishedPart& finished, const JudgedProgram& program,
+                 const VerifyOptions& options, std::vector<FeatureWork>& works, Tasks beside) {
+  const WorkJudge judge(part, finished, program, options);
+  const auto add_layer_tasks = [&](FeatureWork& work, Tasks& tasks) {
+    judge.add_layers(work);
+    for (LevelCoverage& layer : work.layers) {
+      tasks.push_back([&judge, &work, &layer] { judge.judge_level(work, layer); });
+    }
+  };
+  Tasks first = std::move(beside);
+  for (FeatureWork& work : works) {
+    first.push_back([&judge, &work] { judge.judge_level(work, work.floor); });
+    if (judge.leans(work)) add_layer_tasks(work, first);
+  }
+  run_all(first, options.threads, options.cancel);
+
+  Tasks second;
+  for (FeatureWork& work : works) {
+    const bool left = work.floor.any_cut && work.floor.coverage.thickness_mm > options.tol.uncut;
+    if (left && work.layers.empty()) add_layer_tasks(work, second);
+  }
+  run_all(second, options.threads, options.cancel);
+}
+
+}  // namespace clearcut::verify

@@ -1,0 +1,50 @@
+// What a program has to cut in each feature, and the proof whether it did.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "verify/checked_move.h"
+#include "verify/coverage/coverage.h"
+#include "verify/verify.h"
+
+namespace clearcut::verify {
+
+/// Coverage of a feature down to one height.
+struct LevelCoverage {
+  double z = 0;
+  bool any_cut = false;  ///< some feed move reaches this height there
+  Coverage coverage;
+};
+
+/// One feature of the workplan, with the finest requirement of all its operations.
+struct FeatureWork {
+  int feature = 0;
+  int last_workingstep = 0;
+  double smallest_radius = 0;  ///< mm; of its smallest cutter
+  double smallest_flat = 0;    ///< mm; of the flat end of that cutter
+  double greatest_radius = 0;
+  double allowance_side = 0;
+  double allowance_floor = 0;
+  std::optional<double> scallop;  ///< mm; greatest step allowed on walls with draft, square to the wall
+  LevelCoverage floor;            ///< down to the floor plus its allowance
+  /// Down to each layer above the floor, of the steps that leave the least on walls. Filled for walls with
+  /// draft, where each layer has an outline of its own, and otherwise only if something is left on the floor:
+  /// a cutter that reaches the floor has cleared what stood above it.
+  std::vector<LevelCoverage> layers;
+};
+
+/// The scallops that layers leave on the feature's walls; only for walls with draft, and once the work has
+/// been checked.
+std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work);
+
+/// The features' works, in the order of their first workingsteps.
+std::vector<FeatureWork> works_of(const Part& part);
+
+/// Checks all features on up to options.threads threads, together with `beside`, independent tasks for the
+/// same threads. The result does not depend on the number of threads.
+void judge_works(const Part& part, const FinishedPart& finished, const JudgedProgram& program,
+                 const VerifyOptions& options, std::vector<FeatureWork>& works,
+                 std::vector<std::function<void()>> beside);
+
+}  // namespace clearcut::verify

@@ -1,0 +1,165 @@
+#include "verify/coverage/swath_cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/units.h"
+
+namespace clearcut::verify {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+double sign_of(const Edge& arc) {
+  return arc.turn == Turn::kCounterClockwise ? 1.0 : -1.0;
+}
+
+/// Whether all points lie in the directions that an arc of at most half a turn sweeps.
+bool in_sector(std::span<const Vec2> points, const Edge& arc) {
+  const Vec2 from = arc.from - arc.center, to = arc.to - arc.center;
+  const double sign = sign_of(arc);
+  if (sign * cross(from, to) < 0) return false;  // more than half a turn, which divided swaths never have
+  return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
+    const Vec2 v = p - arc.center;
+    return sign * cross(from, v) >= 0 && sign * cross(v, to) >= 0;
+  });
+}
+
+double excess_over_arc(const ConvexPolygon& cell, const Edge& arc) {
+  const double by_ends = std::min(cell.farthest_from(arc.from), cell.farthest_from(arc.to));
+  if (!in_sector(cell.points(), arc)) return by_ends;
+  const double r = arc.radius();
+  const double by_ring = std::max(cell.farthest_from(arc.center) - r, r - cell.nearest_to(arc.center));
+  return std::min(by_ends, by_ring);
+}
+
+/// Removes the strip beside a line from the cell, if the cell lies beside the line and reaches beyond one
+/// side of the strip only.
+ConvexPolygon rest_after_line(const ConvexPolygon& cell, const Edge& line, double radius) {
+  const double length = std::sqrt(norm_squared(line.to - line.from));
+  const Vec2 d = (line.to - line.from) / length, n = left_of(d);
+  double low = kInfinite, high = -kInfinite;
+  for (const Vec2 p : cell.points()) {
+    const double along = dot(p - line.from, d), aside = dot(p - line.from, n);
+    if (along < 0 || along > length) return cell;
+    low = std::min(low, aside);
+    high = std::max(high, aside);
+  }
+  const double offset = dot(line.from, n);
+  if (low >= -radius) return cell.clipped(n, offset + radius);
+  if (high <= radius) return cell.clipped(-n, -offset + radius);
+  return cell;
+}
+
+/// The same for the ring beside an arc. What lies outside the outer circle is cut off by a chord of it, what
+/// lies inside the inner circle by a tangent.
+ConvexPolygon rest_after_arc(const ConvexPolygon& cell, const Edge& arc, double radius) {
+  if (!in_sector(cell.points(), arc)) return cell;
+  const double ring = arc.radius();
+  const bool inner_left = cell.nearest_to(arc.center) < ring - radius;
+  const bool outer_left = cell.farthest_from(arc.center) > ring + radius;
+  if (inner_left == outer_left) return cell;
+  const Vec2 toward = cell.centroid() - arc.center;
+  const double distance = std::sqrt(norm_squared(toward));
+  if (distance <= 0) return cell;
+  const Vec2 u = toward / distance;
+  if (inner_left) return cell.clipped(-u, -dot(u, arc.center) - (ring - radius));
+  double cosine = 1;
+  for (const Vec2 p : cell.points()) {
+    const Vec2 v = p - arc.center;
+    const double rho = std::sqrt(norm_squared(v));
+    if (rho <= 0) return cell;
+    cosine = std::min(cosine, dot(u, v) / rho);
+  }
+  return cell.clipped(u, dot(u, arc.center) + (ring + radius) * cosine);
+}
+
+double sagitta(const Edge& edge) {
+  if (!edge.is_arc()) return 0;
+  return edge.radius() * (1 - std::cos(std::min(std::abs(edge.sweep()) / 2, kPi)));
+}
+
+double distance_to_chord(const Edge& edge, Vec2 p) {
+  return distance(Edge::line(edge.from, edge.to), p);
+}
+
+/// mm; greatest distance of the points of an arc of less than half a turn from the circle of another arc. It
+/// is reached at an end, or at the point nearest to or farthest from that circle's centre.
+double deviation_from_circle(const Edge& arc, const Edge& circle) {
+  const Vec2 between = arc.center - circle.center;
+  const double apart = std::sqrt(norm_squared(between)), radius = arc.radius(), r = circle.radius();
+  double most = std::max(std::abs(distance(arc.from, circle.center) - r),
+                         std::abs(distance(arc.to, circle.center) - r));
+  for (const double side : {radius, -radius}) {
+    if (apart <= 0) continue;
+    const Vec2 p = arc.center + between * (side / apart);
+    if (!in_sector({&p, 1}, arc)) continue;
+    most = std::max(most, std::abs(std::abs(apart + side) - r));
+  }
+  return most;
+}
+
+double deviation_from_arc(const Edge& curve, const Edge& path) {
+  const std::array<Vec2, 3> points{curve.from, curve.at(0.5), curve.to};
+  if (!in_sector(points, path)) return kInfinite;
+  if (curve.is_arc() && std::abs(curve.sweep()) < kPi &&
+      distance(curve.center, path.center) < 0.5 * curve.radius()) {
+    return deviation_from_circle(curve, path);
+  }
+  const double r = path.radius(), bow = sagitta(curve);
+  const double far = std::max(distance(curve.from, path.center), distance(curve.to, path.center)) + bow;
+  const double near = distance_to_chord(curve, path.center) - bow;
+  // The curve leaves the sector by at most its own sagitta.
+  return std::max(far - r, r - near) + bow;
+}
+
+}  // namespace
+
+double excess_over(const ConvexPolygon& cell, const Swath& swath) {
+  if (swath.path.is_arc()) return excess_over_arc(cell, swath.path) - swath.radius;
+  // The distance to a line is convex, so it is greatest at a corner.
+  double most = 0;
+  for (const Vec2 p : cell.points()) most = std::max(most, distance(swath.path, p));
+  return most - swath.radius;
+}
+
+ConvexPolygon rest_after(const ConvexPolygon& cell, const Swath& swath) {
+  if (swath.path.from == swath.path.to) return cell;
+  return swath.path.is_arc() ? rest_after_arc(cell, swath.path, swath.radius)
+                             : rest_after_line(cell, swath.path, swath.radius);
+}
+
+double deviation_of(const Edge& curve, const Edge& path) {
+  const double by_ends = std::max(distance(path, curve.from), distance(path, curve.to));
+  if (!path.is_arc()) return by_ends + sagitta(curve);
+  const double half = curve.from == curve.to ? 0 : curve.length() / 2;
+  return std::min(deviation_from_arc(curve, path), distance(path, curve.at(0.5)) + half);
+}
+
+void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out) {
+  std::vector<double> cuts{0, 1};
+  const Vec2 a = square.min, c = square.max, b{c.x, a.y}, d{a.x, c.y};
+  for (const Edge& side : {Edge::line(a, b), Edge::line(b, c), Edge::line(c, d), Edge::line(d, a)}) {
+    for (const Vec2 p : intersections(edge, side)) cuts.push_back(nearest(edge, p).t);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (!square.contains(edge.at((cuts[i] + cuts[i + 1]) / 2))) continue;
+    const Edge part = edge.part(cuts[i], cuts[i + 1]);
+    out.push_back(part.from);
+    out.push_back(part.to);
+    if (!edge.is_arc() || part.from == part.to) continue;
+    // Each half of the arc lies inside the triangle of its ends and the point where the tangents there meet.
+    for (const Edge& half : {part.part(0, 0.5), part.part(0.5, 1)}) {
+      const double quarter = std::tan(half.sweep() / 4);
+      if (half.from == half.to || std::abs(half.sweep()) > 2.5) continue;
+      const Vec2 middle = half.at(0.5), chord = (half.from + half.to) / 2.0;
+      out.push_back(half.from);
+      // That point's height over the chord is the sagitta times 2 / (1 - tan^2(sweep / 4)).
+      out.push_back(chord + (middle - chord) * (2 / (1 - quarter * quarter)));
+    }
+  }
+}
+
+}  // namespace clearcut::verify

@@ -1,0 +1,27 @@
+// What is to be left on walls: within the allowance, or inside walls with draft.
+#pragma once
+
+#include "verify/coverage/convex.h"
+#include "verify/coverage/coverage.h"
+
+namespace clearcut::verify {
+
+/// Keeps a reference to the question.
+class WallFilm {
+ public:
+  explicit WallFilm(const CoverageQuestion& question) : question_(question) {}
+
+  /// Whether there is any.
+  bool may_be() const { return question_.allowance > 0 || question_.part->greatest_lean() > 0; }
+  /// Whether p lies in what is to be left on a wall.
+  bool holds(Vec2 p) const;
+  /// Whether all of `polygon`, which lies within `reach` mm of `center`, lies in what is to be left on one wall.
+  bool holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, double reach) const;
+
+ private:
+  bool wall_holds(const Wall& wall, const ConvexPolygon& polygon, Vec2 center, double reach) const;
+
+  const CoverageQuestion& question_;
+};
+
+}  // namespace clearcut::verify

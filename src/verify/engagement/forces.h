@@ -1,0 +1,30 @@
+// Cutting force, power, energy and wear from engagement and material.
+#pragma once
+
+#include <span>
+
+#include "model/work_material.h"
+#include "stock/material.h"
+#include "verify/checked_move.h"
+#include "verify/part/finished_part.h"
+
+namespace clearcut::verify {
+
+/// What the cutter engages on a short piece of a level move.
+struct Bite {
+  stock::CutterEngagement contact;
+  double axial = 0;   ///< mm of depth in material
+  double length = 0;  ///< mm of path; 0: a point that is only compared with the worst
+  Place at;
+};
+
+/// Adds such a piece to the forces of a move. Nothing if spindle speed, teeth or feed are unknown. Source:
+/// docs/forces.md.
+void add_forces(JudgedMove& judged, const Bite& bite, const WorkMaterial& material);
+
+/// The wall of the finished part that bends most if half of `force` N, the part that presses on the wall,
+/// acts on its top; nothing if no wall bends by more than 0.02 mm. Considers walls up to 20 mm thick.
+/// O(walls^2); nothing for more than 3000 walls.
+std::optional<ThinWall> thinnest_wall(const FinishedPart& part, double force, const WorkMaterial& material);
+
+}  // namespace clearcut::verify

@@ -1,0 +1,32 @@
+// What the cutter meets along the program: engagement, depth of cut, rapids through material.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "base/tolerances.h"
+#include "model/part.h"
+#include "model/work_material.h"
+#include "verify/checked_move.h"
+
+namespace clearcut::verify {
+
+struct LoadOptions {
+  Tolerances tol;
+  std::optional<double> limit_deg;       ///< greater engagement is counted separately
+  std::optional<WorkMaterial> material;  ///< absent: no forces are computed
+  std::stop_token cancel;                ///< asked before each move
+};
+
+/// Runs the program through the stock, move by move, and fills every move's `load`.
+///
+/// Engagement is measured at the middle of steps of at most R/10 and 0.25 mm, and on both sides of corners,
+/// with a circle smaller than the cutter by kFilm, so that touching a wall that is already cut does not
+/// count. It counts on moves that change z by less than they advance, except on entries: moves that go down
+/// at 0.17 degrees or more, and level moves over such ramps. Rapids and plunges are checked with the whole
+/// area of their cutter.
+///
+/// Cost    O(length / step * moves near).
+void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options);
+
+}  // namespace clearcut::verify

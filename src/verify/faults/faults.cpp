@@ -1,0 +1,235 @@
+#include "verify/faults/faults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include "base/text/format.h"
+#include "verify/attribution.h"
+#include "verify/faults/state_faults.h"
+
+namespace clearcut::verify {
+namespace {
+
+/// mm by which a pass may be deeper than the stepdown: two heights rounded by the coarsest controller (0.0001
+/// inch), far below what a cutter notices.
+constexpr double kStepdownSlack = 5.5e-3;
+
+std::string mm(double value) {
+  return trimmed(value, 3) + " mm";
+}
+
+std::string at(const Place& place) {
+  std::string text =
+      " at x " + trimmed(place.point.x, 3) + " y " + trimmed(place.point.y, 3) + " z " + trimmed(place.z, 3);
+  if (place.line > 0) text += ", line " + std::to_string(place.line);
+  return text;
+}
+
+std::string name_of_work(const Part& part, int workingstep) {
+  return workingstep < 0 ? "" : part.features[part.workplan[workingstep].feature].name;
+}
+
+class FaultFinder {
+ public:
+  FaultFinder(const Part& part, const VerifyOptions& options)
+      : part_(part), options_(options), attribution_(part) {
+    for (const Workingstep& step : part.workplan)
+      least_stepdown_ = std::min(least_stepdown_, step.operation.stepdown.value_or(least_stepdown_));
+  }
+
+  std::optional<Fault> gouge(const JudgedMove& judged) const {
+    if (!judged.gouge || judged.gouge->depth <= options_.tol.gouge) return std::nullopt;
+    const Gouge& gouge = *judged.gouge;
+    const Place place{gouge.point, gouge.z, judged.move->line};
+    const std::string owner =
+        gouge.feature >= 0 ? "the wall of " + part_.features[gouge.feature].name : "the part";
+    const std::string what = gouge.floor ? "goes " + mm(gouge.depth) + " below where the part begins"
+                                         : "goes " + mm(gouge.depth) + " into " + owner;
+    return fault(FaultKind::kGouge, judged, place, gouge.depth,
+                 (judged.feeds() ? "The cutter " : "A rapid ") + what);
+  }
+
+  std::optional<Fault> rapid(const JudgedMove& judged) const {
+    if (!judged.load.rapid_contact) return std::nullopt;
+    return fault(FaultKind::kRapidInMaterial, judged, *judged.load.rapid_contact, judged.move->length(),
+                 "A rapid passes through material");
+  }
+
+  std::optional<Fault> depth(const JudgedMove& judged) const {
+    if (judged.load.axial_mm <= least_stepdown_ + kStepdownSlack) return std::nullopt;
+    const std::optional<double> stepdown = attribution_.stepdown_at(judged);
+    if (!stepdown || judged.load.axial_mm <= *stepdown + kStepdownSlack) return std::nullopt;
+    return fault(
+        FaultKind::kTooDeep, judged, judged.load.axial_at, judged.load.axial_mm,
+        "A pass takes " + mm(judged.load.axial_mm) + " at once where the stepdown is " + mm(*stepdown));
+  }
+
+  std::optional<Fault> travel(const JudgedMove& judged) const {
+    if (!options_.machine.travel) return std::nullopt;
+    const auto& limits = *options_.machine.travel;
+    const Move& move = *judged.move;
+    Box box = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+    const double low[] = {box.min.x, box.min.y, std::min(move.z_from, move.z_to)};
+    const double high[] = {box.max.x, box.max.y, std::max(move.z_from, move.z_to)};
+    double most = 0;
+    int axis = -1;
+    for (int i = 0; i < 3; ++i) {
+      const double over = std::max(limits[i][0] - low[i], high[i] - limits[i][1]);
+      if (over > most + 1e-9) most = over, axis = i;
+    }
+    if (axis < 0) return std::nullopt;
+    return fault(FaultKind::kOutsideTravel, judged, {move.path.to, move.z_to, move.line}, most,
+                 std::string("A move leaves the machine's ") + "XYZ"[axis] + " travel by " + mm(most));
+  }
+
+  std::optional<Fault> feed(const JudgedMove& judged) const {
+    if (!judged.feeds() || judged.move->feed.mm_per_min() > 0) return std::nullopt;
+    return fault(FaultKind::kNoFeed, judged, {judged.move->path.from, judged.move->z_from, judged.move->line},
+                 judged.move->length(), "A feed move has no feed");
+  }
+
+  std::optional<Fault> tool(const JudgedMove& judged) const {
+    if (!judged.feeds() || (judged.tool && judged.tool->diameter > 0)) return std::nullopt;
+    return fault(FaultKind::kWrongTool, judged,
+                 {judged.move->path.from, judged.move->z_from, judged.move->line}, 0,
+                 "Tool " + std::to_string(judged.tool_number) +
+                     " is not among the part's tools; nothing is known of its moves");
+  }
+
+ private:
+  Fault fault(FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+              const std::string& what) const {
+    return fault_of(part_, kind, judged, place, size, what);
+  }
+
+  const Part& part_;
+  const VerifyOptions& options_;
+  Attribution attribution_;
+  double least_stepdown_ =
+      std::numeric_limits<double>::infinity();  ///< mm; no pass that takes less is too deep
+};
+
+/// Adds one fault for each run of successive moves of one workingstep with that fault.
+void collect(const std::vector<JudgedMove>& moves, const MoveJudge& judge, std::vector<Fault>& out) {
+  std::optional<Fault> run;
+  int run_length = 0, workingstep = -1;
+  const auto finish = [&] {
+    if (!run) return;
+    if (run_length > 1) run->text += " " + std::to_string(run_length) + " successive moves do so.";
+    out.push_back(*run);
+    run.reset();
+    run_length = 0;
+  };
+  for (const JudgedMove& judged : moves) {
+    std::optional<Fault> found = judge(judged);
+    if (!found || judged.workingstep != workingstep) finish();
+    workingstep = judged.workingstep;
+    if (!found) continue;
+    ++run_length;
+    if (!run || found->size > run->size) run = std::move(found);
+  }
+  finish();
+}
+
+/// Faults of the steps that layers leave on a wall with draft, measured square to the wall.
+std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
+  const auto scallop = scallop_of(feature, work);
+  if (!scallop || !work.scallop || scallop->height_mm <= *work.scallop + tol.uncut) return {};
+  const Vec2 corner = feature.target.empty() ? Vec2{} : feature.target.front().outer().front().from;
+  return {{FaultKind::kUncut,
+           feature.name,
+           {corner, scallop->z, 0},
+           scallop->height_mm,
+           feature.name + ": the layers leave steps of " + mm(scallop->height_mm) +
+               " on the leaning wall above z " + trimmed(scallop->z, 3) + " where " + mm(*work.scallop) +
+               " is allowed."}};
+}
+
+/// The order of faults by severity: what breaks things first comes first.
+constexpr FaultKind kBySeverity[] = {
+    FaultKind::kRapidInMaterial,  FaultKind::kGouge,          FaultKind::kMissingTab,
+    FaultKind::kTabHeight,        FaultKind::kToolLength,     FaultKind::kSpindleOff,
+    FaultKind::kBeyondStock,      FaultKind::kBeyondFlutes,   FaultKind::kPlungeTooFast,
+    FaultKind::kTooDeep,          FaultKind::kOverEngagement, FaultKind::kSpindleSpeed,
+    FaultKind::kSpindleDirection, FaultKind::kOutsideTravel,  FaultKind::kWrongTool,
+    FaultKind::kNoFeed,           FaultKind::kNothingCut,     FaultKind::kUncut};
+
+std::ptrdiff_t severity(FaultKind kind) {
+  return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);
+}
+
+}  // namespace
+
+Fault fault_of(const Part& part, FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+               const std::string& what) {
+  const std::string feature = name_of_work(part, judged.workingstep);
+  const std::string whose = judged.earlier    ? "in the program before: "
+                            : feature.empty() ? ""
+                                              : feature + ": ";
+  return {kind, feature, place, size, whose + what + at(place) + "."};
+}
+
+std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
+                                   const VerifyOptions& options) {
+  const FaultFinder finder(part, options);
+  std::vector<MoveJudge> judges{[&](const JudgedMove& m) { return finder.gouge(m); },
+                                [&](const JudgedMove& m) { return finder.rapid(m); },
+                                [&](const JudgedMove& m) { return finder.depth(m); },
+                                [&](const JudgedMove& m) { return finder.travel(m); },
+                                [&](const JudgedMove& m) { return finder.feed(m); },
+                                [&](const JudgedMove& m) { return finder.tool(m); }};
+  for (MoveJudge& judge : state_judges(part, program, options)) judges.push_back(std::move(judge));
+  std::vector<Fault> faults;
+  for (const MoveJudge& judge : judges) collect(program.moves, judge, faults);
+  return faults;
+}
+
+const LevelCoverage& worst_level(const FeatureWork& work) {
+  const LevelCoverage* worst = &work.floor;
+  for (const LevelCoverage& layer : work.layers) {
+    if (layer.coverage.thickness_mm > worst->coverage.thickness_mm) worst = &layer;
+  }
+  return *worst;
+}
+
+std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
+  const LevelCoverage& floor = work.floor;
+  const Coverage& bottom = floor.coverage;
+  const Vec2 middle = feature.target.empty() ? Vec2{} : box(feature.target).center();
+  const bool unreachable = !bottom.reachable || bottom.unreachable_mm2 >= bottom.target_mm2 * 0.9999;
+  if (!floor.any_cut || unreachable) {
+    const std::string why =
+        work.smallest_flat <= 0
+            ? "its cutter ends in a ball, which leaves cusps on every floor: use a flat end"
+        : unreachable ? "no cutter of its work fits into it with its flat end"
+                      : "the program has no feed move down there";
+    return {{FaultKind::kNothingCut,
+             feature.name,
+             {middle, floor.z, 0},
+             std::sqrt(bottom.target_mm2),
+             feature.name + ": nothing is cut at z " + trimmed(floor.z, 3) + "; " + why + "."}};
+  }
+  std::vector<Fault> faults = faults_of_steps(feature, work, tol);
+  const LevelCoverage& worst = worst_level(work);
+  const Coverage& left = worst.coverage;
+  if (left.thickness_mm > widest_left(tol)) {
+    const Place place{left.worst.value_or(middle), worst.z, 0};
+    faults.push_back({FaultKind::kUncut, feature.name, place, left.thickness_mm,
+                      feature.name + ": " + trimmed(left.uncut_mm2, 4) +
+                          " mm2 within reach is left uncut, up to " + mm(left.thickness_mm) + " wide," +
+                          at(place) + "."});
+  }
+  return faults;
+}
+
+void sort_worst_first(std::vector<Fault>& faults) {
+  std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
+    if (a.kind != b.kind) return severity(a.kind) < severity(b.kind);
+    return a.size > b.size;
+  });
+}
+
+}  // namespace clearcut::verify

@@ -1,0 +1,32 @@
+// Turns measurements into faults, each with a sentence.
+#pragma once
+
+#include <vector>
+
+#include "model/results/findings.h"
+#include "verify/checked_move.h"
+#include "verify/coverage/feature_work.h"
+#include "verify/verify.h"
+
+namespace clearcut::verify {
+
+/// A fault of one move; its sentence names the place and the workingstep.
+Fault fault_of(const Part& part, FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+               const std::string& what);
+
+/// Faults of single moves: gouges, rapids in material, plunges, passes that are too deep, travel, missing
+/// feeds and tools, and wrong states of the control. Successive moves with the same fault give one fault, at
+/// the worst of them.
+std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
+                                   const VerifyOptions& options);
+
+/// The level at which most is left, under walls with draft; the floor otherwise.
+const LevelCoverage& worst_level(const FeatureWork& work);
+
+/// Material left in a feature, nothing cut at all, or steps on a wall with draft that are too high.
+std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& work, const Tolerances& tol);
+
+/// Sorts by what breaks first, then by size.
+void sort_worst_first(std::vector<Fault>& faults);
+
+}  // namespace clearcut::verify

@@ -1,0 +1,27 @@
+// Checks what the control and the tool must not be asked to do while a move cuts: tool length, spindle,
+// entries, depth.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "model/results/findings.h"
+#include "verify/checked_move.h"
+#include "verify/verify.h"
+
+namespace clearcut::verify {
+
+/// Returns the fault of one move with respect to one rule, if it has one.
+using MoveJudge = std::function<std::optional<Fault>(const JudgedMove&)>;
+
+/// One function for each rule. They keep references to all arguments. Only moves that remove material have
+/// faults.
+std::vector<MoveJudge> state_judges(const Part& part, const JudgedProgram& program,
+                                    const VerifyOptions& options);
+
+/// Tangent of 15 degrees: the steepest entry of a cutter that must not plunge, if its operation states no
+/// angle.
+inline constexpr double kSteepestEntry = 0.2679;
+
+}  // namespace clearcut::verify

@@ -1,0 +1,95 @@
+// Finds the edges near a place, by a tree of boxes over edges in the given order.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "geometry/region.h"
+
+namespace clearcut::verify {
+
+/// Edges with a tree of boxes, eight to a box. Edges of outlines and programs follow each other, so that
+/// boxes over successive edges are small without sorting. Edges may be points (from == to).
+///
+/// Cost    build O(n); a search O(log n + found) for such edges.
+class EdgeTree {
+ public:
+  EdgeTree() = default;
+  explicit EdgeTree(std::vector<Edge> edges);
+  /// The boundaries of all regions.
+  explicit EdgeTree(const Regions& regions);
+
+  const std::vector<Edge>& edges() const { return edges_; }
+  bool empty() const { return edges_.empty(); }
+  Box box() const { return levels_.empty() ? Box{} : root_; }
+
+  /// Calls visit(index) for every edge whose box overlaps `box`.
+  template <typename Visit>
+  void overlapping(const Box& box, Visit visit) const {
+    descend([&box](const Box& b) { return b.overlaps(box); }, visit);
+  }
+
+  /// Calls visit(index) for every edge whose box comes within `reach` of p.
+  template <typename Visit>
+  void within(Vec2 p, double reach, Visit visit) const {
+    const double squared = reach * reach;
+    descend([=](const Box& b) { return squared_distance(b, p) <= squared; }, visit);
+  }
+
+  struct Hit {
+    int edge = -1;  ///< -1: none within the limit
+    double distance = std::numeric_limits<double>::infinity();
+  };
+  /// The nearest edge, at a distance below `limit`, for which accept(index) is true.
+  template <typename Accept>
+  Hit nearest(Vec2 p, double limit, Accept accept) const {
+    Hit best{-1, limit};
+    descend([&](const Box& b) { return squared_distance(b, p) < best.distance * best.distance; },
+            [&](int i) {
+              if (!accept(i)) return;
+              const double d = clearcut::distance(edges_[i], p);
+              if (d < best.distance) best = {i, d};
+            });
+    if (best.edge < 0) best.distance = std::numeric_limits<double>::infinity();
+    return best;
+  }
+  Hit nearest(Vec2 p, double limit = std::numeric_limits<double>::infinity()) const {
+    return nearest(p, limit, [](int) { return true; });
+  }
+
+  /// Winding number around p of all edges, which have to form closed loops.
+  int winding(Vec2 p) const;
+
+ private:
+  static constexpr int kFan = 8;
+
+  static double squared_distance(const Box& b, Vec2 p) {
+    const double dx = std::max({b.min.x - p.x, 0.0, p.x - b.max.x});
+    const double dy = std::max({b.min.y - p.y, 0.0, p.y - b.max.y});
+    return dx * dx + dy * dy;
+  }
+
+  template <typename Open, typename Visit>
+  void descend(Open open, Visit visit) const {
+    if (!levels_.empty()) descend_from(static_cast<int>(levels_.size()) - 1, 0, open, visit);
+  }
+  template <typename Open, typename Visit>
+  void descend_from(int level, int first, Open& open, Visit& visit) const {
+    const std::vector<Box>& boxes = levels_[level];
+    const int end = std::min(first + kFan, static_cast<int>(boxes.size()));
+    for (int i = first; i < end; ++i) {
+      if (!open(boxes[i])) continue;
+      if (level == 0) {
+        visit(i);
+      } else {
+        descend_from(level - 1, i * kFan, open, visit);
+      }
+    }
+  }
+
+  std::vector<Edge> edges_;
+  std::vector<std::vector<Box>> levels_;  ///< [0]: one box for each edge; above that one for each kFan boxes
+  Box root_;
+};
+
+}  // namespace clearcut::verify

@@ -1,0 +1,209 @@
+#include "verify/part/finished_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "verify/part/trimmed_curve.h"
+
+namespace clearcut::verify {
+namespace {
+
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+
+double top_of(const Part& part) {
+  if (part.stock) return part.stock->z_top;
+  double top = kNothing;
+  for (const Feature& feature : part.features) top = std::max(top, feature.top_z);
+  return top;
+}
+
+Vec2 left_normal_at_middle(const Edge& edge) {
+  return left_of(edge.tangent_at(0.5));
+}
+
+double distance_of(const Edge& path, const Edge& wall) {
+  return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
+}
+
+}  // namespace
+
+std::vector<Edge> Wall::flat_ends(double z) const {
+  std::vector<Edge> ends;
+  const double far = lean(z);
+  if (far <= 0) return ends;
+  if (flat_from) ends.push_back(Edge::line(edge.from, edge.from + left_of(edge.tangent_at(0)) * far));
+  if (flat_to) ends.push_back(Edge::line(edge.to + left_of(edge.tangent_at(1)) * far, edge.to));
+  return ends;
+}
+
+FinishedPart::FinishedPart(const Part& part) : top_z_(top_of(part)) {
+  if (part.stock) add_stock(*part.stock);
+  for (std::size_t i = 0; i < part.features.size(); ++i) add_feature(part.features[i], static_cast<int>(i));
+  find_walls();
+  for (const Shape& shape : shapes_) {
+    if (shape.feature < 0) continue;
+    heights_.push_back(shape.floor);
+    heights_.push_back(shape.top);
+  }
+  heights_.push_back(top_z_);
+  std::sort(heights_.begin(), heights_.end());
+  heights_.erase(std::unique(heights_.begin(), heights_.end()), heights_.end());
+}
+
+void FinishedPart::add_feature(const Feature& feature, int index) {
+  Shape shape;
+  shape.feature = index;
+  shape.outline = EdgeTree(feature.allowed);
+  shape.box = shape.outline.box();
+  shape.floor = feature.floor_z;
+  shape.top = feature.top_z;
+  shape.slope = std::tan(feature.wall_slope.radians());
+  shape.single = feature.allowed.size() <= 1;
+  greatest_lean_ = std::max(greatest_lean_, (shape.top - shape.floor) * shape.slope);
+  shapes_.push_back(std::move(shape));
+}
+
+void FinishedPart::add_stock(const Stock& stock) {
+  stock_ = stock.plan;
+  const Vec2 a = stock.plan.min, c = stock.plan.max, b{c.x, a.y}, d{a.x, c.y};
+  Shape shape;
+  shape.outline = EdgeTree({Edge::line(a, d), Edge::line(d, c), Edge::line(c, b), Edge::line(b, a)});
+  shape.box = stock.plan;
+  shape.floor = shape.top = kNothing;
+  shapes_.push_back(std::move(shape));
+}
+
+bool FinishedPart::holds(const Shape& shape, Vec2 p) const {
+  if (shape.feature < 0) return !shape.box.contains(p);
+  return shape.box.contains(p) && shape.outline.winding(p) != 0;
+}
+
+bool FinishedPart::is_inside(int feature, Vec2 p) const {
+  const auto own =
+      std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.feature == feature; });
+  return own != shapes_.end() && holds(*own, p);
+}
+
+/// mm; height of the part at p, which this feature holds, if there were no other feature.
+double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
+  if (shape.slope <= 0) return shape.floor;
+  const double far = (shape.top - shape.floor) * shape.slope;
+  const double d = std::min(far, shape.outline.nearest(p, far).distance);
+  return std::max(shape.floor, shape.top - d / shape.slope);
+}
+
+/// Beyond an end that is cut off square: the distance inside the outline that puts p as far from the wall as
+/// from that end.
+double FinishedPart::lean_inside(const Wall& wall, double z, Vec2 p) const {
+  const double lean = wall.lean(z);
+  if (!wall.flat_from && !wall.flat_to) return lean;
+  const double from_outline = distance(wall.edge, p);
+  for (const Edge& end : wall.flat_ends(z)) {
+    const Vec2 corner = wall.flat_from && end.from == wall.edge.from ? end.from : end.to;
+    const Vec2 outward = left_of(end.tangent_at(0));
+    const bool beyond = dot(p - corner, outward) > 0 && from_outline >= distance(corner, p) - kProbe;
+    if (beyond) return std::max(0.0, from_outline - distance(end, p));
+  }
+  return lean;
+}
+
+double FinishedPart::apart(const Wall& wall, double z, const Edge& path) const {
+  double least = distance_of(path, wall.edge);
+  const double lean = wall.lean(z);
+  if (lean <= 0) return least;
+  for (const Edge& top : parallel(wall.edge, lean, 0)) {
+    if (top.from != top.to) least = std::min(least, distance_of(path, top));
+  }
+  for (const Edge& end : wall.flat_ends(z)) least = std::min(least, distance_of(path, end));
+  const auto round = [&](Vec2 corner) {
+    const double d = path.from == path.to ? distance(path.from, corner) : distance(path, corner);
+    least = std::min(least, d - lean);
+  };
+  if (!wall.flat_from) round(wall.edge.from);
+  if (!wall.flat_to) round(wall.edge.to);
+  return least;
+}
+
+double FinishedPart::height(Vec2 p) const {
+  double height = top_z_;
+  for (const Shape& shape : shapes_) {
+    if (shape.floor < height && holds(shape, p)) height = std::min(height, height_in(shape, p));
+  }
+  return height;
+}
+
+/// mm; height near a piece of the outline of shape `own`. Walls with draft are taken as upright, because they
+/// are added as walls of their own.
+double FinishedPart::height_beside(Vec2 p, int own, bool inside_own) const {
+  double height = top_z_;
+  for (int i = 0; i < static_cast<int>(shapes_.size()); ++i) {
+    const Shape& shape = shapes_[i];
+    if (shape.floor >= height) continue;
+    const bool inside = i == own && (shape.single || inside_own) ? inside_own : holds(shape, p);
+    if (inside) height = shape.floor;
+  }
+  return height;
+}
+
+/// Parameters at which the outlines of other shapes meet this edge, with 0 and 1, ascending.
+std::vector<double> FinishedPart::cuts_of(const Edge& edge, int shape, const EdgeTree& all,
+                                          const std::vector<int>& owner) const {
+  std::vector<double> cuts{0, 1};
+  all.overlapping(edge.box().grown(kProbe), [&](int other) {
+    if (owner[other] == shape) return;
+    for (const Vec2 p : intersections(edge, all.edges()[other])) cuts.push_back(nearest(edge, p).t);
+  });
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+void FinishedPart::find_walls() {
+  std::vector<Edge> edges;
+  std::vector<int> owner;
+  for (std::size_t i = 0; i < shapes_.size(); ++i) {
+    const std::vector<Edge>& own = shapes_[i].outline.edges();
+    edges.insert(edges.end(), own.begin(), own.end());
+    owner.insert(owner.end(), own.size(), static_cast<int>(i));
+  }
+  const EdgeTree all(std::move(edges));
+  for (std::size_t k = 0; k < owner.size(); ++k) {
+    const Edge& edge = all.edges()[k];
+    const std::vector<double> cuts =
+        shapes_.size() == 1 ? std::vector<double>{0, 1} : cuts_of(edge, owner[k], all, owner);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if ((cuts[i + 1] - cuts[i]) * edge.length() < 1e-9) continue;
+      add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
+    }
+  }
+  std::vector<Edge> wall_edges;
+  for (const Wall& wall : walls_) wall_edges.push_back(wall.edge);
+  tree_ = EdgeTree(std::move(wall_edges));
+}
+
+void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
+  const Vec2 middle = piece.at(0.5), aside = left_normal_at_middle(piece) * kProbe;
+  const double left = height_beside(middle + aside, index, true);
+  const double right = height_beside(middle - aside, index, false);
+  if (shape.slope > 0) return add_leaning_wall(piece, shape, left, right);
+  if (left < right) walls_.push_back({piece, left, right, shape.feature});
+  if (right < left) walls_.push_back({piece.reversed(), right, left, shape.feature});
+}
+
+void FinishedPart::add_leaning_wall(const Edge& piece, const Shape& shape, double left, double right) {
+  // Beside the stock there are no walls with draft, and the stock's own sides are upright.
+  if (left == kNothing && right == kNothing) return;
+  if (left == kNothing) return walls_.push_back({piece, left, right, shape.feature});
+  const double upright = std::min(right, shape.floor);
+  if (left < upright) walls_.push_back({piece, left, upright, shape.feature});
+  Wall wall{piece, shape.floor, left < right ? right : shape.top, shape.feature, shape.top, shape.slope};
+  wall.flat_from = is_beside_stock(piece.from - piece.tangent_at(0) * kProbe);
+  wall.flat_to = is_beside_stock(piece.to + piece.tangent_at(1) * kProbe);
+  walls_.push_back(wall);
+}
+
+bool FinishedPart::is_beside_stock(Vec2 p) const {
+  return stock_ && !stock_->contains(p);
+}
+
+}  // namespace clearcut::verify

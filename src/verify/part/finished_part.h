@@ -1,0 +1,103 @@
+// The finished part: floors at their heights, and the walls between them.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "model/part.h"
+#include "verify/part/edge_tree.h"
+
+namespace clearcut::verify {
+
+/// A piece of wall between two floors: left of `edge` it is free above z_low, right of it solid below z_high.
+/// Nothing else bounds where a cutter may be.
+struct Wall {
+  Edge edge;
+  double z_low = 0;   ///< height of the floor at its foot
+  double z_high = 0;  ///< height of what stands behind it
+  int feature = -1;   ///< whose outline it is; -1: the edge of the stock
+  double top_z = 0;   ///< of walls with draft: height at which the wall is at `edge`
+  double slope = 0;   ///< tangent of the draft; at height z the wall is (top_z - z) * slope inside `edge`
+  /// Of walls with draft: at this end the side of the stock cuts the wall off square.
+  bool flat_from = false;
+  bool flat_to = false;
+
+  bool stands_at(double z) const { return z_low <= z && z < z_high; }
+  double lean(double z) const { return slope > 0 ? std::max(0.0, top_z - z) * slope : 0.0; }
+  /// The ends of the wall at height z where the stock's side cuts it off: lines from or to the outline, free
+  /// on their left.
+  std::vector<Edge> flat_ends(double z) const;
+};
+
+/// Height of the part over the plan view: the lowest floor of the features that allow the cutter at a place,
+/// else the top; nothing beside the stock. Walls are found by cutting all outlines at each other and
+/// computing the height on both sides of every piece. Walls that features share count once; edges between
+/// touching pockets vanish.
+///
+/// Cost    build O(n log n + crossings); a query O(features * log n).
+/// Error   Walls thinner than 2 * kProbe are not found. Where a deeper feature cuts into a wall with draft of
+///         another feature, that wall is taken to stand there, too.
+class FinishedPart {
+ public:
+  explicit FinishedPart(const Part& part);
+
+  double top_z() const { return top_z_; }
+  const std::vector<Wall>& walls() const { return walls_; }
+  const EdgeTree& wall_tree() const { return tree_; }
+  /// All heights of floors and tops, ascending.
+  const std::vector<double>& heights() const { return heights_; }
+  /// mm; the greatest distance of a wall with draft from its outline, at any height.
+  double greatest_lean() const { return greatest_lean_; }
+
+  /// mm; how far a wall at height z stands inside its outline for a cutter at p. Walls with draft do so only
+  /// towards the feature that they bound.
+  double lean(const Wall& wall, double z, Vec2 p) const {
+    return wall.slope > 0 && z < wall.top_z && is_inside(wall.feature, p) ? lean_inside(wall, z, p) : 0.0;
+  }
+  /// mm; distance from a path (or point, from == to) to a wall at height z.
+  double apart(const Wall& wall, double z, const Edge& path) const;
+  /// Whether p lies within the outline of a feature.
+  bool is_inside(int feature, Vec2 p) const;
+
+  double height(Vec2 p) const;
+  /// Whether a point at height z is outside the finished part.
+  bool is_free(Vec2 p, double z) const { return z >= top_z_ || height(p) <= z; }
+
+  /// mm. The height on both sides of an edge is computed this far beside it.
+  static constexpr double kProbe = 1e-5;
+
+ private:
+  struct Shape {
+    int feature = -1;  ///< -1: everything beside the stock
+    EdgeTree outline;
+    Box box;
+    double floor = 0;
+    double top = 0;
+    double slope = 0;
+    bool single = true;  ///< whether it is one region: its edges then have it on their left only
+  };
+
+  void add_feature(const Feature& feature, int index);
+  void add_stock(const Stock& stock);
+  void find_walls();
+  void add_wall(const Edge& piece, const Shape& shape, int index);
+  std::vector<double> cuts_of(const Edge& edge, int shape, const EdgeTree& all,
+                              const std::vector<int>& owner) const;
+  bool holds(const Shape& shape, Vec2 p) const;
+  double height_in(const Shape& shape, Vec2 p) const;
+  double lean_inside(const Wall& wall, double z, Vec2 p) const;
+  void add_leaning_wall(const Edge& piece, const Shape& shape, double left, double right);
+  bool is_beside_stock(Vec2 p) const;
+  double height_beside(Vec2 p, int own, bool inside_own) const;
+
+  std::vector<Shape> shapes_;
+  std::vector<Wall> walls_;
+  EdgeTree tree_;
+  std::vector<double> heights_;
+  double top_z_ = 0;
+  double greatest_lean_ = 0;
+  std::optional<Box> stock_;
+};
+
+}  // namespace clearcut::verify

@@ -1,0 +1,62 @@
+// A published table beside our figures, with every printed cell judged.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/text_table.h"
+
+namespace clearcut::studies {
+
+enum class Agreement {
+  kAgrees,     ///< to the printed digit
+  kExplained,  ///< differs, and the reason is known and stated
+  kDiffers     ///< differs, and nobody can say why
+};
+
+/// "agrees", "explained", "differs".
+const char* name_of(Agreement agreement);
+
+/// A printed figure with ours beside it.
+struct Compared {
+  std::string printed;
+  std::string ours;
+  Agreement agreement = Agreement::kAgrees;
+  std::string reason;   ///< why they differ, "" where they agree
+  std::size_t row = 0;  ///< of the table, where ours stands
+  std::size_t column = 0;
+};
+
+/// What goes into a cell of the table: text, or our figure with the printed one it answers.
+struct Cell {
+  Cell(const char* words) : text(words) {}             // NOLINT(google-explicit-constructor)
+  Cell(std::string words) : text(std::move(words)) {}  // NOLINT(google-explicit-constructor)
+  std::string text;
+  std::vector<Compared> compared = {};  ///< at most one
+};
+
+/// Our figure beside the printed one: they agree where they are equal to the last of `decimals` printed digits.
+/// `reason`: what makes them differ, where that is known. A difference without a reason is marked in the text.
+Cell beside(double ours, double printed, int decimals, const std::string& reason = "");
+
+/// Words instead of figures, judged by the caller.
+Cell beside(const std::string& ours, const std::string& printed, Agreement agreement,
+            const std::string& reason = "");
+
+struct Reproduction {
+  report::TextTable table;
+  std::vector<Compared> compared;
+
+  void add(const std::vector<Cell>& cells);
+  void add_rule() { table.add_rule(); }
+  int count(Agreement agreement) const;
+  /// The worst of all cells.
+  Agreement agreement() const;
+  /// "63 printed cells: 60 agree, 3 explained, 0 differ".
+  std::string summary() const;
+};
+
+/// The papers cut figures to the printed digits instead of rounding them.
+double cut_to(double value, int decimals);
+
+}  // namespace clearcut::studies

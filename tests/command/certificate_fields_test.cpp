@@ -1,0 +1,77 @@
+// The certificate says all it promises, and the scallop of leaning walls is what was asked for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/run.h"
+#include "read/read_part.h"
+#include "report/certificate/certificate.h"
+
+namespace clearcut {
+namespace {
+
+pipeline::PlanResult plan_example(resolve::PlanOptions options) {
+  const std::string file = std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead.p21";
+  options.strategy = "contour";
+  return pipeline::plan_part(read::read_part(file, {}), options);
+}
+
+void expect_figures(const nlohmann::json& json, const std::string& where) {
+  for (const char* key :
+       {"clean", "feed_mm", "rapid_mm", "plunge_mm", "turns", "turn_angle_deg", "retracts", "time_s",
+        "time_naive_s", "uncut_mm2", "uncut_thickness_mm", "uncut_at", "gouge_mm", "gouge_at",
+        "unreachable_mm2", "rapid_in_material", "air_cut_mm", "lower_bound_mm"}) {
+    EXPECT_TRUE(json.contains(key)) << where << ": " << key;
+  }
+  for (const char* key : {"max_deg", "mean_deg", "over_limit_mm", "histogram", "climb_percent"})
+    EXPECT_TRUE(json.at("engagement").contains(key)) << where << ": " << key;
+}
+
+TEST(CertificateFields, AreAllThereInAllAndPerFeatureAndLayer) {
+  resolve::PlanOptions options;
+  options.shop.material = "aluminium";
+  const auto result = plan_example(options);
+  const auto json = nlohmann::json::parse(report::certificate_json(result.part, result.findings, {}));
+  for (const char* key : {"version", "seed", "inputs", "features", "faults"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  expect_figures(json, "all");
+  EXPECT_GT(json.at("load").at("max_force_n").get<double>(), 0);
+  ASSERT_FALSE(json.at("features").empty());
+  for (const auto& feature : json.at("features")) {
+    expect_figures(feature, feature.at("name").get<std::string>());
+    ASSERT_FALSE(feature.at("layers").empty()) << feature.at("name");
+    for (const auto& layer : feature.at("layers")) expect_figures(layer, "layer");
+  }
+}
+
+TEST(LeaningWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
+  resolve::PlanOptions options;
+  options.strategy = "contour";
+  options.scallop = 0.3;
+  const auto part = read::read_part(std::string(CLEARCUT_SOURCE_DIR) + "/examples/fishhead_sloped.p21", {});
+  const auto result = pipeline::plan_part(part, options);
+  EXPECT_TRUE(result.findings.all.clean);
+  for (const auto& feature : result.findings.features) {
+    if (feature.name != "POCKET3") continue;
+    ASSERT_GT(feature.layers.size(), 2u);
+    double highest = 0;
+    for (std::size_t i = 1; i < feature.layers.size(); ++i)
+      highest = std::max(highest, (feature.layers[i - 1].z - feature.layers[i].z) * std::sin(0.785));
+    EXPECT_LE(highest, 0.3 + 1e-3);
+    EXPECT_GT(highest, 0.27) << "and not for more layers than needed";
+    ASSERT_TRUE(feature.scallop);
+    EXPECT_NEAR(feature.scallop->height_mm, highest, 1e-3);
+    EXPECT_EQ(feature.scallop->asked_mm, 0.3);
+    const auto json = nlohmann::json::parse(report::certificate_json(result.part, result.findings, {}));
+    for (const auto& one : json.at("features")) {
+      EXPECT_EQ(one.contains("scallop_mm"), one.at("name") == "POCKET3") << one.at("name");
+      if (one.contains("scallop_mm")) {
+        EXPECT_EQ(one.at("scallop_asked_mm").get<double>(), 0.3);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clearcut

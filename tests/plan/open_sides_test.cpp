@@ -1,0 +1,163 @@
+// Layers that can be entered from beside the stock are: no plunge, ramp or helix into material.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "pipeline/run.h"
+#include "stock/material.h"
+#include "support/random/random_parts.h"
+
+namespace clearcut {
+namespace {
+
+const Tolerances kTol;
+
+Regions box_regions(const Box& box) {
+  return {Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}),
+      {})};
+}
+
+/// A pocket that an edge of the block runs through: open there, walls everywhere else. Empty when that leaves nothing.
+Part random_notch(Random& random, double diameter) {
+  const Regions outline = test_support::random_regions(random);
+  if (outline.empty()) return {};
+  Box block = box(outline).grown(8);
+  const double cut = random.between(0.25, 0.75);
+  block.max.x = std::floor(block.min.x + cut * block.width());
+  block.min = {std::floor(block.min.x), std::floor(block.min.y)};
+  block.max.y = std::ceil(block.max.y);
+  const Regions walls = subtract(box_regions(block), outline, kTol);
+  const Regions allowed = subtract(box_regions(block.grown(kOpenReach)), walls, kTol);
+  Regions target = intersect(box_regions(block), outline, kTol);
+  std::erase_if(target, [&](const Region& region) { return box(region.outer()).max.x < block.max.x; });
+  if (target.empty()) return {};
+  Part part = test_support::part_of(target, allowed, FeatureKind::kOpenPocket, diameter);
+  part.stock = Stock{block, -10, 0};
+  part.features.front().floor_z = -4;
+  return part;
+}
+
+/// A block all round a wall: seeds of others give nothing.
+Part random_block(Random& random, double diameter) {
+  Part part = test_support::random_part(random, diameter);
+  return part.stock ? part : Part{};
+}
+
+bool meets_material(const stock::Material& material, Vec2 center, double radius, double z) {
+  constexpr int kRings = 6, kRays = 24;
+  for (int r = 0; r <= kRings; ++r) {
+    for (int k = 0; k < kRays; ++k) {
+      const Vec2 p = center + direction_of(2 * kPi * k / kRays) * (0.97 * radius * r / kRings);
+      if (!material.is_removed(p, z + 0.01)) return true;
+    }
+  }
+  return false;
+}
+
+/// Where the cutter's centre may be, as far as it is joined to places beside the block.
+Regions reached_from_outside(const Part& part) {
+  const double radius = part.tools.front().radius();
+  const Box beside = part.stock->plan.grown(radius);
+  Regions reached;
+  for (const Region& allowed : part.features.front().allowed) {
+    for (const Region& legal : inset(allowed, radius, kTol)) {
+      const Box extent = legal.box();
+      if (!beside.contains(extent.min) || !beside.contains(extent.max)) reached.push_back(legal);
+    }
+  }
+  return reached;
+}
+
+struct Entries {
+  int from_outside = 0;
+  int into_material = 0;
+  int needless = 0;  ///< of these, where a way leads in from outside
+};
+
+/// Runs of feed moves downwards, by what is under the cutter before.
+Entries entries_of(const pipeline::PlanResult& result) {
+  const double radius = result.part.tools.front().radius();
+  stock::Material material(result.part.stock->plan, 0, {radius});
+  const Regions reached = reached_from_outside(result.part);
+  Entries entries;
+  bool down = false;
+  for (const auto& section : result.toolpath.sections) {
+    for (const Move& move : section.moves) {
+      if (is_rapid(move.kind)) {
+        down = false;
+        continue;
+      }
+      if (move.z_to < move.z_from && !down) {
+        down = true;
+        double lowest = move.z_to;
+        for (const Move* m = &move; m != section.moves.data() + section.moves.size() &&
+                                    m->z_to <= m->z_from && (m->z_to < m->z_from || !m->is_vertical());
+             ++m) {
+          if (m->z_to == m->z_from) break;
+          lowest = m->z_to;
+        }
+        if (meets_material(material, move.path.from, radius, lowest)) {
+          ++entries.into_material;
+          entries.needless += contains(reached, move.path.from);
+        } else {
+          ++entries.from_outside;
+        }
+      }
+      if (move.z_to >= move.z_from) down = false;
+      material.add(move, radius);
+    }
+  }
+  return entries;
+}
+
+class OpenSides : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Strategies, OpenSides,
+                         testing::Values("contour", "zigzag", "spiral", "adaptive", "tour"),
+                         [](const auto& strategy) { return strategy.param; });
+
+TEST_P(OpenSides, AreWhereTheCutterComesIn) {
+  resolve::PlanOptions options;
+  options.strategy = GetParam();
+  options.threads = 1;
+  int parts = 0, outside = 0, unclean = 0, needless = 0;
+  double time = 0;
+  const int wanted = test_support::random_count(12);
+  for (std::uint64_t seed = 1; parts < wanted && seed < 20 * static_cast<std::uint64_t>(wanted); ++seed) {
+    Random random(seed);
+    const double diameter = random.between(3, 8);
+    const Part part = seed % 2 ? random_notch(random, diameter) : random_block(random, diameter);
+    if (part.features.empty()) continue;
+    try {
+      const auto result = pipeline::plan_part(part, options);
+      const Entries entries = entries_of(result);
+      ++parts;
+      unclean += !result.findings.all.clean;
+      outside += entries.into_material == 0;
+      needless += entries.needless > 0;
+      time += result.findings.all.time_s;
+      if (std::getenv("CLEARCUT_SHOW") && !result.findings.faults.empty())
+        std::printf("seed %d: %s\n", static_cast<int>(seed), result.findings.faults.front().text.c_str());
+      if (entries.into_material > 0 && std::getenv("CLEARCUT_SHOW"))
+        std::printf("seed %d: %d into material, %d needless, %d from outside\n", static_cast<int>(seed),
+                    entries.into_material, entries.needless, entries.from_outside);
+    } catch (const InputError&) {
+    }
+  }
+  std::printf("%s: %d of %d open parts entered from outside alone, %d needlessly not, %d not clean, %.1f s\n",
+              GetParam().c_str(), outside, parts, needless, unclean, time);
+  EXPECT_GT(parts, wanted / 2);
+  EXPECT_EQ(unclean, 0);
+  // Adaptive clearing chooses its entries itself.
+  if (options.strategy != "adaptive") {
+    EXPECT_EQ(needless, 0);
+  }
+  EXPECT_GE(10 * outside, 6 * parts) << "of " << parts;
+}
+
+}  // namespace
+}  // namespace clearcut

@@ -1,0 +1,182 @@
+// The examples, planned for every controller in millimetres and inches: byte for byte as in
+// tests/golden/examples, read back from there and certified clean. bracket.json, .svg and .step are the same part as
+// bracket.dxf and need its programs only; five_pockets.toml is a job of elements, whose grid leaves corners by design.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+
+#include "base/files/file.h"
+#include "pipeline/elements.h"
+#include "pipeline/run.h"
+#include "post/post.h"
+#include "read/elements/read_elements.h"
+#include "read/gcode/gcode.h"
+#include "read/job/job_file.h"
+#include "read/read_part.h"
+#include "read/step_solid/solid_model.h"
+#include "support/independent/grbl.h"
+#include "support/independent/rs274.h"
+#include "support/programs.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Example {
+  const char* file;
+  const char* folder;               ///< in tests/golden/examples
+  std::optional<const char*> tool;  ///< where the file names none
+  std::optional<double> stepdown;   ///< mm
+};
+
+constexpr Example kBracket{"bracket.dxf", "bracket", "endmill:6", 2.5};
+constexpr Example kExamples[] = {kBracket,
+                                 {"bracket.toml", "bracket_job", std::nullopt, std::nullopt},
+                                 {"fishhead.p21", "fishhead", std::nullopt, 50},
+                                 {"fishhead_sloped.p21", "fishhead_sloped", std::nullopt, 50},
+                                 {"nested.step", "nested", "endmill:6", 8},
+                                 {"awkward.step", "awkward", "endmill:4", 8},
+                                 {"sign.dxf", "sign", "vbit:60deg:6", std::nullopt}};
+constexpr Example kFivePockets{"five_pockets.toml", "five_pockets", std::nullopt, std::nullopt};
+
+struct Case {
+  Example example;
+  std::string dialect;
+};
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  return out << c.example.file << " for " << c.dialect;
+}
+
+fs::path file_of(const Example& example) {
+  return fs::path(CLEARCUT_SOURCE_DIR) / "examples" / example.file;
+}
+
+bool is_solid(const Example& example) {
+  return fs::path(example.file).extension() == ".step";
+}
+
+resolve::PlanOptions options_of(const Case& c, bool inch) {
+  resolve::PlanOptions options;
+  if (c.example.file == std::string("bracket.toml"))
+    options.machine = read::read_job(file_of(c.example)).machine;
+  if (c.example.tool) options.tools = {resolve::parse_tool(*c.example.tool)};
+  options.stepdown = c.example.stepdown;
+  options.post.dialect = c.dialect;
+  options.post.inch = inch;
+  if (c.dialect == "marlin") options.accept = {"tool-by-hand"};  // its programs cannot name their tools
+  return options;
+}
+
+std::string golden(const Case& c, bool inch, const std::string& program) {
+  const fs::path file = fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden/examples" / c.example.folder /
+                        (c.dialect + (inch ? "-inch" : "-mm") + post::file_extension_of(c.dialect));
+  if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << program;
+  }
+  return read_file(file.string());
+}
+
+class ExampleProgram : public ::testing::TestWithParam<Case> {};
+
+/// The control itself would take it, as far as its rules are known here.
+void expect_accepted(const std::string& dialect, const std::string& program) {
+  if (dialect == "grbl") {
+    for (const auto& fault : test_support::grbl_faults(program))
+      ADD_FAILURE() << fault.error << ": " << fault.text;
+  }
+  if (dialect == "linuxcnc" && test_support::has_rs274()) {
+    const test_support::CanonProgram canon = test_support::run_rs274(program);
+    EXPECT_TRUE(canon.accepted) << canon.message;
+  }
+}
+
+/// Plans, compares with the golden program, and judges what stands there.
+Toolpath checked_program(const Case& c, bool inch) {
+  const Part part = read::read_part(file_of(c.example), {});
+  const resolve::PlanOptions options = options_of(c, inch);
+  const std::string program = pipeline::plan_part(part, options).program;
+  const std::string wanted = golden(c, inch, program);
+  EXPECT_EQ(test_support::first_difference(program, wanted), "");
+  const pipeline::CheckResult judged =
+      pipeline::check_program(part, wanted, "golden", options, read::gcode::dialect_named(c.dialect));
+  EXPECT_EQ(verdict_and_reasons(judged.findings), "CLEAN\n");
+  expect_accepted(c.dialect, wanted);
+  return judged.toolpath;
+}
+
+void expect_same_path(const Toolpath& one, const Toolpath& other, double limit) {
+  ASSERT_EQ(one.sections.size(), other.sections.size());
+  for (std::size_t s = 0; s < one.sections.size(); ++s) {
+    const auto a = test_support::feed_moves(one.sections[s]), b = test_support::feed_moves(other.sections[s]);
+    EXPECT_LE(test_support::largest_distance(a, b), limit) << one.sections[s].label;
+    EXPECT_LE(test_support::largest_distance(b, a), limit) << one.sections[s].label;
+  }
+}
+
+/// mm; what rounding to either unit's decimals may part, and 1 um.
+double limit_of(const std::string& dialect) {
+  PostOptions metric, inch;
+  metric.dialect = inch.dialect = dialect;
+  inch.inch = true;
+  return 0.001 + 2 * post::rounding_of(metric) + 2 * post::rounding_of(inch);
+}
+
+TEST_P(ExampleProgram, IsTheGoldenOneAndCleanInBothUnits) {
+  const Case& c = GetParam();
+  if (is_solid(c.example) && !read::solids_can_be_read())
+    GTEST_SKIP() << "built without Open CASCADE: STEP solids cannot be read";
+  expect_same_path(checked_program(c, false), checked_program(c, true), limit_of(c.dialect));
+}
+
+TEST(OtherFormsOfTheBracket, GiveItsGoldenProgram) {
+  for (const char* file : {"bracket.json", "bracket.svg", "bracket.step"}) {
+    SCOPED_TRACE(file);
+    const Case c{{file, kBracket.folder, kBracket.tool, kBracket.stepdown}, "linuxcnc"};
+    if (is_solid(c.example) && !read::solids_can_be_read()) continue;
+    const pipeline::PlanResult result =
+        pipeline::plan_part(read::read_part(file_of(c.example), {}), options_of(c, false));
+    EXPECT_TRUE(result.findings.all.clean);
+    const std::string wanted =
+        read_file((fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden/examples/bracket/linuxcnc-mm.ngc").string());
+    expect_same_path(result.toolpath, read::gcode::read_gcode(wanted, "golden").toolpath,
+                     2 * post::rounding_of(options_of(c, false).post));
+  }
+}
+
+/// The grid's own reduction leaves corners uncut; all else is as for any other program.
+Toolpath checked_elements(const std::string& dialect, bool inch) {
+  const Case c{kFivePockets, dialect};
+  const pipeline::ElementsResult result =
+      pipeline::plan_elements(read::read_elements(file_of(kFivePockets)), options_of(c, inch));
+  const std::string wanted = golden(c, inch, result.plan.program);
+  EXPECT_EQ(test_support::first_difference(result.plan.program, wanted), "");
+  for (const Fault& fault : result.plan.findings.faults)
+    EXPECT_EQ(fault.kind, FaultKind::kUncut) << fault.text;
+  expect_accepted(dialect, wanted);
+  return result.plan.toolpath;
+}
+
+TEST(FivePockets, AreTheGoldenProgramsInBothUnits) {
+  for (const std::string& dialect : post::post_dialects()) {
+    SCOPED_TRACE(dialect);
+    expect_same_path(checked_elements(dialect, false), checked_elements(dialect, true), limit_of(dialect));
+  }
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const Example& example : kExamples)
+    for (const std::string& dialect : post::post_dialects()) all.push_back({example, dialect});
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Golden, ExampleProgram, ::testing::ValuesIn(cases()));
+
+}  // namespace
+}  // namespace clearcut

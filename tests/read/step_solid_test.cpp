@@ -1,0 +1,286 @@
+// STEP solids: the same regions as the drawings of the same part, what is left out, and the whole
+// job.
+#include "read/step_solid/step_solid.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ctime>
+
+#include "base/error.h"
+#include "base/files/file.h"
+#include "base/random.h"
+#include "base/units.h"
+#include "pipeline/run.h"
+#include "post/part/stepnc_writer.h"
+#include "read/read_part.h"
+#include "read/step_solid/apart.h"
+#include "read/step_solid/floor_sweep.h"
+#include "read/step_solid/height_map.h"
+#include "read/step_solid/solid_model.h"
+#include "resolve/prepare.h"
+#include "support/plans.h"
+#include "support/same_regions.h"
+#include "support/solids.h"
+
+namespace clearcut {
+namespace {
+
+using test_support::boundary_gap;
+using test_support::circle_area;
+using test_support::example;
+using test_support::refusal;
+using test_support::refused;
+using test_support::rounded_area;
+using test_support::with_tool;
+using ::testing::HasSubstr;
+
+std::string skipped(const Part& part) {
+  std::string all;
+  for (const Diagnostic& item : part.diagnostics.items())
+    if (item.severity == Severity::kSkipped) all += item.what + "\n";
+  return all;
+}
+
+TEST(StepSolid, BracketIsTheSameRegionAsInEveryOtherFormat) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part solid = read::read_part(example("bracket.step"), {});
+  ASSERT_EQ(solid.features.size(), 1u);
+  EXPECT_EQ(solid.features[0].kind, FeatureKind::kClosedPocket);
+  EXPECT_EQ(skipped(solid), "");
+  ASSERT_TRUE(solid.stock);
+  EXPECT_NEAR(solid.stock->plan.min.x, -10, 1e-6);
+  EXPECT_NEAR(solid.stock->plan.max.y, 60, 1e-6);
+  EXPECT_NEAR(solid.stock->z_bottom, -15, 1e-6);
+  for (const char* name : {"bracket.json", "bracket.dxf", "bracket.svg"}) {
+    const Part drawn = read::read_part(example(name), {});
+    EXPECT_NEAR(solid.features[0].top_z, drawn.features[0].top_z, 1e-6) << name;
+    EXPECT_NEAR(solid.features[0].floor_z, drawn.features[0].floor_z, 1e-6) << name;
+    EXPECT_LT(boundary_gap(solid.features[0].target, drawn.features[0].target), 0.001) << name;
+    EXPECT_LT(boundary_gap(solid.features[0].allowed, drawn.features[0].allowed), 0.001) << name;
+    EXPECT_NEAR(area(solid.features[0].target), area(drawn.features[0].target), 1e-3) << name;
+  }
+}
+
+/// The solid as a STEP-NC program, printed and read again: still the same regions.
+TEST(StepSolid, BracketIsTheSameRegionAsItsStepNcProgram) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  Part solid = resolve::prepare(read::read_part(example("bracket.step"), {}), with_tool(6));
+  const Part program = read::read_part_text(post::write_stepnc(solid), "bracket.stpnc", {});
+  ASSERT_EQ(program.features.size(), 1u);
+  EXPECT_LT(boundary_gap(solid.features[0].target, program.features[0].target), 0.001);
+}
+
+/// See examples/solids/write_solids.cpp for the measures.
+TEST(StepSolid, NestedPocketsBossOpenSideAndHoleAreFound) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read::read_part(example("nested.step"), {});
+  EXPECT_EQ(skipped(part), "");
+  ASSERT_EQ(part.features.size(), 4u);
+  const Feature& notch = part.features[0];
+  EXPECT_EQ(notch.kind, FeatureKind::kOpenPocket);
+  EXPECT_NEAR(notch.floor_z, -4, 1e-9);
+  EXPECT_NEAR(area(notch.target), 25 * 40 - (4 - kPi) * 36 / 2, 1e-3);
+  // Open beyond the stock, where nothing stands.
+  EXPECT_TRUE(contains(notch.allowed, {500, 40}));
+  EXPECT_TRUE(contains(notch.allowed, {-500, 40}));
+  EXPECT_FALSE(contains(notch.allowed, {80, 40}));
+  EXPECT_FALSE(contains(notch.allowed, {109, 61}));
+
+  const Feature& upper = part.features[1];
+  EXPECT_EQ(upper.kind, FeatureKind::kClosedPocket);
+  EXPECT_NEAR(upper.floor_z, -6, 1e-9);
+  EXPECT_NEAR(upper.top_z, 0, 1e-9);
+  // The lower pocket's opening belongs to it; the boss does not.
+  EXPECT_NEAR(area(upper.target), rounded_area(60, 60, 6) - circle_area(5), 1e-6);
+  ASSERT_EQ(upper.target.size(), 1u);
+  EXPECT_EQ(upper.target[0].islands().size(), 1u);
+
+  const Feature& lower = part.features[2];
+  EXPECT_EQ(lower.kind, FeatureKind::kClosedPocket);
+  EXPECT_NEAR(lower.top_z, -6, 1e-9);
+  EXPECT_NEAR(lower.floor_z, -12, 1e-9);
+  EXPECT_NEAR(area(lower.target), rounded_area(32, 28, 6), 1e-6);
+
+  const Feature& hole = part.features[3];
+  EXPECT_EQ(hole.kind, FeatureKind::kRoundHole);
+  EXPECT_TRUE(hole.through);
+  EXPECT_NEAR(hole.top_z, -12, 1e-9);
+  EXPECT_NEAR(hole.floor_z, -20.5, 1e-9);
+  EXPECT_NEAR(hole.hole_diameter.value_or(0), 12, 1e-9);
+}
+
+const Feature* feature_at(const Part& part, double floor_z) {
+  for (const Feature& feature : part.features)
+    if (std::abs(feature.floor_z - floor_z) < 1e-6) return &feature;
+  return nullptr;
+}
+
+TEST(StepSolid, WhatACutterFromAboveCannotMakeIsNamed) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read::read_part(example("awkward.step"), {});
+  const std::string left_out = skipped(part);
+  EXPECT_THAT(left_out, HasSubstr("cylinder, x 67.5..72.5"));
+  EXPECT_THAT(left_out, HasSubstr("1 floor(s) look along -Z"));
+  EXPECT_THAT(left_out, HasSubstr("1 floor(s) look along -X"));
+  EXPECT_THAT(left_out, HasSubstr("lies under an overhang"));
+  EXPECT_THAT(left_out, HasSubstr("the hole is cut flat at z -12"));
+  EXPECT_THAT(left_out, HasSubstr("(cone, x 59..81, y 4..26, z -3..0) is neither"));
+}
+
+TEST(StepSolid, TheRestOfAnAwkwardSolidIsFoundAllTheSame) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read::read_part(example("awkward.step"), {});
+  ASSERT_EQ(part.features.size(), 4u);
+  const Feature *pocket = feature_at(part, -8), *sunk = feature_at(part, -10),
+                *drilled = feature_at(part, -12), *corner = feature_at(part, -30.5);
+  ASSERT_TRUE(pocket && sunk && drilled && corner);
+  EXPECT_EQ(pocket->kind, FeatureKind::kClosedPocket);
+  EXPECT_NEAR(area(pocket->target), rounded_area(40, 40, 6), 0.01);
+  EXPECT_EQ(sunk->kind, FeatureKind::kRoundHole);
+  EXPECT_NEAR(sunk->hole_diameter.value_or(0), 16, 0.001);
+  EXPECT_EQ(drilled->kind, FeatureKind::kRoundHole);
+  EXPECT_NEAR(drilled->hole_diameter.value_or(0), 6, 0.001);
+  EXPECT_FALSE(drilled->through);
+  EXPECT_EQ(corner->kind, FeatureKind::kOutsideProfile);
+  EXPECT_TRUE(corner->through);
+  EXPECT_NEAR(area(corner->target), 9 * 9 / 2.0, 0.01);
+  EXPECT_TRUE(contains(corner->allowed, {118, 58}));
+  EXPECT_FALSE(contains(corner->allowed, {100, 50}));
+}
+
+/// Plans the whole solid and expects a clean certificate of every feature whose walls close.
+void expect_clean_pockets(const std::string& name, double tool, std::size_t closed) {
+  const pipeline::PlanResult result =
+      pipeline::plan_part(read::read_part(example(name), {}), with_tool(tool));
+  ASSERT_EQ(result.findings.features.size(), result.part.features.size()) << name;
+  std::size_t judged = 0;
+  for (std::size_t i = 0; i < result.part.features.size(); ++i) {
+    const Feature& feature = result.part.features[i];
+    const auto& figures = result.findings.features[i].figures;
+    EXPECT_GT(figures.feed_mm, 10) << name << ": " << feature.name;
+    EXPECT_LE(figures.uncut_thickness_mm, 0.01) << name << ": " << feature.name;
+    EXPECT_EQ(figures.rapid_in_material, 0) << name << ": " << feature.name;
+    if (feature.kind != FeatureKind::kClosedPocket && feature.kind != FeatureKind::kRoundHole) continue;
+    EXPECT_TRUE(figures.clean) << name << ": " << feature.name;
+    ++judged;
+  }
+  EXPECT_EQ(judged, closed) << name;
+  EXPECT_TRUE(result.findings.all.clean) << name;
+}
+
+TEST(StepSolid, ThePlansOfTheExamplesAreCertifiedClean) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  expect_clean_pockets("bracket.step", 6, 1);
+  expect_clean_pockets("nested.step", 8, 3);
+  expect_clean_pockets("awkward.step", 5, 3);
+}
+
+const std::string kHead =
+    "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('','',(''),(''),'','','');\n"
+    "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\nDATA;\n";
+
+TEST(StepSolid, WithoutTheComponentTheMessageNamesThePackage) {
+  if (read::solids_can_be_read()) GTEST_SKIP() << "built with Open CASCADE";
+  EXPECT_THAT(refusal(read_file(example("bracket.step").string())), HasSubstr("libocct-data-exchange-dev"));
+}
+
+TEST(StepSolid, FilesWithoutSolidAreRefusedInOneLine) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  EXPECT_THAT(refusal(kHead + "#1=CARTESIAN_POINT('',(0.,0.,0.));\nENDSEC;\nEND-ISO-10303-21;\n"),
+              HasSubstr("no solid"));
+  EXPECT_THAT(refusal(kHead + "#1=CARTESIAN_POINT('',(0.,0."), HasSubstr("s.step:"));
+  EXPECT_THAT(refusal(kHead), HasSubstr("s.step:"));
+}
+
+/// Damage of every kind is read or refused in one line, and always ends, whatever the kernel does.
+TEST(StepSolid, DamagedFilesAreReadOrRefused) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const std::string original = read_file(example("bracket.step").string());
+  const std::size_t data = original.find("DATA;");
+  const char* pieces[] = {"$", "*", "'", "(", ")", "#", "0", "-", ".", ",", "1e9", "#1", "", "\n", "9"};
+  int read = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    Random random(seed);
+    std::string text = original;
+    text.replace(data + 10 + random.below(text.size() - data - 100), random.below(6),
+                 pieces[random.below(15)]);
+    SCOPED_TRACE(seed);
+    const std::string answer = refusal(text);
+    ++(answer == "not refused" ? read : refused);
+  }
+  EXPECT_GT(read, 5);
+  EXPECT_GT(refused, 10);
+}
+
+Path circle_from(double angle, double radius) {
+  const Vec2 a = direction_of(angle) * radius;
+  return {Edge::arc(a, -a, {}, Turn::kClockwise), Edge::arc(-a, a, {}, Turn::kClockwise)};
+}
+
+TEST(HeightMap, BoxesOfCurvedFacesEndWithTheSolid) {
+  read::SolidModel solid;
+  solid.plan = {{0, 0}, {40, 20}};
+  solid.z_bottom = -5;
+  read::SolidFace face;
+  face.number = 1;
+  face.surface = "free surface";
+  face.facing = read::Facing::kMixed;
+  face.plan = {{10, -0.03}, {20, 8}};
+  solid.faces = {face};
+  const read::HeightMap map(solid, "bulge", {});
+  ASSERT_EQ(map.cells().size(), 1u);
+  const Box where = box(map.cells()[0].area);
+  EXPECT_EQ(where.min.y, 0);
+  EXPECT_EQ(where.max.y, 8);
+}
+
+/// Plates of 200 x 200 mm over each other, each with a hole of the same size but for rounding, whose circle begins
+/// elsewhere: flattened, the circles cross thousands of times.
+read::SolidModel stack_of_plates(int plates) {
+  read::SolidModel solid;
+  solid.plan = {{-100, -100}, {100, 100}};
+  solid.z_bottom = -plates;
+  for (int i = 0; i < plates; ++i) {
+    read::SolidFace face;
+    face.number = i + 1;
+    face.surface = "plane";
+    face.facing = read::Facing::kUp;
+    face.level = true;
+    face.z_low = face.z_high = -i;
+    face.plan = solid.plan;
+    const Vec2 corners[] = {{-100, -100}, {100, -100}, {100, 100}, {-100, 100}};
+    face.outline = {loop_from_points(corners), circle_from(0.37 * i, 60 + 1e-7 * i)};
+    solid.faces.push_back(std::move(face));
+  }
+  return solid;
+}
+
+TEST(FloorSweep, OverlaidFloorsWhoseEdgesAllButCoincideAreFast) {
+  const read::SolidModel solid = stack_of_plates(40);
+  const read::HeightMap map(solid, "stack", {});
+  read::FloorSweep sweep(map, {});
+  const std::clock_t begin = std::clock();
+  for (int i = 1; i <= 40; ++i) {
+    const Regions free = sweep.free_at(-i);
+    ASSERT_EQ(free.size(), 2u) << i;
+    EXPECT_NEAR(std::min(free[0].area(), free[1].area()), circle_area(60), 0.1) << i;
+  }
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 2) << "s of the processor";
+}
+
+TEST(DoneApart, HandsOverMoreThanAPipeHolds) {
+  const std::string long_text(1 << 20, 'x');
+  EXPECT_EQ(read::done_apart({"/bin/cat"}, long_text, 10), long_text);
+}
+
+TEST(DoneApart, CrashesErrorsAndEndlessWorkAreNothing) {
+  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "echo half; kill -SEGV $$"}, "", 10), std::nullopt);
+  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "echo half; exit 3"}, "", 10), std::nullopt);
+  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "while :; do :; done"}, "", 1), std::nullopt);
+  EXPECT_EQ(read::done_apart({"/nonexistent/program"}, "", 10), std::nullopt);
+}
+
+}  // namespace
+}  // namespace clearcut

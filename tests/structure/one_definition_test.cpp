@@ -1,0 +1,85 @@
+// The one-definition rule across all files: what two of them define under one name in one namespace, the linker may join,
+// and where the two differ the program breaks far from both, or only in some builds.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "base/files/file.h"
+#include "support/sources/definitions.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+using test_support::shared_definitions;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(OneDefinition, TypesAreFoundWithTheirNamespaces) {
+  EXPECT_THAT(
+      shared_definitions("namespace a::inline b { struct S { int x; }; class T final : public S {}; }"),
+      ElementsAre("a::b::S", "a::b::T"));
+  EXPECT_THAT(
+      shared_definitions("namespace a { template <typename X> struct S {}; enum class E : int { k }; }"),
+      ElementsAre("a::S", "a::E"));
+  EXPECT_THAT(shared_definitions("namespace a { template <> struct S<int> {}; union U {}; }"),
+              ElementsAre("a::S<int>", "a::U"));
+}
+
+TEST(OneDefinition, FunctionsAreFoundWithTheirParameters) {
+  EXPECT_THAT(shared_definitions("namespace a { inline int f(int x) { return x; } void T::g() const {} }"),
+              ElementsAre("a::f(int x)", "a::T::g()"));
+  EXPECT_THAT(shared_definitions("namespace a { void f(S s = {}); auto v = g(1); }"), IsEmpty());
+  EXPECT_THAT(shared_definitions("namespace a { bool operator==(const S& s, const S& t) { return true; } }"),
+              ElementsAre("a::operator==(const S & s , const S & t)"));
+}
+
+TEST(OneDefinition, WhatBelongsToOneFileIsLeftOut) {
+  EXPECT_THAT(shared_definitions("namespace a { namespace { struct S {}; int f() { return 1; } } }"),
+              IsEmpty());
+  EXPECT_THAT(shared_definitions("namespace a { static int f() { struct L {}; return 1; } }"), IsEmpty());
+  EXPECT_THAT(shared_definitions("namespace a { struct S; void f(int); struct S g(); TEST(A, B) {} }"),
+              IsEmpty());
+  EXPECT_THAT(shared_definitions("namespace a { class S { struct In {}; void f() {} }; }"),
+              ElementsAre("a::S"));
+}
+
+TEST(OneDefinition, WhatLooksLikeADefinitionInTextIsNone) {
+  EXPECT_THAT(
+      shared_definitions("// struct A {};\n/* struct B {}; */\n#define C \\\n struct D {};\n"
+                         "const char* k = \"struct E {\"; const auto m = R\"x(struct F {)x\"; char c = '{';"
+                         "int n = 1'000; struct G {};"),
+      ElementsAre("G"));
+}
+
+bool is_source(const fs::path& file) {
+  return file.extension() == ".h" || file.extension() == ".cpp";
+}
+
+/// Everything that can come together in one program. Files of tests have programs of their own.
+std::map<std::string, std::set<std::string>> files_by_definition(const fs::path& root) {
+  std::map<std::string, std::set<std::string>> files;
+  for (const char* folder : {"src", "studies", "include"}) {
+    if (!fs::exists(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const fs::path& file = entry.path();
+      if (!is_source(file) || file.stem().string().ends_with("_test")) continue;
+      for (const auto& name : shared_definitions(read_file(file.string())))
+        files[name].insert(fs::relative(file, root).string());
+    }
+  }
+  return files;
+}
+
+TEST(OneDefinition, NoNameIsDefinedInTwoFiles) {
+  const auto files = files_by_definition(CLEARCUT_SOURCE_DIR);
+  EXPECT_GT(files.size(), 1000U);
+  for (const auto& [name, places] : files)
+    EXPECT_EQ(places.size(), 1U) << name << " is defined in " << testing::PrintToString(places);
+}
+
+}  // namespace
+}  // namespace clearcut

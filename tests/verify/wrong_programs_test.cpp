@@ -1,0 +1,102 @@
+// The folder of wrong programs, each with what a controller does with it, and their right twins: the verdict on every one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/error.h"
+#include "base/files/file.h"
+#include "pipeline/run.h"
+#include "read/common/data_value.h"
+#include "read/read_part.h"
+
+namespace clearcut {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folder() {
+  return fs::path(CLEARCUT_SOURCE_DIR) / "tests/wrong_programs";
+}
+
+struct VerdictFound {
+  std::string name;  ///< CLEAN, CONDITIONAL, FAULTY, REFUSED
+  std::set<std::string> reasons;
+};
+
+std::string dashed(std::string text) {
+  std::replace(text.begin(), text.end(), ' ', '-');
+  return text;
+}
+
+std::vector<std::string> texts_of(const read::DataValue& list) {
+  std::vector<std::string> texts;
+  for (const read::DataValue& item : list.items) texts.push_back(item.text);
+  return texts;
+}
+
+VerdictFound verdict_on(const read::DataValue& one, const fs::path& place) {
+  resolve::PlanOptions options;
+  for (const std::string& tool : texts_of(*one.find("tools")))
+    options.tools.push_back(resolve::parse_tool(tool));
+  const Part part = read::read_part(folder() / "parts" / one.find("part")->text, {});
+  const fs::path file = place / one.find("file")->text;
+  options.accept = texts_of(*one.find("accept"));
+  pipeline::CheckResult result;
+  try {
+    result = pipeline::check_program(part, read_file(file.string()), file.filename().string(), options,
+                                     read::gcode::dialect_named(one.find("dialect")->text));
+  } catch (const InputError& error) {
+    return {"REFUSED", {error.what()}};
+  }
+  VerdictFound verdict{name_of(verdict_of(result.findings)), {}};
+  for (const Fault& fault : result.findings.faults) verdict.reasons.insert(dashed(name_of(fault.kind)));
+  if (!verdict.reasons.empty()) return verdict;
+  for (const Condition& condition : open_conditions(result.findings)) verdict.reasons.insert(condition.name);
+  return verdict;
+}
+
+class WrongPrograms : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(WrongPrograms, GetTheVerdictTheyDeserve) {
+  const fs::path place = folder() / GetParam();
+  const std::string list = (place / "cases.json").string();
+  const read::DataValue cases = read::parse_json(read_file(list), list);
+  ASSERT_GT(cases.items.size(), 10U);
+  for (const read::DataValue& one : cases.items) {
+    const std::string file = one.find("file")->text, wanted = one.find("verdict")->text,
+                      reason = one.find("reason")->text;
+    SCOPED_TRACE(GetParam() + "/" + file + ": " + one.find("does")->text);
+    const VerdictFound found = verdict_on(one, place);
+    std::string reasons;
+    for (const std::string& name : found.reasons) reasons += " " + name;
+    const bool met = found.name == wanted && (reason.empty() || found.reasons.count(reason) > 0);
+    EXPECT_TRUE(met) << "wanted " << wanted << " " << reason << ", found " << found.name << reasons;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
+                         ::testing::Values("motion", "comments", "dialects", "conditions", "state",
+                                           "blending", "small"),
+                         [](const auto& one) { return one.param; });
+
+/// Every right program that states its dialect is taken, and each class has right twins or accepted ones.
+TEST(WrongPrograms, CoverEveryDialect) {
+  std::set<std::string> dialects;
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(folder())) {
+    if (!fs::exists(entry.path() / "cases.json")) continue;
+    const std::string list = (entry.path() / "cases.json").string();
+    const read::DataValue cases = read::parse_json(read_file(list), list);
+    count += cases.items.size();
+    for (const read::DataValue& one : cases.items) dialects.insert(one.find("dialect")->text);
+  }
+  EXPECT_GT(count, 150U);
+  for (const char* name : {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}) {
+    EXPECT_TRUE(dialects.count(name) > 0) << name;
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
