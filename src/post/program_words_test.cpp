@@ -62,9 +62,9 @@ TEST(ProgramWords, WorkOffsetStandsInTheSafeStart) {
 TEST(ProgramWords, ProgramNumberIsTheOWord) {
   PostOptions options = post_for("fanuc");
   options.program_name = "bracket";
-  EXPECT_THAT(program(options), HasSubstr("%\nO0001\n(bracket)"));
+  EXPECT_THAT(program(options), HasSubstr("%\nO0001\n(BRACKET)"));
   options.program_number = 1234;
-  EXPECT_THAT(program(options), HasSubstr("%\nO1234\n(bracket)"));
+  EXPECT_THAT(program(options), HasSubstr("%\nO1234\n(BRACKET)"));
   options.program_number = 12345;
   EXPECT_THAT(refusal(options), HasSubstr("--program-number"));
   options.dialect = "haas";
