@@ -5,7 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "link/tracks.h"
+#include "link/tracks/tracks.h"
 #include "pipeline/certify.h"
 #include "plan/carve/carve.h"
 #include "post/post.h"

@@ -1,4 +1,4 @@
-#include "link/tracks.h"
+#include "link/tracks/tracks.h"
 
 #include <algorithm>
 #include <cmath>
