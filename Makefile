@@ -7,7 +7,7 @@ PRECOMPILED ?= ON
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=$(PRECOMPILED) $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test format lint-viewer clean
+.PHONY: all setup build demo test format lint-viewer test-browser clean
 all: build
 
 setup:
@@ -34,6 +34,10 @@ format:
 # ESLint over the report's scripts and style; needs npm, which the build does not.
 lint-viewer:
 	@scripts/lint_viewer.sh
+
+# The report page in a browser: plays, steps, clicks, screenshots. Skipped where chromium or npm is absent.
+test-browser: build
+	@scripts/viewer_browser_test.sh $(BUILD)/apps/cli/clearcut
 
 clean:
 	rm -rf build out

@@ -13,20 +13,9 @@
 
 #include "certificate_info.h"
 #include "post_arguments.h"
+#include "solver_arguments.h"
 
 namespace clearcut::cli {
-
-/// --solver and what belongs to the published one, for every command that orders visits.
-class SolverArguments {
- public:
-  void add_options(CLI::App& command);
-  /// Absent: not given. Throws InputError for an unknown solver, and for settings without the published one.
-  std::optional<VisitSolver> solver() const;
-
- private:
-  std::optional<std::string> name_;
-  PublishedSolver published_;
-};
 
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {

@@ -5,7 +5,7 @@
 #include "pipeline/elements.h"
 #include "read/elements/element_options.h"
 #include "read/elements/read_elements.h"
-#include "report/picture/grid_picture.h"
+#include "report/picture/grid/grid_picture.h"
 
 namespace clearcut {
 

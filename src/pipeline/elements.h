@@ -5,7 +5,7 @@
 
 #include "model/design_element.h"
 #include "pipeline/run.h"
-#include "report/picture/grid_page.h"
+#include "report/picture/grid/grid_page.h"
 #include "report/text_table.h"
 #include "resolve/plan_options.h"
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
+#include "read/common/foreign_files.h"
 #include "read/common/text.h"
 #include "read/dxf/dxf_reader.h"
 #include "read/edges/edges_reader.h"
@@ -112,9 +113,13 @@ Part snapped(Part part) {
 }
 
 Part read_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
-  refuse_what_is_no_text(text, file_name);
+  refuse_foreign_content(text, file_name);
   Kind kind = kind_of_extension(capitals(std::filesystem::path(file_name).extension().string()));
-  if (kind == Kind::kUnknown) kind = kind_of_content(text);
+  if (kind == Kind::kUnknown) {
+    refuse_foreign_name(file_name);
+    kind = kind_of_content(text);
+  }
+  refuse_what_is_no_text(text, file_name);
   switch (kind) {
     case Kind::kStep:
       if (is_step_solid(text)) return read_step_solid(text, file_name, options);

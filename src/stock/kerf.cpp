@@ -1,6 +1,7 @@
 #include "stock/kerf.h"
 
 #include <cmath>
+#include <utility>
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
@@ -10,6 +11,9 @@ namespace {
 
 /// mm. Arcs narrower than the cutter are replaced by chords this near to them.
 constexpr double kChord = 0.0005;
+
+/// mm. Until a cutter is chosen the kerf is taken to be this wide.
+constexpr double kSomeKerf = 0.1;
 
 /// `edge` moved to its left by d mm.
 Edge beside(const Edge& edge, double d) {
@@ -60,6 +64,12 @@ Regions kerf_of(const ProfileCut& cut, double width, const Tolerances& tol) {
   if (cut.side == ProfileSide::kOutside) return subtract(dilate(within, width, tol), within, tol);
   const Regions rest = inset(within.front(), width, tol);
   return rest.empty() ? within : subtract(within, rest, tol);
+}
+
+void follow(Feature& feature, ProfileCut cut, const Tolerances& tol) {
+  feature.target = kerf_of(cut, kSomeKerf, tol);
+  feature.allowed = feature.target;
+  feature.profile = std::move(cut);
 }
 
 }  // namespace clearcut::stock

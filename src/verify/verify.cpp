@@ -138,6 +138,7 @@ class FindingsBuilder {
     for (const JudgedMove& judged : program_.moves) {
       if (judged.earlier) continue;
       all.push_back(&judged);
+      findings_.move_engagement_deg.push_back(static_cast<float>(judged.load.max_deg));
       if (judged.workingstep >= 0) by_step[judged.workingstep].push_back(&judged);
     }
     findings_.faults = faults_of_moves(part_, program_, options_);

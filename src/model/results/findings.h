@@ -133,6 +133,8 @@ struct Findings {
   std::vector<FeatureFindings> features;  ///< in workplan order
   std::vector<Fault> faults;              ///< worst first
   std::vector<Condition> conditions;      ///< what must hold at the machine, met and open
+  /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not measured.
+  std::vector<float> move_engagement_deg;
 };
 
 /// CLEAN: no fault, and nothing is open. CONDITIONAL: no fault as long as the open conditions hold. FAULTY: a fault.

@@ -50,8 +50,8 @@ TEST(Passages, WaysKeepTheSideOfTheWall) {
   // Climb milling: the wall on the right, so the pocket is gone round counter-clockwise, whatever the order.
   for (const bool outside_in : {false, true}) {
     double twice_area = 0;
-    for (const Edge& edge : planned(Passage::kBisector, outside_in).passes.front().path)
-      twice_area += cross(edge.from, edge.to);
+    const LayerPasses layer = planned(Passage::kBisector, outside_in);
+    for (const Edge& edge : layer.passes.front().path) twice_area += cross(edge.from, edge.to);
     EXPECT_GT(twice_area, 0) << outside_in;
   }
 }

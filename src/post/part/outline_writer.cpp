@@ -25,15 +25,28 @@ std::string number(double value) {
   return fmt::format("{}", value == 0 ? 0.0 : value);
 }
 
-std::string loop_text(const Loop& loop, const std::string& indent) {
+std::string vertices_text(const std::vector<BulgeVertex>& vertices, const std::string& indent) {
   std::string out = "[";
   const char* separator = "\n";
-  for (const BulgeVertex& vertex : to_bulges(loop)) {
+  for (const BulgeVertex& vertex : vertices) {
     out += fmt::format("{}{}  [{}, {}, {}]", separator, indent, number(vertex.point.x),
                        number(vertex.point.y), number(vertex.bulge));
     separator = ",\n";
   }
   return out + "\n" + indent + "]";
+}
+
+std::string loop_text(const Loop& loop, const std::string& indent) {
+  return vertices_text(to_bulges(loop), indent);
+}
+
+/// What the cutter follows, instead of an area; open lines end with their last point.
+std::string profile_text(const ProfileCut& cut, const std::string& indent) {
+  std::vector<BulgeVertex> vertices = to_bulges(cut.line);
+  if (!cut.closed && !cut.line.empty()) vertices.push_back({cut.line.back().to, 0});
+  std::string out = indent + "\"closed\": " + (cut.closed ? "true" : "false") + ",\n";
+  if (cut.beyond != 0) out += indent + "\"beyond\": " + number(cut.beyond) + ",\n";
+  return out + indent + "\"line\": " + vertices_text(vertices, indent);
 }
 
 std::string region_text(const Region& region, const std::string& indent) {
@@ -66,8 +79,8 @@ bool same_loops(const Regions& a, const Regions& b) {
   return true;
 }
 
-std::string pocket_text(const Feature& feature, const Region& region) {
-  const std::string indent = "      ";
+/// Name, kind, heights: what all kinds of features have.
+std::string head_text(const Feature& feature, const std::string& indent) {
   std::string out =
       fmt::format("    {{\n{}\"name\": {},\n{}\"kind\": \"{}\",\n{}\"top\": {},\n{}\"depth\": {},\n", indent,
                   quoted(feature.name), indent, name_of(feature.kind), indent, number(feature.top_z), indent,
@@ -76,6 +89,17 @@ std::string pocket_text(const Feature& feature, const Region& region) {
     out += fmt::format("{}\"slope_rad\": {},\n", indent, number(feature.wall_slope.radians()));
   }
   if (feature.through) out += indent + "\"through\": true,\n";
+  return out;
+}
+
+std::string profile_feature_text(const Feature& feature) {
+  const std::string indent = "      ";
+  return head_text(feature, indent) + profile_text(*feature.profile, indent) + "\n    }";
+}
+
+std::string pocket_text(const Feature& feature, const Region& region) {
+  const std::string indent = "      ";
+  std::string out = head_text(feature, indent);
   out += region_text(region, indent);
   if (!same_loops(feature.target, feature.allowed)) out += allowed_text(feature, indent);
   return out + "\n    }";
@@ -94,6 +118,11 @@ std::string write_outline_json(const Part& part) {
   out += "  \"pockets\": [";
   const char* separator = "\n";
   for (const Feature& feature : part.features) {
+    if (feature.profile) {
+      out += separator + profile_feature_text(feature);
+      separator = ",\n";
+      continue;
+    }
     for (const Region& region : feature.target) {
       out += separator + pocket_text(feature, region);
       separator = ",\n";

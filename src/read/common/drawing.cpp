@@ -79,10 +79,7 @@ Regions islands_of(std::vector<DrawnGroup>& groups, const ReadOptions& options, 
   return islands;
 }
 
-/// mm. Until a cutter is chosen the kerf is taken to be this wide.
-constexpr double kSomeKerf = 0.1;
-
-/// A profile along one loop, or a line to engrave. Its areas are those of no cutter until one is chosen.
+/// A profile along one loop, or a line to engrave.
 Feature profile_of(const DrawnGroup& group, Path line, ProfileSide side, double depth,
                    const ReadOptions& options) {
   Feature feature = blank_feature(group, depth, options);
@@ -94,12 +91,10 @@ Feature profile_of(const DrawnGroup& group, Path line, ProfileSide side, double 
   cut.closed = line.front().from == line.back().to;
   if (side != ProfileSide::kOn && signed_area(line) < 0) line = reversed(line);
   cut.line = std::move(line);
-  feature.target = stock::kerf_of(cut, kSomeKerf, options.tol);
-  feature.allowed = feature.target;
   feature.through = side != ProfileSide::kOn;
   if (feature.through) cut.beyond = options.solid.breakthrough.value_or(0);
   feature.floor_z -= cut.beyond;
-  feature.profile = std::move(cut);
+  stock::follow(feature, std::move(cut), options.tol);
   return feature;
 }
 

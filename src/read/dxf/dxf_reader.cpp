@@ -115,16 +115,22 @@ class Collector {
     const std::string own(entity.text(8, "0"));
     const std::string layer = own == "0" ? layer_of_zero : own;
     if (is_paper) {
-      ++not_read_[std::string(entity.type) + " of the paper layout"];
+      leave_out(std::string(entity.type) + " of the paper layout", layer);
     } else if (is_hidden(entity, layer)) {
       ++hidden_[layer];
     } else if (entity.type == "INSERT") {
+      for (const DxfEntity& attribute : followers)
+        leave_out(std::string(attribute.type), std::string(attribute.text(8, "0")));
       insert(entity, map, layer, depth);
     } else if (!is_curve(entity.type)) {
-      ++not_read_[std::string(entity.type)];
+      leave_out(std::string(entity.type), layer);
     } else {
       take_curve(entity, followers, map, layer);
     }
+  }
+
+  void leave_out(const std::string& what, const std::string& layer) {
+    ++not_read_[layer == "0" ? what : what + " on layer " + layer];
   }
 
   bool is_chosen(const std::string& layer) const {
@@ -155,9 +161,9 @@ class Collector {
     }
     auto curve = curve_of(document_, entity, followers, map);
     if (!curve) {
-      ++not_read_[std::string(entity.type) + " that is not flat or has no points"];
+      leave_out(std::string(entity.type) + " that is not flat or has no points", layer);
     } else if (curve->edges.empty()) {
-      ++not_read_[std::string(entity.type) + " without length"];
+      leave_out(std::string(entity.type) + " without length", layer);
     } else {
       group.curves.push_back(std::move(*curve));
       if (rises(entity, followers)) ++risen_;
@@ -213,7 +219,7 @@ class Collector {
     }
     const auto own = entity_map(document_, entity);
     if (!own) {
-      ++not_read_["INSERT that is not parallel to the plane"];
+      leave_out("INSERT that is not parallel to the plane", layer);
       return;
     }
     const int columns = std::max(1, document_.integer(entity, 70, 1)),

@@ -114,6 +114,13 @@ TEST(Dxf, SplineThroughFitPointsAlone) {
   EXPECT_NEAR(box(half.features[0].target).max.y, 5, 0.002);
 }
 
+TEST(Dxf, TextsOfBlocksAreSaidByTheirLayer) {
+  const Part part = read(
+      dxf(kSquare + " 0 INSERT 8 D5 66 1 2 B 10 5 20 5 0 ATTRIB 8 LABELS 1 x 0 ATTRIB 8 LABELS 1 y 0 SEQEND",
+          " 0 BLOCK 2 B 10 0 20 0 0 CIRCLE 8 0 10 0 20 0 40 2 0 MTEXT 8 NOTES 1 x 0 ENDBLK"));
+  EXPECT_EQ(said(part, Severity::kSkipped, "2 ATTRIB on layer LABELS, 1 MTEXT on layer NOTES"), 1);
+}
+
 TEST(Dxf, OldPolylineWithBulgesAndSequenceEnd) {
   const Part part = read(
       dxf(" 0 POLYLINE 8 D1 66 1 70 1 0 VERTEX 8 D1 10 0 20 0 42 1 0 VERTEX 8 D1 10 10 20 0 42 1 0 SEQEND"));
@@ -206,13 +213,17 @@ TEST(Dxf, HiddenAndPaperEntitiesAreNotMilledButCounted) {
                "", 4, " 0 LAYER 2 OFF 62 -7 70 0 0 LAYER 2 FROZEN 62 7 70 1"));
   EXPECT_NEAR(all_area(part), 100, 1e-9);
   EXPECT_EQ(said(part, Severity::kSkipped, "1 FROZEN, 1 OFF"), 1);
-  EXPECT_EQ(said(part, Severity::kSkipped, "1 CIRCLE of the paper layout, 1 HATCH, 2 TEXT"), 1);
+  EXPECT_EQ(said(part, Severity::kSkipped,
+                 "1 CIRCLE of the paper layout on layer D5, 1 HATCH on layer D5, 2 TEXT on layer D5"),
+            1);
 }
 
 TEST(Dxf, CurvesWithoutLengthAreLeftOutAndCounted) {
   const Part part = read(dxf(kSquare + " 0 CIRCLE 8 D5 10 5 20 5 40 0 0 ARC 8 D5 10 5 20 5 40 0 50 0 51 90"));
   EXPECT_NEAR(all_area(part), 100, 1e-9);
-  EXPECT_EQ(said(part, Severity::kSkipped, "1 ARC without length, 1 CIRCLE without length"), 1);
+  EXPECT_EQ(
+      said(part, Severity::kSkipped, "1 ARC without length on layer D5, 1 CIRCLE without length on layer D5"),
+      1);
 }
 
 TEST(Dxf, BadFilesGiveOneLineSayingWhere) {

@@ -16,13 +16,14 @@
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/repair/repair.h"
+#include "stock/kerf.h"
 #include "stock/stacking.h"
 
 namespace clearcut::read {
 namespace {
 
-const std::set<std::string> kOutlineKeys{"name", "kind",  "outer",     "islands", "allowed",
-                                         "top",  "depth", "slope_rad", "through"};
+const std::set<std::string> kOutlineKeys{"name",  "kind",      "outer",   "islands", "allowed", "top",
+                                         "depth", "slope_rad", "through", "line",    "closed",  "beyond"};
 constexpr double kSteepest = 1.5;  // rad from vertical: beyond this a wall is a floor
 
 /// One file while it is being read.
@@ -144,6 +145,13 @@ double unit_of(const Context& context, const DataValue& root) {
   return require_unit(value->text, context.at(*value));
 }
 
+bool flag_of(const Context& context, const DataValue& outline, const std::string& key) {
+  const DataValue* value = outline.find(key);
+  if (!value) return false;
+  if (value->kind != DataValue::Kind::kBoolean) context.fail(*value, "\"" + key + "\" must be true or false");
+  return value->boolean;
+}
+
 Radians slope_of(const Context& context, const DataValue& outline) {
   const double slope = optional_number(context, outline, "slope_rad", 0);
   if (!(std::abs(slope) <= kSteepest)) {
@@ -157,12 +165,14 @@ FeatureKind kind_of(const Context& context, const DataValue& outline) {
   const std::string name = text_of(context, outline, "kind", name_of(FeatureKind::kClosedPocket));
   for (const FeatureKind kind :
        {FeatureKind::kClosedPocket, FeatureKind::kOpenPocket, FeatureKind::kPlanarFace, FeatureKind::kSlot,
-        FeatureKind::kStep, FeatureKind::kRoundHole, FeatureKind::kOutsideProfile}) {
+        FeatureKind::kStep, FeatureKind::kRoundHole, FeatureKind::kOutsideProfile,
+        FeatureKind::kInsideProfile, FeatureKind::kEngraving}) {
     if (name == name_of(kind)) return kind;
   }
-  context.fail(*outline.find("kind"), "unknown kind '" + printable(name) +
-                                          "'; use closed_pocket, open_pocket, "
-                                          "planar_face, slot, step, round_hole or outside_profile");
+  context.fail(*outline.find("kind"),
+               "unknown kind '" + printable(name) +
+                   "'; use closed_pocket, open_pocket, planar_face, slot, step, round_hole, "
+                   "outside_profile, inside_profile or engraving");
 }
 
 Regions regions_of(const Context& context, const DataValue& outline, double unit) {
@@ -190,11 +200,56 @@ Regions allowed_of(const Context& context, const DataValue& outline, double unit
   return unite(regions, target, context.options.tol);
 }
 
-bool flag_of(const Context& context, const DataValue& outline, const std::string& key) {
-  const DataValue* value = outline.find(key);
-  if (!value) return false;
-  if (value->kind != DataValue::Kind::kBoolean) context.fail(*value, "\"" + key + "\" must be true or false");
-  return value->boolean;
+/// The vertices of "line" joined; the last one to the first where `closed`.
+Path line_of(const Context& context, const DataValue& value, double unit, bool closed) {
+  RawCurve curve = curve_of(context, value, unit, "line");
+  if (!closed) curve.edges.pop_back();
+  return std::move(curve.edges);
+}
+
+/// The outline that a cutter follows along one side, or the line that it engraves.
+ProfileCut profile_of(const Context& context, const DataValue& outline, double unit, FeatureKind kind) {
+  const DataValue* line = outline.find("line");
+  ProfileCut cut;
+  cut.side = kind == FeatureKind::kOutsideProfile  ? ProfileSide::kOutside
+             : kind == FeatureKind::kInsideProfile ? ProfileSide::kInside
+                                                   : ProfileSide::kOn;
+  cut.closed = !outline.find("closed") || flag_of(context, outline, "closed");
+  if (!cut.closed && cut.side != ProfileSide::kOn)
+    context.fail(*line, "a profile's \"line\" must be closed; close it, or make it an engraving");
+  cut.beyond = unit * optional_number(context, outline, "beyond", 0);
+  if (!(cut.beyond >= 0 && cut.beyond <= kLargestCoordinate))
+    context.fail(outline, "\"beyond\" must be a length of 0 or more");
+  cut.line = line_of(context, *line, unit, cut.closed);
+  if (cut.side == ProfileSide::kOn) return cut;
+  // Crossings are refused where outlines are repaired.
+  RepairOptions options;
+  options.tol = context.options.tol;
+  options.where = context.file;
+  const Regions whole = repair({curve_of(context, *line, unit, "line")}, options, context.diagnostics);
+  if (whole.size() != 1 || !whole.front().islands().empty())
+    context.fail(*line, "a profile's \"line\" must be one simple outline; correct it");
+  if (signed_area(cut.line) < 0) cut.line = reversed(cut.line);
+  return cut;
+}
+
+bool follows_line(FeatureKind kind) {
+  return kind == FeatureKind::kInsideProfile || kind == FeatureKind::kEngraving;
+}
+
+void set_areas(const Context& context, const DataValue& outline, double unit, Feature& feature) {
+  if (!outline.find("line")) {
+    if (follows_line(feature.kind))
+      context.fail(outline,
+                   "\"line\" is missing; give what the cutter follows as \"line\": [[x, y, bulge], ...]");
+    feature.target = regions_of(context, outline, unit);
+    feature.allowed = allowed_of(context, outline, unit, feature.target);
+    return;
+  }
+  if (feature.kind != FeatureKind::kOutsideProfile && !follows_line(feature.kind))
+    context.fail(*outline.find("line"),
+                 "only profiles and engravings have a \"line\"; give \"outer\" instead");
+  stock::follow(feature, profile_of(context, outline, unit, feature.kind), context.options.tol);
 }
 
 Feature feature_of(const Context& context, const DataValue& outline, double unit, const std::string& name) {
@@ -209,8 +264,7 @@ Feature feature_of(const Context& context, const DataValue& outline, double unit
   feature.floor_z = feature.top_z - depth_of(context, outline, unit);
   feature.wall_slope = slope_of(context, outline);
   feature.through = flag_of(context, outline, "through");
-  feature.target = regions_of(context, outline, unit);
-  feature.allowed = allowed_of(context, outline, unit, feature.target);
+  set_areas(context, outline, unit, feature);
   if (feature.kind == FeatureKind::kRoundHole) {
     if (feature.target.size() == 1)
       feature.hole_diameter = circle_diameter(feature.target[0], context.options.tol);

@@ -165,7 +165,7 @@ class SvgCollector {
     } else if (is_svg_shape(name)) {
       take_shape(node, own);
     } else {
-      ++not_read_[std::string(name)];
+      ++not_read_[std::string(name) + (own.layer.empty() ? "" : " on layer " + own.layer)];
     }
   }
 

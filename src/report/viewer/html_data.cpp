@@ -100,8 +100,18 @@ class MoveColumns {
   Json starts_ = Json::array(), arcs_ = Json::array(), feeds_ = Json::array();
 };
 
+std::size_t moves_in(const Toolpath& toolpath) {
+  std::size_t count = 0;
+  for (const Section& section : toolpath.sections) count += section.moves.size();
+  return count;
+}
+
 void write_moves(const Job& job, const Machine& machine, Json& json) {
   MoveColumns columns;
+  const std::vector<float>& engagement = job.findings.move_engagement_deg;
+  const bool measured = !engagement.empty() && engagement.size() == moves_in(job.toolpath);
+  Json degrees = Json::array();
+  std::size_t index = 0;
   json["sections"] = Json::array();
   for (const Section& section : job.toolpath.sections) {
     const Tool* tool = tool_of(job.part, section);
@@ -112,12 +122,17 @@ void write_moves(const Job& job, const Machine& machine, Json& json) {
     one["first"] = columns.count();
     json["sections"].push_back(one);
     std::vector<Move> moves;
-    std::copy_if(section.moves.begin(), section.moves.end(), std::back_inserter(moves),
-                 [](const Move& move) { return drawable_move(move); });
+    for (const Move& move : section.moves) {
+      const std::size_t i = index++;
+      if (!drawable_move(move)) continue;
+      moves.push_back(move);
+      if (measured) degrees.push_back(std::lround(engagement[i]));
+    }
     const std::vector<Seconds> times = kinematics::move_times(moves, machine);
     for (std::size_t i = 0; i < moves.size(); ++i) columns.add(moves[i], times[i].seconds());
   }
   columns.write(json);
+  json["engagement"] = measured ? std::move(degrees) : Json(nullptr);
 }
 
 double lowest_z(const Job& job) {
@@ -190,6 +205,15 @@ Json fault_json(const Fault& fault) {
   return json;
 }
 
+Json condition_json(const Condition& condition) {
+  Json json;
+  json["name"] = condition.name;
+  json["text"] = condition.text;
+  json["line"] = condition.line;
+  json["met_by"] = condition.met_by;
+  return json;
+}
+
 Json figures_json(const Figures& f) {
   Json json;
   json["time_s"] = number(f.time_s);
@@ -247,6 +271,7 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   json["name"] = part.name.empty() ? "part" : part.name;
   json["clean"] = verdict_of(findings) == Verdict::kClean;
   json["verdict"] = name_of(verdict_of(findings));
+  json["bad"] = report::palette::kBad;
   json["top"] = number(part.top_z());
   const double bottom = lowest_z(job);
   json["bottom"] = number(bottom);
@@ -261,6 +286,8 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   }
   json["faults"] = Json::array();
   for (const Fault& fault : findings.faults) json["faults"].push_back(fault_json(fault));
+  json["conditions"] = Json::array();
+  for (const Condition& one : findings.conditions) json["conditions"].push_back(condition_json(one));
   json["figures"] = figures_json(findings.all);
   write_moves(job, options.machine, json);
   json["program"] = lines_of(options.program);

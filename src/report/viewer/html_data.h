@@ -9,15 +9,16 @@ namespace clearcut::report {
 
 /// JSON in ASCII without '<', '>' and '&', so that it can stand in a page as it is.
 ///
-/// Fields  name, clean, top, bottom (mm), shades (colours of 256 heights from bottom to top), stock
+/// Fields  name, clean, verdict, bad (colour of what is left), top, bottom (mm), shades (colours of 256 heights from bottom to top), stock
 ///         [x0,y0,x1,y1] or null, world [x0,y0,x1,y1]; tools [{n, d, r, w}]: number, diameter, radius of the
 ///         rounded edge, words; features [{name, floor, path, time, left, gouge, clean}]; sections [{label,
 ///         feature, tool, first}]: index of the first move; faults [{kind, feature, x, y, z, head, line,
-///         text}]; figures of the whole; program: array of lines.
+///         text}]; conditions [{name, text, line, met_by}]; figures of the whole; program: array of lines.
 /// Moves   kinds: one digit each (MoveKind); x, y, z: ends in um as differences from the move before; t:
 ///         durations in 0.1 ms; line: differences; starts [[move, x, y, z]] where a move does not begin where
 ///         the last one ended; arcs [[move, cx, cy, turn]]: centre in um from the start of the move, turn +1
-///         counter-clockwise; feeds [[move, mm/min]] where the feed changes.
+///         counter-clockwise; feeds [[move, mm/min]] where the feed changes;
+///         engagement: degrees, the largest on each move, or null.
 std::string html_data(const Part& part, const Toolpath& toolpath, const Findings& findings,
                       const HtmlOptions& options);
 

@@ -94,8 +94,8 @@ TEST(Html, IsOneWellFormedPageThatAsksForNothingElse) {
   EXPECT_EQ(document.select_nodes("//script").size(), 2u);
   EXPECT_TRUE(document.select_nodes("//link|//img|//iframe|//@src|//@href").empty());
   EXPECT_FALSE(std::regex_search(text, std::regex("https?://|fetch\\(|XMLHttpRequest|import\\(")));
-  for (const char* id :
-       {"title", "verdict", "tiles", "stage", "play", "scrub", "speed", "features", "faults", "code"}) {
+  for (const char* id : {"title", "verdict", "tiles", "stage", "play", "scrub", "speed", "features", "faults",
+                         "conditions", "program", "plot"}) {
     EXPECT_EQ(document.select_nodes((std::string("//*[@id='") + id + "']").c_str()).size(), 1u) << id;
   }
 }
@@ -180,6 +180,35 @@ TEST(Html, SectionsFeaturesFaultsAndFiguresAreThere) {
   EXPECT_EQ(job["program"][1], "G0 X1 Y2 (<first> & \"second\")");
 }
 
+TEST(Html, EngagementOfEachMoveIsThereWhereItWasMeasured) {
+  Toolpath toolpath = sample::toolpath();
+  const std::size_t count = all_moves(toolpath).size();
+  Findings findings = sample::findings();
+  EXPECT_TRUE(Json::parse(html_data(sample::part(), toolpath, findings, {}))["engagement"].is_null());
+  findings.move_engagement_deg.assign(count, 45.4F);
+  findings.move_engagement_deg[5] = 180;
+  Json degrees = Json::parse(html_data(sample::part(), toolpath, findings, {}))["engagement"];
+  ASSERT_EQ(degrees.size(), count);
+  EXPECT_EQ(degrees[4], 45);
+  EXPECT_EQ(degrees[5], 180);
+  toolpath.sections[0].moves[4].path.to = {std::numeric_limits<double>::quiet_NaN(), 0};
+  degrees = Json::parse(html_data(sample::part(), toolpath, findings, {}))["engagement"];
+  ASSERT_EQ(degrees.size(), count - 1);
+  EXPECT_EQ(degrees[4], 180) << "a move that is left out shifts no other's";
+  findings.move_engagement_deg.pop_back();
+  EXPECT_TRUE(Json::parse(html_data(sample::part(), toolpath, findings, {}))["engagement"].is_null());
+}
+
+TEST(Html, ConditionsAreThere) {
+  Findings findings = sample::findings();
+  findings.conditions = {{"g55", "G55 is where the part's zero is.", 7, ""}, {"units", "mm", 0, "accepted"}};
+  const Json job = Json::parse(html_data(sample::part(), sample::toolpath(), findings, {}));
+  EXPECT_EQ(job["verdict"], "FAULTY");
+  EXPECT_EQ(job["conditions"][0]["name"], "g55");
+  EXPECT_EQ(job["conditions"][0]["line"], 7);
+  EXPECT_EQ(job["conditions"][1]["met_by"], "accepted");
+}
+
 TEST(Html, HostileNamesStayData) {
   Part part = sample::part();
   part.name = "</script><script>alert('x')</script><!-- ]]>\xff";
@@ -219,7 +248,7 @@ TEST(Html, StaysSmall) {
   for (int i = 0; i < 20000; ++i)
     m.to(MoveKind::kCut, {50 + 40 * std::cos(0.1 * i), 40 + 30 * std::sin(0.1 * i)}, -1);
   section.moves = m.moves;
-  EXPECT_LT(html(sample::part(), {{section}}, {}, {}).size(), 20000 * 32 + 60000);
+  EXPECT_LT(html(sample::part(), {{section}}, {}, {}).size(), 20000 * 32 + 90000);
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 const job = JSON.parse(document.getElementById('job').textContent);
 const by = id => document.getElementById(id);
 const KINDS = ['rapid', 'plunge', 'ramp', 'lead-in', 'cut', 'lead-out', 'link', 'retract'];
-const css = name => getComputedStyle(document.documentElement).getPropertyValue('--' + name);
-const LINE_COLORS = ['rapid', 'entry', 'entry', 'cut', 'cut', 'cut', 'link', 'link'].map(css);
+const css = name => getComputedStyle(document.documentElement).getPropertyValue('--' + name).trim();
 
 // ---- Moves: columns of differences become absolute values, mm and seconds.
 const count = job.kinds.length;
@@ -31,6 +30,13 @@ function decodeMoves() {
 
 const total = moves.t[count];
 const toolOf = i => job.tools[job.sections[moves.section[i]].tool];
+
+/** Degrees, the largest on each move; null where the page was made without. */
+const engagements = job.engagement || null;
+
+/** First move of each line of the program, -1 where it has none. */
+const moveOfLine = new Int32Array(job.program.length + 1).fill(-1);
+for (let i = count - 1; i >= 0; --i) if (moves.line[i] < moveOfLine.length) moveOfLine[moves.line[i]] = i;
 
 /** Start angle and signed sweep of an arc move. */
 function arcOf(i) {

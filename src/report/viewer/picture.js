@@ -54,7 +54,7 @@ function restsAtTheEnd() {
   rests = newCanvas();
   const c = rests.getContext('2d'), left = heightContext.getImageData(0, 0, width, height).data;
   let pixels = 0;
-  const picture = c.createImageData(width, height), red = [1, 3, 5].map(k => parseInt(css('bad').trim().slice(k, k + 2), 16));
+  const picture = c.createImageData(width, height), red = [1, 3, 5].map(k => parseInt(job.bad.slice(k, k + 2), 16));
   for (const feature of job.features.filter(feature => feature.reach)) {
     const reach = reachOf(feature), floor = Math.round(255 * (feature.floor - job.bottom) / depth) + 1;
     for (let k = 0; k < left.length; k += 4) {
@@ -68,22 +68,23 @@ function restsAtTheEnd() {
   return rests;
 }
 
-/** What is left in red, and the places of all faults. */
-function drawRests(c, k, px) {
+/** A canvas of the part's size, where it lies in the view. */
+function drawWorldPicture(c, canvas) {
+  const corner = toScreen({ x: wx0, y: wy1 }), k = view.k / scale;
   c.save();
-  c.setTransform(k, 0, 0, k, 0, 0);
-  c.drawImage(restsAtTheEnd(), 0, 0);
+  c.setTransform(view.ratio, 0, 0, view.ratio, 0, 0);
+  c.drawImage(canvas, corner.x, corner.y, width * k, height * k);
   c.restore();
+}
+
+/** What is left in red, and the places of all faults. */
+function drawRests(c, px) {
+  drawWorldPicture(c, restsAtTheEnd());
   for (const fault of job.faults) if (fault.x !== null && fault.y !== null) drawMark(c, px, fault);
 }
 
-function drawOverlay() {
-  const ratio = window.devicePixelRatio || 1, k = overlay.clientWidth * ratio / width;
-  overlay.width = Math.max(1, Math.round(width * k)); overlay.height = Math.max(1, Math.round(height * k));
-  const c = overlay.getContext('2d'), px = 1 / (scale * k) * ratio;
-  toWorld(c, k);
-  c.lineJoin = c.lineCap = 'round';
-  c.lineWidth = 0.8 * px; c.strokeStyle = 'rgba(28,39,51,0.45)';
+function drawOutlines(c, px) {
+  c.lineWidth = 0.8 * px; c.strokeStyle = css('outline');
   c.save();
   if (job.stock) {
     c.beginPath();
@@ -93,20 +94,89 @@ function drawOverlay() {
   }
   for (const outline of outlines) c.stroke(outline);
   c.restore();
-  if (at.time >= total && !job.clean) drawRests(c, k, px);
-  if (by('path').checked) drawTrail(c, px);
+}
+
+function drawOverlay() {
+  measureStage();
+  const c = overlay.getContext('2d'), px = 1 / view.k, mode = by('path').value;
+  c.setTransform(1, 0, 0, 1, 0, 0);
+  c.clearRect(0, 0, overlay.width, overlay.height);
+  c.globalAlpha = mode === 'all' ? 0.3 : dark.matches ? 0.6 : 1;
+  drawWorldPicture(c, relief);
+  c.globalAlpha = 1;
+  setPlan(c);
+  c.lineJoin = c.lineCap = 'round';
+  drawOutlines(c, px);
+  if (at.time >= total && !job.clean) drawRests(c, px);
+  if (mode === 'all') drawWholePath(c);
+  if (mode === 'recent') drawTrail(c, px);
   drawTool(c, px);
   if (marked) drawMark(c, px, marked);
+  drawMeasure(c, px);
+}
+
+/** The whole path in a canvas of its own, drawn anew only when the view or what is shown has changed. */
+let pathPicture = null, pathKey = '';
+function drawWholePath(c) {
+  const key = [view.x, view.y, view.k, view.w, view.h, view.ratio, pictureVersion].join();
+  if (key !== pathKey) {
+    pathKey = key;
+    pathPicture = pathPicture || document.createElement('canvas');
+    pathPicture.width = overlay.width; pathPicture.height = overlay.height;
+    const p = pathPicture.getContext('2d');
+    setPlan(p);
+    p.lineJoin = p.lineCap = 'round';
+    p.lineWidth = 1.2 / view.k;
+    for (let k = -1; k < classColors.length; ++k) strokeClass(p, k < 0 ? NO_VALUE : k, k < 0 ? noColor : classColors[k]);
+  }
+  c.save();
+  c.setTransform(1, 0, 0, 1, 0, 0);
+  c.drawImage(pathPicture, 0, 0);
+  c.restore();
+  const i = shownMove();
+  if (i < 0) return;
+  c.beginPath();
+  trace(c, i, 0, 1);
+  c.lineWidth = 3.5 / view.k; c.strokeStyle = css('ink');
+  c.stroke();
+}
+
+const meets = (a, b, from, to) => Math.max(a, b) >= from && Math.min(a, b) <= to;
+/** Whether the line goes on in move i + 1 of the same class. */
+const goesOnAfter = (i, k) => i + 1 < count && classOf[i + 1] === k && moves.turn[i + 1] === 0;
+
+/** One stroke for all moves of a class. Rests of lines shorter than half a pixel are left to the next move. */
+function strokeClass(c, k, color) {
+  const short = 0.5 / view.k, min = toPlan({ x: 0, y: view.h }), max = toPlan({ x: view.w, y: 0 });
+  let last = -2, x = 0, y = 0;
+  c.beginPath();
+  for (let i = 0; i < count; ++i) {
+    if (classOf[i] !== k || !shown(i)) continue;
+    if (moves.turn[i] !== 0) { trace(c, i, 0, 1); continue; }
+    const ax = moves.x0[i], ay = moves.y0[i], bx = moves.x1[i], by_ = moves.y1[i];
+    if (!meets(ax, bx, min.x, max.x) || !meets(ay, by_, min.y, max.y)) continue;
+    const goesOn = last === i - 1 && moves.turn[last] === 0;
+    if (!goesOn) { c.moveTo(ax, ay); x = ax; y = ay; }
+    last = i;
+    if (goesOnAfter(i, k) && Math.abs(bx - x) < short && Math.abs(by_ - y) < short) continue;
+    c.lineTo(bx, by_);
+    x = bx; y = by_;
+  }
+  c.strokeStyle = color;
+  c.globalAlpha = color === noColor ? 0.6 : 1;
+  c.stroke();
+  c.globalAlpha = 1;
 }
 
 function drawTrail(c, px) {
-  c.lineWidth = 1.2 * px;
-  const last = Math.min(at.move, count - 1);
+  const last = shownMove();
   for (let i = Math.max(0, last - TRAIL); i <= last; ++i) {
+    if (!shown(i)) continue;
     c.beginPath();
-    trace(c, i, 0, i === at.move ? at.fraction : 1);
+    trace(c, i, 0, i === last ? shownFraction() : 1);
+    c.lineWidth = (i === last ? 3 : 1.2) * px;
     c.setLineDash(moves.kind[i] === 0 ? [4 * px, 4 * px] : []);
-    c.strokeStyle = LINE_COLORS[moves.kind[i]];
+    c.strokeStyle = colorOf(i);
     c.globalAlpha = 0.25 + 0.75 * Math.max(0, 1 - (last - i) / TRAIL);
     c.stroke();
   }
@@ -116,7 +186,7 @@ function drawTrail(c, px) {
 
 function drawTool(c, px) {
   if (count === 0) return;
-  const i = Math.min(at.move, count - 1), tool = toolOf(i), p = pointAt(i, at.move < count ? at.fraction : 1);
+  const i = Math.max(0, shownMove()), tool = toolOf(i), p = pointAt(i, shownFraction());
   const radius = tool ? tool.d / 2 : 3 * px, cuts = p.z < job.top && moves.kind[i] !== 0;
   c.beginPath();
   c.arc(p.x, p.y, radius, 0, 2 * Math.PI);
@@ -136,4 +206,14 @@ function drawMark(c, px, place) {
     c.lineWidth = w * px; c.strokeStyle = color;
     c.stroke();
   }
+}
+
+function drawMeasure(c, px) {
+  if (!measure.from) return;
+  c.strokeStyle = c.fillStyle = css('ink'); c.lineWidth = 1.5 * px;
+  const ends = [measure.from, measure.to].filter(p => p !== null);
+  c.beginPath();
+  ends.forEach((p, k) => k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y));
+  c.stroke();
+  for (const p of ends) { c.beginPath(); c.arc(p.x, p.y, 3 * px, 0, 2 * Math.PI); c.fill(); }
 }

@@ -5,8 +5,7 @@ const scale = PIXELS / Math.max(wx1 - wx0, wy1 - wy0);
 const width = Math.max(1, Math.ceil((wx1 - wx0) * scale)), height = Math.max(1, Math.ceil((wy1 - wy0) * scale));
 const depth = Math.max(job.top - job.bottom, 1e-6);
 const heights = newCanvas(), heightContext = heights.getContext('2d', { willReadFrequently: true });
-const relief = by('relief'), overlay = by('overlay');
-relief.width = width; relief.height = height;
+const relief = newCanvas(), overlay = by('overlay');
 const reliefContext = relief.getContext('2d');
 
 function newCanvas() {

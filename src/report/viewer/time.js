@@ -6,9 +6,7 @@ const snapshots = [];
 function takeSnapshot() {
   const due = total * (snapshots.length + 1) / (SNAPSHOTS + 1);
   if (snapshots.length >= SNAPSHOTS || moves.t[at.move] < due) return;
-  const canvas = newCanvas();
-  canvas.getContext('2d').drawImage(heights, 0, 0);
-  snapshots.push({ move: at.move, canvas });
+  snapshots.push({ move: at.move, heights: heightContext.getImageData(0, 0, width, height) });
 }
 
 function rewind(time) {
@@ -17,11 +15,7 @@ function rewind(time) {
   for (const snapshot of snapshots) {
     if (moves.t[snapshot.move] > time || snapshot.move === 0) continue;
     at.move = snapshot.move;
-    heightContext.save();
-    heightContext.setTransform(1, 0, 0, 1, 0, 0);
-    heightContext.globalCompositeOperation = 'source-over';
-    heightContext.drawImage(snapshot.canvas, 0, 0);
-    heightContext.restore();
+    heightContext.putImageData(snapshot.heights, 0, 0);
   }
   soilAll();
 }

@@ -1,7 +1,7 @@
 // Research on the library: published tables computed anew, contests of methods. Not part of what is installed.
 #pragma once
 
-#include "studies/genetic_study.h"
+#include "studies/genetic/genetic_study.h"
 #include "studies/method_study.h"
-#include "studies/reproduce.h"
-#include "studies/reproduction_page.h"
+#include "studies/reproduce/reproduce.h"
+#include "studies/reproduce/reproduction_page.h"

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/spatial/box_tree.h"
 #include "geometry/spatial/cell_grid.h"
 
 namespace clearcut::plan::contour {
@@ -365,6 +366,7 @@ struct BandMinimiser::Impl {
     candidates_.clear();
     const double far = limit_ + 2 * skin_, near = limit_ - 2 * skin_;
     measure_bands();
+    tree_is_built_ = false;
     sort_bands_into_grid(far);
     for (std::uint32_t w = 0; w < paths_.witnesses.size(); ++w) {
       Witness& witness = paths_.witnesses[w];
@@ -390,25 +392,30 @@ struct BandMinimiser::Impl {
     moved_since_listing_ = 0;
   }
 
-  std::uint32_t nearest_band(Vec2 p) const {
-    std::uint32_t best = 0;
-    double best_distance = std::numeric_limits<double>::infinity();
-    for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) {
-      double t = 0;
-      const double d = norm_squared(offset_from_band(i, p, t));
-      if (d >= best_distance) continue;
-      best_distance = d;
-      best = i;
+  /// The first of those nearest to p, however far.
+  std::uint32_t nearest_band(Vec2 p) {
+    if (!tree_is_built_) {
+      tree_.build(static_cast<std::uint32_t>(paths_.bands.size()),
+                  [&](std::uint32_t i) { return box_of(i); });
+      tree_is_built_ = true;
     }
-    return best;
+    return tree_.nearest(p, [&](std::uint32_t i) {
+      double t = 0;
+      return norm_squared(offset_from_band(i, p, t));
+    });
+  }
+
+  Box box_of(std::uint32_t band) const {
+    Box box;
+    box.add(paths_.at(paths_.bands[band].a));
+    box.add(paths_.at(paths_.bands[band].b));
+    return box;
   }
 
   void sort_bands_into_grid(double far) {
     safe_.assign(paths_.bands.size(), 0);
     for (std::uint32_t i = 0; i < paths_.bands.size(); ++i) {
-      Box box;
-      box.add(paths_.at(paths_.bands[i].a));
-      box.add(paths_.at(paths_.bands[i].b));
+      const Box box = box_of(i);
       grid_.for_cells(box.grown(far), [&](std::size_t cell, Vec2) { bands_in_.add(cell, i); });
       safe_[i] = job_.legal->surely_holds(box.grown(2 * skin_));
     }
@@ -431,6 +438,8 @@ struct BandMinimiser::Impl {
   double moved_since_listing_ = 0;
   CellGrid grid_;
   CellLists bands_in_, fixed_in_;
+  BoxTree tree_;  ///< bands where they were when they were listed; built when a witness far from all asks
+  bool tree_is_built_ = false;
   std::vector<Segment> segments_;
   std::vector<char> safe_;  ///< for each band: whether it cannot leave the legal area before the next listing
 };

@@ -1,0 +1,38 @@
+// The options of the solver that orders visits, as the user types them.
+#pragma once
+
+#include <clearcut/error.h>
+#include <clearcut/plan.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace clearcut::cli {
+
+/// What `name` stands for; absent where none was typed. Throws InputError listing the names for one that is unknown.
+template <class Value>
+std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
+                           const char* option) {
+  if (!name) return std::nullopt;
+  const auto found = names.find(*name);
+  if (found != names.end()) return found->second;
+  std::string known;
+  for (const auto& [text, value] : names) known += (known.empty() ? "" : ", ") + text;
+  throw InputError(option, "'" + *name + "' is unknown; use one of " + known);
+}
+
+/// --solver and what belongs to the published one, for every command that orders visits.
+class SolverArguments {
+ public:
+  void add_options(CLI::App& command);
+  /// Absent: not given. Throws InputError for an unknown solver, and for settings without the published one.
+  std::optional<VisitSolver> solver() const;
+
+ private:
+  std::optional<std::string> name_;
+  PublishedSolver published_;
+};
+
+}  // namespace clearcut::cli

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# viewer_browser_test.sh COMMAND: opens the fishhead's report in Chromium, plays, steps, clicks, and takes screenshots into
+# build/viewer-browser/pictures. playwright-core and axe-core come from npm as the lock file says.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+clearcut=$1 source=scripts/viewer_browser kit=build/viewer-browser browser=${CHROMIUM:-/usr/bin/chromium}
+[ -x "$browser" ] || { echo "skipped: test-browser needs chromium (Debian package chromium)"; exit 0; }
+command -v npm > /dev/null || { echo "skipped: test-browser needs npm (Debian package npm)"; exit 0; }
+mkdir -p "$kit/pictures"
+if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit/node_modules/.package-lock.json" ]; then
+  cp "$source/package.json" "$source/package-lock.json" "$kit/"
+  (cd "$kit" && npm ci --no-audit --no-fund --loglevel=error)
+fi
+cp "$source/viewer_browser_test.mjs" "$kit/"
+"$clearcut" plan examples/fishhead.p21 -o "$kit/fishhead.ngc" --stepdown 2 --report "$kit/fishhead.html" --quiet
+timeout 300 node "$kit/viewer_browser_test.mjs" "$kit" "$browser"

@@ -1,0 +1,74 @@
+// The nearest of many numbered things whose neighbours in number lie near each other, as the pieces of a path do.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "geometry/box.h"
+
+namespace clearcut::inline geometry {
+
+/// A binary tree of boxes over numbers in their order. Building it costs O(n); a look-up about O(log n).
+class BoxTree {
+ public:
+  /// `box_of(i)` for i below `count`.
+  template <typename BoxOf>
+  void build(std::uint32_t count, BoxOf&& box_of) {
+    count_ = count;
+    leaves_ = 1;
+    while (leaves_ * kLeaf < count) leaves_ *= 2;
+    boxes_.assign(2 * std::size_t{leaves_}, {});
+    for (std::uint32_t i = 0; i < count; ++i) boxes_[leaves_ + i / kLeaf].add(box_of(i));
+    for (std::size_t node = leaves_; node-- > 1;) {
+      boxes_[node] = boxes_[2 * node];
+      boxes_[node].add(boxes_[2 * node + 1]);
+    }
+  }
+
+  /// The number with the least squared distance(i) from p, the smallest of several; 0 where there is none.
+  template <typename SquaredDistance>
+  std::uint32_t nearest(Vec2 p, SquaredDistance&& squared_distance) const {
+    std::uint32_t best = 0;
+    double best_squared = std::numeric_limits<double>::infinity();
+    std::vector<std::size_t> open{1};
+    while (!open.empty()) {
+      const std::size_t node = open.back();
+      open.pop_back();
+      if (bound(node, p) > best_squared) continue;
+      if (node >= leaves_) {
+        const auto first = static_cast<std::uint32_t>(node - leaves_) * kLeaf;
+        for (std::uint32_t i = first; i < std::min(first + kLeaf, count_); ++i) {
+          const double squared = squared_distance(i);
+          if (!(squared < best_squared || (squared == best_squared && i < best))) continue;
+          best_squared = squared;
+          best = i;
+        }
+        continue;
+      }
+      std::size_t near = 2 * node, far = near + 1;
+      if (bound(far, p) < bound(near, p)) std::swap(near, far);
+      open.push_back(far);
+      open.push_back(near);
+    }
+    return best;
+  }
+
+ private:
+  static constexpr std::uint32_t kLeaf = 8;
+
+  /// Squared distance to a box, less by more than rounding.
+  double bound(std::size_t node, Vec2 p) const {
+    const Box& box = boxes_[node];
+    const double dx = std::max({box.min.x - p.x, 0.0, p.x - box.max.x});
+    const double dy = std::max({box.min.y - p.y, 0.0, p.y - box.max.y});
+    return (dx * dx + dy * dy) * (1 - 1e-9);
+  }
+
+  std::uint32_t count_ = 0;
+  std::uint32_t leaves_ = 1;
+  std::vector<Box> boxes_{2};  ///< the root at 1, the children of node i at 2 i and 2 i + 1
+};
+
+}  // namespace clearcut::inline geometry

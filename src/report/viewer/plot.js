@@ -1,0 +1,79 @@
+// ---- Feed and engagement over time, on the same scale of time as the bar of features above.
+let plotKey = '', plotPicture = null;
+
+/** The greatest value in each column of pixels. */
+function columnsOf(value, w) {
+  const columns = new Float64Array(w);
+  for (let i = 0; i < count; ++i) {
+    const v = value(i), last = Math.min(w - 1, Math.floor(moves.t[i + 1] / total * w));
+    for (let x = Math.min(w - 1, Math.floor(moves.t[i] / total * w)); x <= last; ++x) columns[x] = Math.max(columns[x], v);
+  }
+  return columns;
+}
+
+function plotCurve(c, strip) {
+  const columns = columnsOf(strip.value, strip.w);
+  c.fillStyle = strip.color;
+  c.globalAlpha = strip.alpha;
+  for (let x = 0; x < strip.w; ++x) {
+    const h = strip.most > 0 ? columns[x] / strip.most * strip.h : 0;
+    c.fillRect(x, strip.y + strip.h - h, 1, h);
+  }
+  c.globalAlpha = 1;
+  c.fillStyle = css('rule');
+  c.fillRect(0, strip.y + strip.h, strip.w, 1);
+}
+
+function writePlotWords(c, words, y) {
+  c.font = '12px system-ui, sans-serif';
+  const w = c.measureText(words).width;
+  c.globalAlpha = 0.85;
+  c.fillStyle = css('page');
+  c.fillRect(2, y, w + 8, 16);
+  c.globalAlpha = 1;
+  c.fillStyle = css('ink');
+  c.fillText(words, 6, y + 12);
+}
+
+function drawPlotPicture(w, h, ratio) {
+  plotPicture = document.createElement('canvas');
+  plotPicture.width = Math.round(w * ratio); plotPicture.height = Math.round(h * ratio);
+  const c = plotPicture.getContext('2d'), half = engagements ? h / 2 : h;
+  const mostFeed = job.feeds.reduce((most, row) => Math.max(most, row[1]), 0);
+  c.scale(ratio, ratio);
+  if (count === 0 || !(total > 0)) return;
+  plotCurve(c, { value: i => moves.feed[i], most: mostFeed, y: 1, h: half - 3, w, color: css('faint'), alpha: 0.6 });
+  writePlotWords(c, 'feed, up to ' + feedText(mostFeed), 2);
+  if (!engagements) return;
+  plotCurve(c, { value: i => engagements[i], most: 180, y: half + 1, h: half - 3, w, color: css('accent'), alpha: 0.75 });
+  writePlotWords(c, 'engagement, up to 180\u00b0', half + 2);
+}
+
+function drawPlot() {
+  const canvas = by('plot'), w = Math.max(1, canvas.clientWidth), h = Math.max(1, canvas.clientHeight), ratio = window.devicePixelRatio || 1;
+  const key = [w, h, ratio, dark.matches, unit.name].join();
+  if (key !== plotKey) {
+    plotKey = key;
+    drawPlotPicture(w, h, ratio);
+    canvas.width = plotPicture.width; canvas.height = plotPicture.height;
+  }
+  const c = canvas.getContext('2d');
+  c.setTransform(1, 0, 0, 1, 0, 0);
+  c.clearRect(0, 0, canvas.width, canvas.height);
+  c.drawImage(plotPicture, 0, 0);
+  c.scale(ratio, ratio);
+  c.fillStyle = css('bad');
+  for (const time of faultTimes) c.fillRect(w * time / (total || 1) - 1, 0, 2, h);
+  c.fillStyle = css('ink');
+  c.fillRect(w * at.time / (total || 1) - 1, 0, 2, h);
+}
+
+/** A press or a drag on an element as wide as the whole time goes to the moment. */
+function seekBy(target) {
+  const seek = event => {
+    const box = target.getBoundingClientRect();
+    show(total * Math.max(0, Math.min(1, (event.clientX - box.left) / box.width)));
+  };
+  target.onpointerdown = event => { target.setPointerCapture(event.pointerId); seek(event); };
+  target.onpointermove = event => { if (event.buttons) seek(event); };
+}

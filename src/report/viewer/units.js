@@ -1,0 +1,23 @@
+// ---- Words and figures. The job is in mm; what is shown is in the unit chosen.
+const UNITS = { mm: { per: 1, name: 'mm', feed: 'mm/min', more: 0 }, inch: { per: 1 / 25.4, name: 'in', feed: 'in/min', more: 1 } };
+let unit = UNITS.mm;
+const fixed = (v, n) => v === null || !isFinite(v) ? '?' : v.toFixed(n);
+const bare = (mm, n) => mm === null ? '?' : fixed(mm * unit.per, n + unit.more);
+const lengthText = (mm, n) => bare(mm, n) + '\u00a0' + unit.name;
+const feedText = v => v > 0 ? bare(v, 0) + '\u00a0' + unit.feed : 'rapid';
+
+function clock(s) {
+  if (s === null || !isFinite(s)) return '?';
+  s = Math.round(s);
+  const two = v => String(v).padStart(2, '0');
+  const hours = Math.floor(s / 3600), minutes = Math.floor(s / 60) % 60;
+  return (hours ? hours + ':' + two(minutes) : minutes) + ':' + two(s % 60);
+}
+
+function element(name, text, parent, type) {
+  const e = document.createElement(name);
+  if (text !== undefined) e.textContent = text;
+  if (type) e.className = type;
+  if (parent) parent.append(e);
+  return e;
+}

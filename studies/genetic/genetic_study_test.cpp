@@ -1,0 +1,160 @@
+// Repeated studies: resumable, repeatable, and true to what they say they measure.
+#include "studies/genetic/genetic_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "base/error.h"
+
+namespace clearcut::studies {
+namespace {
+
+GeneticStudyOptions small(int threads = 1) {
+  GeneticStudyOptions options;
+  options.runs = 3;
+  options.generations = 25;
+  options.side = 5;
+  options.threads = threads;
+  return options;
+}
+
+std::string csv_of(const std::string& name, const GeneticStudyOptions& options,
+                   const std::string& earlier = "") {
+  const GeneticStudy study = genetic_study(name, options);
+  return study_csv(study, options, run_genetic_study(study, options, earlier));
+}
+
+TEST(GeneticStudy, GivesTheSameRowsOnOneAndTwoThreads) {
+  for (const std::string& name : genetic_study_names()) {
+    if (name == "time") continue;  // its seconds differ
+    GeneticStudyOptions options = small();
+    if (name == "size") options.runs = 1;
+    const std::string one = csv_of(name, options);
+    options.threads = 2;
+    EXPECT_EQ(one, csv_of(name, options)) << name;
+  }
+}
+
+TEST(GeneticStudy, KeepsTheRowsOfAnEarlierFile) {
+  GeneticStudyOptions options = small();
+  const std::string whole = csv_of("selection", options);
+  options.runs = 2;
+  const std::string part = csv_of("selection", options);
+  options.runs = 3;
+  int runs = 0;
+  options.progress = [&](int, int, const auto&) { ++runs; };
+  EXPECT_EQ(csv_of("selection", options, part), whole);
+  EXPECT_EQ(runs, 5);  // the third run of five levels
+  // A file cut off inside its last line: the run it belongs to is done again.
+  runs = 0;
+  EXPECT_EQ(csv_of("selection", options, whole.substr(0, whole.size() - 9)), whole);
+  EXPECT_EQ(runs, 1);
+  runs = 0;
+  EXPECT_EQ(csv_of("selection", options, whole), whole);
+  EXPECT_EQ(runs, 0);
+}
+
+TEST(GeneticStudy, KeepsRowsRatherThanMakingThemAnew) {
+  const GeneticStudyOptions options = small();
+  std::string csv = csv_of("mutation", options);
+  const auto at = csv.find("\n", csv.find("\n") + 1);
+  const auto before = csv.rfind(",", csv.rfind(",", csv.rfind(",", at) - 1) - 1);
+  csv.replace(before + 1, 2, "11");  // another fitness in the first row
+  EXPECT_EQ(csv_of("mutation", options, csv), csv);
+}
+
+TEST(GeneticStudy, RefusesRowsOfOtherSettings) {
+  GeneticStudyOptions options = small();
+  const std::string csv = csv_of("selection", options);
+  EXPECT_THROW(csv_of("crossover", options, csv), InputError);
+  options.side = 6;
+  EXPECT_THROW(csv_of("selection", options, csv), InputError);
+  options = small();
+  options.seed = 2;
+  EXPECT_THROW(csv_of("selection", options, csv), InputError);
+}
+
+/// A file that is no study, or was changed by hand, is refused rather than written over or counted twice.
+TEST(GeneticStudy, RefusesWhatNoStudyWrote) {
+  const GeneticStudyOptions options = small();
+  const std::string csv = csv_of("spread", options);
+  EXPECT_THROW(csv_of("spread", options, "a letter to somebody\n"), InputError);
+  const std::string header = csv.substr(0, csv.find('\n') + 1);
+  EXPECT_THROW(csv_of("spread", options, csv + csv.substr(header.size())), InputError);
+  const std::string row = csv.substr(header.size(), csv.find('\n', header.size()) - header.size());
+  for (const char* value : {"nan", "inf", "-1", "1e999", "x", ""}) {
+    std::string bad = row;
+    const auto end = bad.rfind(",,");
+    bad.replace(bad.rfind(',', end - 1) + 1, end - bad.rfind(',', end - 1) - 1, value);
+    EXPECT_THROW(csv_of("spread", options, header + bad + "\n"), InputError) << bad;
+  }
+}
+
+TEST(GeneticStudy, TakesLineEndsOfOtherSystems) {
+  const GeneticStudyOptions options = small();
+  const std::string csv = csv_of("spread", options);
+  std::string other;
+  for (const char c : csv) other += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(csv_of("spread", options, other), csv);
+}
+
+TEST(GeneticStudy, RowsAreWhatTheySay) {
+  GeneticStudyOptions options = small();
+  const GeneticStudy study = genetic_study("population", options);
+  const auto rows = run_genetic_study(study, options, "");
+  std::set<long long> sampled;
+  for (const StudyRow& row : rows) {
+    EXPECT_LE(row.best, row.mean + 1e-9);
+    EXPECT_LE(row.mean, row.worst + 1e-9);
+    EXPECT_NEAR(row.fitness, 100 * 24 / row.best, 1e-9);
+    EXPECT_LE(row.fitness, 100 + 1e-9);
+    sampled.insert(row.generation);
+  }
+  EXPECT_EQ(sampled, (std::set<long long>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 25}));  // eq. 5.1, the last
+  EXPECT_EQ(rows.size(), study.levels.size() * 3 * sampled.size());
+}
+
+/// Eq. 4.11: E = z sigma / sqrt(N) with z = 3.
+TEST(GeneticStudy, TheTableHasMeanAndError) {
+  const GeneticStudyOptions options = small();
+  const GeneticStudy study = genetic_study("spread", options);
+  std::vector<StudyRow> rows;
+  for (const double fitness : {90.0, 92.0, 97.0})
+    rows.push_back({.run = static_cast<int>(rows.size()) + 1, .generation = 25, .fitness = fitness});
+  const report::TextTable table = study_table(study, rows);
+  ASSERT_EQ(table.rows.size(), 1u);
+  EXPECT_EQ(table.rows[0][1], "3");
+  EXPECT_EQ(table.rows[0][2], "93.000");
+  EXPECT_EQ(table.rows[0][3], "6.245");  // 3 * sqrt(13) / sqrt(3)
+  EXPECT_EQ(table.rows[0][4], "3.606");
+  EXPECT_EQ(table.rows[0][7], "92.000");
+  EXPECT_EQ(table.rows[0][10], "136");  // (3 * 3.606 / 0.93)^2, rounded up
+  EXPECT_NE(study_svg(study, rows).find("</svg>"), std::string::npos);
+}
+
+TEST(GeneticStudy, SensitivityChangesOneFactorAtATime) {
+  const GeneticStudy study = genetic_study("sensitivity", small());
+  const auto& base = study.levels.front().genetic;
+  for (std::size_t i = 1; i < study.levels.size(); ++i) {
+    const auto& one = study.levels[i].genetic;
+    const int changed = (one.population != base.population) + (one.neighbours != base.neighbours) +
+                        (one.crossover_rate != base.crossover_rate) +
+                        (one.mutation_rate != base.mutation_rate) + (one.most_shared != base.most_shared);
+    EXPECT_EQ(changed, 1) << study.levels[i].name;
+  }
+}
+
+TEST(GeneticStudy, RefusesWhatItDoesNotKnow) {
+  EXPECT_THROW(genetic_study("luck", {}), InputError);
+  GeneticStudyOptions options;
+  options.objective = "time";
+  EXPECT_THROW(genetic_study("size", options), InputError);
+  options = {};
+  options.side = 1;
+  EXPECT_THROW(genetic_study("spread", options), InputError);
+}
+
+}  // namespace
+}  // namespace clearcut::studies

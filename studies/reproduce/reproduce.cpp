@@ -1,0 +1,50 @@
+#include "studies/reproduce/reproduce.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "studies/reproduce/published_comparisons.h"
+#include "studies/reproduce/reproduce_coefficients.h"
+#include "studies/reproduce/reproduce_grid.h"
+#include "studies/reproduce/reproduce_objectives.h"
+#include "studies/reproduce/reproduce_orders.h"
+#include "studies/reproduce/reproduce_published.h"
+#include "studies/reproduce/reproduce_scallop.h"
+#include "studies/reproduce/reproduce_tour.h"
+
+namespace clearcut::studies {
+
+const std::vector<ReproducibleTable>& reproducible_tables() {
+  static const std::vector<ReproducibleTable> all{
+      {"coefficients", "CPO-rho table 2", 0.1, false, coefficient_table},
+      {"overlaps", "CPO-rho table 1", 0.1, false, overlap_table},
+      {"captions", "CPO-kappa figure 9, CPO-rho figures 10 and 11", 0.1, false, caption_figures},
+      {"triangle", "CPO-kappa figure 10", 0.1, false, triangle_figure},
+      {"grid", "Grid table 1", 1, false, grid_table},
+      {"points", "Tour section 5.3.2", 1, false, grid_points_table},
+      {"lengths", "CPO-kappa table 1", 1, false, length_comparison},
+      {"cutters", "CPO-rho table 3", 2, false, cutter_comparison},
+      {"scallop", "Tour table 6.1", 2, false, scallop_table},
+      {"lattices", "Tour tables 6.3 and 6.6", 2, false, lattice_table},
+      {"cutter-trend", "CPO-rho table 3, which is faster", 6, false, cutter_trend},
+      {"tour-engagement", "Tour figure 6-15", 20, false, engagement_table},
+      {"single-multi", "Tour figures 6-16 and 6-17", 20, false, single_multi_table},
+      {"fishhead", "Tour table 6.5", 60, false, fishhead_table},
+      {"objectives", "Tour table 6.4", 90, false, objectives_table},
+      {"fi10639", "Tour table 6.2, its largest instance", 400, true, large_instance},
+      {"fishhead-published", "Tour table 6.5 by programs", 440, true, published_fishhead_table},
+      {"genetic", "Tour tables 6.2, 6.3 and 6.6 by the published algorithm", 480, true, genetic_figures}};
+  return all;
+}
+
+const ReproducibleTable& reproducible_table(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& table : reproducible_tables()) {
+    if (table.name == name) return table;
+    names.push_back(table.name);
+  }
+  throw InputError("reproduce", fmt::format("'{}' is unknown; use one of {}", name, fmt::join(names, ", ")));
+}
+
+}  // namespace clearcut::studies

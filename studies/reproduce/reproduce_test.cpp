@@ -1,0 +1,123 @@
+#include "studies/reproduce/reproduce.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/files/file.h"
+#include "studies/reproduce/reproduction_page.h"
+
+namespace clearcut::studies {
+namespace {
+
+/// Tables dearer than this, in seconds of a core, are not made in tests.
+constexpr double kQuick = 3;
+
+TEST(Reproduction, CellsAgreeToThePrintedDigit) {
+  EXPECT_EQ(beside(0.5434, 0.543, 3).compared.at(0).agreement, Agreement::kAgrees);
+  EXPECT_EQ(beside(0.5436, 0.543, 3).compared.at(0).agreement, Agreement::kDiffers);
+  EXPECT_EQ(beside(0.5436, 0.543, 3, "why").compared.at(0).agreement, Agreement::kExplained);
+  EXPECT_EQ(beside(0.5436, 0.543, 3).text, "0.544 (differs)");
+}
+
+TEST(Reproduction, AWholeTableIsAsGoodAsItsWorstCell) {
+  Reproduction result;
+  result.add({"a", beside(1, 1, 0)});
+  EXPECT_EQ(result.agreement(), Agreement::kAgrees);
+  result.add({"b", beside(2, 1, 0, "another machine")});
+  EXPECT_EQ(result.agreement(), Agreement::kExplained);
+  result.add({beside(2, 1, 0)});
+  EXPECT_EQ(result.agreement(), Agreement::kDiffers);
+  EXPECT_EQ(result.summary(), "3 printed cells: 1 agree, 1 explained, 1 differ");
+  EXPECT_EQ(result.compared.at(1).row, 1u);
+  EXPECT_EQ(result.compared.at(1).column, 1u);
+}
+
+TEST(Reproduction, TablesAreReadBackAsTheyWereWritten) {
+  Reproduction result;
+  result.table.title = "title";
+  result.table.columns = {{"name", report::Align::kLeft}, {"value"}};
+  result.add({"a", beside(1, 1, 0)});
+  result.add_rule();
+  result.add({"b", beside(2, 1, 0, "another machine")});
+  const std::string json = reproduction_json({{"one", "somewhere", result}});
+  const auto read = read_reproduction_json(json, "t.json");
+  EXPECT_EQ(reproduction_json(read), json);
+  EXPECT_EQ(reproduction_page(read), reproduction_page({{"one", "somewhere", result}}));
+  EXPECT_EQ(read.at(0).reproduction.compared.at(1).row, 2u);
+  EXPECT_THROW(read_reproduction_json("{}x", "t.json"), InputError);
+  EXPECT_THROW(read_reproduction_json("[{}]", "t.json"), InputError);
+}
+
+/// A cell agrees to its printed digit; were every constant behind a table 1 % larger or smaller, some cell would differ.
+TEST(Reproduction, AChangeOfOnePerCentShowsInEveryTableThatAgrees) {
+  int tables = 0;
+  for (const auto& table : reproducible_tables()) {
+    if (table.cost_s >= 1) continue;
+    const auto made = table.make();
+    for (const double factor : {0.99, 1.01}) {
+      int differ = 0;
+      for (const Compared& one : made.compared) {
+        const auto point = one.printed.find('.');
+        const int decimals =
+            point == std::string::npos ? 0 : static_cast<int>(one.printed.size() - point) - 1;
+        const Cell changed = beside(factor * std::stod(one.ours), std::stod(one.printed), decimals);
+        differ += changed.compared.front().agreement != Agreement::kAgrees ? 1 : 0;
+      }
+      EXPECT_GE(2 * differ, static_cast<int>(made.compared.size())) << table.name << " " << factor;
+    }
+    ++tables;
+  }
+  EXPECT_GE(tables, 4);
+}
+
+/// docs/texts.md: name of a table -> what its last column says.
+std::map<std::string, std::string> documented_agreement() {
+  std::map<std::string, std::string> said;
+  std::istringstream page(read_file(CLEARCUT_SOURCE_DIR "/docs/texts.md"));
+  const std::regex row(R"(.*`clearcut reproduce ([a-z0-9-]+)` \| ([a-z ]+) \|)");
+  std::smatch match;
+  for (std::string line; std::getline(page, line);)
+    if (std::regex_match(line, match, row)) said[match[1]] = match[2];
+  return said;
+}
+
+TEST(Texts, EveryTableIsOnThePageOfTheTexts) {
+  const auto said = documented_agreement();
+  for (const auto& table : reproducible_tables()) EXPECT_EQ(said.count(table.name), 1u) << table.name;
+  for (const auto& [name, agreement] : said) EXPECT_EQ(reproducible_table(name).name, name);
+}
+
+TEST(Texts, ThePageSaysHowWellTheQuickTablesAgree) {
+  const auto said = documented_agreement();
+  int made = 0;
+  for (const auto& table : reproducible_tables()) {
+    if (table.cost_s >= kQuick) continue;
+    ++made;
+    EXPECT_EQ(said.at(table.name), name_of(table.make().agreement())) << table.name;
+  }
+  EXPECT_GE(made, 8);
+}
+
+TEST(Texts, CheapTablesComeFirst) {
+  double before = 0;
+  for (const auto& table : reproducible_tables()) {
+    EXPECT_GE(table.is_long ? 1e9 : table.cost_s, before) << table.name;
+    if (!table.is_long) before = table.cost_s;
+  }
+  EXPECT_LT(reproducible_tables().front().cost_s, 1);
+}
+
+TEST(Texts, EveryDifferenceOfTheQuickTablesHasAReason) {
+  for (const auto& table : reproducible_tables()) {
+    if (table.cost_s >= kQuick) continue;
+    for (const Compared& one : table.make().compared)
+      EXPECT_EQ(one.reason.empty(), one.agreement == Agreement::kAgrees) << table.name << ": " << one.printed;
+  }
+}
+
+}  // namespace
+}  // namespace clearcut::studies

@@ -1,0 +1,16 @@
+// The published figures of the text's genetic algorithm beside ours.
+#pragma once
+
+#include "studies/reproduce/reproduction.h"
+
+namespace clearcut::studies {
+
+/// Tour tables 6.2, 6.3 and 6.6: the algorithm run as published (order/genetic) and, below, the same with edge
+/// assembly crossover. About 40 s of processor time, on all cores. The reference instances are read from the folder tsp/ in
+/// $CLEARCUT_DATA; rows whose file is not there say so.
+Reproduction genetic_figures();
+
+/// Tour table 6.2, its largest instance: the published algorithm and ours, 200 s each.
+Reproduction large_instance();
+
+}  // namespace clearcut::studies

@@ -1,0 +1,64 @@
+#include "studies/reproduce/reproduction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearcut::studies {
+
+const char* name_of(Agreement agreement) {
+  if (agreement == Agreement::kAgrees) return "agrees";
+  return agreement == Agreement::kExplained ? "explained" : "differs";
+}
+
+Cell beside(double ours, double printed, int decimals, const std::string& reason) {
+  const bool same = std::abs(ours - printed) < 0.5 * std::pow(10.0, -decimals);
+  const Agreement agreement = same             ? Agreement::kAgrees
+                              : reason.empty() ? Agreement::kDiffers
+                                               : Agreement::kExplained;
+  return beside(fmt::format("{:.{}f}", ours, decimals), fmt::format("{:.{}f}", printed, decimals), agreement,
+                same ? "" : reason);
+}
+
+Cell beside(const std::string& ours, const std::string& printed, Agreement agreement,
+            const std::string& reason) {
+  Cell cell(agreement == Agreement::kDiffers ? ours + " (differs)" : ours);
+  cell.compared.push_back({printed, ours, agreement, reason});
+  return cell;
+}
+
+void Reproduction::add(const std::vector<Cell>& cells) {
+  std::vector<std::string> texts;
+  for (const Cell& cell : cells) {
+    for (Compared one : cell.compared) {
+      one.row = table.rows.size();
+      one.column = texts.size();
+      compared.push_back(std::move(one));
+    }
+    texts.push_back(cell.text);
+  }
+  table.add(std::move(texts));
+}
+
+int Reproduction::count(Agreement agreement) const {
+  return static_cast<int>(std::count_if(compared.begin(), compared.end(),
+                                        [&](const Compared& one) { return one.agreement == agreement; }));
+}
+
+Agreement Reproduction::agreement() const {
+  if (count(Agreement::kDiffers) > 0) return Agreement::kDiffers;
+  return count(Agreement::kExplained) > 0 ? Agreement::kExplained : Agreement::kAgrees;
+}
+
+std::string Reproduction::summary() const {
+  return fmt::format("{} printed cells: {} agree, {} explained, {} differ", compared.size(),
+                     count(Agreement::kAgrees), count(Agreement::kExplained), count(Agreement::kDiffers));
+}
+
+double cut_to(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::floor(value * scale + 1e-9) / scale;
+}
+
+}  // namespace clearcut::studies
