@@ -7,7 +7,7 @@ PRECOMPILED ?= ON
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=$(PRECOMPILED) $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test format lint-viewer test-browser clean
+.PHONY: all setup build demo test python format lint-viewer test-browser clean
 all: build
 
 setup:
@@ -27,6 +27,13 @@ demo:
 
 test: build
 	@ctest --preset release
+
+# The Python module in build/python/python, its wheel, and its tests. PYTHONPATH=build/python/python is all it needs.
+python:
+	@scripts/setup.sh build python
+	@cmake --preset python -DPython_EXECUTABLE=/usr/bin/python3 > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
+	@cmake --build --preset python --target _core clearcut
+	@scripts/python_tests.sh build/python/apps/cli/clearcut build/python
 
 format:
 	@scripts/format.sh

@@ -5,7 +5,7 @@ target_compile_options(clearcut_options INTERFACE
   -Woverloaded-virtual -Wnull-dereference -Wdouble-promotion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 reports false dangling, overflow and null findings inside optimised standard containers.
-  target_compile_options(clearcut_options INTERFACE -Wno-null-dereference -Wno-restrict -Wno-stringop-overflow
+  target_compile_options(clearcut_options INTERFACE -Wno-null-dereference -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
     -Wno-array-bounds -Wno-maybe-uninitialized)
 endif()
 # No contraction of a*b+c: the same bytes on every machine.

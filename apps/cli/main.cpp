@@ -40,6 +40,7 @@ int parse_and_run(int argc, char** argv) {
   add_init_command(app, exit_code);
   add_tour_command(app, exit_code);
   add_study_command(app, exit_code);
+  add_batch_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

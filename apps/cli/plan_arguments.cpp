@@ -34,20 +34,6 @@ Vec2 point_of(const std::string& text, const char* option) {
   return point;
 }
 
-/// "profile:outer", "drill_d6:HOLES", "inside:2,5".
-LayerRule operation_rule(const std::string& text) {
-  const auto colon = text.find(':');
-  if (colon == std::string::npos || colon + 1 == text.size()) {
-    throw InputError("--op",
-                     "'" + text +
-                         "' names no outlines; write KIND:LAYER, KIND:outer or KIND:NUMBER, for example "
-                         "profile:outer");
-  }
-  LayerRule rule = rule_named(text.substr(0, colon), "--op");
-  rule.pattern = text.substr(colon + 1);
-  return rule;
-}
-
 /// A tool library and the files that its tools lie in.
 void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
   files.push_back({"tools", library.string()});
@@ -214,26 +200,18 @@ void PlanArguments::add_shop_options(CLI::App& command) {
       ->transform(as_length());
 }
 
-ShopOptions PlanArguments::shop(const JobFile& job) const {
+ShopOptions PlanArguments::shop(const ShopOptions& of_job) const {
   ShopOptions own = shop_;
   own.lead_feed = feed_of(lead_feed_);
   own.link_feed = feed_of(link_feed_);
   if (rest_) own.rest = true;
-  return own.or_else(job.shop);
-}
-
-std::optional<Toolpath> PlanArguments::earlier(const JobFile& job, const Machine& machine) const {
-  const std::optional<std::string> file = after_      ? after_
-                                          : job.after ? std::optional(job.after->string())
-                                                      : std::nullopt;
-  if (!file) return std::nullopt;
-  return read_program(read_file(*file), *file, home_z(machine)).toolpath;
+  return own.or_else(of_job);
 }
 
 ReadOptions PlanArguments::read_options() const {
   ReadOptions options;
   options.ask_if_unclear = true;
-  for (const auto& text : operations_) options.layer_rules.push_back(operation_rule(text));
+  for (const auto& text : operations_) options.layer_rules.push_back(rule_of_option(text, "--op"));
   if (scale_) options.scale = *scale_;
   options.scale_is_right = scale_.has_value();
   if (join_gap_) options.join_gap = join_gap_;
@@ -303,21 +281,8 @@ ToolLibrary PlanArguments::library() const {
   return tool_library_ ? read_tool_library(*tool_library_, {}) : ToolLibrary{};
 }
 
-/// Of the tools given, or of those of the job.
-std::vector<ToolCutting> PlanArguments::tool_cutting(const std::optional<JobFile>& job) const {
-  std::vector<ToolCutting> out;
-  const bool own = tool_library_ || !tools_.empty();
-  const auto entries = own ? library().tools : job ? tools_of_job(*job) : std::vector<LibraryTool>{};
-  for (const auto& entry : entries) {
-    const auto* preset = preset_of(entry, job && !own ? job->preset : "");
-    out.push_back(preset ? ToolCutting{true, preset->cutting, preset->stepdown, preset->stepover}
-                         : ToolCutting{});
-  }
-  return out;
-}
-
-Machine PlanArguments::machine(const std::optional<JobFile>& job) const {
-  Machine machine = machine_file_ ? read_machine(*machine_file_) : job ? job->machine : Machine{};
+Machine PlanArguments::machine(const Machine& of_job) const {
+  Machine machine = machine_file_ ? read_machine(*machine_file_) : of_job;
   if (acceleration_) machine.acceleration = *acceleration_;
   if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
   if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
@@ -332,46 +297,34 @@ void PlanArguments::take_sources(const CLI::App& command) {
   }
 }
 
-/// Also those that a later rule or the command line puts aside: a name that is unknown is never meant.
-void PlanArguments::check_strategies(const JobFile& job) const {
-  const auto check = [](const CutSettings& settings) {
-    const Source* source = settings.sources.find("strategy");
-    if (settings.strategy && source) strategy_named(*settings.strategy, built_in_strategies(), source->text);
-  };
-  check(job.plan);
-  for (const OperationRule& rule : job.operations) check(rule.settings);
-}
-
 /// The command line goes before the job, the job before the defaults.
 PlanOptions PlanArguments::options() const {
   const auto from_job = job();
-  const JobFile given = from_job.value_or(JobFile{});
-  PlanOptions options;
+  PlanOptions options = from_job ? options_of_job(*from_job) : PlanOptions{};
   options.tools = tools();
-  options.tool_cutting = tool_cutting(from_job);
-  options.machine = machine(from_job);
-  options.accept = given.accept;
+  if (tool_library_ || !tools_.empty()) options.tool_cutting = cutting_of_tools(library().tools, "");
+  options.machine = machine(options.machine);
   options.accept.insert(options.accept.end(), accept_.begin(), accept_.end());
-  check_strategies(given);
-  options.sources = given.sources;
   if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
   options.step_sources = step_sources_;
   options.sources.merge(typed_);
   options.strategy = strategy_;
-  options.stepover = stepover_ ? stepover_ : given.plan.stepover;
+  if (stepover_) options.stepover = stepover_;
   options.angle_deg = angle_;
   options.stepdown = stepdown_;
   options.allowance = allowance_;
   options.allowance_floor = allowance_floor_;
-  options.engagement_deg = engagement_ ? engagement_ : given.engagement_deg;
+  if (engagement_) options.engagement_deg = engagement_;
   if (entry_) options.entry = entry_named(*entry_, "--entry");
   if (entry_angle_) options.entry_angle = Radians::of_degrees(*entry_angle_);
   options.lead = lead_;
   if (lead_angle_) options.lead_angle = Radians::of_degrees(*lead_angle_);
   options.scallop = scallop_;
   options.tabs = tabs_;
-  options.shop = shop(given);
-  options.earlier = earlier(given, options.machine);
+  options.shop = shop(options.shop);
+  const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
+  // The height that the program calls home is the machine's, which may be another than the job's.
+  if (earlier && (after_ || machine_file_)) options.earlier = read_earlier_program(*earlier, options.machine);
   for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
   if (direction_) options.direction = direction_named(*direction_, "--direction");
   options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
@@ -381,13 +334,13 @@ PlanOptions PlanArguments::options() const {
   options.cutting.ramp_feed = feed_of(ramp_feed_);
   options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
-  options.post = post_.options(given.output);
+  options.post = post_.options(options.post);
   options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
                        solver_.solver()};
   options.step_published = step_published_;
-  options.objective = objective_.value_or(given.objective.value_or("time"));
-  options.time_s = time_ ? time_ : given.time_s;
-  options.seed = seed_.value_or(given.seed.value_or(1));
+  if (objective_) options.objective = *objective_;
+  if (time_) options.time_s = time_;
+  if (seed_) options.seed = *seed_;
   options.threads = threads_;
   check_options(options);
   return options;

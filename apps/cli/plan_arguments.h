@@ -47,13 +47,9 @@ class PlanArguments {
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
   ToolLibrary library() const;
-  std::vector<ToolCutting> tool_cutting(const std::optional<JobFile>& job) const;
   void add_shop_options(CLI::App& command);
-  Machine machine(const std::optional<JobFile>& job) const;
-  ShopOptions shop(const JobFile& job) const;
-  std::optional<Toolpath> earlier(const JobFile& job, const Machine& machine) const;
-
-  void check_strategies(const JobFile& job) const;
+  Machine machine(const Machine& of_job) const;
+  ShopOptions shop(const ShopOptions& of_job) const;
 
   std::string input_;
   Sources typed_;

@@ -22,21 +22,19 @@ void PostArguments::add_options(CLI::App& command) {
       ->check(CLI::NonNegativeNumber);
 }
 
-PostOptions PostArguments::options(const JobOutput& job) const {
-  PostOptions post;
-  post.dialect = dialect_.value_or(job.post.value_or("linuxcnc"));
-  post.inch = inch_ || job.inch.value_or(false);
-  post.decimals = decimals_ ? decimals_ : job.decimals;
-  post.arcs = !no_arcs_ && job.arcs.value_or(true);
-  post.tool_changer = !no_tool_change_ && job.tool_change.value_or(true);
-  post.length_offset = !no_length_offset_ && job.length_offset.value_or(true);
+PostOptions PostArguments::options(PostOptions post) const {
+  if (dialect_) post.dialect = *dialect_;
+  post.inch = post.inch || inch_;
+  if (decimals_) post.decimals = decimals_;
+  post.arcs = post.arcs && !no_arcs_;
+  post.tool_changer = post.tool_changer && !no_tool_change_;
+  post.length_offset = post.length_offset && !no_length_offset_;
   if (work_offset_) post.work_offset = std::stoi(work_offset_->substr(1));
-  post.program_number = program_number_;
-  post.block_numbers = block_numbers_;
-  post.optional_stop = optional_stop_;
-  post.exact_stop = exact_stop_ || job.exact_stop.value_or(false);
-  if (const auto wait = spindle_wait_ ? spindle_wait_ : job.spindle_wait)
-    post.spindle_wait = Seconds::of(*wait);
+  if (program_number_) post.program_number = program_number_;
+  post.block_numbers = post.block_numbers || block_numbers_;
+  post.optional_stop = post.optional_stop || optional_stop_;
+  post.exact_stop = post.exact_stop || exact_stop_;
+  if (spindle_wait_) post.spindle_wait = Seconds::of(*spindle_wait_);
   return post;
 }
 

@@ -1,7 +1,6 @@
 // The options that say how the program is written.
 #pragma once
 
-#include <clearcut/part.h>
 #include <clearcut/plan.h>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +13,7 @@ class PostArguments {
  public:
   void add_options(CLI::App& command);
   /// What was typed goes before what a job says.
-  PostOptions options(const JobOutput& job) const;
+  PostOptions options(PostOptions of_job) const;
 
  private:
   std::optional<std::string> dialect_;

@@ -25,6 +25,7 @@
 #include "clearcut/part.h"
 #include "clearcut/plan.h"
 #include "clearcut/report.h"
+#include "clearcut/strategy.h"
 #include "clearcut/text.h"
 #include "clearcut/verify.h"
 #include "clearcut/version.h"

@@ -25,6 +25,7 @@ using read::read_part;
 using read::read_part_text;
 using read::ReadOptions;
 using read::rule_named;
+using read::rule_of_option;
 using read::SolidOptions;
 
 // Jobs: a part with its stock, tools, machine and wishes.

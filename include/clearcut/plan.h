@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "clearcut/part.h"
+#include "pipeline/job_options.h"
 #include "pipeline/run.h"
 #include "pipeline/selection/compare.h"
 #include "pipeline/selection/strategies.h"
@@ -21,8 +22,11 @@
 
 namespace clearcut {
 
+using pipeline::cutting_of_tools;
+using pipeline::options_of_job;
 using pipeline::plan_part;
 using pipeline::PlanResult;
+using pipeline::read_earlier_program;
 using resolve::parse_predrilled;
 using resolve::parse_tool;
 using resolve::PlanOptions;

@@ -4,6 +4,7 @@
 #include "clearcut/part.h"
 #include "model/move.h"
 #include "model/results/findings.h"
+#include "pipeline/move_figures.h"
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"
 #include "resolve/plan_options.h"
@@ -12,6 +13,9 @@ namespace clearcut {
 
 using pipeline::check_program;
 using pipeline::CheckResult;
+using pipeline::figures_of_moves;
+using pipeline::MoveFigures;
+using pipeline::times_of_moves;
 
 using Program = read::gcode::Program;
 

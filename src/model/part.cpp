@@ -32,6 +32,8 @@ const char* name_of(FeatureKind kind) {
       return "engraving";
     case FeatureKind::kVCarving:
       return "v_carving";
+    case FeatureKind::kChamfer:
+      return "chamfer";
   }
   return "feature";
 }
@@ -56,7 +58,7 @@ const Feature& feature_of(const Part& part, const Workingstep& step) {
 }
 
 bool is_carved(const Feature& feature, const Tool& tool) {
-  if (feature.carving) return is_conical(tool);
+  if (feature.carving || feature.chamfer) return is_conical(tool);
   return feature.kind == FeatureKind::kEngraving && (is_conical(tool) || tool.kind == ToolKind::kBallEndMill);
 }
 

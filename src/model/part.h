@@ -29,7 +29,8 @@ enum class FeatureKind {
   kOutsideProfile,
   kInsideProfile,
   kEngraving,
-  kVCarving  ///< as deep as a cone's width at the top allows
+  kVCarving,  ///< as deep as a cone's width at the top allows
+  kChamfer    ///< the edge of a wall broken by a cone
 };
 const char* name_of(FeatureKind kind);
 
@@ -58,6 +59,16 @@ struct VCarving {
   std::optional<double> limit;  ///< mm below the top: a flat floor where the cone would go deeper
 };
 
+/// The edge of a wall that is to be broken. The wall runs down from `line`; how wide the chamfer is follows from the cone.
+struct Chamfer {
+  Loop line;
+  double depth = 0;        ///< mm from the wall's top down to the chamfer's foot
+  bool air_inside = true;  ///< the loop bounds what is milled; else what stays
+  Regions room;            ///< beside the wall: where nothing stands any more at the foot
+  double room_floor = 0;   ///< z of what stands in the room
+  double reach = 0;        ///< mm; radius of the round corners that mills left in the room
+};
+
 /// A prismatic volume to remove: every point of `target` down to `floor_z`.
 ///
 /// `target` is the plan view of the material to remove at the top. `allowed` is where the cutter may be: everything
@@ -82,6 +93,8 @@ struct Feature {
   std::optional<ProfileCut> profile = {};
   /// V-carving only; its wall_slope and floor_z are those of the cutter.
   std::optional<VCarving> carving = {};
+  /// Chamfers only: their target is the strip that they take of the top, and only its side away from the line leans.
+  std::optional<Chamfer> chamfer = {};
 };
 
 /// How far beyond the stock an open side's `allowed` region reaches, mm.

@@ -24,4 +24,7 @@ Part read_part_text(std::string_view text, const std::string& file_name, const R
 /// `place` for words that say no role.
 LayerRule rule_named(const std::string& kind, const std::string& place);
 
+/// "KIND:SELECTION", as in "profile:outer", "drill_d6:HOLES", "inside:2,5". Throws InputError at `place`.
+LayerRule rule_of_option(const std::string& text, const std::string& place);
+
 }  // namespace clearcut::read

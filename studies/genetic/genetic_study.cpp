@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "base/text/format.h"
 #include "order/genetic/crossover.h"
 #include "order/genetic/mutation.h"
@@ -74,12 +76,14 @@ std::uint64_t seed_of_run(std::uint64_t seed, int run) {
   return seed * 0x9e3779b97f4a7c15ULL + static_cast<std::uint64_t>(run);
 }
 
-std::vector<StudyRow> one_run(const GeneticStudy& study, int level_index, int run, std::uint64_t seed) {
+std::vector<StudyRow> one_run(const GeneticStudy& study, int level_index, int run, std::uint64_t seed,
+                              const std::atomic<bool>& stop) {
   const StudyLevel& level = study.levels[static_cast<std::size_t>(level_index)];
   order::Problem problem = order::lattice_problem(level.side, level.side);
   problem.shape = order::Shape::kOpenPath;
   order::GeneticOptions options = level.genetic;
   options.seed = seed_of_run(seed, run);
+  options.stop.cancel = &stop;
   const auto result = order::run_genetic(problem, *pipeline::objective_named(level.objective, 1000), options);
   std::vector<StudyRow> rows;
   for (const auto& sample : result.samples) {
@@ -278,9 +282,12 @@ std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const Genetic
   const int total = static_cast<int>(study.levels.size()) * study.runs;
   int done = total - static_cast<int>(missing.size());
   std::mutex mutex;
+  std::atomic<bool> stop = false;
+  const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
   on_threads(options.threads, [&] {
     parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-      auto rows = one_run(study, missing[i].first, missing[i].second, options.seed);
+      auto rows = one_run(study, missing[i].first, missing[i].second, options.seed, stop);
+      throw_if_cancelled(options.cancel);  // a run that was cut short is none
       const std::lock_guard lock(mutex);
       rows_of[missing[i]] = std::move(rows);
       ++done;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,8 @@ struct GeneticStudyOptions {
   bool published_size = false;  ///< runs, generations and sides of the text: days of work
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores
+  std::stop_token
+      cancel;  ///< asked to stop, the study ends with Cancelled; rows of finished runs were told before
   /// Called after each run with the runs done, the runs asked for, and a function that gives all rows so far;
   /// under a lock, from any thread.
   std::function<void(int done, int total, const std::function<std::vector<StudyRow>()>& rows)> progress;

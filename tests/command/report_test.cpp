@@ -63,10 +63,10 @@ TEST(Page, PlaysInABrowser) {
 
   const std::string at_line = document_in_browser(page, "#line=17");
   EXPECT_THAT(at_line, HasSubstr(">sample &lt;part&gt; &amp; \"name\"</h1>"));
-  EXPECT_THAT(at_line, HasSubstr("faulty: 1 fault"));
-  EXPECT_THAT(at_line, HasSubstr("2001 mm</b>feed"));
-  EXPECT_THAT(at_line, HasSubstr(">POCKET1</td>"));
-  EXPECT_THAT(at_line, HasSubstr(">T1 end mill 10 mm</td>"));
+  EXPECT_THAT(at_line, HasSubstr(">FAULTY</strong> <span id=\"reason\">1 fault:</span>"));
+  EXPECT_THAT(at_line, HasSubstr("2001&nbsp;mm</dd>"));
+  EXPECT_THAT(at_line, HasSubstr(">POCKET1</dd>"));
+  EXPECT_THAT(at_line, HasSubstr(">T1 end mill 10 mm</dd>"));
   EXPECT_THAT(at_line, HasSubstr("N17 &lt;G1&gt; &amp; X17"));
   EXPECT_THAT(at_line, HasSubstr("0.25 mm left in the &lt;corner&gt;"));
 

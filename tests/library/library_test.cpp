@@ -142,6 +142,97 @@ TEST(Library, ManyThreadsPlanTheSameBytes) {
     EXPECT_EQ(programs[i].get(), i % 2 == 0 ? chosen : adaptive);
 }
 
+TEST(Library, FiguresOfMovesAreThoseOfTheWhole) {
+  const clearcut::PlanOptions options = options_for("contour");
+  const auto plan = clearcut::plan_part(pocket(), options);
+  const auto figures = clearcut::figures_of_moves(plan.part, plan.toolpath, plan.control, options);
+  const auto times = clearcut::times_of_moves(plan.part, plan.toolpath, plan.control, options);
+  std::size_t count = 0;
+  for (const auto& section : plan.toolpath.sections) count += section.moves.size();
+  ASSERT_EQ(figures.size(), count);
+  ASSERT_EQ(times.size(), count);
+  double time = 0, air = 0, most = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(figures[i].time_s, times[i]);
+    EXPECT_LE(figures[i].mean_engagement_deg, figures[i].max_engagement_deg + 1e-9);
+    time += times[i];
+    air += figures[i].air_mm;
+    most = std::max(most, figures[i].max_engagement_deg);
+  }
+  EXPECT_NEAR(time, plan.findings.all.time_s, 1e-6);
+  EXPECT_NEAR(air, plan.findings.all.air_cut_mm, 1e-6);
+  EXPECT_NEAR(most, plan.findings.all.engagement.max_deg, 1e-9);
+}
+
+TEST(Library, AJobGivesPartAndOptions) {
+  const auto job = clearcut::read_job_text(R"([part]
+file = "pocket.json"
+[plan]
+strategy = "zigzag"
+stepover = 0.3
+seed = 7
+[[tool]]
+number = 4
+kind = "endmill"
+diameter = 6
+[output]
+post = "grbl"
+)",
+                                           "job.toml");
+  const clearcut::PlanOptions options = clearcut::options_of_job(job);
+  EXPECT_EQ(options.stepover, "0.3");
+  EXPECT_EQ(options.seed, 7U);
+  EXPECT_EQ(options.post.dialect, "grbl");
+  EXPECT_EQ(options.tool_cutting.size(), 1U);
+  EXPECT_THROW(clearcut::options_of_job(clearcut::read_job_text(
+                   "[part]\nfile = \"pocket.json\"\n[plan]\nstrategy = \"best\"\n", "job.toml")),
+               clearcut::InputError);
+}
+
+/// A strategy from nothing but the public headers: the walls, and nothing between them.
+TEST(Library, TakesStrategiesOfOnesOwn) {
+  clearcut::StrategyEntry entry;
+  entry.name = "walls";
+  entry.make = [](const clearcut::StrategyRequest& request) {
+    return clearcut::once_per_outline([tol = request.plan.tol](const clearcut::Layer& layer) {
+      return clearcut::clearing_area(layer, tol).walls;
+    });
+  };
+  auto entries = clearcut::built_in_strategies().entries();
+  entries.push_back(entry);
+  const clearcut::StrategyTable table(std::move(entries));
+  clearcut::PlanOptions options = options_for("walls");
+  options.strategies = &table;
+  const auto plan = clearcut::plan_part(pocket(), options);
+  EXPECT_EQ(plan.contests.at(0).kept(), "walls");
+  EXPECT_FALSE(plan.findings.all.clean) << "the middle is left to stand, and the certificate says so";
+}
+
+TEST(Library, ToursEndWhenTheyAreAskedTo) {
+  clearcut::TourOptions options;
+  options.time_s = 60;
+  std::stop_source stop;
+  options.cancel = stop.get_token();
+  std::jthread watch([&] {
+    std::this_thread::sleep_for(100ms);
+    stop.request_stop();
+  });
+  clearcut::order::Problem problem;
+  for (int i = 0; i < 20'000; ++i)
+    problem.points.push_back({i * 7919 % 10'007 + 0.5, i * 104'729 % 9973 + 0.25});
+  const auto began = Clock::now();
+  EXPECT_THROW(clearcut::solve_tour(problem, options), clearcut::Cancelled);
+  EXPECT_LT(Clock::now() - began, 10s);
+}
+
+TEST(Library, OrdersPointsOfOnesOwn) {
+  clearcut::order::Problem problem;
+  problem.points = {{0, 0}, {10, 0}, {0, 10}, {10, 10}};
+  EXPECT_NEAR(clearcut::solve_tour(problem, {}).solution.length, 40, 1e-9);
+  problem.points.clear();
+  EXPECT_THROW(clearcut::solve_tour(problem, {}), clearcut::InputError);
+}
+
 TEST(Library, BadFilesAreErrorsOfOneLine) {
   try {
     clearcut::read_part_text("{\"outer\": [[0, 0]]}", "bad.json", {});

@@ -7,6 +7,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <vector>
 
 namespace {
 
@@ -50,12 +51,21 @@ TEST(Dependencies, EveryIncludeIsAllowed) {
   EXPECT_GT(checked, 50);
 }
 
-/// The command is a user of the library like any other: <clearcut/...>, and its own files by their bare names. The program
+std::vector<fs::directory_entry> sources_of_programs() {
+  std::vector<fs::directory_entry> all;
+  for (const char* folder : {"apps", "python/src"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(CLEARCUT_SOURCE_DIR) / folder))
+      all.push_back(entry);
+  }
+  return all;
+}
+
+/// The command and the Python module are users of the library like any other: <clearcut/...>, and its own files by their bare names. The program
 /// that knows the CAD kernel stands behind the reader of solids and speaks its language.
 TEST(Dependencies, ProgramsIncludeTheLibraryAlone) {
   const std::regex include("^\\s*#include [<\"]([a-z0-9_]+)/([a-z_0-9/]+\\.h)[>\"]");
   int checked = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CLEARCUT_SOURCE_DIR) / "apps")) {
+  for (const auto& entry : sources_of_programs()) {
     const auto extension = entry.path().extension();
     if (extension != ".h" && extension != ".cpp") continue;
     const bool solids = entry.path().parent_path().filename() == "solids";

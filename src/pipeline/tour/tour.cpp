@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/files/file.h"
+#include "base/progress.h"
 #include "base/text/format.h"
 #include "geometry/box.h"
 #include "order/lattice.h"
@@ -57,8 +59,9 @@ order::ObjectivePtr objective_named(const std::string& text, double feed) {
 namespace {
 
 order::Solution solve_published(const order::Problem& problem, const order::Objective& objective,
-                                const TourOptions& options) {
+                                const TourOptions& options, const std::atomic<bool>& stop) {
   order::GeneticOptions genetic = options.genetic;
+  genetic.stop.cancel = &stop;
   genetic.seed = options.seed;
   genetic.stop.seconds = options.time_s;
   genetic.neighbours = options.genetic_neighbours.value_or(problem.neighbour_count);
@@ -119,21 +122,28 @@ order::ObjectivePtr objective_for(const order::Problem& problem, const TourOptio
 }  // namespace
 
 TourResult solve_tour(const std::string& input, const TourOptions& options) {
-  TourResult result;
-  result.problem = problem_of(input, options);
-  const auto objective = objective_for(result.problem, options);
-  result.objective = options.objective;
-  if (options.solver == "published") {
-    result.solution = solve_published(result.problem, *objective, options);
-    return result;
-  }
-  if (options.solver != "modern")
+  return solve_tour(problem_of(input, options), options);
+}
+
+TourResult solve_tour(const order::Problem& problem, const TourOptions& options) {
+  order::check(problem);
+  if (options.solver != "modern" && options.solver != "published")
     throw InputError("--solver", fmt::format("'{}' is unknown; use modern or published", options.solver));
-  order::SolveOptions solve_options;
-  solve_options.stop.seconds = options.time_s;
-  solve_options.seed = options.seed;
-  solve_options.threads = options.threads;
-  result.solution = order::solve(result.problem, *objective, solve_options);
+  TourResult result{problem, {}, options.objective};
+  const auto objective = objective_for(problem, options);
+  std::atomic<bool> stop = false;
+  const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
+  if (options.solver == "published") {
+    result.solution = solve_published(problem, *objective, options, stop);
+  } else {
+    order::SolveOptions solve_options;
+    solve_options.stop.seconds = options.time_s;
+    solve_options.stop.cancel = &stop;
+    solve_options.seed = options.seed;
+    solve_options.threads = options.threads;
+    result.solution = order::solve(problem, *objective, solve_options);
+  }
+  throw_if_cancelled(options.cancel);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 
 #include "order/genetic/genetic.h"
@@ -22,6 +23,7 @@ struct TourOptions {
   std::string solver = "modern";   ///< or "published": the text's genetic algorithm
   order::GeneticOptions genetic;   ///< of the published solver; seed and time come from here above
   std::optional<int> genetic_neighbours;  ///< 0: all points; default 24
+  std::stop_token cancel;  ///< asked to stop, the search ends with Cancelled within some milliseconds
 };
 
 struct TourResult {
@@ -32,6 +34,8 @@ struct TourResult {
 
 /// `input` is a TSPLIB file or a lattice such as "10x10". Throws InputError.
 TourResult solve_tour(const std::string& input, const TourOptions& options);
+/// The same over points of one's own; options.closed is not looked at. Throws InputError for problems that contradict themselves.
+TourResult solve_tour(const order::Problem& problem, const TourOptions& options);
 
 /// The fields of `tour --json`: objective, length, turns, angle_deg, bound, gap, time_s, seed, tour
 /// (0-based).

@@ -175,6 +175,7 @@ class FeatureWriter {
     switch (feature_.kind) {
       case FeatureKind::kClosedPocket:
       case FeatureKind::kVCarving:
+      case FeatureKind::kChamfer:
         return closed_pocket();
       case FeatureKind::kPlanarFace:
         return planar_face();

@@ -234,6 +234,19 @@ LayerRule rule_named(const std::string& kind, const std::string& place) {
   return rule;
 }
 
+LayerRule rule_of_option(const std::string& text, const std::string& place) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos || colon + 1 == text.size()) {
+    throw InputError(place,
+                     "'" + text +
+                         "' names no outlines; write KIND:LAYER, KIND:outer or KIND:NUMBER, for example "
+                         "profile:outer");
+  }
+  LayerRule rule = rule_named(text.substr(0, colon), place);
+  rule.pattern = text.substr(colon + 1);
+  return rule;
+}
+
 void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<std::string>& layers,
                           const ReadOptions& options, const std::string& file) {
   const bool wanted = options.ask_if_unclear || options.overview || !options.layer_rules.empty();

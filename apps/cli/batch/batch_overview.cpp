@@ -1,0 +1,124 @@
+#include "batch/batch_overview.h"
+
+#include <clearcut/text.h>
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace clearcut::cli {
+namespace {
+
+constexpr int kDigits = 3;
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string html_text(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<')
+      out += "&lt;";
+    else if (c == '&')
+      out += "&amp;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+/// A name as a relative address: everything but letters, digits and a few signs by its number.
+std::string address(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const bool plain =
+        std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/' || c == '.' || c == '-' || c == '_';
+    out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return out;
+}
+
+constexpr const char* kStyle =
+    "body{font:14px system-ui,sans-serif;margin:2em;color:#222}table{border-collapse:collapse}"
+    "td,th{padding:.4em .8em;border-bottom:1px solid #ddd;text-align:left;vertical-align:middle}"
+    "td.n{text-align:right;font-variant-numeric:tabular-nums}img{width:120px;height:90px;object-fit:contain}"
+    ".CLEAN{color:#06752e}.CONDITIONAL{color:#8a5a00}.bad{color:#b00020;font-weight:600}";
+
+std::string page_row(const BatchRow& row) {
+  const std::string at = address(row.name);
+  const bool bad = row.verdict != "CLEAN" && row.verdict != "CONDITIONAL";
+  const std::string picture =
+      has_program(row)
+          ? fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" loading=\"lazy\" alt=\"\"></a>", at)
+          : "";
+  const std::string links =
+      has_program(row)
+          ? fmt::format("<a href=\"{0}.ngc\">program</a> <a href=\"{0}.json\">certificate</a>", at)
+          : fmt::format("<a href=\"{0}.log\">what it said</a>", at);
+  return fmt::format(
+      "<tr><td>{}</td><td>{}</td><td class=\"{}\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
+      "<td>{}</td><td>{}</td></tr>\n",
+      picture, html_text(row.name), bad ? "bad" : row.verdict, row.verdict, trimmed(row.time_s, 1),
+      trimmed(row.feed_mm, 0), html_text(row.message), links);
+}
+
+}  // namespace
+
+bool has_program(const BatchRow& row) {
+  return row.verdict == "CLEAN" || row.verdict == "CONDITIONAL" || row.verdict == "FAULTY";
+}
+
+std::string batch_csv(const std::vector<BatchRow>& rows) {
+  std::string csv = "name,part,verdict,time_s,feed_mm,rapid_mm,uncut_mm,gouge_mm,faults,message\n";
+  for (const auto& row : rows)
+    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_cell(row.name), csv_cell(row.part), row.verdict,
+                       trimmed(row.time_s, kDigits), trimmed(row.feed_mm, kDigits),
+                       trimmed(row.rapid_mm, kDigits), trimmed(row.uncut_mm, 6), trimmed(row.gouge_mm, 6),
+                       row.faults, csv_cell(row.message));
+  return csv;
+}
+
+std::string batch_json(const std::vector<BatchRow>& rows) {
+  auto json = nlohmann::ordered_json::array();
+  for (const auto& row : rows)
+    json.push_back({{"name", row.name},
+                    {"part", row.part},
+                    {"verdict", row.verdict},
+                    {"time_s", row.time_s},
+                    {"feed_mm", row.feed_mm},
+                    {"rapid_mm", row.rapid_mm},
+                    {"uncut_mm", row.uncut_mm},
+                    {"gouge_mm", row.gouge_mm},
+                    {"faults", row.faults},
+                    {"message", row.message}});
+  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string batch_page(const std::vector<BatchRow>& rows, const std::string& title) {
+  std::string page = fmt::format(
+      "<!doctype html>\n<html lang=\"en\"><head><meta "
+      "charset=\"utf-8\"><title>{0}</title><style>{1}</style></head>"
+      "<body>\n<h1>{0}</h1>\n<p>{2}</p>\n<table>\n<tr><th></th><th>part</th><th>verdict</th><th>time, s</th>"
+      "<th>feed, mm</th><th></th><th></th></tr>\n",
+      html_text(title), kStyle, html_text(batch_line(rows)));
+  for (const auto& row : rows) page += page_row(row);
+  return page + "</table>\n</body></html>\n";
+}
+
+std::string batch_line(const std::vector<BatchRow>& rows) {
+  std::map<std::string, std::size_t> counts;
+  for (const auto& row : rows) ++counts[row.verdict];
+  std::string line = fmt::format("{} of {} CLEAN", counts["CLEAN"], rows.size());
+  for (const auto& [verdict, count] : counts) {
+    if (verdict != "CLEAN" && count > 0) line += fmt::format(", {} {}", count, verdict);
+  }
+  return line;
+}
+
+}  // namespace clearcut::cli

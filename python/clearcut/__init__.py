@@ -1,0 +1,235 @@
+"""Plans 2.5-D pocket-milling programs and proves them.
+
+    import clearcut
+
+    part = clearcut.read_part("bracket.dxf", depth=5)
+    plan = clearcut.plan(part, tools="endmill:6")
+    if plan.clean:
+        plan.write("bracket.ngc", certificate="bracket.json")
+
+Units     mm, mm/min, degrees and seconds; x right, y up, z the height of the tool's tip.
+Errors    InputError for files and wishes that cannot be met, with the command's texts; Cancelled where `cancel` was set;
+          KeyboardInterrupt for Ctrl-C. What a plan leaves undone is in its findings and diagnostics, never raised.
+Threads   every function may be called from several threads at once; the interpreter's lock is free while they work.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Protocol
+
+from . import _core
+from ._core import (
+    Cancelled,
+    Check,
+    Clearance,
+    ClearingArea,
+    ClearingComponent,
+    Condition,
+    Contest,
+    Contestant,
+    Diagnostic,
+    Engagement,
+    Fault,
+    Feature,
+    FeatureFindings,
+    Figures,
+    Findings,
+    InputError,
+    InternalError,
+    Layer,
+    LayerFindings,
+    LayerPasses,
+    LibraryTool,
+    Machine,
+    Moves,
+    Part,
+    Pass,
+    Place,
+    Plan,
+    PlanOptions,
+    Region,
+    Strategy,
+    Study,
+    Table,
+    Tool,
+    Tour,
+    __version__,
+    description_of,
+    dilate,
+    inset,
+    intersect,
+    read_machine,
+    read_part_text,
+    read_tools,
+    reproducible_tables,
+    reproduce,
+    resolve_even_odd,
+    strategy_names,
+    study,
+    study_names,
+    subtract,
+    tour,
+    unite,
+    write_files,
+)
+from ._outlines import part, region, regions
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._core import Reading, Settings
+
+    AnyPath = str | os.PathLike[str]
+    Progress = Callable[[str, int, int], None]
+
+
+class Cancel(Protocol):
+    """What ends work early: a threading.Event, for example."""
+
+    def is_set(self) -> bool: ...
+
+
+def read_part(file: AnyPath, **reading: Unpack[Reading]) -> Part:
+    return _core.read_part(os.fspath(file), **reading)
+
+
+def read_job(file: AnyPath, **reading: Unpack[Reading]) -> tuple[Part, PlanOptions]:
+    """The part of a job file and all that the job asks of its plan; `reading` goes before what the job says."""
+    job = _core.read_job(os.fspath(file), **reading)
+    return job.part, job.options
+
+
+def plan(
+    part: Part | AnyPath,
+    options: PlanOptions | None = None,
+    *,
+    strategies: Iterable[Strategy] = (),
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    **settings: Unpack[Settings],
+) -> Plan:
+    """Plans, posts and certifies a part, or the part or job in a file.
+
+    `settings` are the names of PlanOptions and go before `options`. `strategies` are there beside the software's own.
+    `progress(stage, done, most)` is called from the threads that plan; what it raises ends the plan. `cancel` is looked at
+    every 20 ms, as is Ctrl-C.
+    """
+    part, options = _asked(part, options, settings)
+    return _core._plan(part, options, list(strategies), progress, cancel)
+
+
+def verify(
+    part: Part | AnyPath,
+    program: str,
+    options: PlanOptions | None = None,
+    *,
+    name: str = "program",
+    dialect: str | None = None,
+    cancel: Cancel | None = None,
+    **settings: Unpack[Settings],
+) -> Check:
+    """Judges the text of any program against a part, whoever wrote it. `name` stands in messages."""
+    part, options = _asked(part, options, settings)
+    return _core._verify(part, program, name, options, dialect, cancel)
+
+
+def verify_file(
+    part: Part | AnyPath,
+    program: AnyPath,
+    options: PlanOptions | None = None,
+    *,
+    dialect: str | None = None,
+    cancel: Cancel | None = None,
+    **settings: Unpack[Settings],
+) -> Check:
+    """Judges the program in a file against a part, whoever wrote it."""
+    name = os.fspath(program)
+    part, options = _asked(part, options, settings)
+    return _core._verify(part, _core.read_file(name), name, options, dialect, cancel)
+
+
+def compare(
+    part: Part | AnyPath,
+    options: PlanOptions | None = None,
+    *,
+    strategies: Iterable[Strategy] = (),
+    **settings: Unpack[Settings],
+) -> Table:
+    """Every strategy on one part, judged alike, as a table. Raises InputError where none can plan it."""
+    part, options = _asked(part, options, settings)
+    return _core._compare(part, options, list(strategies))
+
+
+def explain(part: Part | AnyPath, options: PlanOptions | None = None, **settings: Unpack[Settings]) -> str:
+    """Every value of a plan and where it comes from, without planning."""
+    part, options = _asked(part, options, settings)
+    return _core._explain(part, options)
+
+
+def _asked(given: Part | AnyPath, options: PlanOptions | None, settings: Any) -> tuple[Part, PlanOptions]:
+    """A part and its options: those of a job first, then `options`, then `settings`."""
+    if isinstance(given, Part):
+        return given, (options or PlanOptions()).replaced(**settings)
+    file = os.fspath(given)
+    if Path(file).suffix != ".toml":
+        return read_part(file), (options or PlanOptions()).replaced(**settings)
+    if options is not None:
+        raise TypeError("a job file has options of its own; change some of them by keywords, or use read_job()")
+    job, asked = read_job(file)
+    return job, asked.replaced(**settings)
+
+
+def _write(
+    self: Plan,
+    program: AnyPath,
+    *,
+    certificate: AnyPath | None = None,
+    picture: AnyPath | None = None,
+    page: AnyPath | None = None,
+    segments: AnyPath | None = None,
+) -> None:
+    """Writes the program and what else is named (JSON, SVG, HTML, segments): all of the files or none, and never over what was read."""
+    name = os.fspath(program)
+    files = [(name, self.program)]
+    if certificate is not None:
+        files.append((os.fspath(certificate), self.certificate_text(name)))
+    if picture is not None:
+        files.append((os.fspath(picture), self.picture()))
+    if page is not None:
+        files.append((os.fspath(page), self.page()))
+    if segments is not None:
+        files.append((os.fspath(segments), self.segments()))
+    write_files(files, self.inputs)
+
+
+def _columns(self: Moves, *, engagement: bool = False) -> dict[str, Any]:
+    """The moves by the names of their columns, kinds as words: what pandas.DataFrame() takes.
+
+    With `engagement` also what verification measures of each move, which takes as long as that.
+    """
+    import numpy
+
+    names = ["x", "y", "z", "feed", "time", "length", "line", "tool", "workingstep"]
+    names += ["engagement", "mean_engagement", "cutting_mm", "air_mm"] if engagement else []
+    table = {name: getattr(self, name) for name in names}
+    table["kind"] = numpy.array(Moves.kinds)[self.kind]
+    return table
+
+
+read_part.__doc__ = _core.read_part.__doc__
+for owner, name, function in ((Plan, "write", _write), (Moves, "columns", _columns)):
+    function.__name__ = name
+    setattr(owner, name, function)
+del owner, name, function
+
+__all__ = [
+    "Cancel", "Cancelled", "Check", "Clearance", "ClearingArea", "ClearingComponent", "Condition", "Contest",
+    "Contestant", "Diagnostic", "Engagement", "Fault", "Feature", "FeatureFindings", "Figures", "Findings", "InputError",
+    "InternalError", "Layer", "LayerFindings", "LayerPasses", "LibraryTool", "Machine", "Moves", "Part", "Pass", "Place",
+    "Plan", "PlanOptions", "Region", "Strategy", "Study", "Table", "Tool", "Tour", "__version__", "compare",
+    "description_of", "dilate", "explain", "inset", "intersect", "part", "plan", "read_job", "read_machine", "read_part",
+    "read_part_text", "read_tools", "region", "regions", "reproduce", "reproducible_tables", "resolve_even_odd",
+    "strategy_names", "study", "study_names", "subtract", "tour", "unite", "verify", "verify_file", "write_files",
+]

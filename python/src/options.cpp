@@ -1,0 +1,388 @@
+// PlanOptions as keywords: the names of the command's options with underscores.
+#include "bindings.h"
+
+namespace clearcut::python {
+namespace {
+
+/// A number, or text with a unit as on the command line.
+double quantity_of(const py::handle& value, const std::string& name,
+                   std::optional<double> (*convert)(std::string_view), const char* expected) {
+  if (!py::isinstance<py::str>(value)) return value.cast<double>();
+  const auto text = value.cast<std::string>();
+  const auto number = convert(text);
+  if (!number) throw InputError("--" + name, "'" + text + "' is not " + expected);
+  return *number;
+}
+
+double length_of(const py::handle& value, const std::string& name) {
+  return quantity_of(value, name, length_in_mm, "a length; write 6, 6mm or 0.25in");
+}
+
+MmPerMin feed_of(const py::handle& value, const std::string& name) {
+  return MmPerMin::of(
+      quantity_of(value, name, feed_in_mm_per_min, "a feed; write 800, 800mm/min or 40in/min"));
+}
+
+std::string option_name(std::string keyword) {
+  for (char& c : keyword) {
+    if (c == '_') c = '-';
+  }
+  return keyword;
+}
+
+using Class = py::class_<AskedOptions>;
+
+/// A value that may be absent, with how it is read and shown. `at` gives its place in the options.
+template <class At, class From, class To>
+void add_optional(Class& options, const char* name, const char* text, At at, From from, To to) {
+  options.def_property(
+      name,
+      [at, to](AskedOptions& given) -> py::object {
+        const auto& value = at(given);
+        return value ? py::cast(to(*value)) : py::none();
+      },
+      [at, from, name](AskedOptions& given, const py::object& value) {
+        if (value.is_none())
+          at(given).reset();
+        else
+          at(given) = from(value, option_name(name));
+      },
+      text);
+}
+
+template <class At>
+void add_length(Class& options, const char* name, const char* text, At at) {
+  add_optional(options, name, text, at, length_of, [](double mm) { return mm; });
+}
+
+template <class At>
+void add_feed(Class& options, const char* name, const char* text, At at) {
+  add_optional(options, name, text, at, feed_of, [](MmPerMin feed) { return feed.mm_per_min(); });
+}
+
+template <class At>
+void add_angle(Class& options, const char* name, const char* text, At at) {
+  add_optional(
+      options, name, text, at,
+      [](const py::handle& degrees, const std::string&) {
+        return Radians::of_degrees(degrees.cast<double>());
+      },
+      [](Radians angle) { return angle.degrees(); });
+}
+
+/// Numbers and words that are taken as they are.
+template <class Value, class At>
+void add_plain(Class& options, const char* name, const char* text, At at) {
+  add_optional(
+      options, name, text, at,
+      [](const py::handle& value, const std::string&) { return value.cast<Value>(); },
+      [](const Value& value) { return value; });
+}
+
+/// One of a few names.
+template <class At, class Named, class NameOf>
+void add_named(Class& options, const char* name, const char* text, At at, Named named, NameOf name_of_value) {
+  add_optional(
+      options, name, text, at,
+      [named](const py::handle& value, const std::string& option) {
+        return named(value.cast<std::string>(), "--" + option);
+      },
+      name_of_value);
+}
+
+/// Tools, texts like "endmill:6" and tools of a library, one or several.
+void set_tools(AskedOptions& options, const py::object& value) {
+  const bool several = py::isinstance<py::sequence>(value) && !py::isinstance<py::str>(value);
+  const py::list given = several ? py::list(value) : py::list(py::make_tuple(value));
+  std::vector<LibraryTool> tools;
+  bool library = false;
+  for (const py::handle& one : given) {
+    if (py::isinstance<py::str>(one))
+      tools.push_back({parse_tool(one.cast<std::string>()), {}});
+    else if (py::isinstance<LibraryTool>(one))
+      library = true, tools.push_back(one.cast<LibraryTool>());
+    else
+      tools.push_back({one.cast<Tool>(), {}});
+  }
+  options.tools.clear();
+  for (const LibraryTool& tool : tools) options.tools.push_back(tool.tool);
+  options.tool_cutting = library ? cutting_of_tools(tools, "") : std::vector<ToolCutting>{};
+}
+
+/// Another file of that role, or none.
+void set_file(AskedOptions& options, const std::string& role, const std::optional<std::string>& file) {
+  std::erase_if(options.files, [&](const CertificateFile& one) { return one.role == role; });
+  if (file) options.files.push_back(certificate_file(role, *file));
+}
+
+void set_machine(AskedOptions& options, const py::object& value) {
+  if (py::isinstance<Machine>(value)) {
+    options.machine = value.cast<Machine>();
+    set_file(options, "machine", {});
+    return;
+  }
+  const auto file = py::str(value).cast<std::string>();
+  options.machine = read_machine(file);
+  options.sources.merge(machine_sources(file));
+  set_file(options, "machine", file);
+}
+
+/// A share of the diameter as a number, or text as on the command line.
+std::string stepover_of(const py::handle& value, const std::string&) {
+  return py::str(value).cast<std::string>();
+}
+
+void add_cutting(Class& options) {
+  add_plain<std::string>(
+      options, "strategy", doc("PlanOptions::strategy"), [](auto& o) -> auto& { return o.strategy; });
+  add_optional(
+      options, "stepover", doc("PlanOptions::stepover"), [](auto& o) -> auto& { return o.stepover; },
+      stepover_of, [](const std::string& text) { return text; });
+  add_plain<double>(
+      options, "angle", doc("PlanOptions::angle_deg"), [](auto& o) -> auto& { return o.angle_deg; });
+  add_length(
+      options, "stepdown", "Depth of one layer, mm.", [](auto& o) -> auto& { return o.stepdown; });
+  add_length(
+      options, "allowance", "Stock to leave on walls, mm.", [](auto& o) -> auto& { return o.allowance; });
+  add_length(
+      options, "allowance_floor", "Stock to leave on floors, mm.",
+      [](auto& o) -> auto& { return o.allowance_floor; });
+  add_plain<double>(
+      options, "engagement", "Largest engagement angle of the cutter, degrees.",
+      [](auto& o) -> auto& { return o.engagement_deg; });
+  add_named(
+      options, "entry", "helix, ramp, zigzag or plunge.", [](auto& o) -> auto& { return o.entry; },
+      entry_named, [](EntryKind entry) { return resolve::name_of(entry); });
+  add_angle(
+      options, "entry_angle", "Steepest way down of a helix or ramp, degrees.",
+      [](auto& o) -> auto& { return o.entry_angle; });
+  add_length(
+      options, "lead", doc("PlanOptions::lead"), [](auto& o) -> auto& { return o.lead; });
+  add_angle(
+      options, "lead_angle", "Straight leads at this angle to the pass, degrees; None: arcs.",
+      [](auto& o) -> auto& { return o.lead_angle; });
+  add_length(
+      options, "scallop", doc("PlanOptions::scallop"), [](auto& o) -> auto& { return o.scallop; });
+  add_named(
+      options, "direction", "climb or conventional.", [](auto& o) -> auto& { return o.direction; },
+      direction_named, [](CutDirection direction) { return resolve::name_of(direction); });
+  add_feed(
+      options, "feed", "Cutting feed, mm/min.", [](auto& o) -> auto& { return o.cutting.feed; });
+  add_feed(
+      options, "plunge_feed", "Plunge feed, mm/min.", [](auto& o) -> auto& { return o.cutting.plunge_feed; });
+  add_feed(
+      options, "ramp_feed", "Feed on ramps and helices, mm/min.",
+      [](auto& o) -> auto& { return o.cutting.ramp_feed; });
+  add_feed(
+      options, "slot_feed", "Feed where the cutter is in the material all round, mm/min.",
+      [](auto& o) -> auto& { return o.cutting.slot_feed; });
+  add_plain<double>(
+      options, "spindle", "Spindle speed, rpm.", [](auto& o) -> auto& { return o.cutting.spindle_rpm; });
+}
+
+void add_shop(Class& options) {
+  const auto length = [&](const char* name, const char* text, auto at) {
+    add_length(options, name, text, at);
+  };
+  length(
+      "helix_diameter", doc("ShopOptions::helix_widest"),
+      [](auto& o) -> auto& { return o.shop.helix_widest; });
+  length(
+      "helix_min", doc("ShopOptions::helix_narrowest"),
+      [](auto& o) -> auto& { return o.shop.helix_narrowest; });
+  length(
+      "lead_overlap", doc("ShopOptions::lead_overlap"), [](auto& o) -> auto& { return o.shop.lead_overlap; });
+  length(
+      "overrun", doc("ShopOptions::overrun"), [](auto& o) -> auto& { return o.shop.overrun; });
+  length(
+      "link_lift", doc("ShopOptions::link_lift"), [](auto& o) -> auto& { return o.shop.link_lift; });
+  length(
+      "finish_stock", doc("ShopOptions::finish_stock"), [](auto& o) -> auto& { return o.shop.finish_stock; });
+  length(
+      "finish_stock_floor", "mm left on floors for finishing.",
+      [](auto& o) -> auto& { return o.shop.finish_stock_floor; });
+  add_feed(
+      options, "lead_feed", doc("ShopOptions::lead_feed"), [](auto& o) -> auto& { return o.shop.lead_feed; });
+  add_feed(
+      options, "link_feed", doc("ShopOptions::link_feed"), [](auto& o) -> auto& { return o.shop.link_feed; });
+  add_plain<double>(
+      options, "slot_angle", doc("ShopOptions::slot_angle_deg"),
+      [](auto& o) -> auto& { return o.shop.slot_angle_deg; });
+  add_plain<bool>(
+      options, "rest", doc("ShopOptions::rest"), [](auto& o) -> auto& { return o.shop.rest; });
+  add_plain<std::string>(
+      options, "finish", doc("ShopOptions::finish"), [](auto& o) -> auto& { return o.shop.finish; });
+  add_plain<double>(
+      options, "finish_depths", doc("ShopOptions::finish_depths"),
+      [](auto& o) -> auto& { return o.shop.finish_depths; });
+  add_plain<std::string>(
+      options, "material", doc("ShopOptions::material"), [](auto& o) -> auto& { return o.shop.material; });
+  add_length(
+      options, "tab_height", doc("TabOptions::height"), [](auto& o) -> auto& { return o.tabs.height; });
+  options
+      .def_property(
+          "tabs", [](const AskedOptions& o) { return o.tabs.count; },
+          [](AskedOptions& o, int count) { o.tabs.count = count; }, doc("TabOptions::count"))
+      .def_property(
+          "tab_width", [](const AskedOptions& o) { return o.tabs.width; },
+          [](AskedOptions& o, const py::object& mm) { o.tabs.width = length_of(mm, "tab-width"); },
+          doc("TabOptions::width"));
+}
+
+/// A plain value somewhere in the options.
+template <class At>
+void add_value(Class& options, const char* name, const char* text, At at) {
+  using Value = std::remove_cvref_t<decltype(at(std::declval<AskedOptions&>()))>;
+  options.def_property(
+      name, [at](AskedOptions& given) { return at(given); },
+      [at](AskedOptions& given, const Value& value) { at(given) = value; }, text);
+}
+
+void add_post(Class& options) {
+  add_value(
+      options, "post", doc("PostOptions::dialect"), [](auto& o) -> auto& { return o.post.dialect; });
+  add_value(
+      options, "inch", "Write the program in inches.", [](auto& o) -> auto& { return o.post.inch; });
+  add_value(
+      options, "program_name", doc("PostOptions::program_name"),
+      [](auto& o) -> auto& { return o.post.program_name; });
+  add_plain<int>(
+      options, "decimals", doc("PostOptions::decimals"), [](auto& o) -> auto& { return o.post.decimals; });
+  add_value(
+      options, "arcs", doc("PostOptions::arcs"), [](auto& o) -> auto& { return o.post.arcs; });
+  add_value(
+      options, "tool_change", doc("PostOptions::tool_changer"),
+      [](auto& o) -> auto& { return o.post.tool_changer; });
+  add_value(
+      options, "length_offset", doc("PostOptions::length_offset"),
+      [](auto& o) -> auto& { return o.post.length_offset; });
+  add_value(
+      options, "exact_stop", doc("PostOptions::exact_stop"),
+      [](auto& o) -> auto& { return o.post.exact_stop; });
+  add_optional(
+      options, "spindle_wait", doc("PostOptions::spindle_wait"),
+      [](auto& o) -> auto& { return o.post.spindle_wait; },
+      [](const py::handle& s, const std::string&) { return Seconds::of(s.cast<double>()); },
+      [](Seconds time) { return time.seconds(); });
+}
+
+void add_machine(Class& options) {
+  options
+      .def_property(
+          "machine", [](const AskedOptions& o) { return o.machine; }, &set_machine,
+          "A Machine, or the machine file (.toml) to read.")
+      .def_property(
+          "rapid", [](const AskedOptions& o) { return o.machine.rapid.mm_per_min(); },
+          [](AskedOptions& o, const py::object& feed) { o.machine.rapid = feed_of(feed, "rapid"); },
+          "Rapid feed of the machine, mm/min.");
+  add_value(
+      options, "acceleration", doc("Machine::acceleration"),
+      [](auto& o) -> auto& { return o.machine.acceleration; });
+  add_value(
+      options, "junction_deviation", doc("Machine::junction_deviation"),
+      [](auto& o) -> auto& { return o.machine.junction_deviation; });
+  add_value(
+      options, "accept", doc("PlanOptions::accept"), [](auto& o) -> auto& { return o.accept; });
+  options.def_property(
+      "after", [](const AskedOptions& o) { return o.earlier.has_value(); },
+      [](AskedOptions& o, const py::object& file) {
+        o.earlier.reset();
+        const bool none = file.is_none();
+        const auto name = none ? std::string() : py::str(file).cast<std::string>();
+        if (!none) o.earlier = read_earlier_program(name, o.machine);
+        set_file(o, "earlier program", none ? std::nullopt : std::optional(name));
+      },
+      "File of a program that has run before on this stock: only what it left is cut. Set the machine "
+      "first.");
+}
+
+void add_search(Class& options) {
+  options.def_property(
+      "tools", [](const AskedOptions& o) { return o.tools; }, &set_tools,
+      "What cuts instead of the part's own tools: texts like 'endmill:6', tools, tools of a library; "
+      "one or a sequence.");
+  options.def_property(
+      "predrilled",
+      [](const AskedOptions& o) {
+        std::vector<std::tuple<double, double, double>> holes;
+        for (const auto& hole : o.predrilled) holes.emplace_back(hole.center.x, hole.center.y, hole.diameter);
+        return holes;
+      },
+      [](AskedOptions& o, const std::vector<std::tuple<double, double, double>>& holes) {
+        o.predrilled.clear();
+        for (const auto& [x, y, diameter] : holes) o.predrilled.push_back({{x, y}, diameter});
+      },
+      "Holes that are there before the work begins: x, y, diameter of each, mm.");
+  options.def_property(
+      "order", [](const AskedOptions& o) { return o.outside_in ? "outside-in" : "inside-out"; },
+      [](AskedOptions& o, const std::string& order) {
+        o.outside_in = order_named(order, "--order") == ContourOrder::kOutsideIn;
+      },
+      "Contours inside-out or outside-in.");
+  add_optional(
+      options, "start", doc("PlanOptions::start"), [](auto& o) -> auto& { return o.start; },
+      [](const py::handle& point, const std::string&) {
+        const auto [x, y] = point.cast<std::pair<double, double>>();
+        return Vec2{x, y};
+      },
+      [](Vec2 point) { return std::make_pair(point.x, point.y); });
+  add_value(
+      options, "objective", "Of the strategy tour: length, turns, angle, engagement, time, or weights.",
+      [](auto& o) -> auto& { return o.objective; });
+  add_plain<double>(
+      options, "time", "Longest search, s.", [](auto& o) -> auto& { return o.time_s; });
+  add_value(
+      options, "seed", "Seed of the search.", [](auto& o) -> auto& { return o.seed; });
+  add_value(
+      options, "threads", doc("PlanOptions::threads"), [](auto& o) -> auto& { return o.threads; });
+}
+
+/// Sets options by keywords. The machine goes first: others change a part of it, or are read with it.
+void set_all(const py::object& options, const py::dict& settings) {
+  const auto set = [&](const py::handle& name, const py::handle& value) {
+    if (!py::hasattr(options.get_type(), name) || py::str(name).cast<std::string>().starts_with("_"))
+      throw py::type_error("'" + py::str(name).cast<std::string>() +
+                           "' is no option of a plan; dir(clearcut.PlanOptions) lists them");
+    py::setattr(options, name, value);
+    const auto typed = option_name(py::str(name).cast<std::string>());
+    const std::string word = typed == "tools" ? "tool" : typed;
+    options.cast<AskedOptions&>().sources.set(word, {Origin::kUser, "--" + word});
+  };
+  if (settings.contains("machine")) set(py::str("machine"), settings["machine"]);
+  for (const auto& [name, value] : settings) {
+    const auto word = py::str(name).cast<std::string>();
+    if (word != "machine" && word != "after") set(name, value);
+  }
+  if (settings.contains("after")) set(py::str("after"), settings["after"]);
+}
+
+}  // namespace
+
+void add_options(py::module_& module) {
+  Class options(
+      module, "PlanOptions",
+      "What is asked of a plan, by the names of the command's options with underscores. What is not set is "
+      "taken from the part's operations, else from the documented defaults.");
+  options.def(py::init([](const py::kwargs& settings) {
+    const py::object fresh = py::cast(AskedOptions{});
+    set_all(fresh, settings);
+    return fresh.cast<AskedOptions>();
+  }));
+  options.def(
+      "replaced",
+      [](const AskedOptions& given, const py::kwargs& settings) {
+        const py::object copy = py::cast(AskedOptions(given));
+        set_all(copy, settings);
+        return copy;
+      },
+      "These options with some of them set anew.");
+  options.def(
+      "check", [](const AskedOptions& given) { check_options(given); }, doc("check_options"));
+  add_cutting(options);
+  add_shop(options);
+  add_post(options);
+  add_machine(options);
+  add_search(options);
+}
+
+}  // namespace clearcut::python

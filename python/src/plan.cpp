@@ -1,0 +1,260 @@
+// Plans, checks of any program, tables.
+#include "interruptible.h"
+#include "moves.h"
+
+namespace clearcut::python {
+namespace {
+
+/// A plan or a check with what it rests on.
+template <class Result>
+struct Judged {
+  std::shared_ptr<const Result> result;
+  PlanOptions options;
+  std::shared_ptr<const StrategyTable> table;  ///< of own strategies, which `options` points to
+  std::vector<CertificateFile> inputs;
+  std::string program;  ///< text
+  std::string name;     ///< of the program
+  bool dialect_stated = true;
+
+  Moves moves() const { return Moves(result, options); }
+};
+
+struct Plan : Judged<PlanResult> {};
+struct Check : Judged<CheckResult> {};
+
+/// Told to Python, in whose threads nobody may wait for the planner's while the lock is held.
+ProgressCallback told(const py::object& progress) {
+  if (progress.is_none()) return {};
+  return [call = shared(progress)](const Progress& at) {
+    const py::gil_scoped_acquire lock;
+    (*call)(at.stage == Stage::kPlanning ? "planning" : "certifying", at.done, at.most);
+  };
+}
+
+Plan plan(const GivenPart& part, AskedOptions options, const std::vector<OwnStrategy>& strategies,
+          const py::object& progress, const py::object& cancel) {
+  Plan plan;
+  plan.table = table_with(strategies);
+  options.strategies = plan.table.get();
+  check_options(options);
+  plan.options = options;
+  plan.inputs = joined(part.inputs, options.files);
+  options.progress = told(progress);
+  auto result = interruptible(cancel, [part = part.part, options, table = plan.table](std::stop_token stop) {
+    PlanOptions own = options;
+    own.cancel = std::move(stop);
+    return plan_part(part, own);
+  });
+  plan.result = std::make_shared<const PlanResult>(std::move(result));
+  plan.program = plan.result->program;
+  return plan;
+}
+
+std::optional<read::gcode::Dialect> dialect_of(const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
+  const auto dialect = read::gcode::dialect_named(*name);
+  if (!dialect)
+    throw InputError("--dialect", "'" + *name +
+                                      "' is unknown; use one of linuxcnc, grbl, fanuc, haas, heidenhain, "
+                                      "mach3, mach4, marlin");
+  return dialect;
+}
+
+Check verify(const GivenPart& part, const std::string& program, const std::string& name, AskedOptions options,
+             const std::optional<std::string>& dialect, const py::object& cancel) {
+  Check check;
+  options.strategies = nullptr;
+  check_options(options);
+  check.options = options;
+  check.inputs = joined(part.inputs, options.files);
+  check.program = program;
+  check.name = name;
+  check.dialect_stated = dialect.has_value();
+  const auto control = dialect_of(dialect);
+  auto result =
+      interruptible(cancel, [part = part.part, program, name, options, control](std::stop_token stop) {
+        PlanOptions own = options;
+        own.cancel = std::move(stop);
+        return check_program(part, program, name, own, control);
+      });
+  check.result = std::make_shared<const CheckResult>(std::move(result));
+  return check;
+}
+
+template <class Result>
+CertificateBasis basis_of(const Judged<Result>& judged, const std::string& program_name) {
+  CertificateBasis basis;
+  basis.command = "python";
+  basis.inputs = judged.inputs;
+  basis.program_name = program_name;
+  basis.dialect_stated = judged.dialect_stated;
+  return basis;
+}
+
+std::string certificate_of(const Plan& plan, const std::string& name) {
+  return write_certificate(*plan.result, plan.options, basis_of(plan, name));
+}
+
+std::string certificate_of(const Check& check, const std::string& name) {
+  return write_certificate(*check.result, check.options, basis_of(check, name.empty() ? check.name : name),
+                           check.program);
+}
+
+py::object as_dict(const std::string& json) {
+  return py::module_::import("json").attr("loads")(json);
+}
+
+/// What plans and checks have in common.
+template <class Class>
+void add_judged(py::class_<Class>& judged) {
+  judged
+      .def_property_readonly(
+          "part",
+          [](const Class& self) {
+            return GivenPart{self.result->part, self.inputs};
+          },
+          "As it was prepared: every default filled in, everything noticed in its diagnostics.")
+      .def_property_readonly(
+          "inputs",
+          [](const Class& self) {
+            std::vector<std::string> paths;
+            for (const CertificateFile& input : self.inputs) paths.push_back(input.name);
+            return paths;
+          },
+          "The files that it rests on; write() replaces none of them.")
+      .def_readonly("program", &Class::program, "The text for the controller.")
+      .def_property_readonly(
+          "findings", [](const Class& self) { return self.result->findings; },
+          "Figures and faults of the program, with places.")
+      .def_property_readonly(
+          "verdict", [](const Class& self) { return name_of(verdict_of(self.result->findings)); },
+          doc("Verdict"))
+      .def_property_readonly(
+          "clean", [](const Class& self) { return verdict_of(self.result->findings) == Verdict::kClean; },
+          "Whether the verdict is CLEAN.")
+      .def_property_readonly(
+          "faults", [](const Class& self) { return self.result->findings.faults; }, doc("Findings::faults"))
+      .def_property_readonly("diagnostics",
+                             [](const Class& self) { return self.result->part.diagnostics.items(); })
+      .def_property_readonly(
+          "moves", [](const Class& self) { return self.moves(); },
+          "The moves as they were read back from the program.")
+      .def(
+          "certificate_text",
+          [](const Class& self, const std::string& name) { return certificate_of(self, name); },
+          py::arg("program_name") = "", doc("certificate_json"))
+      .def(
+          "certificate",
+          [](const Class& self, const std::string& name) { return as_dict(certificate_of(self, name)); },
+          py::arg("program_name") = "", "The certificate as a dict; docs/report.md lists every field.")
+      .def(
+          "table", [](const Class& self) { return write_table(*self.result); }, doc("write_table"))
+      .def(
+          "picture", [](const Class& self) { return write_picture(*self.result); }, doc("write_picture"));
+}
+
+void add_contests(py::module_& module) {
+  py::class_<Contestant>(module, "Contestant", "A strategy that was considered for a workingstep.")
+      .def_readonly("strategy", &Contestant::strategy)
+      .def_readonly("stepover", &Contestant::stepover, doc("Contestant::stepover"))
+      .def_property_readonly("outcome", [](const Contestant& one) { return name_of(one.outcome); })
+      .def_readonly("time_s", &Contestant::time_s, doc("Contestant::time_s"))
+      .def_readonly("feed_mm", &Contestant::feed_mm, doc("Contestant::feed_mm"));
+  py::class_<Contest>(module, "Contest", doc("Contest"))
+      .def_readonly("feature", &Contest::feature)
+      .def_readonly("contestants", &Contest::contestants)
+      .def_property_readonly("kept", &Contest::kept, doc("Contest::kept"));
+}
+
+void add_plan_class(py::module_& module) {
+  py::class_<Plan> plans(module, "Plan", "A program that was read back and certified.");
+  add_judged(plans);
+  plans
+      .def_property_readonly(
+          "contests", [](const Plan& self) { return self.result->contests; }, doc("PlanResult::contests"))
+      .def(
+          "values", [](const Plan& self) { return write_values(self.result->part, self.result->values); },
+          doc("write_values"))
+      .def(
+          "contest_table", [](const Plan& self) { return write_contest_table(*self.result); },
+          doc("write_contest_table"))
+      .def(
+          "page", [](const Plan& self) { return write_page(*self.result, self.options); }, doc("write_page"))
+      .def(
+          "segments", [](const Plan& self) { return write_segments(*self.result); }, doc("write_segments"))
+      .def("__repr__", [](const Plan& self) {
+        return "<clearcut.Plan of " + self.result->part.name + ", " +
+               name_of(verdict_of(self.result->findings)) + ", " +
+               trimmed(self.result->findings.all.time_s, 1) + " s>";
+      });
+  py::class_<Check> checks(module, "Check", "What a program of whatever origin does to a part.");
+  add_judged(checks);
+  checks
+      .def_property_readonly(
+          "dialect", [](const Check& self) { return std::string(name_of(self.result->dialect)); },
+          "As which control's program it was read.")
+      .def("__repr__", [](const Check& self) {
+        return "<clearcut.Check of " + self.name + ", " + name_of(verdict_of(self.result->findings)) + ">";
+      });
+}
+
+void add_tables(py::module_& module) {
+  py::class_<TextTable>(module, "Table", "A table of words and figures; str() aligns it.")
+      .def_readonly("title", &TextTable::title)
+      .def_readonly("rows", &TextTable::rows)
+      .def_readonly("notes", &TextTable::notes)
+      .def_property_readonly("columns",
+                             [](const TextTable& table) {
+                               std::vector<std::string> names;
+                               for (const auto& column : table.columns) names.push_back(column.heading);
+                               return names;
+                             })
+      .def("markdown", &markdown, doc("markdown"))
+      .def("__str__", &plain);
+  module.def(
+      "_compare",
+      [](const GivenPart& part, AskedOptions options, const std::vector<OwnStrategy>& strategies) {
+        const auto table = table_with(strategies);
+        options.strategies = table.get();
+        check_options(options);
+        return interruptible(py::none(), [part = part.part, options, table](std::stop_token stop) {
+          PlanOptions own = options;
+          own.cancel = std::move(stop);
+          return compare_strategies(part, own);
+        });
+      },
+      py::arg("part"), py::arg("options"), py::arg("strategies"), doc("compare_strategies"));
+}
+
+}  // namespace
+
+void add_plan(py::module_& module) {
+  add_contests(module);
+  add_plan_class(module);
+  add_tables(module);
+  module.def("_plan", &plan, py::arg("part"), py::arg("options"), py::arg("strategies"), py::arg("progress"),
+             py::arg("cancel"), doc("plan_part"));
+  module.def("_verify", &verify, py::arg("part"), py::arg("program"), py::arg("name"), py::arg("options"),
+             py::arg("dialect"), py::arg("cancel"), doc("check_program"));
+  module.def(
+      "_explain",
+      [](const GivenPart& part, const AskedOptions& options) {
+        const ResolvedPlan resolved = resolve_plan(part.part, options);
+        return write_values(resolved.part, resolved.values);
+      },
+      py::arg("part"), py::arg("options"), doc("write_values"));
+  module.def(
+      "read_file", [](const std::string& path) { return py::bytes(read_file(path)); }, py::arg("path"),
+      doc("read_file"));
+  module.def(
+      "write_files",
+      [](const std::vector<std::pair<std::string, std::string>>& files,
+         const std::vector<std::string>& inputs) {
+        std::vector<OutputFile> outputs;
+        for (const auto& [path, content] : files) outputs.push_back({path, content});
+        write_files(outputs, inputs);
+      },
+      py::arg("files"), py::arg("inputs") = std::vector<std::string>{}, doc("write_files"));
+}
+
+}  // namespace clearcut::python

@@ -1,0 +1,319 @@
+"""Plans, checks and what they give, held against the command."""
+import json
+import signal
+import threading
+import time
+import unittest
+
+import numpy
+from support import EXAMPLES, L_SHAPE, folder, pocket, run_command
+
+import clearcut
+
+
+class Plans(unittest.TestCase):
+    def test_gives_a_certified_program(self):
+        plan = clearcut.plan(pocket(), tools="endmill:6", strategy="contour")
+        self.assertTrue(plan.clean)
+        self.assertEqual(plan.verdict, "CLEAN")
+        self.assertIn("CERTIFICATE: CLEAN", plan.program)
+        self.assertEqual([contest.kept for contest in plan.contests], ["contour"])
+        self.assertEqual(plan.faults, [])
+        self.assertIn("pocket", plan.table())
+        self.assertIn("<svg", plan.picture())
+        self.assertIn("<html", plan.page())
+
+    def test_options_can_be_kept_and_changed(self):
+        options = clearcut.PlanOptions(tools=["endmill:6"], stepdown="0.04in", feed="40ipm", entry="ramp")
+        self.assertAlmostEqual(options.stepdown, 1.016)
+        self.assertAlmostEqual(options.feed, 1016)
+        self.assertEqual(options.entry, "ramp")
+        changed = options.replaced(stepdown=None, entry_angle=2)
+        self.assertIsNone(changed.stepdown)
+        self.assertAlmostEqual(changed.entry_angle, 2)
+        self.assertAlmostEqual(options.stepdown, 1.016)
+
+    def test_tools_of_a_library_bring_their_cutting_data(self):
+        tools = clearcut.read_tools(str(EXAMPLES / "tools.toml"))
+        options = clearcut.PlanOptions(tools=tools)
+        self.assertEqual([tool.number for tool in options.tools], [tool.tool.number for tool in tools])
+
+    def test_unknown_options_are_named(self):
+        with self.assertRaisesRegex(TypeError, "'stepdwon' is no option of a plan"):
+            clearcut.plan(pocket(), stepdwon=2)
+
+    def test_a_part_is_used_again(self):
+        part = pocket()
+        first = clearcut.plan(part, tools="endmill:6", strategy="zigzag")
+        second = clearcut.plan(part, tools="endmill:6", strategy="zigzag", threads=1)
+        self.assertEqual(first.program, second.program)
+
+    def test_explains_without_planning(self):
+        self.assertIn("stepdown", clearcut.explain(pocket(), tools="endmill:6", stepdown=1))
+
+    def test_compares(self):
+        table = clearcut.compare(pocket(), tools="endmill:10")
+        self.assertIn("strategy", table.columns[0])
+        self.assertTrue(any(row and row[0].startswith("zigzag") for row in table.rows))
+        self.assertIn("zigzag", str(table))
+
+
+class LikeTheCommand(unittest.TestCase):
+    """Same bytes for the same question."""
+
+    def assert_same(self, part, words, **asked):
+        here = folder(self)
+        program, certificate = here / "p.ngc", here / "p.json"
+        run = run_command("plan", part, "--output", program, "--certificate", certificate, "--quiet", *words)
+        self.assertLess(run.returncode, 2, run.stderr)
+        reading = asked.pop("reading", None)
+        plan = clearcut.plan(clearcut.read_part(part, **reading) if reading else part, **asked)
+        self.assertEqual(plan.program, program.read_text())
+        theirs, ours = json.loads(certificate.read_text()), plan.certificate(str(program))
+        for one in (theirs, ours):
+            del one["seal"], one["question"]["command"], one["question"]["arguments"]
+        self.assertEqual(ours, theirs)
+
+    def test_stepnc(self):
+        self.assert_same(EXAMPLES / "fishhead.p21", [])
+
+    def test_drawing(self):
+        self.assert_same(EXAMPLES / "bracket.dxf", ["--depth", "5", "--tool", "endmill:6", "--stepdown", "2"],
+                         reading={"depth": 5}, tools="endmill:6", stepdown=2)
+
+    def test_outline_with_many_options(self):
+        words = ["--tool", "endmill:8:T2", "--strategy", "adaptive", "--engagement", "80", "--feed", "900", "--post", "grbl",
+                 "--allowance", "0.2", "--direction", "conventional", "--seed", "3"]
+        self.assert_same(EXAMPLES / "bracket.json", words, tools="endmill:8:T2", strategy="adaptive", engagement=80,
+                         feed=900, post="grbl", allowance=0.2, direction="conventional", seed=3)
+
+    def test_job(self):
+        self.assert_same(EXAMPLES / "bracket.toml", [])
+
+    def test_job_with_a_machine_file(self):
+        machine = EXAMPLES / "mill.toml"
+        self.assert_same(EXAMPLES / "bracket.toml", ["--machine", machine, "--acceleration", "300"], machine=machine, acceleration=300)
+
+    def test_verify(self):
+        here = folder(self)
+        program = here / "p.ngc"
+        plan = clearcut.plan(EXAMPLES / "bracket.json", tools="endmill:6", strategy="zigzag")
+        plan.write(program)
+        spoiled = plan.program.replace("G0 Z", "G0 Z-", 1)
+        for text in (plan.program, spoiled):
+            program.write_text(text)
+            run = run_command("verify", program, "--part", EXAMPLES / "bracket.json", "--tool", "endmill:6", "--json", "-")
+            theirs = json.loads(run.stdout)
+            ours = clearcut.verify_file(EXAMPLES / "bracket.json", program, tools="endmill:6").certificate()
+            for one in (theirs, ours):
+                del one["seal"], one["question"]["command"], one["question"]["arguments"]
+            self.assertEqual(ours, theirs)
+
+    def test_nothing_is_written_over_what_was_read(self):
+        job = folder(self) / "part.toml"
+        job.write_text(f'[part]\nfile = "{EXAMPLES / "bracket.json"}"\n')
+        before = job.read_bytes()
+        plan = clearcut.plan(job, tools="endmill:6", strategy="zigzag")
+        self.assertEqual(plan.inputs, [str(job), str(EXAMPLES / "bracket.json")])
+        with self.assertRaises(clearcut.InputError):
+            plan.write(job)
+        self.assertEqual(job.read_bytes(), before)
+
+    def test_errors(self):
+        here = folder(self)
+        cases = [
+            (["plan", EXAMPLES / "bracket.json", "-o", here / "x"], lambda: clearcut.plan(EXAMPLES / "bracket.json")),
+            (["plan", here / "none.dxf", "-o", here / "x"], lambda: clearcut.plan(here / "none.dxf")),
+            (["plan", EXAMPLES / "bracket.json", "--tool", "endmil:6", "-o", here / "x"],
+             lambda: clearcut.plan(EXAMPLES / "bracket.json", tools="endmil:6")),
+            (["plan", EXAMPLES / "bracket.json", "--tool", "endmill:6", "--strategy", "best", "-o", here / "x"],
+             lambda: clearcut.plan(EXAMPLES / "bracket.json", tools="endmill:6", strategy="best")),
+            (["plan", EXAMPLES / "bracket.json", "--tool", "endmill:6", "--stepdown", "-1", "-o", here / "x"],
+             lambda: clearcut.plan(EXAMPLES / "bracket.json", tools="endmill:6", stepdown=-1)),
+        ]
+        for words, call in cases:
+            run = run_command(*words)
+            with self.assertRaises(clearcut.InputError) as raised:
+                call()
+            self.assertEqual(run.returncode, 2)
+            self.assertEqual(run.stderr.strip().splitlines()[-1], f"clearcut: {raised.exception}")
+
+
+class Columns(unittest.TestCase):
+    def setUp(self):
+        self.plan = clearcut.plan(pocket(), tools="endmill:6", strategy="contour")
+
+    def test_are_those_of_the_findings(self):
+        moves, figures = self.plan.moves, self.plan.findings.all
+        cuts = moves.kind != clearcut.Moves.kinds.index("rapid")
+        self.assertAlmostEqual(moves.length[cuts].sum(), figures.feed_mm, 6)
+        self.assertAlmostEqual(moves.length[~cuts].sum(), figures.rapid_mm, 6)
+        self.assertAlmostEqual(moves.time.sum(), figures.time_s, 6)
+        self.assertAlmostEqual(moves.engagement.max(), figures.engagement.max_deg, 6)
+        self.assertAlmostEqual(moves.air_mm.sum(), figures.air_cut_mm, 6)
+        self.assertTrue((moves.line > 0).all())
+        self.assertTrue((moves.feed[cuts] > 0).all())
+
+    def test_join_end_to_start(self):
+        moves = self.plan.moves
+        numpy.testing.assert_array_equal(moves.x[:-1], moves.from_x[1:])
+        numpy.testing.assert_array_equal(moves.z[:-1], moves.from_z[1:])
+        arcs = moves.turn != 0
+        numpy.testing.assert_array_equal(arcs, ~numpy.isnan(moves.center_x))
+
+    def test_outlive_their_plan(self):
+        moves = clearcut.plan(pocket(), tools="endmill:6", strategy="zigzag").moves
+        self.assertEqual(len(moves.columns(engagement=True)["engagement"]), len(moves))
+
+
+class Ending(unittest.TestCase):
+    """Progress, cancelling, Ctrl-C."""
+
+    def long_plan(self, **more):
+        """Minutes of work: a plate with many islands, and a small cutter."""
+        islands = [[[x, y, 1], [x + 6, y, 1]] for x in range(10, 290, 14) for y in range(10, 190, 14)]
+        part = clearcut.part(([[0, 0], [300, 0], [300, 200], [0, 200]], islands), depth=10)
+        return clearcut.plan(part, tools="endmill:3", stepdown=0.5, **more)
+
+    def test_progress_is_told(self):
+        told = []
+        clearcut.plan(pocket(), tools="endmill:6", progress=lambda *at: told.append(at))
+        self.assertEqual(told[0][:2], ("planning", 0))
+        self.assertEqual(told[-1][0], "certifying")
+
+    def test_what_progress_raises_ends_the_plan(self):
+        def progress(stage, done, most):
+            raise KeyError(stage)
+
+        with self.assertRaises(KeyError):
+            clearcut.plan(pocket(), tools="endmill:6", progress=progress)
+
+    def test_cancel(self):
+        event = threading.Event()
+        threading.Timer(0.5, event.set).start()
+        with self.assertRaises(clearcut.Cancelled):
+            self.long_plan(cancel=event)
+
+    def assert_interrupted(self, work):
+        sent = []
+
+        def interrupt():
+            sent.append(time.monotonic())
+            signal.raise_signal(signal.SIGINT)
+
+        timer = threading.Timer(1.5, interrupt)
+        timer.start()
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                work()
+        finally:
+            timer.cancel()
+        took = time.monotonic() - sent[0]
+        self.assertLess(took, 0.2)
+
+    def test_ctrl_c_ends_a_plan_within_a_fifth_of_a_second(self):
+        for strategy in ("adaptive", "contour", "auto"):
+            with self.subTest(strategy=strategy):
+                self.assert_interrupted(lambda: self.long_plan(strategy=strategy))
+
+    def test_ctrl_c_ends_a_tour(self):
+        points = numpy.random.default_rng(1).random((20_000, 2))
+        self.assert_interrupted(lambda: clearcut.tour(points, time=60))
+
+    def test_other_threads_run_meanwhile(self):
+        counted = []
+        done = threading.Event()
+
+        def count():
+            while not done.is_set():
+                counted.append(1)
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        clearcut.plan(pocket(), tools="endmill:6")
+        done.set()
+        thread.join()
+        self.assertGreater(len(counted), 10)
+
+
+class Leaks(unittest.TestCase):
+    def test_nothing_is_left_behind(self):
+        def resident():
+            with open("/proc/self/statm") as file:
+                return int(file.read().split()[1]) * 4096
+
+        square = clearcut.part([[0, 0], [20, 0], [20, 20], [0, 20]], depth=1)
+
+        def work():
+            for _ in range(200):
+                plan = clearcut.plan(square, tools="endmill:8", strategy="zigzag", threads=1)
+                plan.moves.x, plan.findings, plan.part, plan.certificate()
+
+        work()
+        before = resident()
+        work()
+        self.assertLess(resident() - before, 8e6)
+
+
+class Own(unittest.TestCase):
+    """Strategies written in Python."""
+
+    @staticmethod
+    def rings(layer):
+        area = layer.clearing_area()
+        passes = area.walls
+
+        def add(region, parent, component):
+            for ring in clearcut.inset(region, 0.5 * layer.tool_radius):
+                outer = passes.add(ring.outer, parent=parent, component=component)
+                for island in ring.islands:
+                    passes.add(island, parent=parent, component=component)
+                add(ring, outer, component)
+
+        for number, component in enumerate(area.components):
+            add(component.legal, component.outer_wall, number)
+        return passes
+
+    def test_is_planned_linked_and_certified(self):
+        own = clearcut.Strategy("rings", self.rings, "contours at half the radius")
+        plan = clearcut.plan(pocket(), tools="endmill:6", strategy="rings", strategies=[own])
+        self.assertTrue(plan.clean)
+        self.assertEqual(plan.contests[0].kept, "rings")
+        self.assertEqual(plan.certificate()["features"][0]["strategy"], "rings")
+
+    def test_is_tried_by_auto(self):
+        own = clearcut.Strategy("rings", self.rings, in_auto=True)
+        plan = clearcut.plan(pocket(), tools="endmill:6", strategies=[own])
+        self.assertIn("rings", [one.strategy for one in plan.contests[0].contestants])
+
+    def test_what_it_raises_ends_the_plan(self):
+        def broken(layer):
+            raise ZeroDivisionError("in my strategy")
+
+        with self.assertRaisesRegex(ZeroDivisionError, "in my strategy"):
+            clearcut.plan(pocket(), tools="endmill:6", strategy="own", strategies=[clearcut.Strategy("own", broken)])
+
+    def test_its_refusal_leaves_auto_to_the_others(self):
+        def refusing(layer):
+            raise clearcut.InputError("not for pockets")
+
+        own = clearcut.Strategy("own", refusing, in_auto=True)
+        self.assertTrue(clearcut.plan(pocket(), tools="endmill:6", strategies=[own]).clean)
+
+    def test_a_wrong_pass_is_no_clean_program(self):
+        def outside(layer):
+            passes = layer.clearing_area().walls
+            passes.add([[-20, 0], [-10, 0]], closed=False)
+            return passes
+
+        plan = clearcut.plan(pocket(), tools="endmill:6", strategy="own", strategies=[clearcut.Strategy("own", outside)])
+        self.assertEqual(plan.verdict, "FAULTY")
+
+    def test_names_are_not_taken_twice(self):
+        with self.assertRaisesRegex(clearcut.InputError, "'contour' is taken"):
+            clearcut.plan(pocket(), strategies=[clearcut.Strategy("contour", self.rings)])
+
+
+if __name__ == "__main__":
+    unittest.main()

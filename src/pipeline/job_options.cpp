@@ -1,0 +1,70 @@
+#include "pipeline/job_options.h"
+
+#include "base/files/file.h"
+#include "pipeline/selection/strategies.h"
+#include "read/gcode/gcode.h"
+#include "resolve/names.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// Also those that a later rule puts aside: a name that is unknown is never meant.
+void check_strategies(const read::JobFile& job) {
+  const auto check = [](const read::CutSettings& settings) {
+    const Source* source = settings.sources.find("strategy");
+    if (settings.strategy && source)
+      resolve::strategy_named(*settings.strategy, built_in_strategies(), source->text);
+  };
+  check(job.plan);
+  for (const read::OperationRule& rule : job.operations) check(rule.settings);
+}
+
+PostOptions post_of(const read::JobOutput& output) {
+  PostOptions post;
+  post.dialect = output.post.value_or("linuxcnc");
+  post.inch = output.inch.value_or(false);
+  post.decimals = output.decimals;
+  post.arcs = output.arcs.value_or(true);
+  post.tool_changer = output.tool_change.value_or(true);
+  post.length_offset = output.length_offset.value_or(true);
+  post.exact_stop = output.exact_stop.value_or(false);
+  if (output.spindle_wait) post.spindle_wait = Seconds::of(*output.spindle_wait);
+  return post;
+}
+
+}  // namespace
+
+std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
+                                                   const std::string& preset) {
+  std::vector<resolve::ToolCutting> cutting;
+  for (const read::LibraryTool& tool : tools) {
+    const read::CuttingPreset* found = preset_of(tool, preset);
+    cutting.push_back(found ? resolve::ToolCutting{true, found->cutting, found->stepdown, found->stepover}
+                            : resolve::ToolCutting{});
+  }
+  return cutting;
+}
+
+Toolpath read_earlier_program(const std::string& file, const Machine& machine) {
+  return read::gcode::read_gcode(read_file(file), file, home_z(machine)).toolpath;
+}
+
+resolve::PlanOptions options_of_job(const read::JobFile& job) {
+  check_strategies(job);
+  resolve::PlanOptions options;
+  options.tool_cutting = cutting_of_tools(tools_of_job(job), job.preset);
+  options.machine = job.machine;
+  options.accept = job.accept;
+  options.sources = job.sources;
+  options.stepover = job.plan.stepover;
+  options.engagement_deg = job.engagement_deg;
+  options.shop = job.shop;
+  if (job.after) options.earlier = read_earlier_program(job.after->string(), job.machine);
+  options.post = post_of(job.output);
+  options.objective = job.objective.value_or("time");
+  options.time_s = job.time_s;
+  options.seed = job.seed.value_or(1);
+  return options;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,21 @@
+// What a job file asks of a plan, beside what its part holds.
+#pragma once
+
+#include "read/job/job_file.h"
+#include "resolve/plan_options.h"
+
+namespace clearcut::pipeline {
+
+/// The options of a job's [plan], [machine] and [output] with where each is said, and how its tools are driven. Its operations
+/// are in its part already, see part_of_job. Reads the job's tool library and the program that has run before.
+/// Throws InputError for strategies that nobody knows, also where a later rule puts them aside, and for files that cannot be read.
+resolve::PlanOptions options_of_job(const read::JobFile& job);
+
+/// What a library states for its tools, in their order; `preset` names which of several, "" the first.
+std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
+                                                   const std::string& preset);
+
+/// The moves of a program that has run before on the same stock, see PlanOptions::earlier. Throws InputError.
+Toolpath read_earlier_program(const std::string& file, const Machine& machine);
+
+}  // namespace clearcut::pipeline
