@@ -2,6 +2,7 @@
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <clearcut/report.h>
+#include <clearcut/studies.h>
 
 #include <array>
 #include <map>
@@ -74,7 +75,7 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
 
 int run(const ElementsCommand& command) {
   if (command.table) {
-    print_line(plain(grid_reduction_table()));
+    print_line(plain(studies::grid_reduction_table()));
     return kClean;
   }
   if ((command.input.empty() && command.elements.empty()) || command.output.empty())

@@ -12,7 +12,6 @@ namespace clearcut {
 using pipeline::element_table;
 using pipeline::ElementFigures;
 using pipeline::ElementsResult;
-using pipeline::grid_reduction_table;
 using pipeline::plan_elements;
 using read::ElementDefaults;
 using read::ElementOption;

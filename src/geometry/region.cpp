@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/error.h"
+#include "geometry/region_promise.h"
+
 namespace clearcut::inline geometry {
 namespace {
 
@@ -95,6 +98,10 @@ bool contains(const Loop& loop, Vec2 p) {
 }
 
 Region Region::from_valid_loops(Loop outer, std::vector<Loop> islands) {
+#ifndef NDEBUG
+  if (const std::string fault = broken_promise(outer, islands); !fault.empty())
+    throw InternalError("a region's promise is broken: " + fault);
+#endif
   Region region;
   region.outer_ = oriented(std::move(outer), true);
   region.islands_.reserve(islands.size());

@@ -162,7 +162,7 @@ Linker::Candidate Linker::first_candidate() const {
     Candidate candidate;
     candidate.item = i;
     candidate.start = {pass.path.front().from, 0, 0, false};
-    candidate.cost = -pass.offset;  // farthest from the wall
+    candidate.cost = -pass.start_priority;
     if (const auto wanted = layer(i).layer().start) {
       candidate.start = nearest_start(pass, *wanted);
       candidate.cost = distance(candidate.start.point, *wanted);

@@ -84,7 +84,7 @@ Work::Work(const std::vector<LayerPasses>& layers, double tool_radius) : tool_ra
   before_.resize(items_.size());
   after_.resize(items_.size());
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    if (items_[i].pass == 0) add_rings(i);
+    if (items_[i].pass == 0) add_layer(i);
   }
   layers_may_mix_ = items_.size() <= kMostMixed;
   if (layers_may_mix_) add_depths();
@@ -95,10 +95,12 @@ void Work::add(std::size_t before, std::size_t after) {
   after_[before].push_back(after);
 }
 
-/// Adds the precedence of rings of the layer whose first pass is item `first`.
-void Work::add_rings(std::size_t first) {
+/// Adds the precedence within the layer whose first pass is item `first`: stated by passes, and of rings.
+void Work::add_layer(std::size_t first) {
   const LayerWork& layer = layer_of(first);
   for (std::size_t p = 0; p < layer.layer().passes.size(); ++p) {
+    for (const int before : layer.layer().passes[p].after)
+      add(first + static_cast<std::size_t>(before), first + p);
     const int later = layer.later_of_tree_edge(p);
     if (later < 0) continue;
     const auto parent = static_cast<std::size_t>(layer.layer().passes[p].parent);

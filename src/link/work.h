@@ -54,6 +54,7 @@ struct WorkItem {
 
 /// All passes, layer by layer, with their precedence.
 ///
+/// Sequence  A pass waits for those in Pass::after.
 /// Rings     A ring waits for those inside it, or the other way round (see LayerPasses::outside_in).
 /// Depth     A pass waits for passes of higher layers whose material it, its entry or its lead may touch.
 class Work {
@@ -76,7 +77,7 @@ class Work {
 
  private:
   void add(std::size_t before, std::size_t after);
-  void add_rings(std::size_t first);
+  void add_layer(std::size_t first);
   void add_depths();
   bool is_above(std::size_t high, std::size_t low) const;
 

@@ -14,9 +14,13 @@ namespace clearcut::inline model {
 struct Pass {
   Path path;
   bool closed = false;     ///< path is a loop: it may start anywhere on it
-  int parent = -1;         ///< index of the pass that surrounds it (nearer to the wall); -1 at the wall
+  int parent = -1;         ///< index of the pass around it, nearer to the wall; -1: none
+  std::vector<int> after;  ///< indices of passes that have to be cut before it, whatever surrounds what
   int component = 0;       ///< passes of one connected legal area share a component
-  double offset = 0;       ///< mm from the wall (clearance), for closed offset contours
+  double offset = 0;       ///< mm from the wall; of offset contours
+  /// Among the passes that may be cut first, the one with the greatest value begins, unless a start was asked
+  /// for. For offset contours it is the offset, so that cutting begins where there is most room.
+  double start_priority = 0;
   bool reversible = true;  ///< may be cut in either direction (e.g. medial-axis spurs)
   /// What each edge of `path` does, kCut or kLink (through cleared material, at the link feed). Empty: all cut.
   std::vector<MoveKind> kinds;

@@ -149,7 +149,7 @@ std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
   for (const LayerPasses& layer : layers) {
     if (layer.strategy != "contour") continue;
     for (const Pass& pass : layer.passes) {
-      if (pass.closed) levels.push_back(pass.offset);
+      if (pass.closed && pass.offset > 0) levels.push_back(pass.offset);
     }
   }
   std::sort(levels.begin(), levels.end());

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <chrono>
 #include <functional>
 
 #include "base/text/format.h"
@@ -161,62 +159,6 @@ std::vector<ElementFigures> figures_of(const ElementJob& job, const PointTable& 
   return figures;
 }
 
-/// A row of the paper's table with the tool radius that gives its figures.
-struct PrintedRow {
-  double side;
-  double radius;
-  MiddleRow rule;
-  const char* unreduced_time;
-  const char* reduced_time;
-};
-
-constexpr std::array<PrintedRow, 6> kTable1{{{10, 2, MiddleRow::kKeep, "> 3 h", "85 s"},
-                                             {12, 2, MiddleRow::kKeep, "> 5 h", "160 s"},
-                                             {20, 3, MiddleRow::kKeep, "> 10 h", "7.5 min"},
-                                             {20, 4, MiddleRow::kKeep, "> 10 h", "85 s"},
-                                             {30, 3, MiddleRow::kKeep, "> 1 day", "20 min"},
-                                             {30, 3, MiddleRow::kStrict, "> 1 day", "12 min"}}};
-
-ElementJob job_of(const PrintedRow& row) {
-  ElementJob job;
-  job.name = "square";
-  job.stock = {{{0, 0}, {row.side, row.side}}, -1, 0};
-  job.middle_row = row.rule;
-  Tool tool;
-  tool.diameter = 2 * row.radius;
-  job.tools = {tool};
-  DesignElement square;
-  square.id = "square";
-  square.length = square.width = row.side;
-  square.depth = 1;
-  job.elements = {square};
-  return job;
-}
-
-std::vector<std::string> cells_of(const PrintedRow& row) {
-  const auto start = std::chrono::steady_clock::now();
-  const ElementJob job = job_of(row);
-  PointTable table = plan::grid::tabulate(job);
-  order::Solution solution;
-  plan::grid::plan_visits(job, table, [&](const std::vector<Vec2>& points) {
-    solution = shortest_visit(points, {});
-    return solution.tour;
-  });
-  const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-  const bool proven = solution.gap < 1e-9;
-  return {fmt::format("{0} x {0}", trimmed(row.side, 0)),
-          trimmed(row.radius, 1),
-          row.rule == MiddleRow::kKeep ? "keep" : "strict",
-          std::to_string(table.points.size()),
-          std::to_string(count_reduced(table)),
-          fmt::format("{:.2f}", solution.length),
-          fmt::format("{:.2f}", solution.bound),
-          proven ? "optimal" : fmt::format("gap {:.2f} %", 100 * solution.gap),
-          fmt::format("{:.1f}", spent.count()),
-          row.unreduced_time,
-          row.reduced_time};
-}
-
 }  // namespace
 
 ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& options) {
@@ -245,20 +187,6 @@ report::TextTable element_table(const ElementsResult& result) {
     table.add({element.id, std::to_string(element.squares), std::to_string(element.reduced),
                fmt::format("{:.1f}", share), fmt::format("{:.2f}", element.visit_mm)});
   }
-  return table;
-}
-
-report::TextTable grid_reduction_table() {
-  report::TextTable table;
-  table.title = "Squares after interpolation and reduction, and the time to an order of visits";
-  table.columns = {
-      {"pocket mm"},      {"tool R mm"}, {"middle row", report::Align::kLeft}, {"squares"}, {"reduced"},
-      {"visit mm"},       {"bound mm"},  {"proven", report::Align::kLeft},     {"time ms"}, {"printed all"},
-      {"printed reduced"}};
-  for (const auto& row : kTable1) table.add(cells_of(row));
-  table.notes = {"Time: interpolation, reduction and search for the shortest open path, on one thread.",
-                 "Printed: convergence of a genetic algorithm over all squares and over the reduced ones.",
-                 "Tool radii and the rule of the middle row are not printed; these give the printed counts."};
   return table;
 }
 

@@ -35,8 +35,4 @@ ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& 
 /// The elements with their squares, reduced squares and lengths of visit.
 report::TextTable element_table(const ElementsResult& result);
 
-/// Table 1 of the grid paper: squares before and after reduction, and the time to an order of visits with
-/// what is proven of it, beside the printed times of its genetic algorithm.
-report::TextTable grid_reduction_table();
-
 }  // namespace clearcut::pipeline

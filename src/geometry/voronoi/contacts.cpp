@@ -12,7 +12,7 @@ namespace {
 using std::int64_t;
 
 /// > 0 when p lies left of a -> b. Coordinates stay under 2^30, so that nothing overflows.
-int64_t side(GridPoint a, GridPoint b, GridPoint p) {
+int64_t side(LatticePoint a, LatticePoint b, LatticePoint p) {
   const int64_t dx = int64_t{b.x} - a.x, dy = int64_t{b.y} - a.y;
   return dx * (int64_t{p.y} - a.y) - dy * (int64_t{p.x} - a.x);
 }
@@ -25,13 +25,13 @@ bool boxes_apart(const Segment& s, const Segment& t) {
 }
 
 /// Whether p, on the line of s, lies strictly between its ends.
-bool inside(const Segment& s, GridPoint p) {
+bool inside(const Segment& s, LatticePoint p) {
   if (p == s.from || p == s.to) return false;
   return std::min(s.from.x, s.to.x) <= p.x && p.x <= std::max(s.from.x, s.to.x) &&
          std::min(s.from.y, s.to.y) <= p.y && p.y <= std::max(s.from.y, s.to.y);
 }
 
-GridPoint crossing(const Segment& s, int64_t side_from, int64_t side_to) {
+LatticePoint crossing(const Segment& s, int64_t side_from, int64_t side_to) {
   const double t =
       static_cast<double>(side_from) / (static_cast<double>(side_from) - static_cast<double>(side_to));
   const double x = s.from.x + t * (static_cast<double>(s.to.x) - s.from.x);
@@ -61,7 +61,7 @@ class Finder {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   void size_cells() {
-    GridPoint low = segments_[0].from, high = low;
+    LatticePoint low = segments_[0].from, high = low;
     double total = 0;
     for (const Segment& s : segments_) {
       low = {std::min(low.x, s.from.x), std::min(low.y, s.from.y)};
@@ -78,7 +78,7 @@ class Finder {
   /// Calls visit(cell) for all cells within one grid unit of the segment.
   template <class Visit>
   void visit_cells(const Segment& s, Visit visit) const {
-    const GridPoint a = std::min(s.from, s.to), b = std::max(s.from, s.to);
+    const LatticePoint a = std::min(s.from, s.to), b = std::max(s.from, s.to);
     const double y_low = std::min(a.y, b.y) - 1.0, y_high = std::max(a.y, b.y) + 1.0;
     const std::size_t last_row = grid_.row(y_high);
     for (std::size_t r = grid_.row(y_low); r <= last_row; ++r) {
@@ -103,7 +103,7 @@ class Finder {
   }
 
   void compare_ends(const Segment& s, const Segment& t) {
-    const auto mixed = [](GridPoint p, int e, GridPoint q, int f) { return p == q && e != f; };
+    const auto mixed = [](LatticePoint p, int e, LatticePoint q, int f) { return p == q && e != f; };
     if (mixed(s.from, s.from_element, t.from, t.from_element) ||
         mixed(s.from, s.from_element, t.to, t.to_element) ||
         mixed(s.to, s.to_element, t.from, t.from_element) || mixed(s.to, s.to_element, t.to, t.to_element)) {
@@ -113,7 +113,7 @@ class Finder {
       found_contacts_.doubled = true;
   }
 
-  void touch(int segment, GridPoint p, int64_t side_of_p, int element) {
+  void touch(int segment, LatticePoint p, int64_t side_of_p, int element) {
     if (side_of_p == 0 && inside(segments_[at(segment)], p)) found_.push_back({segment, p, element});
   }
 
@@ -129,7 +129,7 @@ class Finder {
     touch(j, s.from, s0, s.from_element);
     touch(j, s.to, s1, s.to_element);
     if ((t0 > 0) == (t1 > 0) || t0 == 0 || t1 == 0 || (s0 > 0) == (s1 > 0) || s0 == 0 || s1 == 0) return;
-    const GridPoint p = crossing(s, s0, s1);
+    const LatticePoint p = crossing(s, s0, s1);
     if (p != s.from && p != s.to) found_.push_back({i, p, -1});
     if (p != t.from && p != t.to) found_.push_back({j, p, -1});
   }

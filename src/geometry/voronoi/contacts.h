@@ -11,7 +11,7 @@ namespace clearcut::inline geometry::voronoi {
 /// Segment `segment` passes through `at`, which is not one of its ends.
 struct Contact {
   int segment = 0;
-  GridPoint at;
+  LatticePoint at;
   int element = -1;  ///< of the end point that touches; -1 for a crossing
 };
 

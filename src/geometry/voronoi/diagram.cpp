@@ -51,7 +51,7 @@ class Maker {
 
   void build() {
     VoronoiBuilder builder;
-    const GridPoint away = distance_from_axes();
+    const LatticePoint away = distance_from_axes();
     for (const Segment& s : out_.sites.segments) {
       builder.insert_segment(s.from.x + away.x, s.from.y + away.y, s.to.x + away.x, s.to.y + away.y);
     }
@@ -64,8 +64,8 @@ class Maker {
 
   /// Moves the sites as far from both axes as they extend: what the builder decides by relative errors is
   /// then decided alike everywhere.
-  GridPoint distance_from_axes() const {
-    GridPoint low = out_.sites.segments.front().from, high = low;
+  LatticePoint distance_from_axes() const {
+    LatticePoint low = out_.sites.segments.front().from, high = low;
     for (const Segment& s : out_.sites.segments) {
       low = {std::min({low.x, s.from.x, s.to.x}), std::min({low.y, s.from.y, s.to.y})};
       high = {std::max({high.x, s.from.x, s.to.x}), std::max({high.y, s.from.y, s.to.y})};
@@ -74,7 +74,7 @@ class Maker {
     return {extent - low.x, extent - low.y};
   }
 
-  void copy_nodes(const BoostDiagram& diagram, GridPoint away) {
+  void copy_nodes(const BoostDiagram& diagram, LatticePoint away) {
     out_.nodes.reserve(diagram.num_vertices());
     for (const auto& v : diagram.vertices()) {
       out_.nodes.push_back({grid().to_mm(v.x() - away.x, v.y() - away.y), 0});
@@ -190,7 +190,7 @@ class Maker {
   }
 
   /// The end point shared by the two cells of a half-edge when one is a segment and the other its end.
-  bool is_secondary(int h, GridPoint& end) const {
+  bool is_secondary(int h, LatticePoint& end) const {
     int a = out_.cell[index(h)], b = out_.cell[index(Diagram::twin(h))];
     if (out_.cell_segment[index(a)] < 0) std::swap(a, b);
     const int s = out_.cell_segment[index(a)];
@@ -202,7 +202,7 @@ class Maker {
   /// A segment's edge with its own end point may run through that point, from one side of the wall to the
   /// other.
   bool runs_through_point(int h) const {
-    GridPoint end;
+    LatticePoint end;
     if (!is_secondary(h, end)) return false;
     const int v = out_.origin[index(h)], w = out_.origin[index(Diagram::twin(h))];
     if (v < 0 || w < 0) return true;
@@ -381,7 +381,7 @@ class Maker {
   }
 
   void find_critical(int k, int v, int w) {
-    GridPoint end;
+    LatticePoint end;
     if (is_secondary(2 * k, end)) {
       if (runs_through_point(2 * k)) add_critical(k, {grid().to_mm(end), 0});
       return;
@@ -404,8 +404,8 @@ class Maker {
 
   const Region& region_;
   Diagram out_;
-  std::vector<GridPoint> points_;  ///< of each point cell
-  std::vector<char> center_open_;  ///< of each element
+  std::vector<LatticePoint> points_;  ///< of each point cell
+  std::vector<char> center_open_;     ///< of each element
 };
 
 }  // namespace

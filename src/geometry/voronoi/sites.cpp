@@ -134,7 +134,7 @@ class Builder {
 
  private:
   struct Corner {
-    GridPoint at;
+    LatticePoint at;
     Vec2 exact;
   };
 
@@ -151,9 +151,9 @@ class Builder {
   }
 
   /// Index of the corner at p, which is also that of its element; -1 if there is none.
-  int corner_at(GridPoint p) const {
+  int corner_at(LatticePoint p) const {
     const auto found = std::lower_bound(corners_.begin(), corners_.end(), p,
-                                        [](const Corner& c, GridPoint q) { return c.at < q; });
+                                        [](const Corner& c, LatticePoint q) { return c.at < q; });
     return found != corners_.end() && found->at == p ? static_cast<int>(found - corners_.begin()) : -1;
   }
 
@@ -193,7 +193,7 @@ class Builder {
   }
 
   /// A loop within one square of the grid is a point: a wall of one unit, all of it one element.
-  void add_speck(GridPoint p) {
+  void add_speck(LatticePoint p) {
     const int element = corner_at(p);
     sites_.segments.push_back({p, {p.x + 1, p.y}, element, element, element, element});
   }
@@ -219,7 +219,7 @@ class Builder {
     }
   }
 
-  int point_element(GridPoint p) {
+  int point_element(LatticePoint p) {
     if (const int corner = corner_at(p); corner >= 0) return corner;
     const auto [place, added] = crossings_.try_emplace(p, 0);
     if (added) place->second = add_element(Element::of_point(sites_.grid.to_mm(p)));
@@ -228,8 +228,8 @@ class Builder {
 
   /// Ends at one grid point stand for one element: the vertex there, or else the first named.
   void name_points() {
-    std::map<GridPoint, int> names;
-    const auto name = [&](GridPoint p, int element) {
+    std::map<LatticePoint, int> names;
+    const auto name = [&](LatticePoint p, int element) {
       const auto [place, added] = names.try_emplace(p, element);
       if (!added && sites_.elements[index(element)].is_point()) place->second = element;
     };
@@ -246,7 +246,7 @@ class Builder {
   /// Segments with the same ends become one. Where as many run there as back, it is a wall of no thickness
   /// and keeps both elements; else it keeps the direction that prevails.
   void merge_doubled() {
-    std::map<std::pair<GridPoint, GridPoint>, std::vector<std::size_t>> groups;
+    std::map<std::pair<LatticePoint, LatticePoint>, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < sites_.segments.size(); ++i) {
       const Segment& s = sites_.segments[i];
       groups[std::minmax(s.from, s.to)].push_back(i);
@@ -262,7 +262,7 @@ class Builder {
     sites_.segments.resize(kept);
   }
 
-  void merge(const std::vector<std::size_t>& members, GridPoint start, std::vector<char>& keep) {
+  void merge(const std::vector<std::size_t>& members, LatticePoint start, std::vector<char>& keep) {
     int balance = 0;
     int forward = -1, backward = -1;
     for (const std::size_t i : members) {
@@ -289,7 +289,7 @@ class Builder {
   Sites sites_;
   const SiteErrors& errors_;
   std::vector<Corner> corners_;
-  std::map<GridPoint, int> crossings_;
+  std::map<LatticePoint, int> crossings_;
   std::vector<Vec2> points_;
 };
 

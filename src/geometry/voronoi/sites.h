@@ -12,17 +12,17 @@
 
 namespace clearcut::inline geometry::voronoi {
 
-struct GridPoint {
+struct LatticePoint {
   std::int32_t x = 0;
   std::int32_t y = 0;
-  friend bool operator==(GridPoint, GridPoint) = default;
-  friend auto operator<=>(GridPoint, GridPoint) = default;
+  friend bool operator==(LatticePoint, LatticePoint) = default;
+  friend auto operator<=>(LatticePoint, LatticePoint) = default;
 };
 
 /// Indices are those of Sites::elements.
 struct Segment {
-  GridPoint from;
-  GridPoint to;
+  LatticePoint from;
+  LatticePoint to;
   int element = 0;
   int from_element = 0;
   int to_element = 0;
@@ -34,12 +34,12 @@ struct Segment {
 struct Grid {
   Vec2 origin;
   double unit = 1e-4;  ///< mm
-  GridPoint to_grid(Vec2 p) const {
+  LatticePoint to_grid(Vec2 p) const {
     return {static_cast<std::int32_t>(std::lround((p.x - origin.x) / unit)),
             static_cast<std::int32_t>(std::lround((p.y - origin.y) / unit))};
   }
   Vec2 to_mm(double x, double y) const { return {origin.x + x * unit, origin.y + y * unit}; }
-  Vec2 to_mm(GridPoint p) const { return to_mm(p.x, p.y); }
+  Vec2 to_mm(LatticePoint p) const { return to_mm(p.x, p.y); }
 };
 
 /// Distinct segments that meet in their end points only.

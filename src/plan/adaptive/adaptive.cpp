@@ -289,9 +289,9 @@ void add_passes(LayerPasses& result, std::vector<Pass> passes) {
   const auto first = static_cast<int>(result.passes.size()), count = static_cast<int>(passes.size());
   for (int i = 0; i < count; ++i) {
     Pass& pass = passes[static_cast<std::size_t>(i)];
-    pass.parent = i + 1 < count ? first + i + 1 : -1;
+    if (i > 0) pass.after = {first + i - 1};
     pass.component = first;
-    pass.offset = count - i;
+    pass.start_priority = count - i;
     result.passes.push_back(std::move(pass));
   }
 }

@@ -129,7 +129,7 @@ class AreaBuilder {
     pass.path = path;
     pass.closed = closed;
     pass.component = component;
-    pass.offset = layer_.tool_radius + layer_.wall_stock;
+    pass.offset = pass.start_priority = layer_.tool_radius + layer_.wall_stock;
     pass.reversible = !closed;
     area_.walls.passes.push_back(std::move(pass));
   }

@@ -41,7 +41,7 @@ LayerPasses plan_walls(const Layer& layer, const Tolerances& tol) {
       result.passes.push_back(std::move(pass));
     }
   }
-  for (Pass& pass : result.passes) pass.offset = reach;
+  for (Pass& pass : result.passes) pass.offset = pass.start_priority = reach;
   return result;
 }
 

@@ -118,7 +118,7 @@ class PassBuilder {
     pass.parent =
         ring.parent < 0 ? -1 : nearest_ring(static_cast<std::size_t>(ring.parent), loop.front().from);
     pass.component = component_of_[node];
-    pass.offset = ring.level;
+    pass.offset = pass.start_priority = ring.level;
     pass.reversible = false;
     rings_of_[node].push_back(passes_.size());
     passes_.push_back(std::move(pass));
@@ -208,7 +208,7 @@ class PassBuilder {
       pass.path = {Edge::line(residual.points[0], foot.point)};
     }
     pass.component = component_of_[node];
-    pass.offset = passes_[static_cast<std::size_t>(pass.parent)].offset;
+    pass.start_priority = passes_[static_cast<std::size_t>(pass.parent)].offset;
     passes_.push_back(std::move(pass));
   }
 
@@ -227,7 +227,7 @@ class PassBuilder {
       pass.path = path;
       pass.parent = nearest_ring(i, *corner);
       pass.component = component_of_[i];
-      pass.offset = passes_[static_cast<std::size_t>(pass.parent)].offset;
+      pass.start_priority = passes_[static_cast<std::size_t>(pass.parent)].offset;
       passes_.push_back(std::move(pass));
     }
   }
@@ -283,7 +283,7 @@ class PassBuilder {
     if (points.size() < 2) return;
     Pass pass;
     pass.path = line_path(points);
-    pass.offset = job_.first_level;
+    pass.start_priority = job_.first_level;
     std::size_t edge = 0;
     double nearest_distance = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < passes_.size(); ++i) {
@@ -303,7 +303,7 @@ class PassBuilder {
     pass.path = line;
     pass.closed = line.size() > 1 && line.front().from == line.back().to;
     pass.component = components_++;
-    pass.offset = job_.first_level;
+    pass.offset = pass.start_priority = job_.first_level;
     passes_.push_back(std::move(pass));
   }
 

@@ -49,6 +49,12 @@ constexpr double kResidualHandicap = 1.005;
 /// mm. Assumed distance that a retract link crosses.
 constexpr double kAcross = 10;
 
+/// Replaces the indices of other passes that `pass` holds by their new ones.
+void renumber(Pass& pass, const std::vector<int>& number) {
+  if (pass.parent >= 0) pass.parent = number[static_cast<std::size_t>(pass.parent)];
+  for (int& before : pass.after) before = number[static_cast<std::size_t>(before)];
+}
+
 /// The passes of one component with numbers of their own, in the direction asked for, without lines where the
 /// cutter just fits.
 std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, bool turned_round) {
@@ -59,7 +65,7 @@ std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, b
     number[i] = static_cast<int>(own.size());
     own.push_back(passes[i]);
     if (turned_round && own.back().closed) own.back().path = reversed(own.back().path);
-    if (own.back().parent >= 0) own.back().parent = number[static_cast<std::size_t>(own.back().parent)];
+    renumber(own.back(), number);
   }
   return own;
 }
@@ -190,7 +196,7 @@ void replace_component(LayerPasses& layer, int component, const std::vector<Path
     if (layer.passes[i].component == component) continue;
     number[i] = static_cast<int>(kept.size());
     kept.push_back(std::move(layer.passes[i]));
-    if (kept.back().parent >= 0) kept.back().parent = number[static_cast<std::size_t>(kept.back().parent)];
+    renumber(kept.back(), number);
   }
   for (const auto& path : paths) {
     Pass pass;

@@ -30,7 +30,7 @@ void add(Path path, bool closed, double offset, LayerPasses& result) {
   Pass pass;
   pass.path = std::move(path);
   pass.closed = closed;
-  pass.offset = offset;
+  pass.offset = pass.start_priority = offset;
   // Along a wall the direction is fixed: it decides the side of the material.
   pass.reversible = false;
   pass.may_cut_to_start = false;

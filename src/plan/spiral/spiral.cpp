@@ -331,13 +331,14 @@ class Joiner {
   std::vector<bool> done_;
 };
 
-void add_passes(LayerPasses& result, std::vector<Path> paths, int component, int around, double offset) {
+void add_passes(LayerPasses& result, std::vector<Path> paths, int component, int around,
+                double start_priority) {
   for (auto& path : paths) {
     Pass pass;
     pass.path = std::move(path);
     pass.parent = around;
     pass.component = component;
-    pass.offset = offset;
+    pass.start_priority = start_priority;
     pass.reversible = false;
     result.passes.push_back(std::move(pass));
   }

@@ -240,7 +240,7 @@ LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const 
       pass.path = std::move(path);
       pass.parent = area.components[i].outer_wall;
       pass.component = static_cast<int>(i);
-      pass.offset = 2 * layer.tool_radius + layer.wall_stock;
+      pass.start_priority = 2 * layer.tool_radius + layer.wall_stock;  // farther from walls than their passes
       pass.reversible = false;
       result.passes.push_back(std::move(pass));
     }

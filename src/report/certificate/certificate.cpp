@@ -7,6 +7,7 @@
 #include "base/files/digest.h"
 #include "base/units.h"
 #include "report/certificate/certificate_question.h"
+#include "report/condition_json.h"
 #include "report/motion_text.h"
 
 namespace clearcut::report {
@@ -167,15 +168,6 @@ Json fault(const Fault& findings) {
   return json;
 }
 
-Json condition(const Condition& one) {
-  Json json;
-  json["name"] = one.name;
-  json["text"] = one.text;
-  json["line"] = one.line;
-  json["met_by"] = one.met_by;
-  return json;
-}
-
 Json file(const CertificateFile& one) {
   Json json;
   json["role"] = one.role;
@@ -255,7 +247,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   if (!info.values.empty()) json["values"] = Json::array();
   for (const ResolvedValue& one : info.values) json["values"].push_back(resolved(one));
   json["conditions"] = Json::array();
-  for (const Condition& one : findings.conditions) json["conditions"].push_back(condition(one));
+  for (const Condition& one : findings.conditions) json["conditions"].push_back(condition_json(one));
   json["seal"] = seal_of(json);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kinematics/kinematics.h"
+#include "report/condition_json.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"
@@ -202,15 +203,6 @@ Json fault_json(const Fault& fault) {
   json["head"] = headline_of(fault);
   json["line"] = fault.at.line;
   json["text"] = fault.text;
-  return json;
-}
-
-Json condition_json(const Condition& condition) {
-  Json json;
-  json["name"] = condition.name;
-  json["text"] = condition.text;
-  json["line"] = condition.line;
-  json["met_by"] = condition.met_by;
   return json;
 }
 

@@ -1,0 +1,15 @@
+// What every region promises, checked.
+#pragma once
+
+#include <string>
+
+#include "geometry/region.h"
+
+namespace clearcut::inline geometry {
+
+/// "" where the loops, whichever way they turn, make a valid region: closed, around an area, without crossings, islands inside
+/// the outer loop and beside each other. Else what is wrong and where. Loops that cross by less than 1 um touch.
+/// Cost O(n log n) for edges that are short against the whole.
+std::string broken_promise(const Loop& outer, const std::vector<Loop>& islands);
+
+}  // namespace clearcut::inline geometry
