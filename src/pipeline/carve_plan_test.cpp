@@ -2,32 +2,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "base/error.h"
 #include "base/units.h"
-#include "pipeline/run.h"
-#include "read/read_part.h"
+#include "pipeline/test_drawings.h"
 
 namespace clearcut::pipeline {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string outline(const std::string& layer, const std::vector<BulgeVertex>& vertices) {
-  std::string text = "0\nLWPOLYLINE\n8\n" + layer + "\n90\n" + std::to_string(vertices.size()) + "\n70\n1\n";
-  for (const BulgeVertex& v : vertices) {
-    text += "10\n" + std::to_string(v.point.x) + "\n20\n" + std::to_string(v.point.y) + "\n";
-    if (v.bulge != 0) text += "42\n" + std::to_string(v.bulge) + "\n";
-  }
-  return text;
-}
-
-std::string box(const std::string& layer, double x0, double y0, double x1, double y1) {
-  return outline(layer, {{{x0, y0}}, {{x1, y0}}, {{x1, y1}}, {{x0, y1}}});
-}
 
 std::string line(const std::string& layer, Vec2 a, Vec2 b) {
   const auto point = [](int code, Vec2 p) {
@@ -35,13 +20,6 @@ std::string line(const std::string& layer, Vec2 a, Vec2 b) {
            std::to_string(p.y) + "\n";
   };
   return "0\nLINE\n8\n" + layer + "\n" + point(10, a) + point(11, b);
-}
-
-Part drawn(const std::string& entities) {
-  const std::string text =
-      "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities +
-      "0\nENDSEC\n0\nEOF\n";
-  return read::read_part_text(text, "sign.dxf", {});
 }
 
 /// An L, and a D with its bowl.
@@ -54,35 +32,6 @@ std::string letters(double wider = 0) {
                             {{40 - wider, 28 + wider}}}) +
          outline("VCARVE", {{{60, 12}}, {{66, 12}, 1.0}, {{66, 28}}, {{60, 28}}}) +
          outline("VCARVE", {{{63, 15}}, {{65, 15}, 0.9}, {{65, 25}}, {{63, 25}}});
-}
-
-resolve::PlanOptions with(const std::vector<std::string>& tools) {
-  resolve::PlanOptions options;
-  for (const std::string& tool : tools) options.tools.push_back(resolve::parse_tool(tool));
-  for (std::size_t i = 0; i < options.tools.size(); ++i) options.tools[i].number = static_cast<int>(i) + 1;
-  options.threads = 1;
-  return options;
-}
-
-std::string faults_of(const Findings& findings) {
-  std::string text;
-  for (const Fault& fault : findings.faults)
-    text += std::string(name_of(fault.kind)) + ": " + fault.text + "\n";
-  return text;
-}
-
-bool has(const Findings& findings, FaultKind kind) {
-  return std::any_of(findings.faults.begin(), findings.faults.end(),
-                     [&](const Fault& fault) { return fault.kind == kind; });
-}
-
-std::string refusal(const Part& part, const std::vector<std::string>& tools) {
-  try {
-    plan_part(part, with(tools));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(VCarving, LettersAreCarvedClean) {

@@ -125,7 +125,7 @@ void shape_carvings(Part& part, const PlanOptions& options, StepSources& sources
         const int mill = floor_mill(feature, part.tools, options.tol);
         if (mill >= 0) workplan.push_back(floor_step(step, mill, part, options, sources));
       }
-    } else if (is_carved(feature, tool)) {
+    } else if (!feature.chamfer && is_carved(feature, tool)) {
       shape_groove(feature, tool);
     }
     workplan.push_back(step);

@@ -10,6 +10,9 @@
 namespace clearcut::link {
 namespace {
 
+/// mm. Words are off by no more, those of four decimals of an inch included: what they make steeper must not plunge too fast.
+constexpr double kRounded = 0.0013;
+
 Track turned(const Track& track) {
   Track out{{}, track.closed};
   for (auto piece = track.pieces.rbegin(); piece != track.pieces.rend(); ++piece)
@@ -80,9 +83,10 @@ class TrackLinker {
 
  private:
   MmPerMin feed_of(const Track::Piece& piece) const {
-    const double down = piece.z_from - piece.z_to;
-    if (down <= 0) return options_.feed;
-    const double share = down / std::hypot(piece.path.length(), down);
+    if (piece.z_from <= piece.z_to) return options_.feed;
+    const double down = piece.z_from - piece.z_to + 2 * kRounded;
+    const double along = std::max(0.0, piece.path.length() - 3 * kRounded);
+    const double share = down / std::hypot(along, down);
     return std::min(options_.feed, options_.plunge_feed * (1 / share));
   }
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "link/tracks/tracks.h"
 #include "pipeline/certify.h"
 #include "plan/carve/carve.h"
+#include "plan/carve/chamfer.h"
 #include "post/post.h"
 
 namespace clearcut::pipeline {
@@ -17,14 +19,12 @@ namespace {
 constexpr double kCusp = 0.03;
 /// mm. What chords of the medial axis take of the flanks' distance from the outline.
 constexpr double kChords = 0.0004;
+/// mm. What offsets and booleans take of the distance from a wall.
+constexpr double kOffsets = 0.001;
 
-/// What the coarser of millimetres and inches moves a tip sideways.
-double rounding(const ResolvedPlan& plan) {
-  PostOptions metric = plan.post, inch = plan.post;
-  metric.inch = false;
-  inch.inch = true;
-  return plan.post.decimals ? post::rounding_of(plan.post)
-                            : std::max(post::rounding_of(metric), post::rounding_of(inch));
+Loop corners_of(const Box& box) {
+  const Vec2 points[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  return loop_from_points(points);
 }
 
 /// What the mills of earlier steps clear of the floor of a V-carving.
@@ -44,11 +44,52 @@ Regions cleared_before(int workingstep, const Region& region, const ResolvedPlan
   return cleared;
 }
 
+/// mm that a flank stays off what it must not touch. In inches that may be more than in millimetres: what is kept off a wall is
+/// left in sharp corners several times.
+double aside_of(double slope, const ResolvedPlan& plan) {
+  return kChords + std::max(0.0, post::rounding_of(plan.post) * (1 + slope) - plan.tol.gouge / 2);
+}
+
+/// What is free up to every height at which something ends, from the top of a chamfer on.
+std::vector<plan::carve::StandingUpTo> standing_above(const Feature& feature, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  std::set<double> heights{feature.top_z, part.top_z()};
+  for (const Feature& other : part.features) heights.insert(other.top_z);
+  std::vector<plan::carve::StandingUpTo> out;
+  for (const double z : heights) {
+    if (z < feature.top_z) continue;
+    Regions free;
+    if (part.stock) {
+      const Box& block = part.stock->plan;
+      free = {Region::from_valid_loops(corners_of(block.grown(kOpenReach)), {corners_of(block)})};
+    }
+    for (const Feature& other : part.features) {
+      if (other.floor_z < z && !other.allowed.empty())
+        free = free.empty() ? other.allowed : unite(free, other.allowed, plan.tol);
+    }
+    out.push_back({z, std::move(free)});
+  }
+  return out;
+}
+
+plan::carve::TrackSets chamfer_tracks(const Feature& feature, const Tool& tool, double stepdown,
+                                      const ResolvedPlan& plan) {
+  plan::carve::ChamferShape shape;
+  shape.top = feature.top_z;
+  shape.slope = flank_slope(tool);
+  shape.tip_radius = tool.tip_diameter / 2;
+  shape.tool_radius = tool.radius();
+  shape.aside = kOffsets + aside_of(shape.slope, plan);
+  shape.stepdown = stepdown;
+  return plan::carve::chamfer_edge(*feature.chamfer, shape, standing_above(feature, plan), plan.tol).sets;
+}
+
 plan::carve::TrackSets tracks_of(int workingstep, const ResolvedPlan& plan) {
   const Workingstep& step = plan.part.workplan[static_cast<std::size_t>(workingstep)];
   const Feature& feature = feature_of(plan.part, step);
   const Tool& tool = tool_of(plan.part, step);
   const double stepdown = plan.steps[static_cast<std::size_t>(workingstep)].stepdown;
+  if (feature.chamfer) return chamfer_tracks(feature, tool, stepdown, plan);
   if (feature.profile)
     return plan::carve::engrave_line(feature.profile->line, feature.profile->closed, feature.top_z,
                                      feature.floor_z, stepdown);
@@ -57,7 +98,7 @@ plan::carve::TrackSets tracks_of(int workingstep, const ResolvedPlan& plan) {
   shape.floor = feature.floor_z;
   shape.slope = flank_slope(tool);
   shape.tip_radius = tool.tip_diameter / 2;
-  shape.aside = kChords + std::max(0.0, rounding(plan) * (1 + shape.slope) - plan.tol.gouge / 2);
+  shape.aside = aside_of(shape.slope, plan);
   shape.stepdown = stepdown;
   shape.cusp = kCusp;
   plan::carve::TrackSets sets;

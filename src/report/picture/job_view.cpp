@@ -139,7 +139,9 @@ std::string headline_of(const Fault& fault) {
 }
 
 std::string description_of(const Tool& tool) {
-  return fmt::format("T{} {} {} mm", tool.number, words_for(tool.kind), trimmed(tool.diameter, 3));
+  const std::string angle =
+      tool.tip_angle ? " " + trimmed(tool.tip_angle->degrees(), 2) + "\u00b0" : std::string();
+  return fmt::format("T{} {}{} {} mm", tool.number, words_for(tool.kind), angle, trimmed(tool.diameter, 3));
 }
 
 }  // namespace clearcut::report

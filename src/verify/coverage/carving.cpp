@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/text/format.h"
+#include "verify/coverage/chamfered_wall.h"
 #include "verify/faults/shaped_cutter.h"
 #include "verify/part/edge_tree.h"
 
@@ -223,6 +224,8 @@ std::vector<CarvingWork> carvings_of(const Part& part) {
 }
 
 void judge_carving(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work) {
+  if (part.features[static_cast<std::size_t>(work.feature)].chamfer)
+    return judge_chamfer(part, program, tol, work);
   CarvingJudge judge(part, program, tol, work);
   if (!work.any_cut) return;
   if (part.features[static_cast<std::size_t>(work.feature)].profile) {
