@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# checked.sh: the debug build (no optimisation, assertions) under the address and undefined-behaviour sanitizers. Runs every
+# checked.sh: a debug build (little optimisation, assertions) under the address and undefined-behaviour sanitizers. Runs every
 # module's own tests, then plans every shape of the tests with it and compares the programs with those of the release build, byte
 # for byte. Needs a configured build in build/release.
 set -euo pipefail

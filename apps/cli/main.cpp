@@ -4,11 +4,15 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
+#include <vector>
 
-#include "certificate_info.h"
-#include "commands.h"
-#include "suggest.h"
+#include "arguments/certificate_info.h"
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "terminal/help_text.h"
+#include "terminal/terminal.h"
 
 namespace {
 
@@ -22,38 +26,49 @@ void complain(std::string message) {
   std::fprintf(stderr, "clearcut: %s\n", message.c_str());
 }
 
+void add_commands(CLI::App& app, int& exit_code) {
+  add_plan_command(app, exit_code);
+  add_batch_command(app, exit_code);
+  add_verify_command(app, exit_code);
+  add_check_command(app, exit_code);
+  add_info_command(app, exit_code);
+  add_init_command(app, exit_code);
+  add_convert_command(app, exit_code);
+  add_compare_command(app, exit_code);
+  add_tools_command(app, exit_code);
+  add_elements_command(app, exit_code);
+  add_tour_command(app, exit_code);
+  add_reproduce_command(app, exit_code);
+  add_study_command(app, exit_code);
+  add_generate_command(app, exit_code);
+}
+
+/// What was wrong with the arguments, in one line.
+std::string about(const CLI::ParseError& error, const CLI::App& app,
+                  const std::vector<std::string>& arguments) {
+  const auto commands = app.get_subcommands();
+  if (commands.empty() || dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    return about_unexpected(app, arguments);
+  const std::string text = error.what();
+  if (text.find("use one of") != std::string::npos) return text;
+  return text + " (see clearcut " + commands.front()->get_name() + " --help)";
+}
+
 int parse_and_run(int argc, char** argv) {
   int exit_code = kClean;
   if (argc > 2) remember_arguments({argv + 2, argv + argc});
   CLI::App app("Plans 2.5-D pocket-milling toolpaths and proves them.", "clearcut");
-  app.set_version_flag("--version", std::string("clearcut ") + clearcut::kVersion);
+  app.formatter(std::make_shared<HelpText>());
+  app.footer("clearcut COMMAND --help says all about a command; man clearcut says it of every one.");
+  app.set_version_flag("--version", std::string("clearcut ") + clearcut::kVersion, "Print the version");
   app.require_subcommand(1);
-  add_plan_command(app, exit_code);
-  add_verify_command(app, exit_code);
-  add_check_command(app, exit_code);
-  add_info_command(app, exit_code);
-  add_elements_command(app, exit_code);
-  add_compare_command(app, exit_code);
-  add_tools_command(app, exit_code);
-  add_reproduce_command(app, exit_code);
-  add_convert_command(app, exit_code);
-  add_init_command(app, exit_code);
-  add_tour_command(app, exit_code);
-  add_study_command(app, exit_code);
-  add_batch_command(app, exit_code);
+  add_commands(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
     return app.exit(success);
-  } catch (const CLI::ExtrasError&) {
-    complain(about_unexpected(app, {argv + 1, argv + argc}));
-    return kUnusable;
   } catch (const CLI::ParseError& error) {
-    if (app.get_subcommands().empty()) {
-      complain(about_unexpected(app, {argv + 1, argv + argc}));
-      return kUnusable;
-    }
-    complain(std::string(error.what()) + " (see clearcut --help)");
+    complain(about(error, app, {argv + 1, argv + argc}));
     return kUnusable;
   }
   return exit_code;
@@ -69,6 +84,7 @@ int checked_output(int exit_code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  clearcut::cli::say_when_interrupted();
   try {
     return checked_output(parse_and_run(argc, argv));
   } catch (const clearcut::InputError& error) {

@@ -66,10 +66,20 @@ inline report::TextTable compare_strategies(const Part& part, const PlanOptions&
   return pipeline::compare(part, options);
 }
 
+// The same in its steps, with a count of plans while it runs.
+using pipeline::CountCallback;
+using pipeline::fastest_clean;
+using pipeline::published_time;
+using pipeline::run_strategies;
+using pipeline::strategy_table;
+using pipeline::StrategyRun;
+
 // Which cutters, and in which sequence.
+using pipeline::compare_tools;
 using pipeline::fastest_sequence;
 using pipeline::run_tools;
 using pipeline::tool_table;
+using pipeline::ToolComparison;
 using pipeline::ToolRun;
 using pipeline::ToolSequence;
 using pipeline::ToolSpeeds;

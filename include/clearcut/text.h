@@ -7,8 +7,10 @@
 
 namespace clearcut {
 
+using report::fitted;
 using report::markdown;
 using report::plain;
 using report::TextTable;
+using report::wrapped;
 
 }  // namespace clearcut

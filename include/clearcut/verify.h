@@ -4,8 +4,8 @@
 #include "clearcut/part.h"
 #include "model/move.h"
 #include "model/results/findings.h"
+#include "pipeline/check.h"
 #include "pipeline/move_figures.h"
-#include "pipeline/run.h"
 #include "read/gcode/gcode.h"
 #include "resolve/plan_options.h"
 

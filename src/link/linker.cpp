@@ -29,6 +29,24 @@ bool runs_along_wall(const Pass& pass) {
   return pass.closed && pass.parent < 0 && pass.kinds.empty() && !pass.entry_center;
 }
 
+/// Seconds of a rapid move over `length` mm.
+double rapid_time(double length, const Machine& machine) {
+  return kinematics::travel_time(length, machine.rapid.mm_per_s(), machine.acceleration);
+}
+
+bool is_at_wall(Vec2 p, const LegalArea& legal) {
+  for (int i = 0; i < kDirections; ++i) {
+    if (!legal.contains(p + direction_of(2 * kPi * i / kDirections) * kAtWall)) return true;
+  }
+  return false;
+}
+
+MmPerMin feed_of(MoveKind kind, const LinkOptions& options) {
+  if (kind == MoveKind::kLink) return options.link_feed.value_or(options.machine.rapid);
+  const bool leads = kind == MoveKind::kLeadIn || kind == MoveKind::kLeadOut;
+  return leads ? options.lead_feed.value_or(options.feed) : options.feed;
+}
+
 }  // namespace
 
 void Linker::cut_nearest_first() {
@@ -68,14 +86,11 @@ std::vector<Move> Linker::take_moves() {
   return moves_.take();
 }
 
-double Linker::rapid_time(double length) const {
-  return kinematics::travel_time(length, options_.machine.rapid.mm_per_s(), options_.machine.acceleration);
-}
-
 /// Seconds to retract to `height`, cross, and come down again.
 double Linker::retract_time(const CutterAt& from, const Beginning& to, double height) const {
-  const double up = rapid_time(height - from.z), across = rapid_time(distance(from.at, to.point));
-  const double down = rapid_time(height - to.rapid_z);
+  const auto rapid = [this](double length) { return rapid_time(length, options_.machine); };
+  const double up = rapid(height - from.z), across = rapid(distance(from.at, to.point));
+  const double down = rapid(height - to.rapid_z);
   return up + across + down + (to.rapid_z - layer(to.item).layer().z) / options_.plunge_feed.mm_per_s();
 }
 
@@ -110,16 +125,10 @@ double Linker::retract_height(const CutterAt& from, Vec2 to, std::size_t item) c
 double Linker::approach_z(Vec2 p, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
   if (access_paths().in_air(p)) return passes.z + options_.above_material;
-  const double top =
-      passes.wall_top && is_at_wall(p, item) ? std::max(*passes.wall_top, passes.z_top) : passes.z_top;
+  const double top = passes.wall_top && is_at_wall(p, layer(item).legal())
+                         ? std::max(*passes.wall_top, passes.z_top)
+                         : passes.z_top;
   return top + options_.above_material;
-}
-
-bool Linker::is_at_wall(Vec2 p, std::size_t item) const {
-  for (int i = 0; i < kDirections; ++i) {
-    if (!layer(item).legal().contains(p + direction_of(2 * kPi * i / kDirections) * kAtWall)) return true;
-  }
-  return false;
 }
 
 Linker::Candidate Linker::choose() const {
@@ -293,13 +302,8 @@ void Linker::cut(const Path& path, const std::vector<MoveKind>& kinds) {
     if (joined.from == joined.to)
       continue;  // a single point where the cutter just fits: the entry has cut it
     const MoveKind kind = kinds.empty() ? MoveKind::kCut : kinds[i];
-    moves_.along(joined, kind, feed_of(kind));
+    moves_.along(joined, kind, feed_of(kind, options_));
   }
-}
-
-MmPerMin Linker::feed_of(MoveKind kind) const {
-  if (kind == MoveKind::kLink) return options_.link_feed.value_or(options_.machine.rapid);
-  return kind == MoveKind::kLeadIn || kind == MoveKind::kLeadOut ? lead_feed() : options_.feed;
 }
 
 }  // namespace clearcut::link

@@ -46,7 +46,6 @@ struct Beginning {
 };
 
 /// Writes the moves of one section, pass by pass.
-/// Writes the moves of one section, pass by pass.
 class Linker {
  public:
   Linker(const Work& work, const LinkOptions& options, Progress::Layers layers)
@@ -89,7 +88,6 @@ class Linker {
   double straight_time(const CutterAt& from, const Beginning& to) const;
   double retract_height(const CutterAt& from, Vec2 to, std::size_t item) const;
   double approach_z(Vec2 p, std::size_t item) const;
-  bool is_at_wall(Vec2 p, std::size_t item) const;
 
   void cut_pass(Candidate next);
   std::optional<Lead> lead_for_pass(const Path& path, const Candidate& next);
@@ -101,9 +99,6 @@ class Linker {
   void rise_and_cross(Vec2 to, double height);
   Path oriented(const Candidate& next) const;
   void cut(const Path& path, const std::vector<MoveKind>& kinds);
-  MmPerMin feed_of(MoveKind kind) const;
-  MmPerMin lead_feed() const { return options_.lead_feed.value_or(options_.feed); }
-  double rapid_time(double length) const;
 
   const Work& work_;
   const LinkOptions& options_;

@@ -117,14 +117,22 @@ void Work::add_depths() {
   }
 }
 
+/// LayerWork::part_around of where a pass begins: asked for many pairs of passes, found once.
+int Work::part_of_start(std::size_t layer, std::size_t item) {
+  const auto found = part_of_start_.find({layer, item});
+  if (found != part_of_start_.end()) return found->second;
+  const int part = layers_[layer].part_around(pass(item).path.front().from);
+  part_of_start_.emplace(std::pair{layer, item}, part);
+  return part;
+}
+
 /// Whether `low` has to wait for `high`. Entries and leads stay beside their pass, in the connected part of
 /// the legal area in which it begins.
-bool Work::is_above(std::size_t high, std::size_t low) const {
+bool Work::is_above(std::size_t high, std::size_t low) {
   if (!items_[high].swept.overlaps(items_[low].path.grown(kBeside * tool_radius_))) return false;
-  const LayerWork& layer = layer_of(high);
-  if (layer.parts() < 2) return true;
-  const int part = layer.part_around(pass(high).path.front().from);
-  if (part < 0 || part == layer.part_around(pass(low).path.front().from)) return true;
+  if (layer_of(high).parts() < 2) return true;
+  const int part = part_of_start(items_[high].layer, high);
+  if (part < 0 || part == part_of_start(items_[high].layer, low)) return true;
   return sweeps_meet(pass(high).path, pass(low).path, tool_radius_);
 }
 

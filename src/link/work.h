@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/route/legal_area.h"
@@ -79,13 +81,15 @@ class Work {
   void add(std::size_t before, std::size_t after);
   void add_layer(std::size_t first);
   void add_depths();
-  bool is_above(std::size_t high, std::size_t low) const;
+  int part_of_start(std::size_t layer, std::size_t item);
+  bool is_above(std::size_t high, std::size_t low);
 
   double tool_radius_;
   std::vector<LayerWork> layers_;
   std::vector<WorkItem> items_;
   std::vector<std::vector<std::size_t>> before_;
   std::vector<std::vector<std::size_t>> after_;
+  std::map<std::pair<std::size_t, std::size_t>, int> part_of_start_;  ///< by layer and item
   bool layers_may_mix_ = true;
 };
 

@@ -225,8 +225,9 @@ void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
 
 Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
-               const ResolvedPlan& plan) {
+               const ResolvedPlan& plan, std::map<int, verify::ToolLimits> limits) {
   verify::VerifyOptions verify = verify_options(plan);
+  verify.tool_limits = std::move(limits);
   verify.control = &control;
   verify.accepted = plan.accept;
   verify.needs_tool_length = has_tool_lengths(dialect) && plan.post.length_offset;

@@ -1,6 +1,7 @@
 // The way from passes to a judged program that every plan takes: link, post, read back, verify, sign.
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "link/link.h"
@@ -31,10 +32,10 @@ std::vector<int> tools_by_hand(std::vector<int> in_order);
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 
 /// Judges what a control reads: its moves, what it holds meanwhile, and the conditions of both. Marks the conditions that
-/// the machine file or plan.accept answer.
+/// the machine file or plan.accept answer. `limits`: of tools that no workingstep is made with.
 Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
-               const ResolvedPlan& plan);
+               const ResolvedPlan& plan, std::map<int, verify::ToolLimits> limits = {});
 
 /// Posts `planned` for result.part, reads it back, and judges what was read.
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);

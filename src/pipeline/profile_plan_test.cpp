@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "base/units.h"
+#include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
 
@@ -98,6 +99,22 @@ TEST(DrawingRoles, NamesOfLayersSayWhatOutlinesAreFor) {
   EXPECT_EQ(part.features[1].kind, FeatureKind::kRoundHole);
   EXPECT_EQ(part.features[3].kind, FeatureKind::kOutsideProfile);
   EXPECT_EQ(part.features[3].floor_z, -6);
+}
+
+TEST(DrawingRoles, SeveralOuterOutlinesThatAllHoldOthersAreAskedAbout) {
+  const auto two = [](const std::string& more) {
+    return dxf(rectangle("0", 0, 0, 80, 50) + circle("0", 20, 20, 3) + rectangle("0", 100, 0, 180, 50) +
+               circle("0", 120, 20, 3) + more);
+  };
+  const std::string question = refusal(two(""), asking(6));
+  EXPECT_THAT(question, HasSubstr("holds 1 other, as each of 2 outermost outlines does"));
+  EXPECT_THAT(question, HasSubstr("--op profile:outer"));
+  auto options = asking(6);
+  options.layer_rules = {asked(read::LayerRole::kProfile, "outer")};
+  EXPECT_EQ(read::read_part_text(two(""), "plate.dxf", options).features.size(), 4u);
+  // Among pockets that stand alone one with an island is a pocket, too.
+  EXPECT_EQ(
+      read::read_part_text(two(rectangle("0", 200, 0, 220, 20)), "plate.dxf", asking(6)).features.size(), 3u);
 }
 
 TEST(DrawingRoles, AnOuterOutlineThatHoldsOthersIsAskedAbout) {

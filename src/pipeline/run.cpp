@@ -292,46 +292,6 @@ bool retry_unclean(Choice& choice, PlanResult& result) {
   return retried;
 }
 
-/// One unnumbered tool given for a program that uses one tool: they are the same, whatever its number there.
-resolve::PlanOptions numbered_by(const Toolpath& toolpath, resolve::PlanOptions options) {
-  if (options.tools.size() != 1 || options.tools.front().number != 0 || toolpath.sections.empty())
-    return options;
-  const int number = toolpath.sections.front().tool_number;
-  const bool one = std::all_of(toolpath.sections.begin(), toolpath.sections.end(),
-                               [&](const Section& section) { return section.tool_number == number; });
-  if (one && number > 0) options.tools.front().number = number;
-  return options;
-}
-
-/// A program without a T word runs with the one tool there is.
-void number_sections(Toolpath& toolpath, const Part& part) {
-  if (part.tools.size() != 1) return;
-  for (auto& section : toolpath.sections) {
-    if (section.tool_number == 0) section.tool_number = part.tools.front().number;
-  }
-}
-
-/// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
-void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
-  for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
-    // Tabs put steps of their own in between, which are named after those above them.
-    const std::string& name = prepared.workplan[i].name;
-    const bool same = i < part.workplan.size() && part.workplan[i].name == name;
-    const auto stated =
-        same ? part.workplan.begin() + static_cast<std::ptrdiff_t>(i)
-             : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
-                 return name == step.name || name == step.name + "_tabs";
-               });
-    if (stated == part.workplan.end()) continue;
-    const bool mills = !stock::only_plunges(tool_of(prepared, prepared.workplan[i]));
-    prepared.workplan[i].operation.stepdown =
-        options.stepdown && mills ? options.stepdown : stated->operation.stepdown;
-    const auto& plunge = options.cutting.plunge_feed;
-    prepared.workplan[i].operation.cutting.plunge_feed =
-        plunge ? plunge : stated->operation.cutting.plunge_feed;
-  }
-}
-
 /// What a step asks for that its strategy has not: "" where all is used.
 std::string unused_choice(const ResolvedStep& step) {
   const std::string name = step.strategy ? step.strategy->name : "auto";
@@ -354,23 +314,11 @@ void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostic
   }
 }
 
-std::vector<int> tools_in_order(const Part& part) {
-  std::vector<int> numbers;
-  for (const Workingstep& step : part.workplan) numbers.push_back(tool_of(part, step).number);
-  return numbers;
-}
-
 /// How many attempts the choice may plan before any fallback.
 std::size_t candidates_in(const std::vector<ChoiceStep>& steps) {
   std::size_t count = 0;
   for (const ChoiceStep& step : steps) count += step.attempts.contest.size();
   return count;
-}
-
-/// What no cutter reaches is a condition until it is accepted: the part is not all that was asked for.
-void add_out_of_reach(const Part& part, const ResolvedPlan& plan, Findings& findings) {
-  for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
-  accept_conditions(findings, plan.accept);
 }
 
 }  // namespace
@@ -407,41 +355,6 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   result.contours = contours_of(toolpath, plan);
   report_rho(result.contours, plan, result.part);
   result.contests = choice.contests();
-  return result;
-}
-
-CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect) {
-  read::gcode::ReadControllerOptions reading;
-  reading.dialect = dialect;
-  reading.home_z = home_z(options.machine);
-  reading.safe_z = part.top_z();
-  reading.places = options.machine.places;
-  const StrategyTable& strategies = strategies_of(options);
-  std::optional<ResolvedPlan> resolved;
-  if (dialect == read::gcode::Dialect::kMarlin) {
-    resolved = resolve::resolve(part, options, strategies);
-    reading.hand_tools = tools_by_hand(tools_in_order(resolved->part));
-  }
-  auto read = read::gcode::read_gcode(program, program_name, reading);
-  if (reading.hand_tools.size() > 1)
-    read.conditions.push_back(
-        {"tool-by-hand", "the tools are put in by hand in the order of the part's work, one at each pause",
-         0});
-  CheckResult result;
-  if (!resolved) resolved = resolve::resolve(part, numbered_by(read.toolpath, options), strategies);
-  const ResolvedPlan& plan = *resolved;
-  result.part = plan.part;
-  keep_stated_limits(result.part, part, options);
-  result.part.diagnostics.append(read.diagnostics);
-  result.control = std::move(read.control);
-  result.dialect = read.dialect;
-  result.toolpath = std::move(read.toolpath);
-  number_sections(result.toolpath, result.part);
-  result.findings =
-      judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan);
-  add_out_of_reach(result.part, plan, result.findings);
-  add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }
 

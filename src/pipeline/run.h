@@ -32,17 +32,4 @@ struct PlanResult {
 /// be met or nothing at all can be cut, Cancelled when options.cancel asks to stop.
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options);
 
-/// Judges any program text against a part. `tools` replace the part's, as in PlanOptions.
-struct CheckResult {
-  Part part;
-  Toolpath toolpath;
-  Findings findings;
-  read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< as which the program was read
-  ControlTable control;  ///< what the control held at each move of `toolpath`
-};
-/// `dialect`: the control that will run it; absent: recognised.
-CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options,
-                          std::optional<read::gcode::Dialect> dialect = {});
-
 }  // namespace clearcut::pipeline

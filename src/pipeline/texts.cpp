@@ -73,20 +73,20 @@ std::string write_certificate(const CheckResult& result, const resolve::PlanOpti
   return write_certificate(result, options, basis_of_input(result.part, "verify", input), program);
 }
 
-std::string write_values(const Part& part, const std::vector<ResolvedValue>& values) {
-  return report::plain(report::value_table(part, values));
+std::string write_values(const Part& part, const std::vector<ResolvedValue>& values, std::size_t width) {
+  return report::fitted(report::value_table(part, values), width);
 }
 
-std::string write_table(const PlanResult& result) {
-  return report::table(result.part, result.findings);
+std::string write_table(const PlanResult& result, std::size_t width) {
+  return report::table(result.part, result.findings, width);
 }
 
-std::string write_table(const CheckResult& result) {
-  return report::table(result.part, result.findings);
+std::string write_table(const CheckResult& result, std::size_t width) {
+  return report::table(result.part, result.findings, width);
 }
 
-std::string write_contest_table(const PlanResult& result) {
-  return report::plain(report::contest_table(result.contests));
+std::string write_contest_table(const PlanResult& result, std::size_t width) {
+  return report::fitted(report::contest_table(result.contests), width);
 }
 
 std::string write_picture(const PlanResult& result) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "report/certificate/certificate.h"
 
@@ -31,14 +32,14 @@ std::string write_certificate(const CheckResult& result, const resolve::PlanOpti
                               const std::string& input, const std::string& program);
 
 /// Every value of a plan and where it comes from, as PlanResult and ResolvedPlan hold them; lines of ASCII.
-std::string write_values(const Part& part, const std::vector<ResolvedValue>& values);
+std::string write_values(const Part& part, const std::vector<ResolvedValue>& values, std::size_t width = 120);
 
 /// Figures of every feature and of the whole, then the faults; lines of ASCII.
-std::string write_table(const PlanResult& result);
-std::string write_table(const CheckResult& result);
+std::string write_table(const PlanResult& result, std::size_t width = 120);
+std::string write_table(const CheckResult& result, std::size_t width = 120);
 
 /// What became of the strategies that were considered; lines of ASCII.
-std::string write_contest_table(const PlanResult& result);
+std::string write_contest_table(const PlanResult& result, std::size_t width = 120);
 
 /// One SVG document: the part, what was cut, what is left, faults. Paths in mm, arcs as arcs.
 std::string write_picture(const PlanResult& result);

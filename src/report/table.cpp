@@ -134,7 +134,7 @@ std::string scallop_lines(const Findings& findings) {
 
 }  // namespace
 
-std::string table(const Part& part, const Findings& findings) {
+std::string table(const Part& part, const Findings& findings, std::size_t width) {
   TextTable text;
   text.title = part.name.empty() ? "" : shortened(ascii(part.name), kWidth);
   text.columns = {{"feature", Align::kLeft},
@@ -157,7 +157,7 @@ std::string table(const Part& part, const Findings& findings) {
   text.add_rule();
   text.add(row("total", "", std::to_string(layers), findings.all));
   fit_names(text);
-  return plain(text) + load_lines(findings.all) + scallop_lines(findings) + verdict_line(findings) +
+  return fitted(text, width) + load_lines(findings.all) + scallop_lines(findings) + verdict_line(findings) +
          faults_of(findings) + conditions_of(findings);
 }
 

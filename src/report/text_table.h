@@ -1,6 +1,7 @@
 // Aligned tables of words and figures, for the terminal and for Markdown pages.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct TextTable {
 
 /// ASCII, columns two blanks apart, no trailing blanks; other characters become '?'.
 std::string plain(const TextTable& table);
+
+/// The same within `width` characters where that can be: headings take several lines, columns that still find no room follow
+/// in further blocks that begin with the first column, and long last cells of short rows and notes are wrapped.
+std::string fitted(const TextTable& table, std::size_t width);
+
+/// The words of `text` in lines of at most `width` characters; a longer word has a line of its own.
+std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
 /// A GitHub-style table; '|' and markup in cells are escaped; rules are left out.
 std::string markdown(const TextTable& table);

@@ -79,9 +79,9 @@ void change_tool(Operation& operation, int tool, const Part& part, const PlanOpt
   const bool own_tools = options.tools.empty();
   if (!after.stated && own_tools) after = used_with(tool, part);
   if (!before.stated && own_tools && after.stated) before = used_with(operation.tool, part);
-  take_back(operation, without_what_is_asked(std::move(before), options));
+  take_back(operation, without_what_is_asked(before, options));
   operation.tool = tool;
-  take(operation, without_what_is_asked(std::move(after), options));
+  take(operation, without_what_is_asked(after, options));
 }
 
 }  // namespace clearcut::resolve

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -18,6 +19,12 @@
 
 namespace clearcut::verify {
 
+/// What somebody stated for a tool.
+struct ToolLimits {
+  std::optional<double> stepdown;  ///< mm
+  std::optional<MmPerMin> plunge_feed;
+};
+
 struct VerifyOptions {
   Tolerances tol;
   Machine machine;
@@ -29,7 +36,9 @@ struct VerifyOptions {
   /// What the control held at each move; absent: it is unknown, and nothing about it is checked.
   const ControlTable* control = nullptr;
   bool needs_tool_length = false;  ///< without the tool's length (G43) the control would cut at wrong heights
-  std::vector<std::string> accepted;     ///< conditions that somebody has stated to hold: they give no faults
+  std::vector<std::string> accepted;  ///< conditions that somebody has stated to hold: they give no faults
+  /// By number, of tools that no workingstep is made with; the others are held to what their operations state.
+  std::map<int, ToolLimits> tool_limits;
   std::optional<WorkMaterial> material;  ///< absent: no forces and no wear are computed
   std::stop_token cancel;                ///< asked between moves and layers
 };

@@ -11,6 +11,7 @@
 #include "pipeline/run.h"
 #include "pipeline/selection/tool_sets.h"
 #include "read/read_part.h"
+#include "report/certificate/certificate_schema.h"
 #include "studies/method_study.h"
 #include "support/command.h"
 
@@ -22,6 +23,7 @@ using test_support::ScratchFolder;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using namespace nlohmann::literals;
 
 const std::string kTriangle = "name triangle\ndepth 2\n79.9861 60\n79.9861 60\n79.9861 60\n";
 
@@ -228,6 +230,13 @@ TEST(Methods, CertificatesHoldCoefficientsAndResiduals) {
   // Eq. 4: F = (R - 2 R (1 - kappa)) / sin(alpha / 2) - R.
   EXPECT_NEAR(first.at("residual_mm").get<double>(), (5 - 10 * (1 - 0.701)) / 0.5 - 5, 1e-3);
   EXPECT_GT(json.at("published_time_s").get<double>(), json.at("time_naive_s").get<double>());
+  const auto schema = nlohmann::ordered_json::parse(report::certificate_schema());
+  EXPECT_THAT(report::schema_faults(json, schema), testing::IsEmpty());
+  for (const auto& [key, value] : json.items()) {
+    EXPECT_TRUE(schema.at("properties").contains(key) ||
+                schema.at("/$defs/figures/properties"_json_pointer).contains(key))
+        << key << " is not described";
+  }
 }
 
 /// Job files choose the published grid and algorithm, for all operations or for some.

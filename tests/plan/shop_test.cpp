@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "link/lead.h"
 #include "model/work_material.h"
+#include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"
 #include "read/read_part.h"

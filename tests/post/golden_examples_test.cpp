@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/files/file.h"
+#include "pipeline/check.h"
 #include "pipeline/elements.h"
 #include "pipeline/run.h"
 #include "post/post.h"

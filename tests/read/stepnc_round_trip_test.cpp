@@ -47,6 +47,22 @@ TEST(StepNcRoundTrip, Plate) {
   expect_same_part(plate, read::stepnc::read_stepnc(post::write_stepnc(plate), "again.p21", {}));
 }
 
+TEST(StepNcRoundTrip, LinesToFollowAreRefusedByName) {
+  Part part = test_support::plate();
+  Feature& first = part.features.front();
+  first.kind = FeatureKind::kInsideProfile;
+  first.profile.emplace();
+  first.profile->side = ProfileSide::kInside;
+  first.profile->line = first.target.front().outer();
+  try {
+    post::write_stepnc(part);
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find(first.name + " is an inside profile, a line to follow"), std::string::npos) << what;
+  }
+}
+
 /// Makes parts with every kind of feature, tool and operation.
 class RandomPart {
  public:

@@ -7,9 +7,12 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
-#include "pipeline/run.h"
+#include "pipeline/check.h"
+#include "pipeline/job_options.h"
 #include "read/common/data_value.h"
+#include "read/job/machine_file.h"
 #include "read/read_part.h"
+#include "read/tools/tool_library.h"
 
 namespace clearcut {
 namespace {
@@ -36,10 +39,26 @@ std::vector<std::string> texts_of(const read::DataValue& list) {
   return texts;
 }
 
-VerdictFound verdict_on(const read::DataValue& one, const fs::path& place) {
+/// The tools and what is asked of them: a library goes before what the case names.
+resolve::PlanOptions options_of(const read::DataValue& one) {
   resolve::PlanOptions options;
-  for (const std::string& tool : texts_of(*one.find("tools")))
-    options.tools.push_back(resolve::parse_tool(tool));
+  const fs::path parts = folder() / "parts";
+  if (const read::DataValue* library = one.find("library")) {
+    const read::ToolLibrary read = read::read_tool_library(parts / library->text, {});
+    for (const read::LibraryTool& entry : read.tools) options.tools.push_back(entry.tool);
+    options.tool_cutting = pipeline::cutting_of_tools(read.tools, "");
+  } else {
+    for (const std::string& tool : texts_of(*one.find("tools")))
+      options.tools.push_back(resolve::parse_tool(tool));
+  }
+  if (const read::DataValue* machine = one.find("machine"))
+    options.machine = read::read_machine(parts / machine->text);
+  if (const read::DataValue* engagement = one.find("engagement")) options.engagement_deg = engagement->number;
+  return options;
+}
+
+VerdictFound verdict_on(const read::DataValue& one, const fs::path& place) {
+  resolve::PlanOptions options = options_of(one);
   const Part part = read::read_part(folder() / "parts" / one.find("part")->text, {});
   const fs::path file = place / one.find("file")->text;
   options.accept = texts_of(*one.find("accept"));
@@ -78,7 +97,7 @@ TEST_P(WrongPrograms, GetTheVerdictTheyDeserve) {
 
 INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
-                                           "blending", "small"),
+                                           "blending", "small", "cycles", "limits", "worst"),
                          [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.

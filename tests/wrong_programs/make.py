@@ -6,7 +6,8 @@ a right twin beside it. Run it again after a change: `python3 tests/wrong_progra
 """
 import json
 
-from writer import ALL, CHANGER, HERE, WORD, Class, Program, Text, rings
+from limits import cycles, limits, worst, write_limits
+from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
 
 
 def square(x0, y0, x1, y1):
@@ -20,10 +21,6 @@ PARTS = {
         {"name": "A", "outer": square(0, 0, 20, 20), "islands": [], "top": 0, "depth": 2},
         {"name": "B", "outer": square(30, 0, 50, 20), "islands": [], "top": 0, "depth": 2}]},
 }
-
-
-def nothing(_):
-    pass
 
 
 def motion():
@@ -354,7 +351,9 @@ def main():
     (HERE / "parts").mkdir(exist_ok=True)
     for name, part in PARTS.items():
         (HERE / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
-    count = sum(make() for make in (motion, comments, dialects, conditions, state, blending, small))
+    write_limits()
+    classes = (motion, comments, dialects, conditions, state, blending, small, cycles, limits, worst)
+    count = sum(make() for make in classes)
     print(count, "cases")
 
 

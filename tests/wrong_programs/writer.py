@@ -59,6 +59,10 @@ def rings(t, halves, cx=10, cy=10, z=-2):
     return blocks
 
 
+def nothing(_):
+    """Leaves a right program as it is."""
+
+
 class Program:
     """A right program in named chunks, each a list of blocks; a case changes what it is about."""
 
@@ -110,14 +114,15 @@ class Class:
         self.cases = []
 
     def add(self, name, dialects, change, verdict, reason, does, part="pocket.json", tools=None, stated=True,
-            accepted=()):
+            accepted=(), asked=None):
+        """asked: what else is asked of the program: library, machine (files of parts/), engagement (degrees)."""
         for dialect in dialects:
             program = Program(dialect)
             change(program)
             file = f"{name}-{dialect}{ENDING[dialect]}"
             (self.folder / file).write_text(program.text())
             case = {"file": file, "part": part, "tools": tools or TOOL, "dialect": dialect if stated else "",
-                    "does": does, "accept": [], "verdict": verdict, "reason": reason}
+                    "does": does, "accept": [], "verdict": verdict, "reason": reason, **(asked or {})}
             self.cases.append(case)
             if verdict == "CONDITIONAL" and accepted:
                 self.cases.append({**case, "does": "the same, where that is so", "accept": list(accepted),

@@ -14,18 +14,19 @@
 #include <sstream>
 #include <thread>
 
+#include "arguments/plan_arguments.h"
 #include "batch/batch_overview.h"
 #include "batch/batch_parts.h"
-#include "batch/child_process.h"
-#include "commands.h"
-#include "output.h"
-#include "plan_arguments.h"
+#include "commands/commands.h"
+#include "process/child_process.h"
+#include "terminal/output.h"
 
 namespace clearcut::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+using process::ChildEnd;
 
 struct BatchCommand {
   PlanArguments arguments;
@@ -154,7 +155,7 @@ class Batch {
     words.insert(words.end(), part.options.begin(), part.options.end());
     words.insert(words.end(), {"--output", place(part, ".ngc"), "--certificate", place(part, ".json"),
                                "--svg", place(part, ".svg"), "--quiet"});
-    const ChildEnd end = run_child(words, place(part, ".log"), limits_);
+    const ChildEnd end = process::run_child(words, {place(part, ".log"), "", "", false}, limits_);
     const Json done{{"key", key}, {"how", static_cast<int>(end.how)}, {"code", end.code}};
     write_files({{place(part, ".done"), done.dump() + "\n"}}, {part.file});
     return row_of(part, end);
@@ -216,7 +217,7 @@ class Batch {
   const BatchCommand& command_;
   std::vector<BatchPart> parts_;
   std::vector<std::string> plan_options_;
-  ChildLimits limits_;
+  process::ChildLimits limits_;
   std::vector<BatchRow> rows_, chosen_;
   std::atomic<std::size_t> kept_ = 0;
   std::mutex mutex_;
@@ -268,16 +269,19 @@ int run(const BatchCommand& command, const std::vector<std::string>& plan_option
 
 void add_batch_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("batch", "Plan many parts, each in a process of its own");
+  command->group("Planning");
   auto state = std::make_shared<BatchCommand>();
   state->arguments.add_part_options(*command, "INPUT");
   command->get_option("INPUT")->description(
       "Folder of parts, or a list: one part a line, its own options after it");
   state->arguments.add_tool_options(*command);
   state->arguments.add_cutting_options(*command);
+  command->option_defaults()->group("Batch");
   std::vector<const CLI::Option*> own{
       command
           ->add_option("-o,--output", state->output,
                        "Folder for programs, certificates, pictures and overview")
+          ->type_name("FOLDER")
           ->required(),
       command->add_option("--jobs", state->jobs, "Parts at once (default: all cores)")
           ->check(CLI::PositiveNumber),

@@ -1,4 +1,4 @@
-// The nearest of many numbered things whose neighbours in number lie near each other, as the pieces of a path do.
+// Finds numbered things near a place, whose neighbours in number lie near each other as the pieces of a path do.
 #pragma once
 
 #include <cstdint>
@@ -55,8 +55,30 @@ class BoxTree {
     return best;
   }
 
- private:
+  /// Calls visit(number) for all numbers in the boxes for which open(box) is true, in ascending order: up to kLeaf numbers share
+  /// a box. Both are asked again after each visit, so that `open` may become stricter.
+  template <typename Open, typename Visit>
+  void descend(Open&& open, Visit&& visit) const {
+    if (count_ > 0) descend_from(1, open, visit);
+  }
+
+  /// The box of all.
+  const Box& box() const { return boxes_[1]; }
+
   static constexpr std::uint32_t kLeaf = 8;
+
+ private:
+  template <typename Open, typename Visit>
+  void descend_from(std::size_t node, Open& open, Visit& visit) const {
+    if (!open(boxes_[node])) return;
+    if (node < leaves_) {
+      descend_from(2 * node, open, visit);
+      descend_from(2 * node + 1, open, visit);
+      return;
+    }
+    const auto first = static_cast<std::uint32_t>(node - leaves_) * kLeaf;
+    for (std::uint32_t i = first; i < std::min(first + kLeaf, count_); ++i) visit(i);
+  }
 
   /// Squared distance to a box, less by more than rounding.
   double bound(std::size_t node, Vec2 p) const {

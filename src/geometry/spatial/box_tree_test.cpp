@@ -28,5 +28,30 @@ TEST(BoxTree, FindsTheNearestAndTheFirstOfSeveralAsTryingAllDoes) {
   }
 }
 
+TEST(BoxTree, DescendsIntoEveryOpenBoxInOrder) {
+  Random random(8);
+  for (const std::uint32_t count : {0u, 1u, 8u, 9u, 500u}) {
+    std::vector<Box> boxes;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Vec2 p{random.between(0, 90), random.between(0, 90)};
+      boxes.push_back({p, p + Vec2{random.between(0, 9), random.between(0, 9)}});
+    }
+    BoxTree tree;
+    tree.build(count, [&](std::uint32_t i) { return boxes[i]; });
+    for (int k = 0; k < 100; ++k) {
+      const Vec2 p{random.between(0, 90), random.between(0, 90)};
+      const Box window{p, p + Vec2{10, 5}};
+      std::vector<std::uint32_t> wanted, found;
+      for (std::uint32_t i = 0; i < count; ++i)
+        if (boxes[i].overlaps(window)) wanted.push_back(i);
+      tree.descend([&](const Box& box) { return box.overlaps(window); },
+                   [&](std::uint32_t i) {
+                     if (boxes[i].overlaps(window)) found.push_back(i);
+                   });
+      EXPECT_EQ(found, wanted);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut

@@ -27,6 +27,47 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return fast_norm(p - (a + d * t));
 }
 
+/// An arc's centre moved along its chord until both ends are equally far; a line where no arc is left.
+Edge centred(Edge arc) {
+  const Vec2 chord = arc.to - arc.from;
+  const double excess = norm_squared(arc.from - arc.center) - norm_squared(arc.to - arc.center);
+  const Vec2 shift = chord * (-excess / (2 * norm_squared(chord)));
+  if (norm_squared(shift) > norm_squared(chord) && norm_squared(shift) > 1e-12)
+    return Edge::line(arc.from, arc.to);
+  arc.center = arc.center + shift;
+  return arc;
+}
+
+Edge exact_edge(const OffsetCurve& curve, Vec2 from, Vec2 to) {
+  if (curve.straight) return Edge::line(from, to);
+  const Edge arc = Edge::arc(from, to, curve.point, curve.turn);
+  const double off_from = std::abs(fast_norm(from - curve.point) - curve.radius);
+  const double off_to = std::abs(fast_norm(to - curve.point) - curve.radius);
+  return off_from <= kOnCurve && off_to <= kOnCurve ? arc : centred(arc);
+}
+
+Edge fitted(Edge edge, Vec2 to) {
+  edge.to = to;
+  return edge.is_arc() ? centred(edge) : edge;
+}
+
+/// Moves the end of the last edge by less than kCoincident.
+void close(Loop& loop, Vec2 to) {
+  loop.back() = fitted(loop.back(), to);
+}
+
+bool are_neighbours(const Element& a, const Element& b) {
+  return !a.is_point() && !b.is_point() && a.edge.to == b.edge.from;
+}
+
+/// Places `d` mm to the left of the end and of the start of an edge.
+Vec2 end_of(const Element& edge, double d) {
+  return edge.edge.to + left_of(edge.edge.tangent_at(1)) * d;
+}
+Vec2 start_of(const Element& edge, double d) {
+  return edge.edge.from + left_of(edge.edge.tangent_at(0)) * d;
+}
+
 class Assembler {
  public:
   Assembler(const Diagram& diagram, const LevelCurve& curve, double d, double slack)
@@ -124,10 +165,6 @@ class Assembler {
     return -d_ * std::atan2(cross(a, b), dot(a, b));
   }
 
-  bool are_neighbours(const Element& a, const Element& b) const {
-    return !a.is_point() && !b.is_point() && a.edge.to == b.edge.from;
-  }
-
   /// Place of the offset beside the vertex where edge b follows edge a.
   Vec2 beside_vertex(const Element& a, const Element& b) const {
     const Vec2 n = left_of(a.edge.tangent_at(1)) + left_of(b.edge.tangent_at(0));
@@ -154,7 +191,7 @@ class Assembler {
     for (std::size_t i = 0; i < count(); ++i) {
       if (lacks_vertex(i)) {
         const Element &a = before(i), &b = after(i);
-        const Vec2 start = end_of(a), end = start_of(b);
+        const Vec2 start = end_of(a, d_), end = start_of(b, d_);
         all.push_back({a.end_vertex, start, start, start, false, false, {}});
         all.push_back({piece(i).element, end, end, end, false, false, {}});
       } else {
@@ -179,9 +216,6 @@ class Assembler {
     return !met || to_vertex <= fast_norm(*met - piece(i).guess) + opening(a.edge, b.edge);
   }
 
-  Vec2 end_of(const Element& edge) const { return edge.edge.to + left_of(edge.edge.tangent_at(1)) * d_; }
-  Vec2 start_of(const Element& edge) const { return edge.edge.from + left_of(edge.edge.tangent_at(0)) * d_; }
-
   /// One element all round: an island that is a point, or an arc that is all but closed. Others are an
   /// accident of rounding about an arc's centre.
   std::optional<Loop> full_circle() const {
@@ -202,8 +236,8 @@ class Assembler {
   Vec2 solve_joint(std::size_t i) const {
     const Piece& here = piece(i);
     const Element &a = before(i), &b = after(i);
-    if (b.is_point() && !a.is_point() && a.edge.to == b.edge.from) return end_of(a);
-    if (a.is_point() && !b.is_point() && b.edge.from == a.edge.from) return start_of(b);
+    if (b.is_point() && !a.is_point() && a.edge.to == b.edge.from) return end_of(a, d_);
+    if (a.is_point() && !b.is_point() && b.edge.from == a.edge.from) return start_of(b, d_);
     if (are_neighbours(a, b) && std::abs(opening(a.edge, b.edge)) <= kSmooth && starts_beside_vertex(i)) {
       return beside_vertex(a, b);
     }
@@ -254,33 +288,6 @@ class Assembler {
     }
     if (loop.size() < 2) return std::nullopt;
     return loop;
-  }
-
-  /// Moves the end of the last edge by less than kCoincident.
-  static void close(Loop& loop, Vec2 to) { loop.back() = fitted(loop.back(), to); }
-
-  static Edge fitted(Edge edge, Vec2 to) {
-    edge.to = to;
-    return edge.is_arc() ? centred(edge) : edge;
-  }
-
-  /// An arc's centre moved along its chord until both ends are equally far; a line where no arc is left.
-  static Edge centred(Edge arc) {
-    const Vec2 chord = arc.to - arc.from;
-    const double excess = norm_squared(arc.from - arc.center) - norm_squared(arc.to - arc.center);
-    const Vec2 shift = chord * (-excess / (2 * norm_squared(chord)));
-    if (norm_squared(shift) > norm_squared(chord) && norm_squared(shift) > 1e-12)
-      return Edge::line(arc.from, arc.to);
-    arc.center = arc.center + shift;
-    return arc;
-  }
-
-  static Edge exact_edge(const OffsetCurve& curve, Vec2 from, Vec2 to) {
-    if (curve.straight) return Edge::line(from, to);
-    const Edge arc = Edge::arc(from, to, curve.point, curve.turn);
-    const double off_from = std::abs(fast_norm(from - curve.point) - curve.radius);
-    const double off_to = std::abs(fast_norm(to - curve.point) - curve.radius);
-    return off_from <= kOnCurve && off_to <= kOnCurve ? arc : centred(arc);
   }
 
   const Diagram& diagram_;

@@ -14,13 +14,7 @@ namespace {
 
 constexpr double kTau = 0.177;  // s, CPO-rho section 4
 
-struct Row {
-  std::string strategy;
-  std::optional<Figures> figures;
-  std::string refusal;
-};
-
-Row row_of(const std::string& strategy, const Part& part, resolve::PlanOptions options) {
+StrategyRun run_of(const std::string& strategy, const Part& part, resolve::PlanOptions options) {
   options.strategy = strategy;
   try {
     return {strategy, plan_part(part, options).findings.all, ""};
@@ -30,12 +24,12 @@ Row row_of(const std::string& strategy, const Part& part, resolve::PlanOptions o
 }
 
 /// Length against plain contours at a fixed step: what a method adds to them, or saves.
-std::string added(const Row& row, const Row* fixed) {
+std::string added(const StrategyRun& row, const StrategyRun* fixed) {
   if (!fixed || !fixed->figures) return "";
   return fmt::format("{:+.1f}", row.figures->feed_mm - fixed->figures->feed_mm);
 }
 
-std::vector<std::string> cells(const Row& row, const Row* fixed, bool fastest) {
+std::vector<std::string> cells(const StrategyRun& row, const StrategyRun* fixed, bool fastest) {
   if (!row.figures) return {row.strategy, row.refusal};
   const auto& f = *row.figures;
   return {row.strategy + (fastest ? " *" : ""),
@@ -53,26 +47,37 @@ std::vector<std::string> cells(const Row& row, const Row* fixed, bool fastest) {
           f.clean ? "yes" : "NO"};
 }
 
-const Row* fastest_clean(const std::vector<Row>& rows) {
-  const Row* best = nullptr;
-  for (const auto& row : rows) {
-    if (!row.figures || !row.figures->clean) continue;
-    if (!best || row.figures->time_s < best->figures->time_s) best = &row;
-  }
-  return best;
-}
-
 }  // namespace
 
 double published_time(double naive_s, int discontinuities) {
   return naive_s + 2 * (1 + discontinuities) * kTau;
 }
 
-report::TextTable compare(const Part& part, const resolve::PlanOptions& options) {
-  std::vector<Row> rows;
-  for (const auto& name : strategy_names(strategies_of(options))) rows.push_back(row_of(name, part, options));
-  if (std::none_of(rows.begin(), rows.end(), [](const Row& row) { return row.figures.has_value(); }))
-    throw InputError("", rows.front().refusal);
+std::vector<StrategyRun> run_strategies(const Part& part, const resolve::PlanOptions& options,
+                                        const CountCallback& count) {
+  std::vector<StrategyRun> runs;
+  const auto names = strategy_names(strategies_of(options));
+  for (const auto& name : names) {
+    if (count) count(runs.size(), names.size());
+    runs.push_back(run_of(name, part, options));
+  }
+  if (count) count(runs.size(), names.size());
+  if (std::none_of(runs.begin(), runs.end(), [](const StrategyRun& run) { return run.figures.has_value(); }))
+    throw InputError("", runs.front().refusal);
+  return runs;
+}
+
+const StrategyRun* fastest_clean(const std::vector<StrategyRun>& runs) {
+  const StrategyRun* best = nullptr;
+  for (const auto& run : runs) {
+    if (!run.figures || !run.figures->clean) continue;
+    if (!best || run.figures->time_s < best->figures->time_s) best = &run;
+  }
+  return best;
+}
+
+report::TextTable strategy_table(const Part& part, const resolve::PlanOptions& options,
+                                 const std::vector<StrategyRun>& rows) {
   report::TextTable table;
   table.title = part.name;
   table.columns = {{"strategy", report::Align::kLeft},
@@ -88,9 +93,9 @@ report::TextTable compare(const Part& part, const resolve::PlanOptions& options)
                    {"eng max"},
                    {"mean"},
                    {"clean", report::Align::kLeft}};
-  const Row* best = fastest_clean(rows);
+  const StrategyRun* best = fastest_clean(rows);
   const auto fixed =
-      std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.strategy == "fixed"; });
+      std::find_if(rows.begin(), rows.end(), [](const StrategyRun& row) { return row.strategy == "fixed"; });
   for (const auto& row : rows) table.add(cells(row, fixed == rows.end() ? nullptr : &*fixed, &row == best));
   table.notes.push_back(
       "* fastest that is certified clean; vs fixed: mm longer than contours at a fixed step alone");
@@ -100,6 +105,10 @@ report::TextTable compare(const Part& part, const resolve::PlanOptions& options)
   for (const auto& name : strategy_names(strategies))
     table.notes.push_back(name + ": " + description_of(name, strategies));
   return table;
+}
+
+report::TextTable compare(const Part& part, const resolve::PlanOptions& options) {
+  return strategy_table(part, options, run_strategies(part, options));
 }
 
 }  // namespace clearcut::pipeline

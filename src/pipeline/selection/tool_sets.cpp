@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text/format.h"
@@ -134,15 +135,33 @@ std::optional<double> rest_time(const Candidate& first, const Candidate& then, c
   }
 }
 
+/// Counts plans: every cutter alone, then every pair.
+class PlanCount {
+ public:
+  PlanCount(std::size_t tools, CountCallback callback)
+      : of_(tools + tools * (tools - 1) / 2), callback_(std::move(callback)) {}
+  void at(std::size_t done) const {
+    if (callback_) callback_(done, of_);
+  }
+
+ private:
+  std::size_t of_;
+  CountCallback callback_;
+};
+
 /// The fastest way to end with each cutter; `all` and `runs` run from the smallest up.
 std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate>& all,
                                                      const std::vector<ToolRun>& runs, const Part& part,
                                                      const ToolSpeeds& speeds,
-                                                     const resolve::PlanOptions& options) {
+                                                     const resolve::PlanOptions& options,
+                                                     const CountCallback& count) {
+  const PlanCount counted(all.size(), count);
+  std::size_t done = all.size();
   std::vector<std::optional<Sequence>> best(all.size());
   for (std::size_t i = all.size(); i-- > 0;) {
     if (runs[i].clean) best[i] = Sequence{{i}, runs[i].time_s};
     for (std::size_t larger = i + 1; larger < all.size(); ++larger) {
+      counted.at(done++);
       if (!best[larger] || all[larger].tool.diameter <= all[i].tool.diameter) continue;
       const auto rest = rest_time(all[larger], all[i], part, options);
       if (!rest) continue;
@@ -156,8 +175,10 @@ std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate
 }
 
 std::optional<ToolSequence> fastest_of(const std::vector<ToolRun>& runs, const Part& part,
-                                       const ToolSpeeds& speeds, const resolve::PlanOptions& options) {
-  const auto to_each = fastest_to_each(candidates_of(part, speeds, options), runs, part, speeds, options);
+                                       const ToolSpeeds& speeds, const resolve::PlanOptions& options,
+                                       const CountCallback& count) {
+  const auto to_each =
+      fastest_to_each(candidates_of(part, speeds, options), runs, part, speeds, options, count);
   const Sequence* best = nullptr;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!to_each[i] || !may_end(runs[i], runs.front())) continue;
@@ -175,14 +196,6 @@ std::string text_of(const ToolSequence& sequence) {
   return names;
 }
 
-const ToolRun* fastest_clean(const std::vector<ToolRun>& runs) {
-  const ToolRun* best = nullptr;
-  for (const auto& run : runs) {
-    if (run.clean && (!best || run.time_s < best->time_s)) best = &run;
-  }
-  return best;
-}
-
 }  // namespace
 
 CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth) {
@@ -193,22 +206,41 @@ CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth
 }
 
 std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds,
-                               const resolve::PlanOptions& options) {
+                               const resolve::PlanOptions& options, const CountCallback& count) {
+  const auto all = candidates_of(part, speeds, options);
+  const PlanCount counted(all.size(), count);
   std::vector<ToolRun> runs;
-  for (const auto& one : candidates_of(part, speeds, options)) runs.push_back(run_of(one, part, options));
+  for (const auto& one : all) {
+    counted.at(runs.size());
+    runs.push_back(run_of(one, part, options));
+  }
   return runs;
+}
+
+const ToolRun* fastest_clean(const std::vector<ToolRun>& runs) {
+  const ToolRun* best = nullptr;
+  for (const auto& run : runs) {
+    if (run.clean && (!best || run.time_s < best->time_s)) best = &run;
+  }
+  return best;
 }
 
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
                                              const resolve::PlanOptions& options) {
-  return fastest_of(run_tools(part, speeds, options), part, speeds, options);
+  return fastest_of(run_tools(part, speeds, options), part, speeds, options, {});
 }
 
-report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds,
-                             const resolve::PlanOptions& options) {
-  const auto runs = run_tools(part, speeds, options);
+ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options,
+                             const CountCallback& count) {
+  ToolComparison comparison{run_tools(part, speeds, options, count), std::nullopt};
+  const auto& runs = comparison.runs;
   if (std::none_of(runs.begin(), runs.end(), [](const ToolRun& run) { return run.fits; }))
     throw InputError("", runs.front().refusal);
+  comparison.sequence = fastest_of(runs, part, speeds, options, count);
+  return comparison;
+}
+
+report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const ToolComparison& comparison) {
   report::TextTable table;
   table.title = part.name + ": each cutter alone";
   table.columns = {{"tool", report::Align::kLeft},
@@ -220,14 +252,13 @@ report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds,
                    {"eq. 9 s"},
                    {"corners mm2"},
                    {"clean", report::Align::kLeft}};
-  const ToolRun* best = fastest_clean(runs);
-  for (const auto& run : runs) table.add(cells(run, &run == best));
+  const ToolRun* best = fastest_clean(comparison.runs);
+  for (const auto& run : comparison.runs) table.add(cells(run, &run == best));
   table.notes.push_back("* fastest alone; corners: out of its reach, left for a smaller one");
-  const auto sequence = fastest_of(runs, part, speeds, options);
-  if (sequence) {
+  if (comparison.sequence) {
     table.notes.push_back(fmt::format(
         "fastest sequence that leaves no more than the smallest, {:.0f} s a tool change: {}: {:.2f} s",
-        speeds.tool_change_s, text_of(*sequence), sequence->time_s));
+        speeds.tool_change_s, text_of(*comparison.sequence), comparison.sequence->time_s));
   }
   return table;
 }

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/selection/compare.h"
 #include "report/text_table.h"
 #include "resolve/plan_options.h"
 
@@ -46,7 +47,10 @@ struct ToolRun {
 /// and for speeds that are not above 0.
 /// Cost one plan each.
 std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds,
-                               const resolve::PlanOptions& options);
+                               const resolve::PlanOptions& options, const CountCallback& count = {});
+
+/// The fastest that is certified clean; null where none is.
+const ToolRun* fastest_clean(const std::vector<ToolRun>& runs);
 
 /// Cutters one after the other, largest first.
 struct ToolSequence {
@@ -60,8 +64,17 @@ struct ToolSequence {
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
                                              const resolve::PlanOptions& options);
 
-/// The table, with the fastest clean cutter marked and the fastest sequence under it. Throws InputError where no cutter
-/// can be used.
-report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options);
+/// Every cutter alone, and the fastest sequence of them.
+struct ToolComparison {
+  std::vector<ToolRun> runs;
+  std::optional<ToolSequence> sequence;
+};
+
+/// Throws InputError where no cutter can be used. `count` hears of the plans of cutters alone and of pairs.
+ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options,
+                             const CountCallback& count = {});
+
+/// The table, with the fastest clean cutter marked and the fastest sequence under it.
+report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const ToolComparison& comparison);
 
 }  // namespace clearcut::pipeline

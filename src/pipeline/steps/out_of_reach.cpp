@@ -68,4 +68,9 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
   return conditions;
 }
 
+void add_out_of_reach(const Part& part, const ResolvedPlan& plan, Findings& findings) {
+  for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
+  accept_conditions(findings, plan.accept);
+}
+
 }  // namespace clearcut::pipeline

@@ -5,6 +5,7 @@
 
 #include "base/tolerances.h"
 #include "model/control.h"
+#include "model/options/resolved_plan.h"
 #include "model/part.h"
 #include "model/results/findings.h"
 
@@ -14,5 +15,8 @@ namespace clearcut::pipeline {
 /// mm2, with the largest cutter that would leave less. Open where it is more than both; else met by being little: corners
 /// rounded by the cutter are what everybody expects. Cost O(1) insets of each such feature.
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol);
+
+/// Adds these conditions to the findings: the part is not all that was asked for until they are met or accepted.
+void add_out_of_reach(const Part& part, const ResolvedPlan& plan, Findings& findings);
 
 }  // namespace clearcut::pipeline

@@ -46,6 +46,8 @@ struct ResidualLimits {
 
 /// Shares of the cutter's radius: lengths that scale with the cutter.
 struct RadiusShares {
+  static constexpr double kWidestTurn =
+      0.5;  ///< upper bound for the tightest radius after a cut has left a wall
   /// Between samples along walls. What stands between two is at most pitch^2 / 8 of the radius thick. Smaller: walls
   /// are sampled more often, planning time grows as its inverse.
   static constexpr double kWallPitch = 0.1;

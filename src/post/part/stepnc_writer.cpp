@@ -343,9 +343,23 @@ class Writer {
   std::vector<std::string> steps_;
 };
 
+/// The standard's features are volumes to remove; a line for the cutter's side to follow is none of them.
+void refuse_profiles(const Part& part) {
+  for (const Feature& feature : part.features) {
+    if (!feature.profile) continue;
+    std::string kind = name_of(feature.kind);
+    std::replace(kind.begin(), kind.end(), '_', ' ');
+    throw InputError(part.source_file,
+                     feature.name + " is an " + kind +
+                         ", a line to follow, and STEP-NC has none; write outline JSON, which "
+                         "holds it (-o NAME.json)");
+  }
+}
+
 }  // namespace
 
 std::string write_stepnc(const Part& part) {
+  refuse_profiles(part);
   for (const auto& step : part.workplan) {
     if (step.operation.tool >= 0 && step.operation.tool < static_cast<int>(part.tools.size())) continue;
     throw InputError(part.source_file, "names no tool for " + step.name + "; STEP-NC needs one: give --tool");

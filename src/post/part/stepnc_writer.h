@@ -19,7 +19,8 @@ namespace clearcut::post {
 ///         where they do not reach the stock's edge); Tool::center_cutting follows from the kind of tool;
 ///         strategy names the standard does not know are left out. What the standard has no word for (plunge
 ///         feed, ramp feed, slot feed, scallop height) goes into the property list of the machine functions.
-/// Throws  InputError where a number is not finite or a workingstep has no tool.
+/// Throws  InputError where a number is not finite, a workingstep has no tool, or a feature is a line to follow (profiles,
+///         engraving).
 /// The same part gives the same bytes.
 std::string write_stepnc(const Part& part);
 

@@ -1,13 +1,17 @@
 #include "read/common/b_spline.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "base/text/format.h"
 #include "read/common/curve_fit.h"
 
 namespace clearcut::read {
 namespace {
 
 constexpr int kHighestDegree = 25;
+/// mm. Spans of one curve end and begin nearer to each other than this; by rounding alone.
+constexpr double kTear = 1e-4;
 
 double knot(const BSpline& spline, int i) {
   return spline.knots[static_cast<std::size_t>(i)];
@@ -27,6 +31,20 @@ Vec2 point_at(const BSpline& spline, int k, double u) {
     }
   }
   return d.back().p / d.back().w;
+}
+
+/// "" unless the curve is torn where knots coincide more often than its degree.
+std::string tear_of(const BSpline& spline) {
+  std::optional<Vec2> end;
+  for (int k = spline.degree; k < static_cast<int>(spline.poles.size()); ++k) {
+    if (knot(spline, k + 1) <= knot(spline, k)) continue;
+    const Vec2 start = point_at(spline, k, knot(spline, k));
+    if (end && distance(*end, start) > kTear) {
+      return "a tear of " + trimmed(distance(*end, start), 4) + " mm at knot " + trimmed(knot(spline, k), 6);
+    }
+    end = point_at(spline, k, knot(spline, k + 1));
+  }
+  return "";
 }
 
 void append_joined(const ParametricCurve& curve, double tolerance, Path& out) {
@@ -49,7 +67,7 @@ std::string fault_of(const BSpline& spline) {
   if (!std::is_sorted(spline.knots.begin(), spline.knots.end())) return "falling knots";
   const bool positive =
       std::all_of(spline.poles.begin(), spline.poles.end(), [](const auto& pole) { return pole.w > 0; });
-  return positive ? "" : "a weight of 0 or less";
+  return positive ? tear_of(spline) : "a weight of 0 or less";
 }
 
 void append_span(const std::function<Vec2(double)>& curve, double tolerance, Path& out) {

@@ -19,8 +19,8 @@ struct BSpline {
   std::vector<Pole> poles;
 };
 
-/// What is wrong with its degree, its weights or the numbers of its parts: "3 knots for 2 control points of degree 3".
-/// "" if nothing.
+/// What is wrong with its degree, its weights or the numbers of its parts: "3 knots for 2 control points of degree 3"; or
+/// where it is torn: "a tear of 5 mm at knot 0.5". "" if nothing.
 std::string fault_of(const BSpline& spline);
 
 /// Appends the whole spline, which must have no fault, within `tolerance` mm.

@@ -108,5 +108,18 @@ TEST(BSpline, IsNearItsDefinitionEverywhere) {
   }
 }
 
+TEST(BSpline, TornWhereKnotsCoincideMoreOftenThanItsDegreeIsAFault) {
+  BSpline spline;
+  spline.degree = 2;
+  spline.knots = {0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1};
+  const auto with_gap = [&](double gap) {
+    spline.poles = {pole({0, 0}, 1),        pole({5, 5}, 2),   pole({10, 0}, 1),
+                    pole({10 + gap, 0}, 3), pole({15, -5}, 1), pole({20, 0}, 1)};
+    return fault_of(spline);
+  };
+  EXPECT_EQ(with_gap(3), "a tear of 3 mm at knot 0.5");
+  EXPECT_EQ(with_gap(0), "");
+}
+
 }  // namespace
 }  // namespace clearcut::read

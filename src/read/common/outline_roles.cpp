@@ -185,27 +185,39 @@ bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>&
   return any;
 }
 
-/// Index of the one outermost outline that holds others and of which nothing says what it is.
-std::optional<std::size_t> unclear_outline(const std::vector<ShapedGroup>& groups,
-                                           const std::vector<Outline>& outlines) {
-  std::optional<std::size_t> outer;
+/// The outermost outlines, where each of them holds others and nothing says what they are: edges of parts, or pockets. None
+/// where one of them stands alone: then the drawing is of pockets most often.
+std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups,
+                                          const std::vector<Outline>& outlines) {
+  std::vector<std::size_t> outermost;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    if (!outlines[i].about.empty() || groups[outlines[i].group].group.role == LayerRole::kChamfer) continue;
-    if (outer) return std::nullopt;
-    outer = i;
+    const DrawnGroup& group = groups[outlines[i].group].group;
+    if (!outlines[i].about.empty() || group.role == LayerRole::kChamfer) continue;
+    if (group.says_role || !holds_others(outlines, i)) return {};
+    outermost.push_back(i);
   }
-  if (!outer || groups[outlines[*outer].group].group.says_role || !holds_others(outlines, *outer))
-    return std::nullopt;
-  return outer;
+  return outermost;
 }
 
-std::string question_of(const Outline& outline, std::size_t others, const std::string& layer) {
+std::string question_of(const std::vector<Outline>& outlines, const std::vector<std::size_t>& unclear,
+                        const std::vector<ShapedGroup>& groups) {
+  const Outline& outline = outlines[unclear.front()];
   const Box size = box(outline.loop);
+  const auto others = std::count_if(outlines.begin(), outlines.end(), [&](const Outline& other) {
+    return std::find(other.about.begin(), other.about.end(), static_cast<int>(unclear.front())) !=
+           other.about.end();
+  });
+  const bool alone = unclear.size() == 1;
   return "the outline of " + trimmed(size.width(), 2) + " x " + trimmed(size.height(), 2) + " mm (layer " +
-         printable(layer) + ") holds " + std::to_string(others) + (others == 1 ? " other" : " others") +
-         ", and nothing says what it is: --op profile:outer if it is the edge of the part, which is cut out "
-         "along it; "
-         "--op pocket:outer if it is a pocket and the outlines in it are islands";
+         printable(groups[outline.group].group.name) + ") holds " + std::to_string(others) +
+         (others == 1 ? " other" : " others") +
+         (alone ? "" : ", as each of " + std::to_string(unclear.size()) + " outermost outlines does") +
+         ", and nothing says what " + (alone ? "it is" : "they are") + ": --op profile:outer if " +
+         (alone ? "it is the edge of the part, which is cut out along it; "
+                : "they are the edges of parts, which are cut out along them; ") +
+         "--op pocket:outer if " +
+         (alone ? "it is a pocket and the outlines in it are islands"
+                : "they are pockets and the outlines in them are islands");
 }
 
 void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Outline>& outlines,
@@ -281,11 +293,10 @@ void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<st
   if (!wanted) return;
   std::vector<Outline> outlines = outlines_of(groups);
   const bool chosen = apply_outline_rules(groups, outlines, layers, options);
-  const auto unclear = chosen ? std::nullopt : unclear_outline(groups, outlines);
+  const auto unclear = chosen ? std::vector<std::size_t>{} : unclear_outlines(groups, outlines);
   if (options.overview) fill_overview(groups, outlines, options, *options.overview);
-  if (!unclear) return;
-  const std::string& layer = groups[outlines[*unclear].group].group.name;
-  const std::string question = question_of(outlines[*unclear], outlines.size() - 1, layer);
+  if (unclear.empty()) return;
+  const std::string question = question_of(outlines, unclear, groups);
   if (options.overview) options.overview->question = question;
   if (options.ask_if_unclear && !options.overview) throw InputError(file, question);
 }

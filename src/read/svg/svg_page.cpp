@@ -54,7 +54,18 @@ Affine view_box_map(const std::string& text, const std::string& aspect, double w
          Affine::translation({-box->x, -box->y});
 }
 
-SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit) {
+PixelSize pixel_size_of(std::string_view text, std::string_view inkscape_version) {
+  // The comment that names the generator stands before the root.
+  const std::string_view prolog = text.substr(0, text.find("<svg"));
+  if (prolog.find("Generator: Adobe Illustrator") != std::string_view::npos)
+    return {72, "as Adobe Illustrator writes them"};
+  SvgScanner scanner(inkscape_version);
+  const auto version = scanner.number();
+  if (version && *version < 0.92) return {90, "as Inkscape before 0.92 writes them"};
+  return {};
+}
+
+SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit, double px_per_inch) {
   SvgPage page;
   const auto box = view_box_of(viewport.view_box);
   const auto stated = [](const std::string& text) {
@@ -74,7 +85,7 @@ SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit) {
   page.view_width = box ? box->width : *width;
   page.view_height = box ? box->height : *height;
   page.physical = user_unit || is_physical(viewport.width) || is_physical(viewport.height);
-  const double unit = user_unit ? *user_unit : kMmPerPx;
+  const double unit = user_unit ? *user_unit : page.physical ? kMmPerPx : 25.4 / px_per_inch;
   const Affine up = Affine::translation({0, *height * unit}) * Affine::scaling(unit, -unit);
   page.to_mm = up * view_box_map(viewport.view_box, viewport.aspect, *width, *height);
   return page;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "read/common/affine.h"
 
@@ -20,10 +21,19 @@ struct SvgPage {
   bool physical = false;  ///< the file states a physical size
 };
 
+/// How large a px is where the file states no physical size.
+struct PixelSize {
+  double per_inch = 96;
+  std::string because;  ///< the program that wrote the file, where that decides
+};
+/// Adobe Illustrator writes points, Inkscape before 0.92 ninetieths of an inch. `text`: the file; `inkscape_version`: the
+/// attribute of that name, "" when absent.
+PixelSize pixel_size_of(std::string_view text, std::string_view inkscape_version);
+
 /// The map of `svg_viewport` within `width` x `height` (its own viewport in outer units) for its viewBox.
 Affine view_box_map(const std::string& view_box, const std::string& aspect, double width, double height);
 
-/// `user_unit`: mm per user unit when the user states it.
-SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit);
+/// `user_unit`: mm per user unit when the user states it; `px_per_inch` counts where nobody states a size.
+SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit, double px_per_inch);
 
 }  // namespace clearcut::read

@@ -1,6 +1,7 @@
 #include "read/svg/svg_reader.h"
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <map>
 #include <pugixml.hpp>
@@ -47,6 +48,20 @@ std::string_view attribute(const pugi::xml_node& node, const char* name) {
   return node.attribute(name).value();
 }
 
+/// Adobe Illustrator writes what an id may not hold, and underscores, by their codes: "POCKET_x5F_D3".
+std::string unescaped_id(std::string_view id) {
+  std::string text;
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    unsigned code = 0;
+    const bool escaped =
+        id.substr(i, 2) == "_x" && i + 4 < id.size() && id[i + 4] == '_' &&
+        std::from_chars(id.data() + i + 2, id.data() + i + 4, code, 16).ptr == id.data() + i + 4;
+    text += escaped ? static_cast<char>(code) : id[i];
+    if (escaped) i += 4;
+  }
+  return text;
+}
+
 class SvgCollector {
  public:
   SvgCollector(std::string_view text, const std::string& file, const ReadOptions& options,
@@ -55,10 +70,11 @@ class SvgCollector {
 
   void collect(const pugi::xml_node& root) {
     index(root, 0);
+    pixels_ = pixel_size_of(text_, attribute(root, "inkscape:version"));
     const SvgPage page = page_of(
         {std::string(attribute(root, "width")), std::string(attribute(root, "height")),
          std::string(attribute(root, "viewBox")), std::string(attribute(root, "preserveAspectRatio"))},
-        options_.unit ? std::optional(require_unit(*options_.unit, "unit")) : std::nullopt);
+        options_.unit ? std::optional(require_unit(*options_.unit, "unit")) : std::nullopt, pixels_.per_inch);
     physical_ = page.physical;
     Inherited start;
     start.map = Affine::scaling(options_.scale, options_.scale) * page.to_mm;
@@ -115,7 +131,9 @@ class SvgCollector {
     const std::string size = all.empty() ? ""
                                          : "; the drawing is " + trimmed(all.width(), 2) + " x " +
                                                trimmed(all.height(), 2) + " mm then";
-    diagnostics_.warn(file_, "the file states no physical size: 96 px per inch assumed" + size);
+    diagnostics_.warn(file_, "the file states no physical size: " + trimmed(pixels_.per_inch, 0) +
+                                 " px per inch assumed" +
+                                 (pixels_.because.empty() ? "" : ", " + pixels_.because) + size);
   }
 
   std::string place(const pugi::xml_node& node) const {
@@ -242,8 +260,8 @@ class SvgCollector {
   }
 
   void inherit_layer(const pugi::xml_node& node, std::string_view name, Inherited& own) const {
-    std::string_view label = attribute(node, "inkscape:label");
-    if (label.empty()) label = attribute(node, "id");
+    std::string label(attribute(node, "inkscape:label"));
+    if (label.empty()) label = unescaped_id(attribute(node, "id"));
     if (label.empty()) return;
     const LayerMeaning meaning = meaning_of_layer(label);
     // Every shape has an id; only one that says a role is more than a number.
@@ -332,6 +350,7 @@ class SvgCollector {
   Diagnostics& diagnostics_;
   SvgStyleSheet sheet_;
   bool sheet_understood_ = true;
+  PixelSize pixels_;
   bool physical_ = true;
   std::map<std::string, pugi::xml_node> by_id_;
   std::vector<DrawnGroup> groups_;

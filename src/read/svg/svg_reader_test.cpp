@@ -180,6 +180,22 @@ TEST(Svg, PhysicalSizesAndAssumptions) {
   EXPECT_EQ(said(read(page(rect)), Severity::kWarning, "96 px per inch"), 0);
 }
 
+TEST(Svg, TakesPixelsOfOtherSizesFromTheProgramThatWroteThem) {
+  const std::string square =
+      "width='72' height='72' viewBox='0 0 72 72'><rect width='36' height='36'/></svg>";
+  const auto side = [&](const std::string& head) { return std::sqrt(all_area(read(head + square))); };
+  EXPECT_NEAR(side("<svg "), 36 * 25.4 / 96, 1e-9);
+  EXPECT_NEAR(side("<!-- Generator: Adobe Illustrator 26.0.1, SVG Export Plug-In --><svg "), 12.7, 1e-9);
+  EXPECT_NEAR(side("<svg xmlns:inkscape='i' inkscape:version='0.91 r13725' "), 36 * 25.4 / 90, 1e-9);
+  EXPECT_NEAR(side("<svg xmlns:inkscape='i' inkscape:version='1.2 (b0a848)' "), 36 * 25.4 / 96, 1e-9);
+}
+
+TEST(Svg, ReadsNamesThatIllustratorEscapes) {
+  const Part part = read(page("<g id='POCKET_x5F_D3'><rect width='10' height='10'/></g>"));
+  EXPECT_EQ(part.features.front().name, "POCKET_D3");
+  EXPECT_DOUBLE_EQ(part.features.front().floor_z, -3);
+}
+
 TEST(Svg, DepthByAttributeLayerNameColourAndOption) {
   const Part part = read(page(
       "<g data-depth='5' data-top='-1'><rect width='10' height='10'/>"

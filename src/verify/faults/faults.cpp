@@ -38,6 +38,8 @@ class FaultFinder {
       : part_(part), options_(options), attribution_(part) {
     for (const Workingstep& step : part.workplan)
       least_stepdown_ = std::min(least_stepdown_, step.operation.stepdown.value_or(least_stepdown_));
+    for (const auto& [number, limits] : options.tool_limits)
+      least_stepdown_ = std::min(least_stepdown_, limits.stepdown.value_or(least_stepdown_));
   }
 
   std::optional<Fault> gouge(const JudgedMove& judged) const {
@@ -60,7 +62,7 @@ class FaultFinder {
 
   std::optional<Fault> depth(const JudgedMove& judged) const {
     if (judged.load.axial_mm <= least_stepdown_ + kStepdownSlack) return std::nullopt;
-    const std::optional<double> stepdown = attribution_.stepdown_at(judged);
+    const std::optional<double> stepdown = stepdown_of(judged);
     if (!stepdown || judged.load.axial_mm <= *stepdown + kStepdownSlack) return std::nullopt;
     return fault(
         FaultKind::kTooDeep, judged, judged.load.axial_at, judged.load.axial_mm,
@@ -100,6 +102,14 @@ class FaultFinder {
   }
 
  private:
+  /// mm; what is stated for the tool, else for the work at this place.
+  std::optional<double> stepdown_of(const JudgedMove& judged) const {
+    const auto limits =
+        judged.tool ? options_.tool_limits.find(judged.tool->number) : options_.tool_limits.end();
+    if (limits != options_.tool_limits.end() && limits->second.stepdown) return limits->second.stepdown;
+    return attribution_.stepdown_at(judged);
+  }
+
   Fault fault(FaultKind kind, const JudgedMove& judged, const Place& place, double size,
               const std::string& what) const {
     return fault_of(part_, kind, judged, place, size, what);

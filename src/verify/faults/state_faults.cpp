@@ -221,9 +221,12 @@ class StateJudge {
     return steepest;
   }
 
-  /// mm/min; the highest plunge feed that operations of the tool state.
+  /// mm/min; the highest plunge feed that operations of the tool state, or what is stated for the tool itself.
   std::optional<double> plunge_feed_of(const JudgedMove& judged) const {
     std::optional<double> most;
+    const auto limits = options_.tool_limits.find(judged.tool->number);
+    if (limits != options_.tool_limits.end() && limits->second.plunge_feed)
+      most = limits->second.plunge_feed->mm_per_min();
     for (const Workingstep& step : part_.workplan) {
       const auto& feed = step.operation.cutting.plunge_feed;
       if (!feed || !drives(step, judged)) continue;

@@ -17,19 +17,10 @@ std::vector<Edge> edges_of(const Regions& regions) {
 EdgeTree::EdgeTree(const Regions& regions) : EdgeTree(edges_of(regions)) {}
 
 EdgeTree::EdgeTree(std::vector<Edge> edges) : edges_(std::move(edges)) {
-  if (edges_.empty()) return;
-  std::vector<Box> boxes;
-  boxes.reserve(edges_.size());
+  boxes_.reserve(edges_.size());
   for (const Edge& edge : edges_)
-    boxes.push_back(edge.from == edge.to ? Box{edge.from, edge.from} : edge.box());
-  while (boxes.size() > kFan) {
-    std::vector<Box> parents((boxes.size() + kFan - 1) / kFan);
-    for (std::size_t i = 0; i < boxes.size(); ++i) parents[i / kFan].add(boxes[i]);
-    levels_.push_back(std::move(boxes));
-    boxes = std::move(parents);
-  }
-  for (const Box& box : boxes) root_.add(box);
-  levels_.push_back(std::move(boxes));
+    boxes_.push_back(edge.from == edge.to ? Box{edge.from, edge.from} : edge.box());
+  tree_.build(static_cast<std::uint32_t>(edges_.size()), [this](std::uint32_t i) { return boxes_[i]; });
 }
 
 int EdgeTree::winding(Vec2 p) const {

@@ -1,14 +1,16 @@
 // Finds the edges near a place, by a tree of boxes over edges in the given order.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "geometry/region.h"
+#include "geometry/spatial/box_tree.h"
 
 namespace clearcut::verify {
 
-/// Edges with a tree of boxes, eight to a box. Edges of outlines and programs follow each other, so that
+/// Edges with a tree of boxes. Edges of outlines and programs follow each other, so that
 /// boxes over successive edges are small without sorting. Edges may be points (from == to).
 ///
 /// Cost    build O(n); a search O(log n + found) for such edges.
@@ -21,7 +23,7 @@ class EdgeTree {
 
   const std::vector<Edge>& edges() const { return edges_; }
   bool empty() const { return edges_.empty(); }
-  Box box() const { return levels_.empty() ? Box{} : root_; }
+  const Box& box() const { return tree_.box(); }
 
   /// Calls visit(index) for every edge whose box overlaps `box`.
   template <typename Visit>
@@ -61,8 +63,6 @@ class EdgeTree {
   int winding(Vec2 p) const;
 
  private:
-  static constexpr int kFan = 8;
-
   static double squared_distance(const Box& b, Vec2 p) {
     const double dx = std::max({b.min.x - p.x, 0.0, p.x - b.max.x});
     const double dy = std::max({b.min.y - p.y, 0.0, p.y - b.max.y});
@@ -71,25 +71,14 @@ class EdgeTree {
 
   template <typename Open, typename Visit>
   void descend(Open open, Visit visit) const {
-    if (!levels_.empty()) descend_from(static_cast<int>(levels_.size()) - 1, 0, open, visit);
-  }
-  template <typename Open, typename Visit>
-  void descend_from(int level, int first, Open& open, Visit& visit) const {
-    const std::vector<Box>& boxes = levels_[level];
-    const int end = std::min(first + kFan, static_cast<int>(boxes.size()));
-    for (int i = first; i < end; ++i) {
-      if (!open(boxes[i])) continue;
-      if (level == 0) {
-        visit(i);
-      } else {
-        descend_from(level - 1, i * kFan, open, visit);
-      }
-    }
+    tree_.descend(open, [&](std::uint32_t i) {
+      if (open(boxes_[i])) visit(static_cast<int>(i));
+    });
   }
 
   std::vector<Edge> edges_;
-  std::vector<std::vector<Box>> levels_;  ///< [0]: one box for each edge; above that one for each kFan boxes
-  Box root_;
+  std::vector<Box> boxes_;  ///< of each edge
+  BoxTree tree_;
 };
 
 }  // namespace clearcut::verify

@@ -9,10 +9,8 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-/// Shares of the tool radius: the tightest radius with which a cut leaves a wall; upper bound for the
-/// tightest radius allowed after that.
+/// Share of the tool radius: the tightest radius with which a cut leaves a wall.
 constexpr double kLeastTurn = 0.02;
-constexpr double kWidestTurn = 0.5;
 /// Share of the tool radius: after this much advance along the wall no tighter departure is searched for.
 constexpr double kEnoughWall = 0.03;
 /// Share of the tool radius along a wall. A departure is moved back by up to this to the end of an edge,
@@ -21,22 +19,10 @@ constexpr double kNoMove = 0.02;
 /// Share of the tool radius. Before a stop (a corner), material thicker than this is cut off the wall as
 /// elsewhere.
 constexpr double kThick = 0.5;
-/// Shares of the tool radius: how long before the wall an arc that leads off it may begin, and the step
-/// between the lengths tried.
-constexpr double kLeastLead = 0.1;
-constexpr double kMostLead = 2.5;
-constexpr double kLeadStep = 0.05;
 /// Shares of the tool radius: one line or arc may replace several edges of a wall if it stays within
 /// kBentWall of it; it may be longer by the factor kMostDetour.
 constexpr double kBentWall = 0.1;
 constexpr double kMostDetour = 1.1;
-/// Crossings, in shares of the tool radius: how far they may leave the wall before the material that they are
-/// for, and before the last departure; the distance between the places that are tried; what a cut costs
-/// beside its length, for its link and its moves.
-constexpr double kBeforeMaterial = 0.3;
-constexpr double kFarthestAcross = 0.6;
-constexpr double kAcrossPitch = 0.16;
-constexpr double kCostOfCut = 1.1;
 /// Radians: turn between samples along an arc off the wall, and how far it is sampled, a quarter turn. An arc
 /// that meets another wall within fewer than kLeastLeave samples is not used.
 constexpr double kLeaveStep = 0.15;
@@ -44,8 +30,6 @@ constexpr double kLeaveTurn = 1.6;
 constexpr int kLeastLeave = 4;
 /// Number of bisections in the search for the last place to leave a wall.
 constexpr int kMostHalvings = 4;
-/// Factor from the curvature of an arc at the limit to the first guess for that of a crossing.
-constexpr double kTighterAcross = 1.1;
 /// Number of changes between wall and open without cutting, after which a cut ends.
 constexpr int kMostIdle = 4;
 /// mm along a wall: stands for no place.
@@ -89,7 +73,7 @@ Path Tracer::cut_on(Vec2 from, Vec2 heading, double curvature) {
   state_.heading = heading;
   state_.curvature = curvature;
   state_.engagement = 0;
-  state_.tightest = kWidestTurn * radius_;
+  state_.tightest = RadiusShares::kWidestTurn * radius_;
   return run(Next::kTrace);
 }
 
@@ -242,8 +226,8 @@ Tracer::Next Tracer::leave(double s, double radius) {
   if (first_departure_ == kNowhere) first_departure_ = s;
   std::optional<DepartureArc> off;
   if (path_.empty() && can_begin_) {
-    off = departure_arc(s, radius, 0);
-    const auto across = off ? crossing_arc(*off) : std::nullopt;
+    off = arcs().departure_arc(s, radius, 0);
+    const auto across = off ? arcs().crossing_arc(*off) : std::nullopt;
     if (across && begin_beside(*across)) return on_from(*across);
     if (off && begin_beside(*off)) return on_from(*off);
   }
@@ -251,7 +235,7 @@ Tracer::Next Tracer::leave(double s, double radius) {
   place_.s = s;
   const double turn = aimer_.turn_off(radius);
   for (const double kink : {0.0, turn}) {
-    if (!off) off = departure_arc(s, radius, kink);
+    if (!off) off = arcs().departure_arc(s, radius, kink);
     const double within = off ? length_within(off->arc) : 0;
     if (off && within > off->least) {
       state_ = off->from;
@@ -262,7 +246,7 @@ Tracer::Next Tracer::leave(double s, double radius) {
   }
   const Wall& wall = walls_.wall(place_.wall);
   const Vec2 from = wall.at(s), heading = wall.heading(s), center = from + left_of(heading) * radius;
-  state_ = state_at(s, radius, 0);
+  state_ = arcs().state_at(s, radius, 0);
   state_.off_wall.reset();
   state_.point = center + rotated(from - center, turn);
   state_.heading = rotated(heading, turn);
@@ -270,72 +254,12 @@ Tracer::Next Tracer::leave(double s, double radius) {
   return append(Edge::arc(from, state_.point, center, Turn::kCounterClockwise)) ? Next::kTrace : Next::kDone;
 }
 
-/// The cutter state on the wall at s, with the heading turned by `kink` radians off the wall.
-CutterState Tracer::state_at(double s, double radius, double kink) const {
-  const Wall& wall = walls_.wall(place_.wall);
-  return {wall.at(s), rotated(wall.heading(s), kink),          1 / radius, limit_ - kink,
-          radius,     std::min(radius, kWidestTurn * radius_), kink};
-}
-
-/// The arc aimed off the wall at s with the heading `kink` radians off the wall, up to the wall that it
-/// meets.
-std::optional<Tracer::DepartureArc> Tracer::departure_arc(double s, double radius, double kink) const {
-  const CutterState from = state_at(s, radius, kink);
-  const auto candidate = aimer_.find_candidate(from);
-  if (!candidate || !aimer_.leaves_wall(from, *candidate)) return std::nullopt;
-  return up_to_wall(s, from, *candidate);
-}
-
-/// The best single arc to another wall that leaves this wall where `off` does or before; nothing if a cut
-/// would lose too much by it.
-std::optional<Tracer::DepartureArc> Tracer::crossing_arc(const DepartureArc& off) const {
-  if (off.arc.turn != Turn::kCounterClockwise) return std::nullopt;
-  // Arcs that keep the limit for longer are tighter.
-  double guess = kTighterAcross / off.arc.radius(), best_value = 0, best_s = 0;
-  if (!aimer_.meets_wall(off.from, 1 / off.arc.radius())) return std::nullopt;
-  std::optional<Crossing> best;
-  const double first = std::max(material_s_ - kBeforeMaterial * radius_, off.s - kFarthestAcross * radius_);
-  for (double s = off.s - kAcrossPitch * radius_; s > first; s -= kAcrossPitch * radius_) {
-    const CutterState from = state_at(s, off.from.usual, 0);
-    const auto crossing = aimer_.across(from, guess);
-    if (!crossing || !aimer_.leaves_wall(from, crossing->candidate)) continue;
-    guess = crossing->candidate.curvature;
-    const double length = crossing->candidate.length,
-                 value = (length - crossing->lost) / (length + kCostOfCut * radius_);
-    if (value < best_value) break;
-    if (!crossing->loses_little()) continue;
-    best = crossing;
-    best_value = value;
-    best_s = s;
-  }
-  if (!best) return std::nullopt;
-  const CutterState from = state_at(best_s, off.from.usual, 0);
-  const auto candidate = aimer_.surely_within(from, best->candidate);
-  return candidate ? std::optional(up_to_wall(best_s, from, *candidate)) : std::nullopt;
-}
-
-/// The candidate as a departure arc from s. If it meets another wall, or ends near one, and the cut can go on
-/// along that, the arc is changed a little to end on it.
-Tracer::DepartureArc Tracer::up_to_wall(double s, const CutterState& from, CandidateArc candidate) const {
-  const double least = 2 * aimer_.length_off(from, candidate),
-               beyond = candidate.length + RadiusShares::kEndsAtWall * radius_,
-               inside = aimer_.length_inside(from, {candidate.curvature, beyond, candidate.kink});
-  if (inside < beyond) candidate = {candidate.curvature, inside, candidate.kink, true};
-  DepartureArc off{s, from, edge_of(from, candidate), least, std::nullopt};
-  if (!candidate.meets_wall) return off;
-  const auto landing = landing_of(from, candidate, candidate.length);
-  if (!landing || !remaining_.is_legal(landing->arc)) return off;
-  off.arc = landing->arc;
-  off.met = landing->place;
-  return off;
-}
-
 /// Begins the cut at an approach point on the circle of the arc, before the arc touches the wall. True if
 /// enough of the arc was cut.
 bool Tracer::begin_beside(const DepartureArc& off) {
   const Edge& from_wall = off.arc;
   if (from_wall.turn != Turn::kCounterClockwise) return false;
-  const auto approach_point = approach_point_before(off.s, from_wall);
+  const auto approach_point = arcs().approach_point_before(off.s, from_wall);
   if (!approach_point ||
       !remaining_.is_legal(Edge::arc(*approach_point, from_wall.from, from_wall.center, from_wall.turn)))
     return false;
@@ -351,22 +275,6 @@ bool Tracer::begin_beside(const DepartureArc& off) {
   go(arc, within);
   state_.usual -= lead;
   return true;
-}
-
-/// The last clear point on the arc's circle before it touches the wall at s; nothing if too much would stay
-/// on the wall.
-std::optional<Vec2> Tracer::approach_point_before(double s, const Edge& arc) const {
-  const double radius = arc.radius();
-  const WallPlace material{place_.wall, std::min(material_s_, s)};
-  const double follows = s - material.s, farthest = std::min(radius, kMostLead * radius_),
-               stays = distance(arc.center, walls_.point(material)) - radius;
-  if (follows > radius / 2 || stays > walls_.residual(material)) return std::nullopt;
-  for (double lead = std::max(kLeastLead * radius_, follows / 2); lead < farthest;
-       lead += kLeadStep * radius_) {
-    const Vec2 approach_point = arc.center + rotated(arc.from - arc.center, -lead / radius);
-    if (!remaining_.touches(approach_point, RemainingStock::kFree)) return approach_point;
-  }
-  return std::nullopt;
 }
 
 /// What follows an arc off a wall: the wall that it ends on, else more arcs.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "plan/adaptive/trace/arc_aimer.h"
+#include "plan/adaptive/trace/wall_arcs.h"
 #include "plan/adaptive/trace/walls.h"
 
 namespace clearcut::plan::adaptive {
@@ -43,20 +44,8 @@ class Tracer {
   struct Mark {
     std::size_t moves = 0, cuts = 0;
   };
-  /// An arc off a wall and the cutter state that it begins with. It is used if at least `least` mm of it can
-  /// be cut.
-  struct DepartureArc {
-    double s = 0;  ///< mm along the wall
-    CutterState from;
-    Edge arc;
-    double least = 0;
-    std::optional<WallPlace> met;  ///< the place where the arc ends on a wall
-  };
-  /// An arc that ends on a wall at so small an angle that the cut goes on along the wall.
-  struct Landing {
-    Edge arc;
-    WallPlace place;
-  };
+  /// The arcs between the wall that the cut follows and others.
+  WallArcs arcs() const { return {remaining_, walls_, aimer_, limit_, place_, material_s_}; }
 
   Path run(Next next);
   Mark mark() const;
@@ -70,12 +59,7 @@ class Tracer {
   double latest_departure(double s_clear, double s_over, double radius, double least);
   bool can_leave(double s, double radius);
   Next leave(double s, double radius);
-  CutterState state_at(double s, double radius, double kink) const;
-  std::optional<DepartureArc> departure_arc(double s, double radius, double kink) const;
-  std::optional<DepartureArc> crossing_arc(const DepartureArc& off) const;
-  DepartureArc up_to_wall(double s, const CutterState& from, CandidateArc candidate) const;
   bool begin_beside(const DepartureArc& off);
-  std::optional<Vec2> approach_point_before(double s, const Edge& arc) const;
   Next on_from(const DepartureArc& off);
   void follow_from(const WallPlace& place);
   bool append_wall(double s_from, double s_to);
@@ -83,9 +67,6 @@ class Tracer {
 
   Next trace();
   Next meet_wall(const CandidateArc& candidate, double inside);
-  std::optional<Landing> landing_of(const CutterState& from, const CandidateArc& candidate,
-                                    double inside) const;
-  bool leads_along(const WallPlace& met, Vec2 heading) const;
   bool step_to_wall(const WallPlace& place);
 
   bool is_within(const Edge& edge) const;

@@ -12,14 +12,6 @@ constexpr double kShortestArc = 0.02;
 /// Share of the tool radius: the smallest radius of turn that is tried where the engagement rises whatever
 /// the cutter does.
 constexpr double kTightest = 0.1;
-/// Share of the tool radius. If the wall still touches material for this length, a cut that meets it goes on
-/// along it.
-constexpr double kShortWall = 0.2;
-/// Cosine of the angle between heading and wall. A cut that meets a wall at a smaller angle goes on along it.
-constexpr double kSlide = 0.5;
-/// The last move to a wall ends this many times its distance farther on along the wall: 2 is an angle of 27
-/// degrees.
-constexpr double kMeetSlope = 2;
 /// Number of arcs after which a cut ends: a bound that no cut comes near to.
 constexpr int kMostArcs = 20000;
 
@@ -108,7 +100,7 @@ Tracer::Next Tracer::trace() {
 
 /// Goes to the wall where the candidate leaves the area, and goes on along it if it is met at a small angle.
 Tracer::Next Tracer::meet_wall(const CandidateArc& candidate, double inside) {
-  const auto landing = landing_of(state_, candidate, inside);
+  const auto landing = arcs().landing_of(state_, candidate, inside);
   if (landing && remaining_.is_legal(landing->arc) && is_within(landing->arc)) {
     take(landing->arc);
     follow_from(landing->place);
@@ -119,27 +111,6 @@ Tracer::Next Tracer::meet_wall(const CandidateArc& candidate, double inside) {
     if (gone < inside) return gone < kShortestArc * radius_ ? Next::kDone : Next::kTrace;
   }
   return landing && step_to_wall(landing->place) ? Next::kWall : Next::kDone;
-}
-
-/// The candidate changed a little to end on the wall that it meets after `inside` mm; nothing if the cut
-/// could not go on along that wall.
-std::optional<Tracer::Landing> Tracer::landing_of(const CutterState& from, const CandidateArc& candidate,
-                                                  double inside) const {
-  const auto [end, heading] = after(from, candidate, inside);
-  WallPlace met = walls_.nearest(end);
-  if (!leads_along(met, heading)) return std::nullopt;
-  met.s += kMeetSlope * distance(end, walls_.point(met));
-  return Landing{arc_to(from, candidate.kink, walls_.point(met)), met};
-}
-
-/// Whether a cut that meets a wall with that heading goes on along it: the angle is small and the wall still
-/// touches material.
-bool Tracer::leads_along(const WallPlace& met, Vec2 heading) const {
-  if (dot(heading, walls_.wall(met.wall).heading(met.s)) < kSlide ||
-      !walls_.touches_after({met.wall, met.s + kShortWall * radius_}, radius_))
-    return false;
-  return met.wall != place_.wall || met.s >= place_.s + RadiusShares::kLeastCut * radius_ ||
-         met.s <= place_.s - radius_;
 }
 
 /// Goes straight to a wall that the cut has come near to.

@@ -1,0 +1,190 @@
+#include "arguments/plan_arguments.h"
+
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "arguments/quantities.h"
+
+namespace clearcut::cli {
+namespace {
+
+/// Whether as published.
+const std::map<std::string, bool> kGrids{{"ours", false}, {"published", true}};
+/// Whether along bisectors.
+const std::map<std::string, bool> kPassages{{"bisector", true}, {"shortest", false}};
+
+std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
+  if (!mm_per_min) return std::nullopt;
+  return MmPerMin::of(*mm_per_min);
+}
+
+Vec2 point_of(const std::string& text, const char* option) {
+  Vec2 point;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf%c", &point.x, &point.y, &rest) != 2 || !std::isfinite(point.x) ||
+      !std::isfinite(point.y)) {
+    throw InputError(option, "'" + text + "' is not a point; write X,Y in mm");
+  }
+  return point;
+}
+
+/// A tool library and the files that its tools lie in.
+void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
+  files.push_back({"tools", library.string()});
+  for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
+}
+
+}  // namespace
+
+ShopOptions PlanArguments::shop(const ShopOptions& of_job) const {
+  ShopOptions own = shop_;
+  own.lead_feed = feed_of(lead_feed_);
+  own.link_feed = feed_of(link_feed_);
+  if (rest_) own.rest = true;
+  return own.or_else(of_job);
+}
+
+ReadOptions PlanArguments::read_options() const {
+  ReadOptions options;
+  options.ask_if_unclear = true;
+  for (const auto& text : operations_) options.layer_rules.push_back(rule_of_option(text, "--op"));
+  if (scale_) options.scale = *scale_;
+  options.scale_is_right = scale_.has_value();
+  if (join_gap_) options.join_gap = join_gap_;
+  if (open_curves_) {
+    options.open_curves = *open_curves_ == "skip" ? OpenCurves::kSkip : OpenCurves::kRefuse;
+  }
+  options.unit = unit_;
+  options.layers = layers_;
+  options.top = top_;
+  options.depth = depth_;
+  options.solid = solid_;
+  for (const Tool& tool : tools())
+    if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
+  return options;
+}
+
+Part PlanArguments::read_overview(DrawingOverview& overview) const {
+  ReadOptions options = read_options();
+  options.overview = &overview;
+  return read_part(input_, options);
+}
+
+Part PlanArguments::read() const {
+  const auto from_job = job();
+  Part part = from_job ? part_of_job(*from_job, read_options(), step_sources_, step_published_)
+                       : read_part(input_, read_options());
+  if (clearance_z_) part.clearance_z = clearance_z_;
+  part.diagnostics.append(library().diagnostics);
+  return part;
+}
+
+std::optional<JobFile> PlanArguments::job() const {
+  if (std::filesystem::path(input_).extension() != ".toml") return std::nullopt;
+  return read_job(input_);
+}
+
+std::vector<Tool> PlanArguments::tools() const {
+  std::vector<Tool> tools;
+  if (tool_library_) {
+    for (const auto& entry : library().tools) tools.push_back(entry.tool);
+  }
+  for (const auto& text : tools_) tools.push_back(parse_tool(text));
+  return tools;
+}
+
+std::vector<std::string> PlanArguments::input_paths() const {
+  std::vector<std::string> paths;
+  for (const CertificateFileName& file : input_files()) paths.push_back(file.path);
+  return paths;
+}
+
+std::vector<CertificateFileName> PlanArguments::input_files() const {
+  std::vector<CertificateFileName> files;
+  const auto job = this->job();
+  files.push_back({job ? "job" : "part", input_});
+  if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
+  if (tool_library_) add_library(*tool_library_, files);
+  if (job && !tool_library_ && job->tool_library) add_library(*job->tool_library, files);
+  if (machine_file_) files.push_back({"machine", *machine_file_});
+  if (job && !machine_file_ && job->machine_file) files.push_back({"machine", job->machine_file->string()});
+  if (after_) files.push_back({"earlier program", *after_});
+  if (job && !after_ && job->after) files.push_back({"earlier program", job->after->string()});
+  return files;
+}
+
+ToolLibrary PlanArguments::library() const {
+  return tool_library_ ? read_tool_library(*tool_library_, {}) : ToolLibrary{};
+}
+
+Machine PlanArguments::machine(const Machine& of_job) const {
+  Machine machine = machine_file_ ? read_machine(*machine_file_) : of_job;
+  if (acceleration_) machine.acceleration = *acceleration_;
+  if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
+  if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
+  return machine;
+}
+
+void PlanArguments::take_sources(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string name = option->get_lnames().front();
+    typed_.set(name.starts_with("no-") ? name.substr(3) : name, {Origin::kUser, "--" + name});
+  }
+}
+
+/// The command line goes before the job, the job before the defaults.
+PlanOptions PlanArguments::options() const {
+  const auto from_job = job();
+  PlanOptions options = from_job ? options_of_job(*from_job) : PlanOptions{};
+  options.tools = tools();
+  if (tool_library_ || !tools_.empty()) options.tool_cutting = cutting_of_tools(library().tools, "");
+  options.machine = machine(options.machine);
+  options.accept.insert(options.accept.end(), accept_.begin(), accept_.end());
+  if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
+  options.step_sources = step_sources_;
+  options.sources.merge(typed_);
+  options.strategy = strategy_;
+  if (stepover_) options.stepover = stepover_;
+  options.angle_deg = angle_;
+  options.stepdown = stepdown_;
+  options.allowance = allowance_;
+  options.allowance_floor = allowance_floor_;
+  if (engagement_) options.engagement_deg = engagement_;
+  if (entry_) options.entry = entry_named(*entry_, "--entry");
+  if (entry_angle_) options.entry_angle = Radians::of_degrees(*entry_angle_);
+  options.lead = lead_;
+  if (lead_angle_) options.lead_angle = Radians::of_degrees(*lead_angle_);
+  options.scallop = scallop_;
+  options.tabs = tabs_;
+  options.shop = shop(options.shop);
+  const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
+  // The height that the program calls home is the machine's, which may be another than the job's.
+  if (earlier && (after_ || machine_file_)) options.earlier = read_earlier_program(*earlier, options.machine);
+  for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
+  if (direction_) options.direction = direction_named(*direction_, "--direction");
+  options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
+  if (start_) options.start = point_of(*start_, "--start");
+  options.cutting.feed = feed_of(feed_);
+  options.cutting.plunge_feed = feed_of(plunge_feed_);
+  options.cutting.ramp_feed = feed_of(ramp_feed_);
+  options.cutting.slot_feed = feed_of(slot_feed_);
+  options.cutting.spindle_rpm = spindle_;
+  options.post = post_.options(options.post);
+  options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
+                       solver_.solver()};
+  options.step_published = step_published_;
+  if (objective_) options.objective = *objective_;
+  if (time_) options.time_s = time_;
+  if (seed_) options.seed = *seed_;
+  options.threads = threads_;
+  check_options(options);
+  return options;
+}
+
+}  // namespace clearcut::cli

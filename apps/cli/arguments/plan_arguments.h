@@ -1,0 +1,118 @@
+// The options that plan, compare and verify share, as the user types them.
+#pragma once
+
+#include <clearcut/part.h>
+#include <clearcut/plan.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "arguments/certificate_info.h"
+#include "arguments/post_arguments.h"
+#include "arguments/solver_arguments.h"
+
+namespace clearcut::cli {
+
+/// Raw option values; `options()` turns them into PlanOptions or throws InputError.
+class PlanArguments {
+ public:
+  void add_part_options(CLI::App& command, const std::string& input_name);
+  /// Which tools there are; add_tool_options adds these, too.
+  void add_tool_list_options(CLI::App& command);
+  void add_tool_options(CLI::App& command);
+  void add_cutting_options(CLI::App& command);
+
+  /// Before options(), which tell where the values of a job stand only then.
+  Part read() const;
+  /// The names of all options that were typed, for the origins of values.
+  void take_sources(const CLI::App& command);
+  /// Of a drawing, without asking for depth or roles.
+  Part read_overview(DrawingOverview& overview) const;
+  PlanOptions options() const;
+  const std::string& input() const { return input_; }
+  /// Every file that the options rest on, by its role, those that a job names included.
+  std::vector<CertificateFileName> input_files() const;
+  /// The paths alone.
+  std::vector<std::string> input_paths() const;
+  const SolidOptions& solid() const { return solid_; }
+  /// The job file, when the input is one.
+  std::optional<JobFile> job() const;
+
+ private:
+  ReadOptions read_options() const;
+  void add_drawing_options(CLI::App& command);
+  std::vector<Tool> tools() const;
+  ToolLibrary library() const;
+  void add_strategy_options(CLI::App& command);
+  void add_shop_options(CLI::App& command);
+  void add_entry_options(CLI::App& command);
+  void add_lead_options(CLI::App& command);
+  void add_feed_options(CLI::App& command);
+  void add_stage_options(CLI::App& command);
+  void add_search_options(CLI::App& command);
+  Machine machine(const Machine& of_job) const;
+  ShopOptions shop(const ShopOptions& of_job) const;
+
+  std::string input_;
+  Sources typed_;
+  mutable StepChoices step_published_;  ///< likewise
+  mutable StepSources step_sources_;    ///< of the part that was read
+  std::vector<std::string> tools_;
+  std::optional<std::string> unit_;
+  std::vector<std::string> layers_;
+  std::vector<std::string> operations_;
+  std::optional<double> scale_;
+  std::optional<double> join_gap_;
+  std::optional<std::string> open_curves_;
+  TabOptions tabs_;
+  std::optional<double> top_;
+  std::optional<double> depth_;
+  SolidOptions solid_;
+  std::optional<std::string> tool_library_;
+  std::optional<std::string> machine_file_;
+  std::vector<std::string> accept_;
+  std::optional<std::string> strategy_;
+  std::optional<std::string> stepover_;
+  std::optional<double> angle_;
+  std::optional<double> stepdown_;
+  std::optional<double> allowance_;
+  std::optional<double> allowance_floor_;
+  std::optional<double> engagement_;
+  std::optional<std::string> entry_;
+  std::optional<double> entry_angle_;
+  std::vector<std::string> predrilled_;
+  std::optional<double> lead_;
+  std::optional<double> lead_angle_;
+  std::optional<double> scallop_;
+  std::optional<double> lead_feed_;
+  std::optional<double> link_feed_;
+  std::optional<double> ramp_feed_;
+  std::optional<double> slot_feed_;
+  std::optional<std::string> after_;
+  bool rest_ = false;
+  ShopOptions shop_;
+  std::optional<std::string> direction_;
+  std::optional<std::string> order_;
+  std::optional<std::string> passage_;
+  std::optional<std::string> grid_;
+  SolverArguments solver_;
+  std::optional<std::string> start_;
+  std::optional<double> feed_;
+  std::optional<double> plunge_feed_;
+  std::optional<double> spindle_;
+  std::optional<double> acceleration_;
+  std::optional<double> junction_deviation_;
+  std::optional<double> rapid_feed_;
+  PostArguments post_;
+  std::optional<double> clearance_z_;
+  std::optional<std::string> objective_;
+  std::optional<double> time_;
+  std::optional<std::uint64_t> seed_;
+  int threads_ = 0;
+};
+
+}  // namespace clearcut::cli

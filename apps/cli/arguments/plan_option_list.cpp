@@ -1,0 +1,245 @@
+// Which options there are, and what help says of them.
+#include <clearcut/plan.h>
+
+#include "arguments/plan_arguments.h"
+#include "arguments/quantities.h"
+#include "arguments/suggest.h"
+
+namespace clearcut::cli {
+
+void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
+  command.option_defaults()->group("Input");
+  if (input_name == "INPUT") {
+    command.add_option("INPUT", input_, "Part: .p21 .stp .step .stpnc .dxf .svg .json .edges .toml")
+        ->required()
+        ->type_name("FILE");
+  } else {
+    command.add_option(input_name, input_, "Part the program is for")->required()->type_name("FILE");
+  }
+  command.add_option("--unit", unit_, "Unit of a drawing that names none: mm, cm, m, inch, px")
+      ->check(for_example({"mm", "cm", "m", "inch", "px"}));
+  command.add_option("--layer", layers_, "Layer of a drawing to read (repeatable; default all)");
+  command.add_option("--top", top_, "Z of the top of the material for outlines and drawings, mm (default 0)")
+      ->transform(as_length());
+  command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm")->transform(as_length());
+  add_drawing_options(command);
+  command.option_defaults()->group("Solids");
+  command.add_option(
+      "--up", solid_.up,
+      "Side of a solid that looks up: +Z, -Z, +X, -X, +Y, -Y, or face12 for a flat face of `info`");
+  command.add_option("--turn", solid_.turn_deg,
+                     "Turn of a solid about the vertical, degrees counter-clockwise seen from above");
+  command.add_option("--body", solid_.body, "Body of an assembly to make: its name or number, or all");
+  command
+      .add_option("--breakthrough", solid_.breakthrough,
+                  "How far through cuts go below the material, mm (default 0.5; profiles of drawings 0)")
+      ->check(CLI::NonNegativeNumber);
+}
+
+void PlanArguments::add_drawing_options(CLI::App& command) {
+  command.option_defaults()->group("Drawings");
+  command.add_option(
+      "--op", operations_,
+      "KIND:SELECTION, what outlines of a drawing are for: pocket, profile, inside, drill, engrave, "
+      "vcarve, chamfer, face, island or ignore, with a depth as in profile_d6; the selection is a layer, a "
+      "colour, outer "
+      "or numbers of `info` (repeatable)");
+  command
+      .add_option("--tabs", tabs_.count,
+                  "Tabs that hold what a profile cuts free, of each profile (default none)")
+      ->check(CLI::Range(0, 100));
+  command.add_option("--tab-width", tabs_.width, "Of tabs along the outline, mm (default 4)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--tab-height", tabs_.height,
+                  "Of tabs over the underside of the material, mm (default 2, at most half the depth)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--scale", scale_, "Factor for a drawing's size (default 1)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--join-gap", join_gap_, "Gaps in outlines that are closed, mm (default 0.01)")
+      ->check(CLI::Range(1e-6, 10.0));
+  command.add_option("--open-curves", open_curves_, "Open lines of a drawing: refuse (default) or skip")
+      ->check(one_of({"refuse", "skip"}));
+}
+
+void PlanArguments::add_tool_list_options(CLI::App& command) {
+  command.option_defaults()->group("Tools");
+  command.add_option(
+      "--tool", tools_,
+      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :name=N :noplunge; "
+      "kinds: "
+      "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill (repeatable)");
+  command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml")
+      ->type_name("FILE");
+}
+
+void PlanArguments::add_tool_options(CLI::App& command) {
+  add_tool_list_options(command);
+  command.option_defaults()->group("Machine");
+  command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid")
+      ->type_name("FILE");
+  command.add_option("--accept", accept_,
+                     "Condition that holds at the machine, by its name (repeatable): g55, blending, ...");
+  command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2 (default 500)");
+  command.add_option("--junction-deviation", junction_deviation_,
+                     "Junction deviation of the machine, mm (default 0.01)");
+  command.add_option("--rapid", rapid_feed_, "Rapid feed of the machine, mm/min (default 5000)")
+      ->transform(as_feed());
+  command.option_defaults()->group("Limits");
+  command
+      .add_option("--stepdown", stepdown_,
+                  "Depth of one layer, mm (default: from the cutter; --explain says it)")
+      ->transform(as_length());
+  command.add_option("--allowance", allowance_, "Stock to leave on walls, mm (default 0)")
+      ->transform(as_length());
+  command.add_option("--allowance-floor", allowance_floor_, "Stock to leave on floors, mm (default 0)")
+      ->transform(as_length());
+  command.add_option("--engagement", engagement_,
+                     "Largest engagement angle of the cutter, degrees (default: no limit)");
+  command
+      .add_option("--material", shop_.material,
+                  "Of the work, for forces and wear (default: no forces): aluminium, brass, steel, "
+                  "alloy-steel, stainless, cast-iron, titanium")
+      ->check(one_of({"aluminium", "brass", "steel", "alloy-steel", "stainless", "cast-iron", "titanium"}));
+  command.option_defaults()->group("Search");
+  command.add_option("--threads", threads_, "Threads; 0: all cores (default 0)");
+}
+
+void PlanArguments::add_cutting_options(CLI::App& command) {
+  add_strategy_options(command);
+  add_shop_options(command);
+  post_.add_options(command);
+  add_search_options(command);
+}
+
+void PlanArguments::add_strategy_options(CLI::App& command) {
+  command.option_defaults()->group("Strategy");
+  command
+      .add_option(
+          "--strategy", strategy_,
+          "auto (default), contour, zigzag, spiral, adaptive, tour, or a published method: lom, rho, second, "
+          "lom-corrected, rho-corrected, fixed, loops, pwid, single, double, bisectors")
+      ->check(one_of(strategy_names()));
+  command
+      .add_option("--stepover", stepover_,
+                  "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "
+                  "commas, one a contour")
+      ->transform(as_stepover());
+  command.add_option("--angle", angle_,
+                     "Direction of zigzag lines against x, degrees (default: the fastest)");
+  command.add_option("--direction", direction_, "climb (default) or conventional")
+      ->check(one_of({"climb", "conventional"}));
+  command.add_option("--order", order_, "Contours inside-out (default) or outside-in")
+      ->check(one_of({"inside-out", "outside-in"}));
+  command
+      .add_option("--passage", passage_,
+                  "From contour to contour: bisector (of a corner; default of published methods) or shortest")
+      ->check(one_of({"bisector", "shortest"}));
+  command.add_option("--start", start_,
+                     "Where the cutting of contours begins, or adaptive clearing goes down: X,Y");
+}
+
+void PlanArguments::add_search_options(CLI::App& command) {
+  command.option_defaults()->group("Search");
+  command
+      .add_option("--objective", objective_,
+                  "Of the strategy tour: length, turns, angle, engagement, time (default), or weights "
+                  "1:length,20:turns")
+      ->check(for_example({"length", "turns", "angle", "engagement", "time"}));
+  command
+      .add_option("--grid", grid_,
+                  "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves)")
+      ->check(one_of({"ours", "published"}));
+  command.add_option("--time", time_, "Longest search, s (default: as long as it gains)");
+  command.add_option("--seed", seed_, "Seed of the search (default 1)");
+  solver_.add_options(command);
+  command.option_defaults()->group("Search");
+}
+
+void PlanArguments::add_feed_options(CLI::App& command) {
+  command.option_defaults()->group("Feeds and speeds");
+  command.add_option("--feed", feed_, "Cutting feed, mm/min (default: of the tool, else 1000)")
+      ->transform(as_feed());
+  command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min (default: 30 % of the feed)")
+      ->transform(as_feed());
+  command
+      .add_option("--ramp-feed", ramp_feed_, "Feed on ramps and helices, mm/min (default: 50 % of the feed)")
+      ->transform(as_feed());
+  command
+      .add_option("--slot-feed", slot_feed_,
+                  "Feed where the cutter is in the material all round, mm/min (default: the feed)")
+      ->transform(as_feed());
+  command.add_option("--slot-angle", shop_.slot_angle_deg,
+                     "Engagement above which the slot feed rules, degrees (default 150)");
+  command.add_option("--lead-feed", lead_feed_, "Feed on leads, mm/min (default: the feed)")
+      ->transform(as_feed());
+  command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min (default: the feed)")
+      ->transform(as_feed());
+  command.add_option("--spindle", spindle_, "Spindle speed, rpm (default: of the tool, else 100 m/min)");
+}
+
+void PlanArguments::add_shop_options(CLI::App& command) {
+  add_entry_options(command);
+  add_lead_options(command);
+  add_feed_options(command);
+  add_stage_options(command);
+}
+
+void PlanArguments::add_entry_options(CLI::App& command) {
+  command.option_defaults()->group("Entry");
+  command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge (default: helix where it fits)")
+      ->check(one_of({"helix", "ramp", "zigzag", "plunge"}));
+  command.add_option("--entry-angle", entry_angle_,
+                     "Steepest way down of a helix or ramp, degrees (default 3)");
+  command.add_option("--helix-diameter", shop_.helix_widest, "Widest helix of the cutter's centre, mm")
+      ->transform(as_length());
+  command.add_option("--helix-min", shop_.helix_narrowest, "Narrowest helix, mm; below it: ramp")
+      ->transform(as_length());
+  command.add_option("--predrilled", predrilled_, "X,Y:DIAMETER of a hole to enter by (repeatable)");
+  command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm (default: above the material)")
+      ->transform(as_length());
+}
+
+void PlanArguments::add_lead_options(CLI::App& command) {
+  command.option_defaults()->group("Leads and links");
+  command
+      .add_option("--lead", lead_,
+                  "Radius of the arcs into and out of passes along walls, mm (default: none)")
+      ->transform(as_length());
+  command.add_option("--lead-angle", lead_angle_,
+                     "Lines of that length at this angle to the pass instead of arcs, degrees");
+  command
+      .add_option("--lead-overlap", shop_.lead_overlap,
+                  "How far passes along walls run on over their start, mm (default 0)")
+      ->transform(as_length());
+  command
+      .add_option("--overrun", shop_.overrun,
+                  "How far beyond the edge of the material open sides are cut, mm (default 0)")
+      ->transform(as_length());
+  command.add_option("--link-lift", shop_.link_lift, "Lift between passes at depth, mm")
+      ->transform(as_length());
+}
+
+void PlanArguments::add_stage_options(CLI::App& command) {
+  command.option_defaults()->group("Rest and finishing");
+  command.add_flag("--rest", rest_, "Use all mills given, larger first, each on what is left");
+  command.add_option("--after", after_, "Program that has run before: cut only what it left")
+      ->type_name("FILE");
+  command
+      .add_option("--finish", shop_.finish,
+                  "Finishing after everything else: walls, floor or all (default: none)")
+      ->check(one_of({"walls", "floor", "all"}));
+  command
+      .add_option("--finish-stock", shop_.finish_stock, "Stock left on walls for finishing, mm (default 0.3)")
+      ->transform(as_length());
+  command
+      .add_option("--finish-stock-floor", shop_.finish_stock_floor,
+                  "Stock left on floors for finishing, mm (default 0.2)")
+      ->transform(as_length());
+  command.add_option("--finish-depths", shop_.finish_depths,
+                     "In how many depths walls are finished (default 1)");
+  command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm")
+      ->transform(as_length());
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,111 @@
+#include "arguments/suggest.h"
+
+#include <algorithm>
+
+namespace clearcut::cli {
+namespace {
+
+/// Letters to insert, remove, change or swap with the next.
+std::size_t steps_between(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> steps(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t k = 0; k <= b.size(); ++k) {
+      if (i == 0 || k == 0) {
+        steps[i][k] = i + k;
+        continue;
+      }
+      const std::size_t change = steps[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
+      steps[i][k] = std::min({steps[i - 1][k] + 1, steps[i][k - 1] + 1, change});
+      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
+        steps[i][k] = std::min(steps[i][k], steps[i - 2][k - 2] + 1);
+    }
+  }
+  return steps.back().back();
+}
+
+/// The nearest of the names, "" where none is near: a third of the letters may differ; or the only one that begins so.
+std::string nearest(const std::string& word, const std::vector<std::string>& names) {
+  constexpr std::size_t kLongest = 40;
+  const std::string asked = word.substr(0, kLongest);
+  std::string best;
+  std::size_t least = asked.size() / 3 + 2;
+  for (const auto& name : names) {
+    const std::size_t steps = steps_between(asked, name);
+    if (steps >= least) continue;
+    least = steps;
+    best = name;
+  }
+  if (!best.empty()) return best;
+  for (const auto& name : names) {
+    if (asked.size() > 3 && name.starts_with(asked)) return name;
+  }
+  return "";
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::string advice(const std::string& word, const std::vector<std::string>& names, const std::string& help) {
+  const std::string meant = nearest(word, names);
+  return meant.empty() ? "see " + help : "did you mean '" + meant + "'?";
+}
+
+}  // namespace
+
+CLI::Validator for_example(const std::vector<std::string>& names) {
+  return {[](std::string&) { return std::string(); }, "{" + CLI::detail::join(names, ",") + "}"};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  return {[names](std::string& text) {
+            if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
+            const std::string meant = nearest(text, names);
+            return "'" + text + "' is unknown; " + (meant.empty() ? "" : "did you mean '" + meant + "'? ") +
+                   "use one of " + CLI::detail::join(names, ", ");
+          },
+          "{" + CLI::detail::join(names, ",") + "}"};
+}
+
+std::string about_unexpected(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const auto parsed = app.get_subcommands();
+  if (parsed.empty()) {
+    const auto first = std::find_if(arguments.begin(), arguments.end(), [](const std::string& one) {
+      return !one.empty() && one.front() != '-';
+    });
+    if (!arguments.empty() && arguments.front().starts_with("-") &&
+        !nearest(arguments.front(), option_names(app)).empty())
+      return "'" + arguments.front() + "' is no option; " +
+             advice(arguments.front(), option_names(app), "clearcut --help");
+    if (first != arguments.end() && *first == "help")
+      return "'help' is no command; say clearcut --help, or clearcut COMMAND --help";
+    if (first == arguments.end() && !arguments.empty())
+      return "'" + arguments.front() +
+             "' comes before a command; name one: clearcut plan, see clearcut --help";
+    if (first == arguments.end())
+      return "a command is missing; for example clearcut plan, see clearcut --help";
+    return "'" + *first + "' is no command; " + advice(*first, command_names(app), "clearcut --help");
+  }
+  const CLI::App& command = *parsed.front();
+  const std::string help = "clearcut " + command.get_name() + " --help";
+  const auto extras = command.remaining();
+  const std::string word = extras.empty() ? "" : extras.front().substr(0, extras.front().find('='));
+  if (word.starts_with("-"))
+    return "'" + word + "' is no option of " + command.get_name() + "; " +
+           advice(word, option_names(command), help);
+  return "'" + word + "' is one argument too many for " + command.get_name() +
+         "; a name with blanks needs quotes, see " + help;
+}
+
+}  // namespace clearcut::cli

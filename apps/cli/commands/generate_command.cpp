@@ -1,0 +1,31 @@
+// clearcut generate: hidden; the build makes the man page and the shells' completions with it, and the server asks it for the options.
+#include <memory>
+
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "terminal/json_tables.h"
+#include "terminal/man_page.h"
+#include "terminal/output.h"
+
+namespace clearcut::cli {
+
+void add_generate_command(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("generate", "Print the man page, the completion of a shell, or all options as JSON");
+  command->group("");
+  auto what = std::make_shared<std::string>();
+  command->add_option("WHAT", *what, "What to print")
+      ->required()
+      ->check(one_of({"man", "bash", "zsh", "fish", "options"}));
+  command->callback([&app, what, &exit_code] {
+    const auto print_whole = *what == "man"    ? man_page
+                             : *what == "bash" ? bash_completion
+                             : *what == "zsh"  ? zsh_completion
+                             : *what == "fish" ? fish_completion
+                                               : options_json;
+    print_line(print_whole(app));
+    exit_code = kClean;
+  });
+}
+
+}  // namespace clearcut::cli

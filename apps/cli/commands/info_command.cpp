@@ -1,0 +1,133 @@
+#include <clearcut/plan.h>
+#include <clearcut/text.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "arguments/plan_arguments.h"
+#include "commands/commands.h"
+#include "terminal/json_tables.h"
+#include "terminal/output.h"
+
+namespace clearcut::cli {
+namespace {
+
+std::string extent(const Box& box) {
+  return fmt::format("x {}..{} y {}..{}", trimmed(box.min.x, 3), trimmed(box.max.x, 3), trimmed(box.min.y, 3),
+                     trimmed(box.max.y, 3));
+}
+
+std::string shape(const Feature& feature) {
+  std::size_t islands = 0, edges = 0, arcs = 0;
+  for (const auto& region : feature.target) {
+    islands += region.islands().size();
+    for (const auto& edge : region.edges()) {
+      ++edges;
+      arcs += edge.is_arc() ? 1u : 0u;
+    }
+  }
+  return fmt::format("{} region{}, {} island{}, {} edges ({} arcs)", feature.target.size(),
+                     feature.target.size() == 1 ? "" : "s", islands, islands == 1 ? "" : "s", edges, arcs);
+}
+
+void print_feature(const Feature& feature, const Tolerances& tol) {
+  print_line(fmt::format("{}  {}  {}", feature.name, name_of(feature.kind), feature.source));
+  print_line(fmt::format("    z {} to {}, {}, area {} mm2", trimmed(feature.top_z, 3),
+                         trimmed(feature.floor_z, 3), extent(box(feature.target)),
+                         trimmed(area(feature.target), 2)));
+  const double fits = largest_fitting_diameter(feature, tol);
+  print_line(fmt::format("    {}, largest cutter {}", shape(feature),
+                         fits > kOpenReach ? "any (open)" : trimmed(fits, 3) + " mm"));
+}
+
+void print_part(const Part& part) {
+  print_line(fmt::format("{}: {} features, {} workingsteps, {} tools", part.source_file, part.features.size(),
+                         part.workplan.size(), part.tools.size()));
+  if (part.stock) {
+    print_line(fmt::format("stock {} z {}..{}", extent(part.stock->plan), trimmed(part.stock->z_bottom, 3),
+                           trimmed(part.stock->z_top, 3)));
+  }
+  for (const auto& tool : part.tools) {
+    print_line(fmt::format("T{} {} {} mm", tool.number, name_of(tool.kind), trimmed(tool.diameter, 3)));
+  }
+  for (const auto& feature : part.features) print_feature(feature, Tolerances{});
+  for (const auto& step : part.workplan) {
+    print_line(fmt::format("step {} -> {}", step.name, feature_of(part, step).name));
+  }
+}
+
+std::string size_of(const OutlineSummary& one) {
+  if (one.diameter) return "circle of " + trimmed(*one.diameter, 3);
+  return trimmed(one.box.width(), 3) + " x " + trimmed(one.box.height(), 3);
+}
+
+/// One line an outline, as many as a person reads; the rest is counted.
+void print_overview(const std::string& file, const DrawingOverview& overview) {
+  constexpr std::size_t kMost = 200;
+  Box all;
+  for (const auto& one : overview.outlines) all.add(one.box);
+  print_line(fmt::format(
+      "{}: {} outlines, {} lines to engrave{}", file, overview.outlines.size(), overview.lines,
+      all.empty() ? "" : ", " + trimmed(all.width(), 3) + " x " + trimmed(all.height(), 3) + " mm"));
+  for (std::size_t i = 0; i < std::min(kMost, overview.outlines.size()); ++i) {
+    const auto& one = overview.outlines[i];
+    print_line(fmt::format("  {:>3}  layer {}, {} mm, {}, area {} mm2{}{}: {}{}", one.number, one.layer,
+                           size_of(one), extent(one.box), trimmed(one.area, 2),
+                           one.within > 0 ? ", within " + std::to_string(one.within) : "",
+                           one.depth ? ", depth " + trimmed(*one.depth, 3) : ", no depth", one.role,
+                           one.says_role ? "" : " (not said)"));
+  }
+  if (overview.outlines.size() > kMost)
+    print_line(fmt::format("  and {} more", overview.outlines.size() - kMost));
+}
+
+bool has_depths(const DrawingOverview& overview) {
+  return std::all_of(overview.outlines.begin(), overview.outlines.end(),
+                     [](const auto& one) { return one.depth.has_value(); });
+}
+
+const std::string kNoDepth = "how deep; --depth MM, or in layers' names as in POCKET_D5";
+
+/// What must be said before a drawing can be planned.
+std::vector<std::string> asked_of(const DrawingOverview& overview) {
+  std::vector<std::string> asks;
+  if (!overview.question.empty()) asks.push_back(overview.question);
+  if (!has_depths(overview)) asks.push_back(kNoDepth);
+  return asks;
+}
+
+void print_info(const PlanArguments& arguments, bool as_json) {
+  DrawingOverview overview;
+  Part part = arguments.read_overview(overview);
+  const bool drawing = part.features.empty();
+  const auto asks = drawing ? asked_of(overview) : std::vector<std::string>{};
+  const Diagnostics found = part.diagnostics;
+  if (drawing && asks.empty()) part = arguments.read();
+  if (as_json) return print_line(info_json(part, overview, asks));
+  print(found, true);
+  if (drawing) print_overview(part.source_file, overview);
+  for (const auto& ask : asks) print_line("to be said: " + ask);
+  if (asks.empty()) print_part(part);
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, int& exit_code) {
+  auto* command =
+      app.add_subcommand("info", "Say what a part holds, which cutters fit, and what was found wrong");
+  command->group("Reading");
+  auto state = std::make_shared<PlanArguments>();
+  auto as_json = std::make_shared<bool>(false);
+  state->add_part_options(*command, "INPUT");
+  command->option_defaults()->group("Output");
+  command->add_flag("--json", *as_json, "Print JSON");
+  command->callback([state, as_json, &exit_code] {
+    print_info(*state, *as_json);
+    exit_code = kClean;
+  });
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,260 @@
+// compare, tools and reproduce: commands that print tables.
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
+#include <clearcut/plan.h>
+#include <clearcut/studies.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "arguments/plan_arguments.h"
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "terminal/json_tables.h"
+#include "terminal/output.h"
+#include "terminal/progress.h"
+
+namespace clearcut::cli {
+
+namespace {
+
+const std::string kStops = "Ctrl-C stops.";
+
+/// How the answer of a command is printed.
+struct Answer {
+  bool as_markdown = false;
+  bool as_json = false;
+  void add_options(CLI::App& command) {
+    command.option_defaults()->group("Output");
+    auto* page = command.add_flag("--markdown", as_markdown, "Print a Markdown table");
+    command.add_flag("--json", as_json, "Print JSON")->excludes(page);
+  }
+};
+
+/// What compare is asked for besides a part.
+struct CompareCommand {
+  PlanArguments arguments;
+  Answer answer;
+  int random = 0;
+  std::string slower;
+};
+
+/// A pocket on which a rival is faster than ours, as an outline whose name says by how much.
+void write_slower(const studies::StudyCase& one, const std::string& folder) {
+  Part part = one.part;
+  part.name +=
+      fmt::format(", endmill:{}, contour {:.2f} s, {} {:.2f} s", part.tools.front().diameter,
+                  one.outcomes.at("contour").time_s, *one.faster, one.outcomes.at(*one.faster).time_s);
+  std::filesystem::create_directories(folder);
+  write_outputs({{folder + "/" + std::to_string(one.seed) + ".json", write_outline_json(part)}}, {});
+}
+
+void compare_at_random(const CompareCommand& command) {
+  const auto options = command.arguments.options();
+  if (command.answer.as_json)
+    throw InputError("--json", "is for the comparison of a part; leave out --random");
+  ProgressLine line(kStops);
+  std::size_t done = 0;
+  const auto study =
+      studies::study_methods(command.random, options.seed, options, [&](const studies::StudyCase& one) {
+        if (one.faster && !command.slower.empty()) write_slower(one, command.slower);
+        line.count(++done, static_cast<std::size_t>(command.random), "pockets");
+      });
+  line.end();
+  print_table(studies::study_table(study), command.answer.as_markdown);
+}
+
+void compare_part(const CompareCommand& command) {
+  const Part part = command.arguments.read();
+  const PlanOptions options = command.arguments.options();
+  ProgressLine line(kStops);
+  const auto runs = run_strategies(
+      part, options, [&](std::size_t done, std::size_t of) { line.count(done, of, "strategies"); });
+  line.end();
+  if (command.answer.as_json) return print_line(strategies_json(part, runs));
+  print_table(strategy_table(part, options, runs), command.answer.as_markdown);
+}
+
+/// What reproduce is asked for.
+struct ReproduceCommand {
+  std::vector<std::string> names;
+  bool list = false;
+  bool all = false;
+  bool quiet = false;
+  bool resume = false;
+  std::string json;
+  std::string html;
+};
+
+TextTable list_of_tables() {
+  TextTable table;
+  table.columns = {
+      {"name", report::Align::kLeft}, {"in the texts", report::Align::kLeft}, {"seconds of a core"}};
+  for (const auto& one : studies::reproducible_tables())
+    table.add({one.name + (one.is_long ? " *" : ""), one.place, fmt::format("{:g}", one.cost_s)});
+  table.notes.emplace_back("*: runs by name or with --all");
+  return table;
+}
+
+std::vector<const studies::ReproducibleTable*> chosen_tables(const ReproduceCommand& command) {
+  std::vector<const studies::ReproducibleTable*> tables;
+  for (const auto& name : command.names) tables.push_back(&studies::reproducible_table(name));
+  if (!tables.empty()) return tables;
+  for (const auto& table : studies::reproducible_tables())
+    if (command.all || !table.is_long) tables.push_back(&table);
+  return tables;
+}
+
+/// Made now, or kept from an earlier run.
+studies::NamedReproduction reproduction(const studies::ReproducibleTable& table,
+                                        const std::vector<studies::NamedReproduction>& kept, bool is_quiet) {
+  for (const auto& one : kept)
+    if (one.name == table.name) return one;
+  std::optional<ProgressLine> line;
+  if (!is_quiet) line.emplace(kStops).expect("reproduce " + table.name, table.cost_s);
+  return {table.name, table.place, table.make()};
+}
+
+/// Tables of an earlier run that was asked to write the same file; none where there is no such file yet.
+std::vector<studies::NamedReproduction> kept_tables(const ReproduceCommand& command) {
+  if (!command.resume) return {};
+  if (command.json.empty() || command.json == "-")
+    throw InputError("--resume", "takes up the tables of a file; add --json FILE");
+  if (!std::filesystem::exists(command.json)) return {};
+  return studies::read_reproduction_json(read_file(command.json), command.json);
+}
+
+bool is_among(const std::vector<const studies::ReproducibleTable*>& tables, const std::string& name) {
+  return std::any_of(tables.begin(), tables.end(), [&](const auto* table) { return table->name == name; });
+}
+
+void print_reproduction(const studies::Reproduction& reproduction) {
+  auto text = reproduction.table;
+  if (!reproduction.compared.empty()) text.notes.push_back(reproduction.summary());
+  print_table(text);
+  std::fflush(stdout);
+}
+
+/// The JSON file is there after every table, so that a run that is broken off can be taken up again.
+void reproduce_tables(const ReproduceCommand& command) {
+  if (command.list) return print_table(list_of_tables());
+  const bool is_file = !command.json.empty() && command.json != "-";
+  const auto kept = kept_tables(command);
+  const auto tables = chosen_tables(command);
+  std::vector<studies::NamedReproduction> made;
+  for (const auto& one : kept)
+    if (!is_among(tables, one.name)) made.push_back(one);
+  for (const auto* table : tables) {
+    made.push_back(reproduction(*table, kept, command.quiet));
+    if (command.json != "-" && command.html != "-") print_reproduction(made.back().reproduction);
+    if (is_file) write_outputs({{command.json, studies::reproduction_json(made)}}, {});
+  }
+  if (command.json == "-") write_outputs({{command.json, studies::reproduction_json(made)}}, {});
+  if (!command.html.empty()) write_outputs({{command.html, studies::reproduction_page(made)}}, {});
+  if (command.quiet || !command.names.empty() || command.all) return;
+  for (const auto& table : studies::reproducible_tables())
+    if (table.is_long) fmt::print(stderr, "not run, it is long: clearcut reproduce {}\n", table.name);
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("compare", "Plan a part by every strategy and rival, in one table");
+  command->group("Choosing");
+  auto state = std::make_shared<CompareCommand>();
+  state->arguments.add_part_options(*command, "INPUT");
+  state->arguments.add_tool_options(*command);
+  state->arguments.add_cutting_options(*command);
+  command->get_option("INPUT")->required(false);
+  state->answer.add_options(*command);
+  command->option_defaults()->group("Study at random");
+  command
+      ->add_option("--random", state->random, "Compare the contour methods on so many random pockets instead")
+      ->check(CLI::Range(1, 1'000'000));
+  command
+      ->add_option("--slower", state->slower,
+                   "Folder for outlines on which a published method is faster than ours")
+      ->type_name("FOLDER");
+  command->callback([state, &exit_code] {
+    exit_code = kClean;
+    if (state->random > 0) return compare_at_random(*state);
+    if (state->arguments.input().empty())
+      throw InputError("compare", "give a part, or --random and how many");
+    compare_part(*state);
+  });
+}
+
+namespace {
+
+struct ToolsCommand {
+  PlanArguments arguments;
+  ToolSpeeds speeds;
+  Answer answer;
+};
+
+void compare_cutters(const ToolsCommand& command) {
+  const Part part = command.arguments.read();
+  const PlanOptions options = command.arguments.options();
+  ProgressLine line(kStops);
+  const auto comparison = compare_tools(part, command.speeds, options, [&](std::size_t done, std::size_t of) {
+    line.count(done, of, "plans");
+  });
+  line.end();
+  if (command.answer.as_json) return print_line(tools_json(part, comparison));
+  print_table(tool_table(part, command.speeds, comparison), command.answer.as_markdown);
+}
+
+}  // namespace
+
+void add_tools_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("tools", "Plan a part with each of several cutters, in one table");
+  command->group("Choosing");
+  auto state = std::make_shared<ToolsCommand>();
+  state->arguments.add_part_options(*command, "INPUT");
+  state->arguments.add_tool_options(*command);
+  state->arguments.add_cutting_options(*command);
+  command->option_defaults()->group("Feeds and speeds");
+  command->add_option("--cutting-speed", state->speeds.cutting_speed,
+                      "At the circumference, m/min: gives the spindle (default 100)");
+  command->add_option("--feed-per-tooth", state->speeds.feeds_per_tooth,
+                      "mm, one for each tool or one for all: gives the feed");
+  command->add_option("--tool-change", state->speeds.tool_change_s, "Time of a tool change in a sequence, s")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+  state->answer.add_options(*command);
+  command->callback([state, &exit_code] {
+    compare_cutters(*state);
+    exit_code = kClean;
+  });
+}
+
+void add_reproduce_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("reproduce", "Print the published tables beside our figures");
+  command->group("Research");
+  auto state = std::make_shared<ReproduceCommand>();
+  std::vector<std::string> names;
+  for (const auto& table : studies::reproducible_tables()) names.push_back(table.name);
+  command->option_defaults()->group("Input");
+  command->add_option("TABLE", state->names, "Tables by name, see --list; default all but the long ones")
+      ->check(one_of(names));
+  command->add_flag("--list", state->list, "List the tables and what each costs, and run nothing");
+  command->add_flag("--all", state->all, "The long ones, too");
+  command->option_defaults()->group("Output");
+  command->add_option("--json", state->json, "Tables with every printed cell judged to write (JSON)")
+      ->type_name("FILE");
+  command->add_option("--html", state->html, "The same as one page to write")->type_name("FILE");
+  command->add_flag("--resume", state->resume,
+                    "Keep the tables that the file of --json has already, make the others");
+  command->add_flag("--quiet", state->quiet, "No progress");
+  command->callback([state, &exit_code] {
+    reproduce_tables(*state);
+    exit_code = kClean;
+  });
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,96 @@
+#include "terminal/help_text.h"
+
+#include <clearcut/text.h>
+
+#include <algorithm>
+
+#include "terminal/option_table.h"
+#include "terminal/terminal.h"
+
+namespace clearcut::cli {
+namespace {
+
+constexpr std::size_t kIndent = 2;
+constexpr std::size_t kHelpColumn = 28;
+constexpr std::size_t kWidest = 110;  // longer lines are hard to read
+
+/// "  --tool TEXT           what it is", the right column wrapped; on lines of its own below a long left one.
+std::string help_entry(const std::string& left, const std::string& help, std::size_t width) {
+  std::string text = std::string(kIndent, ' ') + left;
+  if (text.size() + 2 > kHelpColumn) {
+    text += "\n" + std::string(kHelpColumn, ' ');
+  } else {
+    text.resize(kHelpColumn, ' ');
+  }
+  const auto lines = wrapped(help, width - kHelpColumn);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    text += (i > 0 ? std::string(kHelpColumn, ' ') : "") + lines[i] + "\n";
+  return text;
+}
+
+std::string usage(const CommandText& command) {
+  std::string text = "Usage: clearcut " + command.name;
+  for (const OptionText& option : command.options) {
+    const std::string word =
+        option.positional ? option.names.front() : option.names.back() + " " + option.value;
+    if (option.positional) text += " " + (option.required ? word : "[" + word + "]");
+    if (!option.positional && option.required) text += " " + word;
+  }
+  return text + " [OPTIONS]\n";
+}
+
+std::string help_of_option(const OptionText& option) {
+  std::string text = option.help;
+  // Names that the sentence does not list itself.
+  const bool lists = std::any_of(option.values.begin(), option.values.end(), [&](const std::string& one) {
+    return one.size() > 2 && option.help.find(one) != std::string::npos;
+  });
+  if (option.values.empty() || lists) return text;
+  text += ": ";
+  for (const auto& value : option.values) text += (&value == &option.values.front() ? "" : ", ") + value;
+  return text;
+}
+
+std::string options_of(const CommandText& command, std::size_t width) {
+  std::string text;
+  for (const OptionText& option : command.options) {
+    if (option.positional)
+      text += (text.empty() ? "\n" : "") + help_entry(option.names.front(), help_of_option(option), width);
+  }
+  for (const auto& group : command.groups) {
+    text += "\n" + group + ":\n";
+    for (const OptionText& option : command.options) {
+      if (!option.positional && option.group == group)
+        text += help_entry(synopsis(option), help_of_option(option), width);
+    }
+  }
+  return text;
+}
+
+std::string commands_text(const CLI::App& app, std::size_t width) {
+  std::string text, group;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_group().empty()) continue;
+    if (command->get_group() != group) text += "\n" + command->get_group() + ":\n";
+    group = command->get_group();
+    text += help_entry(command->get_name(), command->get_description(), width);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string HelpText::make_help(const CLI::App* app, std::string /*name*/,
+                                CLI::AppFormatMode /*mode*/) const {
+  const std::size_t width = std::min(text_width(), kWidest);
+  const CommandText command = text_of(*app);
+  std::string text;
+  for (const auto& line : wrapped(app->get_description(), width)) text += line + "\n";
+  if (app->get_parent() != nullptr) return text + "\n" + usage(command) + options_of(command, width);
+  text += "\nUsage: clearcut COMMAND [OPTIONS]\n" + commands_text(*app, width) + options_of(command, width);
+  text += "\n";
+  for (const auto& line : wrapped(app->get_footer(), width)) text += line + "\n";
+  return text;
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,93 @@
+#include "terminal/output.h"
+
+#include <clearcut/error.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+
+#include "terminal/terminal.h"
+
+namespace clearcut::cli {
+namespace {
+
+const char* word_for(Severity severity) {
+  switch (severity) {
+    case Severity::kNote:
+      return "note";
+    case Severity::kRepair:
+      return "repaired";
+    case Severity::kWarning:
+      return "warning";
+    case Severity::kSkipped:
+      return "skipped";
+  }
+  return "note";
+}
+
+/// Signals that would end the program are kept until this ends.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    caught = 0;
+    struct sigaction hold {};
+    hold.sa_handler = [](int signal) { caught = signal; };
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &hold, &before_[i]);
+  }
+  ~SignalsHeld() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
+    if (caught != 0) ::raise(caught);
+  }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  static bool any() { return caught != 0; }
+
+ private:
+  static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
+  static inline volatile std::sig_atomic_t caught = 0;
+  std::array<struct sigaction, kSignals.size()> before_{};
+};
+
+}  // namespace
+
+void print(const Diagnostics& diagnostics, bool verbose) {
+  for (const auto& item : diagnostics.items()) {
+    if (item.severity == Severity::kNote && !verbose) continue;
+    std::fprintf(stderr, "%s: %s: %s\n", word_for(item.severity), item.where.c_str(), item.what.c_str());
+  }
+}
+
+void print_warnings(const Diagnostics& diagnostics) {
+  for (const auto& item : diagnostics.items()) {
+    if (item.severity == Severity::kWarning)
+      std::fprintf(stderr, "%s: %s: %s\n", word_for(item.severity), item.where.c_str(), item.what.c_str());
+  }
+}
+
+void print_line(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+}
+
+void print_table(const TextTable& table, bool as_markdown) {
+  print_line(as_markdown ? markdown(table) : fitted(table, table_width()));
+}
+
+void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs) {
+  std::vector<std::string> names;
+  for (const auto& file : files) names.push_back(file.path);
+  check_outputs(names, inputs);
+  std::vector<OutputFile> named, printed;
+  for (const auto& file : files) (file.path == "-" ? printed : named).push_back(file);
+  {
+    const SignalsHeld signals;
+    write_files(named, inputs, SignalsHeld::any);
+  }
+  for (const auto& file : printed) {
+    const std::size_t written = std::fwrite(file.content.data(), 1, file.content.size(), stdout);
+    if (written != file.content.size() || std::fflush(stdout) != 0)
+      throw InputError("standard output", "cannot be written; check that it has room");
+  }
+}
+
+}  // namespace clearcut::cli

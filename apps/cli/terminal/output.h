@@ -1,0 +1,25 @@
+// What the commands print and write.
+#pragma once
+
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/text.h>
+
+#include <string>
+#include <vector>
+
+namespace clearcut::cli {
+
+/// Diagnostics as lines on standard error: "repair: where: what". Notes only when `verbose`.
+void print(const Diagnostics& diagnostics, bool verbose);
+/// The same of warnings alone: beside an error that ends the command.
+void print_warnings(const Diagnostics& diagnostics);
+void print_line(const std::string& text);
+/// As wide as the terminal, or for a Markdown page.
+void print_table(const TextTable& table, bool as_markdown = false);
+
+/// All of the files or (InputError) none; those named "-" go to standard output, last. None of `inputs` (files that were read for
+/// them) is replaced. A signal that ends the program waits meanwhile, so that no temporary file stays behind.
+void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
+
+}  // namespace clearcut::cli

@@ -1,0 +1,133 @@
+#include "terminal/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+namespace clearcut::cli {
+namespace {
+
+using ProgressClock = std::chrono::steady_clock;
+constexpr double kQuiet = 1;  // s before anything is said on a terminal
+constexpr double kQuietElsewhere = 3;
+constexpr double kLineEvery = 5;     // s between lines where no terminal shows them
+constexpr double kRenewEvery = 0.2;  // s between renewals on a terminal
+const ProgressClock::time_point kStart = ProgressClock::now();
+
+double now_s() {
+  return std::chrono::duration<double>(ProgressClock::now() - kStart).count();
+}
+
+/// s, as fast as it went so far; none before the first is done.
+std::optional<double> time_left(std::size_t done, std::size_t of, double spent_s) {
+  if (done == 0 || of <= done) return std::nullopt;
+  const double share = static_cast<double>(done) / static_cast<double>(of);
+  return spent_s * (1 - share) / share;
+}
+
+std::string described(const Progress& at, double spent_s) {
+  if (at.stage == Stage::kCertifying) return "certifying the program";
+  std::string text = fmt::format("planning: {} of at most {} candidates", at.done, at.most);
+  if (const auto left = time_left(at.done, at.most, spent_s))
+    text += fmt::format(", at most {:.0f} s left", *left);
+  return text;
+}
+
+/// Of the JSON that another program reads.
+std::string json_of(const Progress& at, double spent_s) {
+  std::string text =
+      fmt::format(R"({{"progress":{{"stage":"{}","done":{},"most":{})",
+                  at.stage == Stage::kCertifying ? "certifying" : "planning", at.done, at.most);
+  if (const auto left = time_left(at.done, at.most, spent_s))
+    text += fmt::format(R"(,"left_s":{:.0f})", *left);
+  return text + "}}";
+}
+
+bool is_for_programs() {
+  const char* wish = std::getenv("CLEARCUT_PROGRESS");
+  return wish != nullptr && std::string_view(wish) == "json";
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(std::string hint)
+    : hint_(std::move(hint)),
+      json_(is_for_programs()),
+      terminal_(!json_ && ::isatty(STDERR_FILENO) != 0),
+      began_s_(now_s()),
+      watcher_([this] { watch(); }) {}
+
+ProgressLine::~ProgressLine() {
+  end();
+}
+
+void ProgressLine::end() {
+  if (!watcher_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    stopped_ = true;
+  }
+  stop_.notify_all();
+  watcher_.join();
+  if (shown_ && terminal_) std::fputs("\r\x1b[K", stderr);
+}
+
+ProgressCallback ProgressLine::callback() {
+  return [this](const Progress& at) { hear(at); };
+}
+
+void ProgressLine::hear(const Progress& at) {
+  const std::lock_guard lock(mutex_);
+  if (!at_ || at.stage != at_->stage) began_s_ = now_s();
+  at_ = at;
+}
+
+void ProgressLine::count(std::size_t done, std::size_t of, const std::string& things) {
+  const std::lock_guard lock(mutex_);
+  if (!count_) began_s_ = now_s();
+  count_ = Count{done, of, things};
+}
+
+void ProgressLine::expect(const std::string& work, double usual_s) {
+  const std::lock_guard lock(mutex_);
+  work_ = Work{work, usual_s};
+}
+
+std::string ProgressLine::text() const {
+  const double spent_s = now_s() - began_s_;
+  if (work_) return fmt::format("{}, about {:g} s in all", work_->name, work_->usual_s);
+  if (!count_) return at_ ? described(*at_, spent_s) : "preparing";
+  std::string text = fmt::format("{} of {} {} done", count_->done, count_->of, count_->things);
+  if (const auto left = time_left(count_->done, count_->of, spent_s))
+    text += fmt::format(", about {:.0f} s left", *left);
+  return text;
+}
+
+void ProgressLine::watch() {
+  const double start = now_s();
+  std::unique_lock lock(mutex_);
+  double wait = json_ ? kRenewEvery : terminal_ ? kQuiet : kQuietElsewhere;
+  while (!stop_.wait_for(lock, std::chrono::duration<double>(wait), [&] { return stopped_; })) {
+    show(now_s() - start);
+    wait = terminal_ || json_ ? kRenewEvery : kLineEvery;
+  }
+}
+
+void ProgressLine::show(double elapsed_s) {
+  if (json_) {
+    if (at_) std::fprintf(stderr, "%s\n", json_of(*at_, now_s() - began_s_).c_str());
+    return;
+  }
+  if (!shown_ && !hint_.empty()) std::fprintf(stderr, "%s\n", hint_.c_str());
+  shown_ = true;
+  const std::string line = fmt::format("{} ({:.0f} s)", text(), elapsed_s);
+  std::fprintf(stderr, terminal_ ? "\r\x1b[K%s" : "%s\n", line.c_str());
+  std::fflush(stderr);
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,60 @@
+// A line on standard error about work that takes more than a second.
+#pragma once
+
+#include <clearcut/error.h>
+
+#include <condition_variable>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace clearcut::cli {
+
+/// While it lives: after a second (three where no terminal shows it), what is being done, how far it is, and how long it may still take, on one line that is renewed on
+/// a terminal, every five seconds on a line of its own elsewhere; with CLEARCUT_PROGRESS=json as JSON, a line every fifth of a second. Says `hint` once, when it begins to say anything.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string hint);
+  ~ProgressLine();
+  /// Before anything else is printed; the line is cleared.
+  void end();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  /// For the options of a plan; not to be called after this object's end.
+  ProgressCallback callback();
+  /// Of several plans or tables: so many `things` are done.
+  void count(std::size_t done, std::size_t of, const std::string& things);
+  /// Of work that counts nothing: what it is, and how long it took where it was measured.
+  void expect(const std::string& work, double usual_s);
+
+ private:
+  void watch();
+  void show(double elapsed_s);
+  void hear(const Progress& at);
+
+  std::string hint_;
+  bool json_;
+  bool terminal_;
+  std::mutex mutex_;
+  std::condition_variable stop_;
+  bool stopped_ = false;
+  bool shown_ = false;
+  struct Count {
+    std::size_t done, of;
+    std::string things;
+  };
+  std::string text() const;
+  std::optional<Progress> at_;
+  std::optional<Count> count_;
+  struct Work {
+    std::string name;
+    double usual_s;
+  };
+  std::optional<Work> work_;
+  double began_s_;  ///< when this stage began
+  std::thread watcher_;
+};
+
+}  // namespace clearcut::cli

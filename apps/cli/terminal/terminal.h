@@ -1,0 +1,26 @@
+// The terminal: how wide, whether it shows colours, and what Ctrl-C does.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace clearcut::cli {
+
+/// Columns for help: those of the terminal, else COLUMNS, else 80; never below 40.
+std::size_t text_width();
+
+/// Columns for tables: those of the terminal, else COLUMNS; in a file or a pipe tables are not broken, so that programs find each
+/// row on one line.
+std::size_t table_width();
+
+/// Whether standard output shows colours: a terminal that is not "dumb", and NO_COLOR is unset or empty.
+bool shows_colours();
+
+/// The text with its verdicts in green, yellow or red where colours are shown.
+std::string with_colours(const std::string& text);
+
+/// From now on Ctrl-C clears the line of progress, says that the work was stopped, and ends the process by that signal
+/// (a shell calls it exit code 130).
+void say_when_interrupted();
+
+}  // namespace clearcut::cli

@@ -1,0 +1,143 @@
+#include "pipeline/check.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "model/results/not_machined.h"
+#include "pipeline/certify.h"
+#include "pipeline/selection/strategies.h"
+#include "pipeline/steps/out_of_reach.h"
+#include "read/gcode/gcode.h"
+#include "resolve/resolve.h"
+#include "resolve/tool_cutting.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// Of the tools that were given, those that the program calls: a library may hold many more. All, where it calls others.
+resolve::PlanOptions with_tools_of(const Toolpath& toolpath, resolve::PlanOptions options) {
+  std::set<int> called;
+  for (const Section& section : toolpath.sections) called.insert(section.tool_number);
+  const auto is_called = [&](const Tool& tool) { return called.count(tool.number) > 0; };
+  if (called.empty() || static_cast<std::size_t>(std::count_if(options.tools.begin(), options.tools.end(),
+                                                               is_called)) != called.size())
+    return options;
+  for (std::size_t i = options.tools.size(); i-- > 0;) {
+    if (is_called(options.tools[i])) continue;
+    options.tools.erase(options.tools.begin() + static_cast<std::ptrdiff_t>(i));
+    if (i < options.tool_cutting.size())
+      options.tool_cutting.erase(options.tool_cutting.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return options;
+}
+
+/// One unnumbered tool given for a program that uses one tool: they are the same, whatever its number there.
+resolve::PlanOptions numbered_by(const Toolpath& toolpath, resolve::PlanOptions options) {
+  if (options.tools.size() != 1 || options.tools.front().number != 0 || toolpath.sections.empty())
+    return options;
+  const int number = toolpath.sections.front().tool_number;
+  const bool one = std::all_of(toolpath.sections.begin(), toolpath.sections.end(),
+                               [&](const Section& section) { return section.tool_number == number; });
+  if (one && number > 0) options.tools.front().number = number;
+  return options;
+}
+
+/// A program without a T word runs with the one tool there is.
+void number_sections(Toolpath& toolpath, const Part& part) {
+  if (part.tools.size() != 1) return;
+  for (auto& section : toolpath.sections) {
+    if (section.tool_number == 0) section.tool_number = part.tools.front().number;
+  }
+}
+
+/// What is stated for the tool that a workingstep of `prepared` is made with goes before what `stated`, the step as it was
+/// read, says; what was asked for everything goes before both. Our own defaults bind nobody.
+void keep_stated_limits(Workingstep& prepared, Operation stated, const Part& part,
+                        const resolve::PlanOptions& options) {
+  stated.tool = prepared.operation.tool;
+  if (!options.tools.empty()) resolve::take_tool_cutting(stated, options);
+  const bool mills = !stock::only_plunges(tool_of(part, prepared));
+  prepared.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
+  const auto& plunge = options.cutting.plunge_feed;
+  prepared.operation.cutting.plunge_feed = plunge ? plunge : stated.cutting.plunge_feed;
+}
+
+/// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
+void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
+  for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
+    // Tabs put steps of their own in between, which are named after those above them.
+    const std::string& name = prepared.workplan[i].name;
+    const bool same = i < part.workplan.size() && part.workplan[i].name == name;
+    const auto stated =
+        same ? part.workplan.begin() + static_cast<std::ptrdiff_t>(i)
+             : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+                 return name == step.name || name == step.name + "_tabs";
+               });
+    if (stated != part.workplan.end())
+      keep_stated_limits(prepared.workplan[i], stated->operation, prepared, options);
+  }
+}
+
+/// What is stated for tools that no workingstep is made with: a program may use them all the same.
+std::map<int, verify::ToolLimits> limits_of_other_tools(const Part& prepared,
+                                                        const resolve::PlanOptions& options) {
+  std::map<int, verify::ToolLimits> limits;
+  for (std::size_t i = 0; i < std::min(options.tool_cutting.size(), prepared.tools.size()); ++i) {
+    Operation stated;
+    stated.tool = static_cast<int>(i);
+    resolve::take_tool_cutting(stated, options);
+    limits[prepared.tools[i].number] = {
+        options.stepdown ? options.stepdown : stated.stepdown,
+        options.cutting.plunge_feed ? options.cutting.plunge_feed : stated.cutting.plunge_feed};
+  }
+  for (const Workingstep& step : prepared.workplan) limits.erase(tool_of(prepared, step).number);
+  return limits;
+}
+
+std::vector<int> tools_in_order(const Part& part) {
+  std::vector<int> numbers;
+  for (const Workingstep& step : part.workplan) numbers.push_back(tool_of(part, step).number);
+  return numbers;
+}
+
+}  // namespace
+
+CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
+                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect) {
+  read::gcode::ReadControllerOptions reading;
+  reading.dialect = dialect;
+  reading.home_z = home_z(options.machine);
+  reading.safe_z = part.top_z();
+  reading.places = options.machine.places;
+  const StrategyTable& strategies = strategies_of(options);
+  std::optional<ResolvedPlan> resolved;
+  if (dialect == read::gcode::Dialect::kMarlin) {
+    resolved = resolve::resolve(part, options, strategies);
+    reading.hand_tools = tools_by_hand(tools_in_order(resolved->part));
+  }
+  auto read = read::gcode::read_gcode(program, program_name, reading);
+  if (reading.hand_tools.size() > 1)
+    read.conditions.push_back(
+        {"tool-by-hand", "the tools are put in by hand in the order of the part's work, one at each pause",
+         0});
+  CheckResult result;
+  const resolve::PlanOptions asked = with_tools_of(read.toolpath, numbered_by(read.toolpath, options));
+  if (!resolved) resolved = resolve::resolve(part, asked, strategies);
+  const ResolvedPlan& plan = *resolved;
+  result.part = plan.part;
+  keep_stated_limits(result.part, part, asked);
+  result.part.diagnostics.append(read.diagnostics);
+  result.control = std::move(read.control);
+  result.dialect = read.dialect;
+  result.toolpath = std::move(read.toolpath);
+  number_sections(result.toolpath, result.part);
+  result.findings = judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
+                          limits_of_other_tools(result.part, asked));
+  add_out_of_reach(result.part, plan, result.findings);
+  add_not_machined(result.part.diagnostics, result.findings);
+  return result;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,230 @@
+#include "read/gcode/control/mode_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text/format.h"
+#include "read/gcode/control/place_words.h"
+#include "read/gcode/words/g_words.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+constexpr double kMmPerInch = 25.4;
+/// M words in tenths that move nothing on a three-axis mill: stops, spindle, coolant, overrides, clamps, doors, chips,
+/// signals.
+constexpr int kStillWords[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  100,  110, 130,
+                               140, 190, 290, 300, 310, 330, 480, 490, 500, 510, 520,  530, 620,
+                               630, 640, 650, 830, 840, 880, 890, 970, 980, 990, 1170, 1180};
+
+}  // namespace
+
+void ModeWords::set_modes(const Block& block) {
+  for (const int code : block.g) set_mode(code, block);
+}
+
+void ModeWords::use_units(double unit) {
+  if (control_.cycle.code != 0 && unit != control_.modes.unit) {
+    if (!control_.rules.rereads_cycle_numbers)
+      control_.refuse("units change within a drilling cycle; end it by G80 before G20 or G21");
+    control_.cycle.scale(unit / control_.modes.unit);
+  }
+  control_.modes.unit = unit;
+  control_.units_said = true;
+}
+
+void ModeWords::set_mode(int code, const Block& block) {
+  switch (code) {
+    case 170:
+    case 180:
+    case 190:
+      control_.modes.plane = code == 170 ? Plane::kXY : code == 180 ? Plane::kZX : Plane::kYZ;
+      control_.plane_said = true;
+      break;
+    case 200:
+    case 210:
+      use_units(code == 200 ? kMmPerInch : 1);
+      break;
+    case 900:
+    case 910:
+      control_.modes.absolute = code == 900;
+      control_.distance_said = true;
+      break;
+    case 901:
+    case 911:
+      control_.modes.absolute_centers = code == 901;
+      control_.centers_said = true;
+      break;
+    case 930:
+      set_feed_mode(FeedMode::kInverseTime);
+      break;
+    case 940:
+      set_feed_mode(FeedMode::kPerMinute);
+      break;
+    case 950:
+      set_feed_mode(FeedMode::kPerTurn);
+      break;
+    case 980:
+    case 990:
+      control_.modes.return_to_level = code == 980;
+      control_.return_said = true;
+      break;
+    default:
+      set_other(code, block);
+  }
+}
+
+/// Words that leave the path alone pass; those that would change it in ways not understood are refused.
+void ModeWords::set_other(int code, const Block& block) {
+  const Group group = group_of(code);
+  if (group == Group::kOffset) {
+    PlaceWords(control_).use_system(code, block);
+  } else if (group == Group::kCompensation) {
+    control_.refuse(g_word(code) +
+                    " cutter radius compensation is not read; post the path of the tool's centre (G40)");
+  } else if (code == 430 || code == 431 || code == 490) {
+    PlaceWords(control_).set_length(code, block);
+  } else if (code == 610 || code == 611 || code == 640 || code == 1870) {
+    set_path(code, block);
+  } else if (code == 51) {
+    control_.condition(
+        "blending",
+        "G5.1 lets the control smooth the path within a bound of its own; the exact path is judged");
+  } else if (group == Group::kUnknown) {
+    control_.refuse(g_word(code) + " is not read; post the program without it");
+  }
+}
+
+void ModeWords::set_path(int code, const Block& block) {
+  PathControl path;
+  const bool fanuc_like = control_.rules.home_is_top;
+  if (code == 610) {
+    path.mode = fanuc_like ? PathMode::kExactStop : PathMode::kExactPath;
+  } else if (code == 611) {
+    path.mode = PathMode::kExactStop;
+  } else if (code == 640) {
+    const bool bounded = block.has('P') && control_.rules.dialect == Dialect::kLinuxCnc;
+    path.mode = bounded ? PathMode::kTolerance : PathMode::kContinuous;
+    if (bounded) path.tolerance_mm = control_.mm(block.value('P'));
+    if (bounded && block.has('Q')) path.merging_mm = control_.mm(block.value('Q'));
+  } else if (block.has('E')) {
+    path.mode = PathMode::kTolerance;
+    path.tolerance_mm = control_.mm(block.value('E'));
+  } else {
+    path.mode = PathMode::kSmoothness;
+  }
+  control_.modes.path = control_.builder.path_control = path;
+}
+
+/// A feed of one kind means nothing in another.
+void ModeWords::set_feed_mode(FeedMode mode) {
+  if (mode != control_.modes.feed_mode) control_.modes.feed = 0;
+  control_.modes.feed_mode = mode;
+}
+
+void ModeWords::save_or_restore(int m) {
+  if (!control_.rules.saves_modes) return;
+  control_.modes.system = control_.frame.system();
+  if (m == 700 || m == 730) saved_ = control_.modes;
+  if (m == 710) saved_.reset();
+  if (m != 720) return;
+  if (!saved_) control_.refuse("M72 brings back modes that no M70 has kept; correct it");
+  const ToolLength length = control_.modes.length;
+  control_.modes = *saved_;
+  control_.modes.length = length;
+  control_.frame.use_system(control_.modes.system);
+  control_.turn_spindle(control_.modes.spindle);
+  control_.builder.drive.coolant = control_.modes.coolant;
+  control_.builder.path_control = control_.modes.path;
+}
+
+void ModeWords::set_feed_and_drive(const Block& block, double feed_unit) {
+  if (block.has('F')) {
+    if (block.value('F') < 0) control_.refuse("F word below zero; correct it");
+    control_.modes.feed =
+        block.value('F') * (control_.modes.feed_mode == FeedMode::kInverseTime ? 1 : feed_unit);
+  }
+  const bool seconds = has_g(block, 40) && control_.rules.dwell_by_s;
+  if (block.has('S') && !seconds) control_.modes.speed = std::abs(block.value('S'));
+  if (block.has('T')) select_tool(block);
+  for (const int m : block.m) set_drive(m, block);
+  const bool turning = control_.modes.spindle != 5;
+  control_.builder.drive.spindle_rpm = turning ? control_.modes.speed : 0;
+  control_.builder.speed = control_.modes.speed;
+}
+
+/// Without a tool so far it is in the spindle already; otherwise it waits for M6 or a pause.
+void ModeWords::select_tool(const Block& block) {
+  if (block.value('T') < 0 || block.value('T') > 1e6)
+    control_.refuse("T word with an impossible tool; correct it");
+  control_.next_tool = static_cast<int>(block.value('T'));
+  if (control_.builder.drive.tool == 0 || !control_.tool_said)
+    control_.builder.drive.tool = control_.next_tool;
+  control_.tool_said = true;
+}
+
+void ModeWords::load_tool() {
+  if (!control_.rules.changer)
+    control_.condition("m6", "M6 is no word of the control; what sends the program changes the tool");
+  control_.changer = true;
+  control_.builder.change_tool(control_.next_tool, false, control_.line);
+}
+
+/// A pause is where tools are changed by hand.
+void ModeWords::pause() {
+  control_.builder.add_event(ControlEventKind::kPause, control_.line);
+  if (control_.changer) return;
+  if (control_.tool_said) {
+    if (control_.next_tool != control_.builder.drive.tool)
+      control_.builder.change_tool(control_.next_tool, true, control_.line);
+  } else if (!control_.options.hand_tools.empty()) {
+    hand_tool_ = std::min(hand_tool_ + 1, control_.options.hand_tools.size() - 1);
+    control_.builder.change_tool(control_.options.hand_tools[hand_tool_], true, control_.line);
+  } else if (!control_.rules.changer) {
+    control_.condition("tool-by-hand",
+                       "the program pauses without naming a tool; the same tool stays in the spindle");
+  }
+}
+
+void ModeWords::set_drive(int m, const Block& block) {
+  const bool switches_coolant = m == 70 || m == 80 || m == 90 || m == 130 || m == 140 || m == 880 || m == 890;
+  if (switches_coolant) control_.modes.coolant = control_.builder.drive.coolant = m != 90 && m != 890;
+  if (m == 30 || m == 40 || m == 50) return control_.turn_spindle(m / 10);
+  if (m == 130 || m == 140) return control_.turn_spindle(m / 10 - 10);
+  if (m == 60) return load_tool();
+  if (m == 0 || m == 10) return pause();
+  if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
+    control_.refuse("subprogram calls are not read; post the program without them");
+  }
+  if (m == 990 && block.has('P'))
+    control_.refuse("M99 P jumps to another block; post the program without it");
+  if (control_.rules.saves_modes && m >= 700 && m <= 730) return;
+  if (std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords)) return;
+  control_.condition("m" + trimmed(m / 10.0, 1),
+                     "M" + trimmed(m / 10.0, 1) + " is unknown here and moves nothing");
+}
+
+void ModeWords::end(int m) {
+  if (m == 20 || m == 300) control_.ended = true;
+  if (m != 990) return;
+  control_.ended = true;
+  control_.condition("m99", "M99 begins the program again from where it ends; the first run is judged");
+}
+
+void ModeWords::dwell(const Block& block) {
+  double seconds = 0;
+  if (block.has('P')) {
+    const bool ms =
+        control_.rules.dwell_in_ms && (control_.rules.dialect != Dialect::kHaas || block.is_whole('P'));
+    seconds = block.value('P') * (ms ? 0.001 : 1);
+  } else if (control_.rules.dwell_by_x && block.has('X')) {
+    seconds = block.value('X');
+  } else if (control_.rules.dwell_by_s && block.has('S')) {
+    seconds = block.value('S');
+  }
+  if (block.has_axis()) control_.depends_on_dialect = true;
+  control_.builder.add_event(ControlEventKind::kDwell, control_.line, seconds);
+}
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,167 @@
+#include "read/gcode/control/motion_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "read/gcode/control/canned_cycles.h"
+#include "read/gcode/control/place_words.h"
+#include "read/gcode/words/g_words.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+constexpr double kMmPerInch = 25.4;
+constexpr double kMostTurns = 10000;
+/// Arcs standing upright (G18, G19) become chords: a Move is an arc in plan only. mm.
+constexpr double kUprightChord = 0.0005;
+
+}  // namespace
+
+void MotionWords::move(const Block& block) {
+  const int said = motion_in(block);
+  if (said >= 0) control_.motion = said;
+  const bool cycle = is_drill_cycle(control_.motion);
+  if (!cycle) control_.cycle = {};
+  if (PlaceWords(control_).move_specially(block)) return;
+  const bool arc_words = block.has('I') || block.has('J') || block.has('K') || block.has('R');
+  const bool arc_motion = control_.motion == 20 || control_.motion == 30;
+  if (!block.has_axis() && !(arc_motion && arc_words)) return;
+  if (control_.motion < 0) {
+    control_.condition("motion-mode",
+                       "axis words come before any motion word; the control begins with rapids (G0)");
+    control_.motion = 0;
+  }
+  check_words_said(block);
+  control_.moved = true;
+  if (control_.motion != 0) control_.before_feed();
+  if (control_.motion == 0 || control_.motion == 10) return straight(block, control_.motion == 0);
+  if (arc_motion) return arc(block);
+  if (cycle) return CannedCycles(control_).execute(block);
+  if (control_.motion == 800) control_.refuse("axis words after G80 without a motion word; add G0 or G1");
+  control_.refuse(g_word(control_.motion) + " is not read; post the program without it");
+}
+
+/// What the program leaves to the state in which the control was left.
+void MotionWords::check_words_said(const Block& block) {
+  if (!control_.units_said && !control_.rules.always_mm) {
+    control_.condition("units", "the program states neither G20 nor G21; the control is in mm");
+  }
+  if (!control_.distance_said && !control_.rules.resets_modes) {
+    control_.condition("g90",
+                       "the program states neither G90 nor G91 before it moves; the control is in G90");
+  }
+  const bool plane_matters = control_.motion != 0 && control_.motion != 10;
+  if (!control_.plane_said && !control_.rules.resets_modes && plane_matters &&
+      control_.rules.dialect != Dialect::kMarlin) {
+    control_.condition("g17", "the program states no plane before its arcs or cycles; the control is in G17");
+  }
+  if (!control_.rules.points_matter) return;
+  for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'R', 'Q'}) {
+    if (block.has(letter) && block.is_whole(letter) && block.value(letter) != 0) {
+      control_.condition("decimal-point",
+                         std::string(1, letter) +
+                             " has no decimal point; the control takes whole numbers as mm or inches, not as "
+                             "increments");
+    }
+  }
+}
+
+void MotionWords::straight(const Block& block, bool rapid) {
+  const Target to = control_.target(block);
+  if (rapid) return control_.builder.rapid(to, control_.line);
+  double squared = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (to[axis]) squared += std::pow(*to[axis] - control_.builder.position()[axis].value_or(*to[axis]), 2);
+  }
+  control_.builder.feed(to, control_.feed_for(std::sqrt(squared), block), control_.line);
+}
+
+void MotionWords::arc(const Block& block) {
+  const PlaneAxes axes = axes_of(control_.modes.plane);
+  std::array<double, 3> from{}, to{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    from[axis] = control_.builder.known(axis, control_.line);
+    to[axis] = block.has("XYZ"[axis]) ? control_.target_of(axis, block) : from[axis];
+    if (!(std::abs(to[axis]) <= 1e6))
+      control_.refuse("coordinate beyond any machine; check the number and the units");
+  }
+  const ArcShape shape =
+      arc_shape(block, {from[axes.first], from[axes.second]}, {to[axes.first], to[axes.second]});
+  if (control_.modes.plane == Plane::kXY) {
+    plan_arc(block, shape, to[2]);
+  } else {
+    upright_arc(shape, to[axes.across]);
+  }
+}
+
+ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
+  const Turn turn = control_.motion == 20 ? Turn::kClockwise : Turn::kCounterClockwise;
+  const PlaneAxes axes = axes_of(control_.modes.plane);
+  const RadiusRule rule =
+      control_.modes.unit == 1 ? RadiusRule{} : RadiusRule{0.0005 * kMmPerInch, 0.05 * kMmPerInch};
+  const char first = "IJK"[axes.first], second = "IJK"[axes.second];
+  const bool center = block.has(first) || block.has(second);
+  if (block.has('R') && center) {
+    control_.depends_on_dialect = true;
+    if (!control_.rules.radius_beats_center)
+      control_.refuse("arc with R and with its centre; give one of them");
+  }
+  if (block.has('R'))
+    return arc_of_radius(from, to, control_.mm(block.value('R')), turn, rule,
+                         control_.builder.place(control_.line));
+  if (!center)
+    control_.refuse(std::string("arc without ") + first + ", " + second + " or R; give its centre");
+  if (control_.rules.centers_set_up && !control_.centers_said) {
+    control_.condition("arc-centres",
+                       "the program states neither G90.1 nor G91.1; I, J, K count from the arc's start");
+  }
+  const auto center_of = [&](char letter, std::size_t axis, double start) {
+    if (!block.has(letter)) return start;
+    return control_.mm(block.value(letter)) +
+           (control_.modes.absolute_centers ? control_.frame.shift(axis) : start);
+  };
+  const double turns = block.has('P') ? block.value('P') : 1;
+  if (!(turns >= 1 && turns <= kMostTurns) || turns != std::floor(turns))
+    control_.refuse("P word is no number of turns; correct it");
+  const Vec2 middle{center_of(first, axes.first, from.x), center_of(second, axes.second, from.y)};
+  return arc_about(from, to, middle, turn, static_cast<int>(turns), rule,
+                   control_.builder.place(control_.line));
+}
+
+void MotionWords::plan_arc(const Block& block, const ArcShape& shape, double z_to) {
+  const std::vector<Edge> edges = arc_edges(shape);
+  const double z_from = control_.builder.known(2, control_.line);
+  const double round = shape.sweep * distance(shape.from, shape.center);
+  const double apart = std::abs(distance(shape.from, shape.center) - distance(shape.to, shape.center));
+  const MmPerMin feed = control_.feed_for(std::hypot(round, z_to - z_from), block);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
+    control_.builder.arc(edges[k], std::lerp(z_from, z_to, t), feed, control_.line, apart);
+  }
+}
+
+void MotionWords::upright_arc(const ArcShape& shape, double along) {
+  const PlaneAxes axes = axes_of(control_.modes.plane);
+  if (control_.modes.feed_mode == FeedMode::kInverseTime)
+    control_.refuse("arcs outside the XY plane under G93 are not read");
+  control_.builder.note(control_.line, "arcs outside the XY plane are taken as chords within 0.5 um");
+  const double across = control_.builder.known(axes.across, control_.line);
+  const std::vector<Edge> edges = arc_edges(shape);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    std::vector<Vec2> points;
+    append_flattened(edges[k], kUprightChord, points);
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      const double t =
+          (static_cast<double>(k) + static_cast<double>(n + 1) / static_cast<double>(points.size())) /
+          static_cast<double>(edges.size());
+      Target to;
+      to[axes.first] = points[n].x;
+      to[axes.second] = points[n].y;
+      to[axes.across] = std::lerp(across, along, t);
+      control_.builder.feed(to, control_.feed_for(0, {}), control_.line);
+    }
+  }
+}
+
+}  // namespace clearcut::read::gcode

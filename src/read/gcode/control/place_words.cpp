@@ -1,0 +1,235 @@
+#include "read/gcode/control/place_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text/format.h"
+#include "read/gcode/words/g_words.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+constexpr int kSystemWords[] = {540, 550, 560, 570, 580, 590, 591, 592, 593};
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace
+
+/// Words that use X, Y, Z for something else than motion in the work's frame.
+bool PlaceWords::move_specially(const Block& block) {
+  if (has_g(block, 280) || has_g(block, 300)) {
+    go_home(block, has_g(block, 280));
+    return true;
+  }
+  if (has_g(block, 281) || has_g(block, 301)) {
+    store_reference(has_g(block, 281));
+    return true;
+  }
+  if (has_g(block, 530)) {
+    machine_frame(block);
+    return true;
+  }
+  if (has_g(block, 100)) {
+    set_offset_table(block);
+    return true;
+  }
+  if (has_g(block, 920) || has_g(block, 520)) {
+    shift(block);
+    return true;
+  }
+  for (const int code : {921, 922, 923}) {
+    if (has_g(block, code)) clear_shift(code);
+  }
+  if (has_g(block, 431)) return true;
+  return has_g(block, 40) && control_.rules.dwell_by_x;
+}
+
+void PlaceWords::go_home(const Block& block, bool first) {
+  const std::string name = first ? "g28-home" : "g30-home";
+  const bool all = !block.has_axis();
+  if (control_.rules.dialect == Dialect::kMarlin) return go_to_unknown(block, name, all, false);
+  // The way goes through the place stated, straight, whatever lies there.
+  if (!all) control_.builder.rapid(stated_way(block), control_.line);
+  const auto& stored = control_.references[first ? 0 : 1];
+  if (control_.options.places || stored) {
+    std::array<double, 3> reference{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      reference[axis] = stored ? (*stored)[axis].value_or(0)
+                               : (first ? control_.options.places->reference
+                                        : control_.options.places->second_reference)[axis] -
+                                     control_.frame.machine_zero(axis);
+    }
+    return go_to_reference(block, reference);
+  }
+  go_to_unknown(block, name, all, first && control_.rules.home_is_top);
+}
+
+/// The place that a block with G28 goes through first; G91 with zeros goes through none.
+Target PlaceWords::stated_way(const Block& block) {
+  Target way;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char letter = "XYZ"[axis];
+    const bool stays = !control_.modes.absolute && block.value(letter) == 0;
+    if (block.has(letter) && !stays) way[axis] = control_.target_of(axis, block);
+  }
+  return way;
+}
+
+void PlaceWords::go_to_reference(const Block& block, const std::array<double, 3>& reference) {
+  Target to;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!block.has_axis() || block.has("XYZ"[axis])) to[axis] = reference[axis];
+  }
+  control_.builder.rapid(to, control_.line);
+}
+
+/// Z is lifted, X and Y stay as far as anything is known. Harmless: Z alone on a machine whose zero is at the top.
+void PlaceWords::go_to_unknown(const Block& block, const std::string& name, bool all, bool harmless) {
+  const bool z = all || block.has('Z'), plan = all || block.has('X') || block.has('Y');
+  if (plan && !(z && !all && harmless && control_.builder.at_home_height()) &&
+      !control_.builder.at_home_height()) {
+    control_.condition(
+        name, "moves X and Y to a place of the machine at once with Z or below home; the way there is free");
+  } else if (!harmless) {
+    control_.condition(
+        name, "moves to a place of the machine that the program does not state; taken as straight up to Z " +
+                  trimmed(control_.builder.home_z(), 3) + " mm");
+  }
+  if (z) control_.builder.lift_home(control_.line);
+  if (plan) control_.builder.leave_plan(name);
+}
+
+void PlaceWords::store_reference(bool first) {
+  const Target& at = control_.builder.position();
+  if (!at[0] || !at[1] || !at[2]) {
+    control_.condition(first ? "g28-home" : "g30-home", "stores a place that the program has not stated");
+  }
+  control_.references[first ? 0 : 1] = at;
+}
+
+/// G53: absolute in the machine's frame, whatever G90 or G91 says.
+void PlaceWords::machine_frame(const Block& block) {
+  if (!block.has_axis()) return;
+  control_.moved = true;
+  if (!control_.options.places) {
+    const bool top = control_.rules.home_is_top && block.has('Z') && block.value('Z') == 0 &&
+                     !block.has('X') && !block.has('Y');
+    return go_to_unknown(block, "g53", false, top);
+  }
+  Target to;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (block.has("XYZ"[axis]))
+      to[axis] = control_.mm(block.value("XYZ"[axis])) - control_.frame.machine_zero(axis);
+  }
+  if (control_.motion == 10) {
+    control_.before_feed();
+    control_.builder.feed(to, MmPerMin::of(control_.modes.feed), control_.line);
+  } else {
+    control_.builder.rapid(to, control_.line);
+  }
+}
+
+/// G10 L2 writes an offset; L20 writes it so that the tool stands at the words.
+void PlaceWords::set_offset_table(const Block& block) {
+  control_.condition("g10", "G10 writes into the control's tables; they are as the program leaves them");
+  const int kind = block.has('L') ? static_cast<int>(block.value('L')) : 2;
+  if (kind != 2 && kind != 20) return;
+  if (block.has('R') && block.value('R') != 0)
+    control_.refuse("G10 with a rotation (R) is not read; post without it");
+  const int number = block.has('P') ? static_cast<int>(block.value('P')) : 0;
+  const int system = number == 0 ? control_.frame.system() : number;
+  if (system < 1 || system > Frame::kSystems) control_.refuse("G10 with an impossible P word; correct it");
+  const bool adds = !control_.modes.absolute && control_.rules.dialect == Dialect::kFanuc && kind == 2;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!block.has("XYZ"[axis])) continue;
+    double value = control_.mm(block.value("XYZ"[axis]));
+    if (adds) value += control_.frame.origin(system, axis);
+    if (kind == 20) {
+      const int before = control_.frame.system();
+      control_.frame.use_system(system);
+      value = control_.frame.origin(system, axis) + control_.builder.known(axis, control_.line) -
+              control_.frame.shift(axis) - value;
+      control_.frame.use_system(before);
+    }
+    control_.frame.set_origin(system, axis, value, control_.moved);
+  }
+}
+
+/// G92 renames the place where the tool is; G52 moves the origin. Neither moves the tool.
+void PlaceWords::shift(const Block& block) {
+  const bool local = has_g(block, 520);
+  const std::string word = local ? "g52" : "g92";
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char letter = "XYZ"[axis];
+    if (!block.has(letter)) continue;
+    const double value = control_.mm(block.value(letter));
+    if (local) {
+      control_.frame.set_local(axis, value);
+      if (value == 0) continue;
+    } else if (control_.builder.position()[axis]) {
+      control_.frame.name_place(axis, *control_.builder.position()[axis], value);
+    } else {
+      control_.builder.place_at(axis, value + control_.frame.shift(axis));
+    }
+    control_.condition(word, "the origin is shifted by " + std::string(local ? "G52" : "G92") +
+                                 "; no other shift was in force when the program began");
+  }
+}
+
+void PlaceWords::clear_shift(int code) {
+  if (code == 923) {
+    if (!control_.frame.restore_local())
+      control_.refuse("G92.3 restores an offset from outside the program; post without it");
+    return;
+  }
+  control_.frame.clear_local(code == 922);
+}
+
+void PlaceWords::use_system(int code, const Block& block) {
+  if (code == 541 || code == 1540) {
+    if (!block.has('P'))
+      control_.refuse(g_word(code) + " without its P word; give the number of the work offset");
+    const std::string word = lower(g_word(code)) + "-p" + trimmed(block.value('P'), 0);
+    control_.condition(
+        word, g_word(code) + " P" + trimmed(block.value('P'), 0) + " has its origin where the work's is");
+    return;
+  }
+  const auto* const found = std::find(std::begin(kSystemWords), std::end(kSystemWords), code);
+  control_.frame.use_system(static_cast<int>(found - std::begin(kSystemWords)) + 1);
+  if (code == 540 || control_.options.places) return;
+  control_.condition(lower(g_word(code)), g_word(code) + " has its origin where the work's is");
+}
+
+void PlaceWords::set_length(int code, const Block& block) {
+  ToolLength length;
+  if (code == 490) {
+    length.kind = LengthKind::kOff;
+  } else if (code == 431) {
+    for (const char letter : {'X', 'Y'}) {
+      if (block.has(letter) && block.value(letter) != 0)
+        control_.refuse("G43.1 with X or Y is not read; post without it");
+    }
+    length.kind = LengthKind::kStatedHeight;
+    length.stated_mm = block.has('Z') ? control_.mm(block.value('Z')) : 0;
+    control_.condition("tool-length-g43.1",
+                       "the tool stood at its stated height when the work was touched off without G43.1");
+  } else if (block.has('H')) {
+    length.kind = block.value('H') == 0 && control_.rules.dialect != Dialect::kLinuxCnc
+                      ? LengthKind::kOff
+                      : LengthKind::kNumbered;
+    length.h = static_cast<int>(block.value('H'));
+  } else {
+    length.kind = LengthKind::kOfTool;
+    length.h = control_.tool_said && control_.changer ? control_.builder.drive.tool : control_.next_tool;
+  }
+  control_.length_used = control_.length_used || code == 430;
+  control_.frame.set_stated_length(length.stated_mm);
+  control_.modes.length = control_.builder.length = length;
+}
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,288 @@
+// What a person at a terminal gets: help, man page, completion, JSON, tables that fit, colours, progress and Ctrl-C.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "base/files/file.h"
+#include "support/command.h"
+
+namespace clearcut {
+namespace {
+
+using test_support::run_clearcut;
+using test_support::ScratchFolder;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string kExamples = std::string(CLEARCUT_SOURCE_DIR) + "/examples/";
+const std::string kSquare = R"({"name": "square", "units": "mm",
+  "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2})";
+const std::array<const char*, 13> kCommands{"plan", "batch",     "verify",  "check", "info",
+                                            "init", "convert",   "compare", "tools", "elements",
+                                            "tour", "reproduce", "study"};
+
+std::size_t widest_line(const std::string& text) {
+  std::size_t widest = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, line.size());
+  return widest;
+}
+
+/// Long names of the options in the help of a command.
+std::set<std::string> options_in(const std::string& help) {
+  std::set<std::string> names;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  -")) continue;
+    const auto at = line.find("--");
+    names.insert(line.substr(at, line.find_first_of(" ,", at) - at));
+  }
+  return names;
+}
+
+std::string without(std::string text, char what) {
+  std::erase(text, what);
+  return text;
+}
+
+TEST(Help, IsGroupedAndFitsEightyColumns) {
+  const auto all = run_clearcut({"--help"});
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_LE(widest_line(all.out), 80U);
+  for (const char* command : kCommands) {
+    EXPECT_THAT(all.out, HasSubstr(std::string("\n  ") + command + " "));
+    const auto help = run_clearcut({command, "--help"});
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_LE(widest_line(help.out), 80U) << command;
+    EXPECT_THAT(help.out, Not(HasSubstr("\nOptions:"))) << command << " has an option without a group";
+  }
+  const auto plan = run_clearcut({"plan", "--help"}).out;
+  for (const char* group :
+       {"Input", "Tools", "Strategy", "Limits", "Feeds and speeds", "Controller", "Output"})
+    EXPECT_THAT(plan, HasSubstr(std::string("\n") + group + ":\n"));
+  EXPECT_THAT(plan, HasSubstr("(default 3)"));
+  EXPECT_THAT(plan, HasSubstr("linuxcnc (default)"));
+}
+
+TEST(ManPage, AndCompletionHoldEveryOption) {
+  const auto man = without(run_clearcut({"generate", "man"}).out, '\\');
+  const auto bash = run_clearcut({"generate", "bash"}).out;
+  const auto zsh = run_clearcut({"generate", "zsh"}).out;
+  const auto fish = run_clearcut({"generate", "fish"}).out;
+  std::size_t count = 0;
+  for (const char* command : kCommands) {
+    EXPECT_THAT(man, HasSubstr(std::string(".SH CLEARCUT ") + command + "\n"));
+    for (const auto& option : options_in(run_clearcut({command, "--help"}).out)) {
+      ++count;
+      EXPECT_THAT(man, HasSubstr(option)) << command;
+      EXPECT_THAT(bash, HasSubstr(option)) << command;
+      EXPECT_THAT(zsh, HasSubstr("*" + option + "[")) << command;
+      EXPECT_THAT(fish, HasSubstr("__fish_seen_subcommand_from " + std::string(command)));
+      EXPECT_THAT(fish, HasSubstr(" -l " + option.substr(2) + " ")) << command;
+    }
+  }
+  EXPECT_GT(count, 150U);
+}
+
+bool has_program(const std::string& name) {
+  return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
+}
+
+/// The shells and readers that are here take what is made for them.
+TEST(ManPage, AndCompletionAreTakenByTheirPrograms) {
+  const ScratchFolder folder;
+  for (const char* what : {"man", "bash", "zsh", "fish"})
+    folder.file(what, run_clearcut({"generate", what}).out);
+  const auto run = [](const std::string& line) { return std::system((line + " >/dev/null").c_str()); };
+  EXPECT_EQ(run("bash -n " + folder.path("bash")), 0);
+  if (has_program("zsh")) {
+    EXPECT_EQ(run("zsh -n " + folder.path("zsh")), 0);
+  }
+  if (has_program("fish")) {
+    EXPECT_EQ(run("fish -n " + folder.path("fish")), 0);
+  }
+  if (has_program("mandoc")) {
+    EXPECT_EQ(run("mandoc -T lint -W error " + folder.path("man")), 0);
+  }
+  if (has_program("groff")) {
+    EXPECT_EQ(run("test -z \"$(groff -man -ww -z " + folder.path("man") + " 2>&1)\""), 0);
+  }
+}
+
+/// What bash offers for a line.
+std::string offered(const ScratchFolder& folder, const std::string& words, int at) {
+  const std::string script = "source " + folder.path("c") + "; COMP_WORDS=(" + words +
+                             "); COMP_CWORD=" + std::to_string(at) + "; _clearcut; echo \"${COMPREPLY[@]}\"";
+  EXPECT_EQ(std::system(("bash -c '" + script + "' >" + folder.path("out")).c_str()), 0);
+  return read_file(folder.path("out"));
+}
+
+TEST(Completion, OffersCommandsOptionsAndValues) {
+  const ScratchFolder folder;
+  folder.file("c", run_clearcut({"generate", "bash"}).out);
+  EXPECT_EQ(offered(folder, "clearcut pl", 1), "plan\n");
+  EXPECT_EQ(offered(folder, "clearcut plan --stepo", 2), "--stepover\n");
+  EXPECT_EQ(offered(folder, "clearcut plan --post h", 3), "haas heidenhain\n");
+  EXPECT_EQ(offered(folder, "clearcut reproduce sca", 2), "scallop\n");
+}
+
+TEST(Json, ComparesStrategies) {
+  const ScratchFolder folder;
+  const auto part = folder.file("square.json", kSquare);
+  const auto result = run_clearcut({"compare", part, "--tool", "endmill:16", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json.at("schema"), "clearcut-compare-1");
+  EXPECT_EQ(json.at("part"), "square");
+  int fastest = 0;
+  for (const auto& one : json.at("strategies")) {
+    EXPECT_FALSE(one.at("strategy").get<std::string>().empty());
+    if (!one.at("planned").get<bool>()) continue;
+    fastest += one.at("fastest").get<bool>() ? 1 : 0;
+    for (const char* field : {"feed_mm", "lower_bound_mm", "time_s", "published_time_s", "uncut_thickness_mm",
+                              "uncut_mm2", "gouge_mm", "engagement_max_deg", "engagement_mean_deg"})
+      EXPECT_TRUE(one.at(field).is_number()) << field;
+  }
+  EXPECT_EQ(fastest, 1);
+}
+
+TEST(Json, ComparesTools) {
+  const ScratchFolder folder;
+  const auto part = folder.file("square.json", kSquare);
+  const auto result = run_clearcut({"tools", part, "--tool", "endmill:60", "--tool", "endmill:12", "--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json.at("schema"), "clearcut-tools-1");
+  ASSERT_EQ(json.at("tools").size(), 2U);
+  EXPECT_EQ(json["tools"][0].at("tool").at("diameter_mm"), 12);
+  EXPECT_TRUE(json["tools"][0].at("fastest"));
+  EXPECT_FALSE(json["tools"][1].at("fits"));
+  EXPECT_FALSE(json["tools"][1].at("refusal").get<std::string>().empty());
+  EXPECT_TRUE(json.at("sequence").at("time_s").is_number());
+}
+
+TEST(Json, SaysWhatAPartHolds) {
+  const auto json = nlohmann::json::parse(run_clearcut({"info", kExamples + "fishhead.p21", "--json"}).out);
+  EXPECT_EQ(json.at("schema"), "clearcut-info-1");
+  EXPECT_FALSE(json.at("features").empty());
+  EXPECT_TRUE(json["features"][0].at("largest_cutter_mm").is_null()) << "the face is open: any cutter fits";
+  EXPECT_NEAR(json["features"][3].at("largest_cutter_mm").get<double>(), 35, 0.01);
+  EXPECT_EQ(json.at("features").size(), json.at("workingsteps").size());
+  EXPECT_TRUE(json.at("asks").empty());
+}
+
+TEST(Tables, FitTheWidthAskedForAndStayWholeInPipes) {
+  const ScratchFolder folder;
+  const auto part = folder.file("square.json", kSquare);
+  const auto out = folder.path("out.ngc");
+  EXPECT_GT(widest_line(run_clearcut({"compare", part, "--tool", "endmill:16"}).out), 80U);
+  ::setenv("COLUMNS", "80", 1);
+  EXPECT_LE(widest_line(run_clearcut({"compare", part, "--tool", "endmill:16"}).out), 80U);
+  EXPECT_LE(widest_line(run_clearcut({"reproduce", "coefficients"}).out), 80U);
+  ::setenv("COLUMNS", "60", 1);
+  const auto narrow = run_clearcut({"compare", part, "--tool", "endmill:16"});
+  ::setenv("COLUMNS", "200", 1);
+  const auto wide = run_clearcut({"compare", part, "--tool", "endmill:16"});
+  ::unsetenv("COLUMNS");
+  EXPECT_LE(widest_line(narrow.out), 60U);
+  EXPECT_GT(widest_line(wide.out), 80U);
+}
+
+struct Ended {
+  std::string shown;
+  int status = 0;
+};
+
+using Environment = std::vector<std::pair<std::string, std::string>>;
+
+/// Runs the command on a terminal of 80 columns; interrupts it after `interrupt_s` where that is above 0.
+Ended on_terminal(std::vector<std::string> arguments, const Environment& environment,
+                  double interrupt_s = 0) {
+  int terminal = -1;
+  winsize size{};
+  size.ws_row = 24;
+  size.ws_col = 80;
+  arguments.insert(arguments.begin(), CLEARCUT_COMMAND);
+  std::vector<char*> argv;
+  for (auto& one : arguments) argv.push_back(one.data());
+  argv.push_back(nullptr);
+  const pid_t child = ::forkpty(&terminal, nullptr, nullptr, &size);
+  if (child == 0) {
+    ::signal(SIGINT, SIG_DFL);
+    ::setenv("TERM", "xterm", 1);
+    ::unsetenv("NO_COLOR");
+    for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  std::thread interrupter([&] {
+    if (interrupt_s <= 0) return;
+    std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_s));
+    ::kill(child, SIGINT);
+  });
+  Ended ended;
+  std::array<char, 4096> buffer{};
+  for (ssize_t got = 0; (got = ::read(terminal, buffer.data(), buffer.size())) > 0;)
+    ended.shown.append(buffer.data(), static_cast<std::size_t>(got));
+  ::waitpid(child, &ended.status, 0);
+  interrupter.join();
+  ::close(terminal);
+  return ended;
+}
+
+std::vector<std::string> quick_plan(const ScratchFolder& folder) {
+  return {"plan",       folder.file("square.json", kSquare),
+          "--tool",     "endmill:16",
+          "--strategy", "contour",
+          "-o",         folder.path("out.ngc")};
+}
+
+TEST(Colours, AreForTheVerdictOnATerminalAlone) {
+  const ScratchFolder folder;
+  auto call = quick_plan(folder);
+  EXPECT_THAT(on_terminal(call, {}).shown, HasSubstr("verdict: \x1b[33mCONDITIONAL\x1b[0m"));
+  call.insert(call.end(), {"--accept", "out-of-reach"});
+  EXPECT_THAT(on_terminal(call, {}).shown, HasSubstr("verdict: \x1b[32mCLEAN\x1b[0m"));
+  EXPECT_THAT(on_terminal(call, {{"NO_COLOR", "1"}}).shown, HasSubstr("verdict: CLEAN"));
+  EXPECT_THAT(on_terminal(call, {{"TERM", "dumb"}}).shown, HasSubstr("verdict: CLEAN"));
+  EXPECT_THAT(run_clearcut(call).out, Not(HasSubstr("\x1b")));
+}
+
+/// Minutes of work: a small cutter on a large pocket.
+std::vector<std::string> long_work(const ScratchFolder& folder, const std::string& command) {
+  const auto part = folder.file("large.json", R"({"name": "large", "units": "mm",
+    "outer": [[0,0,0.1],[400,0,0.2],[400,300,0.1],[0,300,0.3]], "islands": [[[200,150,1],[150,150,1]]],
+    "top": 0, "depth": 5})");
+  return {command, part, "--tool", "endmill:1", "--tool", "endmill:1.5"};
+}
+
+TEST(Interrupt, LeavesNothingBehindAndIsCode130) {
+  for (const char* command : {"plan", "compare", "tools"}) {
+    const ScratchFolder folder;
+    auto call = long_work(folder, command);
+    if (call.front() == "plan") call.insert(call.end(), {"-o", folder.path("out.ngc")});
+    const auto ended = on_terminal(call, {}, 2.5);
+    ASSERT_TRUE(WIFSIGNALED(ended.status)) << command << ended.shown;
+    EXPECT_EQ(128 + WTERMSIG(ended.status), 130) << command;
+    EXPECT_THAT(ended.shown, HasSubstr(command == std::string("plan") ? "planning:" : " done")) << command;
+    EXPECT_THAT(ended.shown, HasSubstr("\r\x1b[Kclearcut: stopped")) << command;
+    EXPECT_THAT(folder.names(), ElementsAre("large.json")) << command;
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
