@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
 

@@ -102,6 +102,11 @@ double rounding_of(const PostOptions& options) {
   return largest_deviation(grid) + (options.dialect == kKlartext ? kKlartextDrift * grid.step() : 0);
 }
 
+double rounding_of_lines(const PostOptions& options) {
+  return PrintGrid(options.inch, options.decimals.value_or(default_decimals(options))).step() *
+         std::sqrt(0.5);
+}
+
 std::string write_program(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
   const IsoDialect* dialect = iso_dialect_named(options.dialect);
   if (!dialect && options.dialect != kKlartext) refuse_dialect(options.dialect);

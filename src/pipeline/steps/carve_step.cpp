@@ -44,10 +44,10 @@ Regions cleared_before(int workingstep, const Region& region, const ResolvedPlan
   return cleared;
 }
 
-/// mm that a flank stays off what it must not touch. In inches that may be more than in millimetres: what is kept off a wall is
-/// left in sharp corners several times.
-double aside_of(double slope, const ResolvedPlan& plan) {
-  return kChords + std::max(0.0, post::rounding_of(plan.post) * (1 + slope) - plan.tol.gouge / 2);
+/// mm that a flank stays off what it must not touch where tips are printed to `rounding`. No more than that: it is left in sharp
+/// corners several times.
+double aside_of(double slope, double rounding, const ResolvedPlan& plan) {
+  return kChords + std::max(0.0, rounding * (1 + slope) - 0.9 * plan.tol.gouge);
 }
 
 /// What is free up to every height at which something ends, from the top of a chamfer on.
@@ -79,7 +79,7 @@ plan::carve::TrackSets chamfer_tracks(const Feature& feature, const Tool& tool, 
   shape.slope = flank_slope(tool);
   shape.tip_radius = tool.tip_diameter / 2;
   shape.tool_radius = tool.radius();
-  shape.aside = kOffsets + aside_of(shape.slope, plan);
+  shape.aside = kOffsets + aside_of(shape.slope, post::rounding_of(plan.post), plan);
   shape.stepdown = stepdown;
   return plan::carve::chamfer_edge(*feature.chamfer, shape, standing_above(feature, plan), plan.tol).sets;
 }
@@ -98,7 +98,8 @@ plan::carve::TrackSets tracks_of(int workingstep, const ResolvedPlan& plan) {
   shape.floor = feature.floor_z;
   shape.slope = flank_slope(tool);
   shape.tip_radius = tool.tip_diameter / 2;
-  shape.aside = aside_of(shape.slope, plan);
+  shape.aside = aside_of(shape.slope, post::rounding_of_lines(plan.post), plan);
+  shape.arcs_aside = aside_of(shape.slope, post::rounding_of(plan.post), plan) - shape.aside;
   shape.stepdown = stepdown;
   shape.cusp = kCusp;
   plan::carve::TrackSets sets;

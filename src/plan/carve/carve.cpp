@@ -38,7 +38,7 @@ class RegionCarver {
     for (int i = 1; i <= levels; ++i) {
       const double z = i == levels ? shape_.floor : shape_.top - depth * i / levels;
       std::vector<Track> set = tracks_of(joined(deeper_than(above)), z);
-      if (has_floor) add_rings(clearance_.inset(widest_), z, set);
+      if (has_floor) add_rings(clearance_.inset(widest_ + shape_.arcs_aside), z, set);
       sets.push_back(std::move(set));
       above = z;
     }

@@ -16,6 +16,7 @@ struct CarveShape {
   double slope = 0;       ///< mm that the flanks go outwards for each mm upwards
   double tip_radius = 0;  ///< of the flat at the tip
   double aside = 0;       ///< mm that flanks stay inside the outline: what rounding and chords may take
+  double arcs_aside = 0;  ///< mm that rings on the floor stay off besides: arcs are rounded more
   double stepdown = 0;    ///< most that one pass goes deeper than the one before
   double cusp = 0;        ///< highest ridge that may stay between passes on the floor
 };

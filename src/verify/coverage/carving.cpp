@@ -13,7 +13,7 @@ namespace clearcut::verify {
 namespace {
 
 /// mm along the outline between circles, and between places on an engraved line.
-constexpr double kRaySpacing = 0.004;
+constexpr double kRaySpacing = 0.002;
 constexpr double kLineSpacing = 0.02;
 /// mm. A circle that an outline cuts no deeper is one that it touches.
 constexpr double kTouch = 1e-7;

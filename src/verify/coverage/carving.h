@@ -27,14 +27,14 @@ inline constexpr double kHighestCusp = 0.05;
 /// Features of which a step is carved, in order of the workplan.
 std::vector<CarvingWork> carvings_of(const Part& part);
 
-/// V-carving: from every 0.004 mm of the outline, and all round its outer corners, the largest circle that touches the outline there
+/// V-carving: from every 0.002 mm of the outline, and all round its outer corners, the largest circle that touches the outline there
 /// and lies within it, no larger than the depth allows; in its middle the cutters have to be as deep as a cone in the circle, to
 /// within tol.uncut. Every place of the carving lies on the line from such a middle to the outline, and both the ideal
 /// carving and what cones leave rise at the flank's slope towards it. The floor, where the limit is reached, by
 /// squares that are divided until each lies in what a cutter has cut, or stands no higher than a cusp.
 /// Engraving: every 0.02 mm of the line.
 ///
-/// Cost O(length of the outline / 0.004 mm * moves near).
+/// Cost O(length of the outline / 0.002 mm * moves near).
 void judge_carving(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work);
 
 /// Faults of what judge_carving found.
