@@ -30,6 +30,10 @@ const char* name_of(FeatureKind kind) {
       return "inside_profile";
     case FeatureKind::kEngraving:
       return "engraving";
+    case FeatureKind::kVCarving:
+      return "v_carving";
+    case FeatureKind::kChamfer:
+      return "chamfer";
   }
   return "feature";
 }
@@ -53,8 +57,14 @@ const Feature& feature_of(const Part& part, const Workingstep& step) {
   return part.features.at(static_cast<std::size_t>(step.feature));
 }
 
+bool is_carved(const Feature& feature, const Tool& tool) {
+  if (feature.carving || feature.chamfer) return is_conical(tool);
+  return feature.kind == FeatureKind::kEngraving && (is_conical(tool) || tool.kind == ToolKind::kBallEndMill);
+}
+
 bool closed_all_round(const Feature& feature) {
-  return feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole;
+  return feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole ||
+         feature.kind == FeatureKind::kVCarving;
 }
 
 }  // namespace clearcut::inline model

@@ -28,7 +28,9 @@ enum class FeatureKind {
   kRoundHole,
   kOutsideProfile,
   kInsideProfile,
-  kEngraving
+  kEngraving,
+  kVCarving,  ///< as deep as a cone's width at the top allows
+  kChamfer    ///< the edge of a wall broken by a cone
 };
 const char* name_of(FeatureKind kind);
 
@@ -50,6 +52,21 @@ struct ProfileCut {
   bool closed = true;
   double beyond = 0;      ///< mm; how far floor_z lies below the material
   std::vector<Tab> tabs;  ///< in the layers of this feature
+};
+
+/// Lettering and ornament whose depth is that of a cone that touches the outline on both sides.
+struct VCarving {
+  std::optional<double> limit;  ///< mm below the top: a flat floor where the cone would go deeper
+};
+
+/// The edge of a wall that is to be broken. The wall runs down from `line`; how wide the chamfer is follows from the cone.
+struct Chamfer {
+  Loop line;
+  double depth = 0;        ///< mm from the wall's top down to the chamfer's foot
+  bool air_inside = true;  ///< the loop bounds what is milled; else what stays
+  Regions room;            ///< beside the wall: where nothing stands any more at the foot
+  double room_floor = 0;   ///< z of what stands in the room
+  double reach = 0;        ///< mm; radius of the round corners that mills left in the room
 };
 
 /// A prismatic volume to remove: every point of `target` down to `floor_z`.
@@ -74,6 +91,10 @@ struct Feature {
   bool through = false;
   /// Profiles and engraving: what the cutter's centre follows. Their target and allowed depend on the cutter: the kerf.
   std::optional<ProfileCut> profile = {};
+  /// V-carving only; its wall_slope and floor_z are those of the cutter.
+  std::optional<VCarving> carving = {};
+  /// Chamfers only: their target is the strip that they take of the top, and only its side away from the line leans.
+  std::optional<Chamfer> chamfer = {};
 };
 
 /// How far beyond the stock an open side's `allowed` region reaches, mm.
@@ -150,6 +171,9 @@ struct Part {
 /// What a step works with and on.
 const Tool& tool_of(const Part& part, const Workingstep& step);
 const Feature& feature_of(const Part& part, const Workingstep& step);
+
+/// Whether the cutter makes the feature by its own shape along lines in space, rather than clearing it layer by layer.
+bool is_carved(const Feature& feature, const Tool& tool);
 
 /// Whether walls bound the feature on all sides, so that the cutter can leave it upwards alone.
 bool closed_all_round(const Feature& feature);

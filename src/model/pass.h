@@ -33,6 +33,17 @@ struct Pass {
   bool starts_clear = false;
 };
 
+/// A line in space that the tip of a shaped cutter follows. Its pieces join end to start.
+struct Track {
+  struct Piece {
+    Edge path;
+    double z_from = 0;
+    double z_to = 0;
+  };
+  std::vector<Piece> pieces;
+  bool closed = false;  ///< may begin with any of its pieces
+};
+
 /// All passes of one layer of one feature with what linking needs to know.
 struct LayerPasses {
   double z_top = 0;             ///< where material begins

@@ -1,5 +1,8 @@
 #include "model/tool.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace clearcut::inline model {
 
 namespace {
@@ -8,10 +11,11 @@ struct ToolName {
   ToolKind kind;
   const char* name;
 };
-constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},  {ToolKind::kFaceMill, "facemill"},
-                               {ToolKind::kBallEndMill, "ball"}, {ToolKind::kBullNoseEndMill, "bullnose"},
-                               {ToolKind::kDrill, "drill"},      {ToolKind::kReamer, "reamer"},
-                               {ToolKind::kOther, "other"}};
+constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},     {ToolKind::kFaceMill, "facemill"},
+                               {ToolKind::kBallEndMill, "ball"},    {ToolKind::kBullNoseEndMill, "bullnose"},
+                               {ToolKind::kDrill, "drill"},         {ToolKind::kReamer, "reamer"},
+                               {ToolKind::kVBit, "vbit"},           {ToolKind::kChamferMill, "chamfer"},
+                               {ToolKind::kSpotDrill, "spotdrill"}, {ToolKind::kOther, "other"}};
 
 }  // namespace
 
@@ -25,6 +29,35 @@ std::optional<ToolKind> tool_kind_named(const std::string& name) {
   for (const ToolName& entry : kNames)
     if (name == entry.name) return entry.kind;
   return std::nullopt;
+}
+
+bool is_conical(const Tool& tool) {
+  const bool kind = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
+                    tool.kind == ToolKind::kSpotDrill;
+  return kind && tool.tip_angle.has_value();
+}
+
+double flank_slope(const Tool& tool) {
+  return std::tan(tool.tip_angle.value_or(Radians{}).radians() / 2);
+}
+
+double cone_height(const Tool& tool) {
+  return (tool.radius() - tool.tip_diameter / 2) / flank_slope(tool);
+}
+
+double radius_at(const Tool& tool, double height) {
+  if (is_conical(tool))
+    return std::min(tool.radius(), tool.tip_diameter / 2 + std::max(0.0, height) * flank_slope(tool));
+  const double round = tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
+  const double flat = std::max(0.0, tool.radius() - round);
+  const double below = std::clamp(round - height, 0.0, round);  // the middle of the round
+  return flat + std::sqrt(round * round - below * below);
+}
+
+bool clears_floors(const Tool& tool) {
+  return tool.kind != ToolKind::kDrill && tool.kind != ToolKind::kReamer &&
+         tool.kind != ToolKind::kSpotDrill && tool.kind != ToolKind::kVBit &&
+         tool.kind != ToolKind::kChamferMill;
 }
 
 }  // namespace clearcut::inline model

@@ -8,8 +8,20 @@
 
 namespace clearcut::inline model {
 
-enum class ToolKind { kEndMill, kFaceMill, kBallEndMill, kBullNoseEndMill, kDrill, kReamer, kOther };
-/// "endmill", "facemill", "ball", "bullnose", "drill", "reamer", "other": as on the command line.
+enum class ToolKind {
+  kEndMill,
+  kFaceMill,
+  kBallEndMill,
+  kBullNoseEndMill,
+  kDrill,
+  kReamer,
+  kVBit,         ///< a cone down to a point or a small flat
+  kChamferMill,  ///< a cone with a flat tip that does not cut
+  kSpotDrill,    ///< a cone that goes straight down
+  kOther
+};
+/// "endmill", "facemill", "ball", "bullnose", "drill", "reamer", "vbit", "chamfer", "spotdrill", "other": as on the command
+/// line.
 const char* name_of(ToolKind kind);
 std::optional<ToolKind> tool_kind_named(const std::string& name);
 
@@ -22,9 +34,22 @@ struct Tool {
   double corner_radius = 0;  ///< 0 flat
   int teeth = 2;
   std::optional<double> flute_length;
-  bool center_cutting = true;  ///< may plunge straight down
+  bool center_cutting = true;             ///< may plunge straight down
+  std::optional<Radians> tip_angle = {};  ///< cones: between opposite flanks
+  double tip_diameter = 0;                ///< cones: of the flat at the tip
   double radius() const { return diameter / 2; }
 };
+
+/// Whether the cutter is a cone from its tip up to its diameter: V-bits, chamfer mills, spot drills with an angle.
+bool is_conical(const Tool& tool);
+/// Of a cone: mm that it grows sideways for each mm of height.
+double flank_slope(const Tool& tool);
+/// Of a cone: mm from its tip up to where it has its diameter.
+double cone_height(const Tool& tool);
+/// Radius at `height` mm above the tip: there a cutter that runs deeper clears as much. mm.
+double radius_at(const Tool& tool, double height);
+/// Whether it clears areas down to a flat floor: not what only goes straight down, nor cones.
+bool clears_floors(const Tool& tool);
 
 /// Feeds and speeds of one operation. Absent values take the documented defaults (see defaults_for).
 struct CuttingData {

@@ -1,8 +1,17 @@
 #include "post/block_printer.h"
 
+#include <string>
+
 #include "post/comment.h"
 
 namespace clearcut::post {
+namespace {
+
+constexpr int kNumberStep = 10;
+constexpr int kGreatestNumber = 99990;  // controls read five digits; then they begin again
+constexpr std::size_t kLongestNumber = std::string_view("N99990 ").size();
+
+}  // namespace
 
 void BlockPrinter::word(std::string_view text) {
   if (!block_.empty()) block_ += ' ';
@@ -16,14 +25,24 @@ void BlockPrinter::word(char letter, long long ticks, const PrintGrid& grid) {
 }
 
 void BlockPrinter::end_block() {
-  if (block_.size() > dialect_.line_length) std::erase(block_, ' ');
+  const std::size_t number = numbered_ ? kLongestNumber : 0;
+  if (block_.size() + number > dialect_.line_length) std::erase(block_, ' ');
   line(block_);
   block_.clear();
 }
 
 void BlockPrinter::line(std::string_view text) {
+  // Comments, the tape's ends and the program's number stand alone.
+  const bool is_block =
+      !text.empty() && std::string_view("(;%O").find(text.front()) == std::string_view::npos;
+  if (numbered_ && is_block) out_ += 'N' + std::to_string(next_number()) + ' ';
   out_ += text;
   out_ += '\n';
+}
+
+int BlockPrinter::next_number() {
+  number_ = number_ == kGreatestNumber ? kNumberStep : number_ + kNumberStep;
+  return number_;
 }
 
 void BlockPrinter::comment(std::string_view text) {

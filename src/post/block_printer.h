@@ -11,7 +11,9 @@ namespace clearcut::post {
 
 class BlockPrinter {
  public:
-  explicit BlockPrinter(const IsoDialect& dialect) : dialect_(dialect) {}
+  /// `numbered`: every block begins with an N word, in tens.
+  explicit BlockPrinter(const IsoDialect& dialect, bool numbered = false)
+      : dialect_(dialect), numbered_(numbered) {}
 
   /// Adds a word to the block begun.
   void word(std::string_view text);
@@ -19,7 +21,7 @@ class BlockPrinter {
   bool in_block() const { return !block_.empty(); }
   /// Ends the block, without its spaces if the line would be too long for the control.
   void end_block();
-  /// A whole line as it is.
+  /// A whole line as it is, after its number.
   void line(std::string_view text);
   /// One comment, on as many lines as its length needs.
   void comment(std::string_view text);
@@ -27,7 +29,11 @@ class BlockPrinter {
   std::string take() { return std::move(out_); }
 
  private:
+  int next_number();
+
   const IsoDialect& dialect_;
+  bool numbered_;
+  int number_ = 0;  ///< of the block before
   std::string out_;
   std::string block_;
 };

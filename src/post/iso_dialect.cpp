@@ -14,12 +14,13 @@ constexpr std::array kDialects{
                .length_offset = LengthOffset::kPlain,
                .drill_cycles = true,
                .end = "M2"},
-    // 32-bit numbers; M6 and G43 are errors; no wait of its own for the spindle.
+    // 32-bit numbers; M6 and G43 are errors, M1 does nothing; no wait of its own for the spindle.
     IsoDialect{.name = "grbl",
                .line_length = 79,
                .knows_exact_stop = false,
                .changer = false,
                .spindle_wait = 2,
+               .optional_stop = false,
                .largest_radius = 1000},
     IsoDialect{.name = "fanuc",
                .mm_decimals = 3,
@@ -58,7 +59,7 @@ constexpr std::array kDialects{
                .length_offset = LengthOffset::kNumbered,
                .spindle_wait = 2,
                .drill_cycles = true},
-    // G21 and G17 only exist in some builds; M30 would delete a file on the card.
+    // G21 and G17 only exist in some builds; M1 stops like M0; N words need checksums; M30 would delete a file on the card.
     IsoDialect{.name = "marlin",
                .extension = ".gcode",
                .comments = CommentForm::kSemicolon,
@@ -71,6 +72,8 @@ constexpr std::array kDialects{
                .spindle_wait = 2,
                .rapid_feed = true,
                .repeats_motion = true,
+               .optional_stop = false,
+               .block_numbers = false,
                .end = "",
                .largest_radius = 1000},
 };

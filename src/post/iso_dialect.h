@@ -50,6 +50,8 @@ struct IsoDialect {
   bool rapid_feed = false;        ///< F rules G0 too
   bool repeats_motion = false;    ///< every block needs its G word
   bool drill_cycles = false;      ///< G81 and G83
+  bool optional_stop = true;      ///< M1, which stops where the operator has asked for it
+  bool block_numbers = true;      ///< N words are numbers alone
   bool dogleg_rapids = false;     ///< G0 need not be straight: z and plan move one after the other
   std::string_view end = "M30";   ///< last word; empty: a comment says it
   double largest_radius = 10000;  ///< mm

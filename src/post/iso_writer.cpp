@@ -41,7 +41,7 @@ class IsoWriter {
         rules_(rules_for(options, dialect)),
         feed_grid_(options.inch, options.inch ? 3 : 2),
         safe_z_(rules_.grid.ticks(safe_z)),
-        out_(dialect) {}
+        out_(dialect, options.block_numbers) {}
 
   std::string program(const Toolpath& toolpath);
 
@@ -49,6 +49,7 @@ class IsoWriter {
   static StepRules rules_for(const PostOptions& options, const IsoDialect& dialect);
 
   void begin_program();
+  std::string safe_start() const;
   void set_path_control();
   void write_section(const Section& section);
   void end_program();
@@ -109,15 +110,24 @@ std::string IsoWriter::program(const Toolpath& toolpath) {
 void IsoWriter::begin_program() {
   if (dialect_.tape) out_.line("%");
   if (dialect_.program_digits > 0) {
-    out_.line(fmt::format("O{:0{}}", program_number(options_.program_name), dialect_.program_digits));
+    out_.line(fmt::format("O{:0{}}", options_.program_number.value_or(program_number(options_.program_name)),
+                          dialect_.program_digits));
   }
   if (!options_.program_name.empty()) out_.comment(options_.program_name);
   for (const std::string& text : options_.header) out_.comment(text);
   out_.comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   const std::string_view units = options_.inch ? "G20" : dialect_.metric;
   if (!units.empty()) out_.line(units);
-  out_.line(dialect_.safe_start);
+  out_.line(safe_start());
   set_path_control();
+}
+
+/// With the work offset that is asked for in place of the first.
+std::string IsoWriter::safe_start() const {
+  std::string words(dialect_.safe_start);
+  const std::size_t at = words.find("G54");
+  if (at != std::string::npos) words.replace(at, 3, "G" + std::to_string(options_.work_offset));
+  return words;
 }
 
 /// Blending may use half of the gouge tolerance; rounding the words needs less than the rest. Q0: no merging.
@@ -189,6 +199,7 @@ void IsoWriter::change_tool(int number) {
   set_coolant(false);
   set_spindle({});
   home();
+  if (options_.optional_stop && held_.tool != 0) out_.line("M1");
   out_.comment(tool_change_comment(part_, number));
   if (changes_tools()) {
     load_by_changer(number);

@@ -1,6 +1,7 @@
 #include "post/post.h"
 
 #include <cmath>
+#include <string>
 
 #include "base/error.h"
 #include "base/text/format.h"
@@ -60,6 +61,24 @@ int default_decimals(const PostOptions& options) {
   throw InputError("", "unknown post '" + name + "'; known: " + known);
 }
 
+/// What was asked for and this control has not. Null: Klartext.
+void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect) {
+  const auto refuse = [&](const char* option, const std::string& what) {
+    throw InputError(option, options.dialect + " has no " + what + "; leave it out");
+  };
+  if (options.work_offset != 54 && (!dialect || dialect->safe_start.find("G54") == std::string_view::npos))
+    refuse("--work-offset", "work offsets in its programs");
+  if (options.optional_stop && !(dialect && dialect->optional_stop))
+    refuse("--optional-stop", "M1 that stops only where the operator wants it");
+  const int digits = dialect ? dialect->program_digits : 0;
+  if (options.program_number && digits == 0) refuse("--program-number", "O word");
+  if (options.program_number &&
+      std::to_string(*options.program_number).size() > static_cast<std::size_t>(digits))
+    refuse("--program-number", "O word of so many digits");
+  if (options.block_numbers && !(dialect && dialect->block_numbers))
+    refuse("--block-numbers", "N words to choose");
+}
+
 }  // namespace
 
 const std::vector<std::string>& post_dialects() {
@@ -83,12 +102,18 @@ double rounding_of(const PostOptions& options) {
   return largest_deviation(grid) + (options.dialect == kKlartext ? kKlartextDrift * grid.step() : 0);
 }
 
+double rounding_of_lines(const PostOptions& options) {
+  return PrintGrid(options.inch, options.decimals.value_or(default_decimals(options))).step() *
+         std::sqrt(0.5);
+}
+
 std::string write_program(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
   const IsoDialect* dialect = iso_dialect_named(options.dialect);
   if (!dialect && options.dialect != kKlartext) refuse_dialect(options.dialect);
   if (options.decimals && (*options.decimals < 1 || *options.decimals > 6)) {
     throw InputError("", "decimals must be 1 to 6");
   }
+  refuse_missing_words(options, dialect);
   for (const Section& section : toolpath.sections) check(section);
   return dialect ? write_iso(toolpath, part, options, *dialect) : write_klartext(toolpath, part, options);
 }

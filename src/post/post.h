@@ -20,6 +20,8 @@ std::string file_extension_of(const std::string& dialect);
 /// Largest distance in plan between a toolpath and the program written for it, mm: rounding to the printed
 /// decimals. Arcs that have to become lines add tol.chord.
 double rounding_of(const PostOptions& options);
+/// The same for straight lines alone: no arc's radius is rounded.
+double rounding_of_lines(const PostOptions& options);
 
 /// The program's text: LF line ends, ASCII. Same input, same bytes.
 ///

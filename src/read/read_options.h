@@ -28,7 +28,8 @@ enum class LayerRole {
   kEngrave,  ///< the cutter's centre on the line; lines may be open
   kChamfer,
   kFace,
-  kStock  ///< the block that it is made of
+  kStock,  ///< the block that it is made of
+  kVCarve  ///< carved with a V-bit between the outlines
 };
 
 /// What the user says about the layers (DXF) or colours (SVG, "#ff0000") that match a pattern; goes before

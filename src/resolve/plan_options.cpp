@@ -15,6 +15,10 @@
 namespace clearcut::resolve {
 namespace {
 
+/// Degrees between the flanks of a cone.
+constexpr double kSharpest = 5;
+constexpr double kBluntest = 170;
+
 std::optional<double> number(std::string_view text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -36,8 +40,9 @@ double required_length(const std::string& text, const std::string& place, const 
 
 std::string kind_names() {
   std::string names;
-  for (const auto kind : {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill,
-                          ToolKind::kBallEndMill, ToolKind::kDrill, ToolKind::kReamer}) {
+  for (const auto kind :
+       {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill, ToolKind::kBallEndMill,
+        ToolKind::kDrill, ToolKind::kReamer, ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kSpotDrill}) {
     names += (names.empty() ? "" : ", ") + std::string(name_of(kind));
   }
   return names;
@@ -49,6 +54,18 @@ int whole_number(const std::string& text, const std::string& place, const char* 
     throw InputError(place,
                      fmt::format("'{}' is not {}: it must be whole, from {} to {}", text, what, least, most));
   return static_cast<int>(value);
+}
+
+bool is_angle(const std::string& word) {
+  return word.size() > 3 && word.ends_with("deg");
+}
+
+Radians required_angle(const std::string& text, const std::string& place) {
+  const auto degrees = number(is_angle(text) ? std::string_view(text).substr(0, text.size() - 3) : text);
+  if (!degrees || *degrees < kSharpest || *degrees > kBluntest)
+    throw InputError(place, fmt::format("'{}' is no angle between flanks; write 60deg, from {} to {}", text,
+                                        kSharpest, kBluntest));
+  return Radians::of_degrees(*degrees);
 }
 
 void apply_word(Tool& tool, const std::string& word, const std::string& place) {
@@ -65,13 +82,33 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
     tool.corner_radius = required_length(value, place, "a corner radius");
   } else if (key == "length") {
     tool.flute_length = required_length(value, place, "a length of flutes");
+  } else if (is_angle(word) || key == "angle") {
+    tool.tip_angle = required_angle(is_angle(word) ? word : value, place);
+  } else if (key == "tip") {
+    tool.tip_diameter = required_length(value, place, "a diameter of the tip");
   } else if (key == "name") {
     tool.name = value;
   } else {
     throw InputError(
         place,
-        fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, name=, noplunge", word));
+        fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, 60deg, tip=, name=, noplunge",
+                    word));
   }
+}
+
+/// What the kind of the tool needs of its cone.
+void check_cone(const Tool& tool, const std::string& place) {
+  const bool cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
+                    tool.kind == ToolKind::kSpotDrill;
+  if (cone && !tool.tip_angle)
+    throw InputError(
+        place,
+        fmt::format("a {0} needs the angle between its flanks, for example {0}:{1}deg:{2}",
+                    name_of(tool.kind), tool.kind == ToolKind::kVBit ? 60 : 90, trimmed(tool.diameter, 4)));
+  if (!cone && (tool.tip_angle || tool.tip_diameter > 0))
+    throw InputError(place, fmt::format("a {} has no tip angle and no tip diameter", name_of(tool.kind)));
+  if (tool.tip_diameter < 0 || tool.tip_diameter >= tool.diameter)
+    throw InputError(place, "the diameter of the tip must be 0 or more, and less than the tool's");
 }
 
 void require(bool good, const char* option, const char* what) {
@@ -90,7 +127,9 @@ bool absent_or_not_negative(const std::optional<double>& value) {
 
 Tool parse_tool(const std::string& text) {
   const std::string place = "--tool " + text;
-  const auto words = split(text, ':');
+  auto words = split(text, ':');
+  // "vbit:60deg:6" and "vbit:6:60deg" are the same.
+  if (words.size() > 2 && is_angle(words[1])) std::swap(words[1], words[2]);
   if (words.size() < 2) throw InputError(place, "needs a kind and a diameter in mm, for example endmill:10");
   const auto kind = tool_kind_named(words[0]);
   if (!kind)
@@ -107,6 +146,7 @@ Tool parse_tool(const std::string& text) {
   if (tool.corner_radius < 0 || tool.corner_radius > tool.radius())
     throw InputError(place, fmt::format("the corner radius must lie between 0 and {} mm, half the diameter",
                                         trimmed(tool.radius(), 4)));
+  check_cone(tool, place);
   if (tool.flute_length && !(*tool.flute_length > 0))
     throw InputError(place, "the length of the flutes must be above 0 mm");
   return tool;

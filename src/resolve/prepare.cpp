@@ -10,6 +10,9 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "resolve/carvings.h"
+#include "resolve/features/chamfers.h"
+#include "resolve/features/facing.h"
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
 #include "resolve/tool_cutting.h"
@@ -69,6 +72,8 @@ std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions&
 int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& used,
              const Tolerances& tol) {
   if (tools.size() == 1) return 0;
+  if (feature.chamfer) return std::max(0, chamfer_tool(tools));
+  if (const int carver = carving_tool(feature, tools); carver >= 0) return carver;
   if (feature.profile) return profile_tool(*feature.profile, tools, tol);
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
   const auto hole = stock::round_hole_of(feature, tol);
@@ -78,7 +83,7 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
   };
   const auto better = [&](const Tool& a, const Tool& b) {
     if (drills(a) != drills(b)) return drills(a);
-    if (stock::only_plunges(a) != stock::only_plunges(b)) return stock::only_plunges(b);
+    if (clears_floors(a) != clears_floors(b)) return clears_floors(a);
     const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
     if (a_fits != b_fits) return a_fits;
     return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;
@@ -286,13 +291,16 @@ Part prepare(Part part, const PlanOptions& options) {
 Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
   sources = options.step_sources;
+  add_facing(part, options);
   choose_tools(part, options, sources);
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
   shape_profiles(part, options, sources);
+  shape_carvings(part, options, sources);
   if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options, sources);
   if (finish_of(options.shop) != Finish::kNone) add_finishing_steps(part, options, sources);
+  shape_chamfers(part, options.tol);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {
     const auto& tool = tool_of(part, step);

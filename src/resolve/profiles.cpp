@@ -252,8 +252,7 @@ std::optional<Feature> split_at_tabs(Feature& feature, double radius, Part& part
 int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
   std::vector<int> mills;
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    if (!stock::only_plunges(tools[i]) && tools[i].kind != ToolKind::kFaceMill)
-      mills.push_back(static_cast<int>(i));
+    if (clears_floors(tools[i]) && tools[i].kind != ToolKind::kFaceMill) mills.push_back(static_cast<int>(i));
   }
   if (mills.empty()) return 0;
   std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {

@@ -51,6 +51,16 @@ void refuse_beside_stock(const Part& part, const Feature& feature) {
                                trimmed(stock.min.y, 3), trimmed(stock.max.y, 3)));
 }
 
+void refuse_wrong_kind(const Part& part, const Workingstep& step) {
+  const Feature& feature = feature_of(part, step);
+  const Tool& tool = tool_of(part, step);
+  if (clears_floors(tool) || stock::only_plunges(tool) || is_carved(feature, tool)) return;
+  throw InputError(feature.name,
+                   fmt::format("T{} ({} {} mm) clears no floors; give an end mill for it, for example --tool "
+                               "endmill:6",
+                               tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
+}
+
 void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
@@ -108,6 +118,7 @@ void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   for (const Workingstep& step : part.workplan) {
     refuse_beside_stock(part, feature_of(part, step));
     refuse_below_stock(part, feature_of(part, step));
+    refuse_wrong_kind(part, step);
     refuse_beyond_flutes(part, step);
   }
   refuse_places_outside(part, options);

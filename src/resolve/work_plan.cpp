@@ -24,7 +24,7 @@ std::vector<int> mills_of(const std::vector<Tool>& tools) {
     const auto as_wide = [&](int other) {
       return tools[static_cast<std::size_t>(other)].diameter == tools[i].diameter;
     };
-    if (!stock::only_plunges(tools[i]) && std::none_of(mills.begin(), mills.end(), as_wide))
+    if (clears_floors(tools[i]) && std::none_of(mills.begin(), mills.end(), as_wide))
       mills.push_back(static_cast<int>(i));
   }
   std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {
@@ -37,7 +37,9 @@ std::vector<int> mills_of(const std::vector<Tool>& tools) {
 std::vector<Workingstep> last_milling_steps(const Part& part) {
   std::vector<Workingstep> last;
   for (const Workingstep& step : part.workplan) {
-    if (stock::only_plunges(tool_of(part, step))) continue;
+    const Feature& feature = feature_of(part, step);
+    if (!clears_floors(tool_of(part, step)) || feature.carving || is_carved(feature, tool_of(part, step)))
+      continue;
     std::erase_if(last, [&](const Workingstep& other) { return other.feature == step.feature; });
     last.push_back(step);
   }
@@ -47,7 +49,7 @@ std::vector<Workingstep> last_milling_steps(const Part& part) {
 /// Whether a cutter wider than `tool` works on the feature of `step`.
 bool is_preceded_by_wider(const Part& part, const Workingstep& step, const Tool& tool) {
   return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
-    return other.feature == step.feature && !stock::only_plunges(tool_of(part, other)) &&
+    return other.feature == step.feature && clears_floors(tool_of(part, other)) &&
            tool_of(part, other).diameter > tool.diameter;
   });
 }
@@ -101,7 +103,7 @@ void add_floor_steps(const Part& part, int feature, const ShopOptions& shop, std
   std::optional<double> narrowest;
   for (const Workingstep& step : part.workplan) {
     const Tool& tool = tool_of(part, step);
-    if (step.feature != feature || stock::only_plunges(tool) || (narrowest && tool.diameter >= *narrowest))
+    if (step.feature != feature || !clears_floors(tool) || (narrowest && tool.diameter >= *narrowest))
       continue;
     floors.push_back(floor_step(step, narrowest.has_value(), shop, sources));
     narrowest = tool.diameter;
@@ -204,7 +206,7 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
     const auto same = [&](const Workingstep& other) { return other.feature == step.feature; };
     const bool finished =
         std::any_of(floors.begin(), floors.end(), same) || std::any_of(walls.begin(), walls.end(), same);
-    if (finished && !stock::only_plunges(tool_of(part, step)))
+    if (finished && clears_floors(tool_of(part, step)))
       leave_stock(step.operation, shop, sources[step_key(step)]);
   }
   part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());

@@ -35,8 +35,10 @@ std::vector<double> stacked_tops(const Part& part, const Tolerances& tol) {
   for (const int index : cutting_order(part)) {
     const Feature& feature = part.features[static_cast<std::size_t>(index)];
     const double start = part.stock ? part.stock->z_top : feature.top_z;
-    const double top = std::max(top_over(feature.target, deepest_first, start, tol), feature.floor_z);
+    const double over = top_over(feature.target, deepest_first, start, tol);
+    const double top = feature.chamfer ? over : std::max(over, feature.floor_z);
     tops[static_cast<std::size_t>(index)] = top;
+    if (feature.chamfer) continue;  // what its strip takes is as good as standing for others
     const auto place = std::upper_bound(deepest_first.begin(), deepest_first.end(), feature.floor_z,
                                         [](double floor, const Cleared& c) { return floor < c.floor_z; });
     deepest_first.insert(place, cleared_by(feature, top, tol));

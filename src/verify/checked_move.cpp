@@ -174,12 +174,6 @@ void append_moves(const Part& part, const Toolpath& toolpath, const Machine& mac
 
 }  // namespace
 
-double radius_at(const Tool& tool, double height) {
-  const double flat = flat_radius_of(tool), round = tool.radius() - flat;
-  const double below = std::clamp(round - height, 0.0, round);  // height below the centre of the rounding
-  return flat + std::sqrt(round * round - below * below);
-}
-
 JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
                              const Toolpath* earlier, const ControlTable* control) {
   JudgedProgram program;

@@ -41,9 +41,6 @@ inline double flat_radius_of(const Tool& tool) {
   return std::max(0.0, tool.radius() - tool.corner_radius);
 }
 
-/// mm; radius at `height` mm above the tip, or the greatest radius below that height.
-double radius_at(const Tool& tool, double height);
-
 /// A move of the program, with what is known about it and what checking found.
 struct JudgedMove {
   const Move* move = nullptr;

@@ -5,12 +5,14 @@
 
 #include "verify/blend.h"
 #include "verify/checked_move.h"
+#include "verify/coverage/carving.h"
 #include "verify/coverage/coverage.h"
 #include "verify/coverage/feature_work.h"
 #include "verify/engagement/forces.h"
 #include "verify/engagement/load.h"
 #include "verify/faults/faults.h"
 #include "verify/faults/gouge.h"
+#include "verify/faults/shaped_cutter.h"
 #include "verify/faults/tabs.h"
 #include "verify/figures.h"
 #include "verify/part/finished_part.h"
@@ -21,6 +23,20 @@ namespace {
 /// Number of moves that are checked as one task.
 constexpr std::size_t kChunk = 2000;
 
+/// The deepest gouge of a cutter that may be `aside` mm off its path. A ball is narrower below: where its cylinder would cut,
+/// its own shape decides on level and vertical moves; on sloping ones it stays judged as a cylinder.
+std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& move, const Tool& tool,
+                                   double aside, double slack, bool joined) {
+  const auto gouge = gouge_of(finished, move, tool.radius() + aside, slack, joined);
+  const bool slopes = !move.is_vertical() && move.z_from != move.z_to;
+  if (!gouge || tool.kind != ToolKind::kBallEndMill || slopes) return gouge;
+  Tool wider = tool;
+  wider.kind = ToolKind::kBullNoseEndMill;
+  wider.corner_radius = tool.radius();
+  wider.diameter += 2 * aside;
+  return shaped_gouge_of(finished, move, wider, slack);
+}
+
 void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, const Tolerances& tol) {
   const JudgedMove* before = nullptr;  // ended outside the part
   for (JudgedMove& judged : moves) {
@@ -28,9 +44,14 @@ void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, con
       before = nullptr;
       continue;
     }
+    if (is_conical(*judged.tool)) {
+      judged.gouge = shaped_gouge_of(finished, *judged.move, *judged.tool, tol.gouge);
+      before = nullptr;
+      continue;
+    }
     const bool joined = before && before->move->path.to == judged.move->path.from &&
                         before->move->z_to == judged.move->z_from && before->radius() == judged.radius();
-    judged.gouge = gouge_of(finished, *judged.move, judged.radius(), tol.gouge, joined);
+    judged.gouge = gouge_of_mill(finished, *judged.move, *judged.tool, 0, tol.gouge, joined);
     const bool spared = !judged.gouge || judged.gouge->depth < judged.radius() / 2;
     before = spared && !judged.gouge.value_or(Gouge{}).floor ? &judged : nullptr;
   }
@@ -41,21 +62,39 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
   if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
 }
 
+/// The same for a cone, which may be as far off its path as the control may leave it.
+void judge_shaped_liberty(const FinishedPart& finished, const std::vector<JudgedMove>& all,
+                          JudgedMove& judged, const Tolerances& tol) {
+  const double before = &judged == all.data() ? 0 : (&judged - 1)->path_tolerance;
+  const double off = std::max({judged.doubt, judged.path_tolerance, before});
+  if (off <= 0) return;
+  // Off its path in any direction of space, a flank comes nearer sideways by its slope besides.
+  const double aside = off * std::hypot(1.0, flank_slope(*judged.tool));
+  Tool wider = *judged.tool;
+  wider.diameter += 2 * aside;
+  wider.tip_diameter += 2 * aside;
+  keep_deeper(judged.gouge, shaped_gouge_of(finished, *judged.move, wider, tol.gouge));
+}
+
 /// Adds the gouges of what the control may cut within its tolerance: rounded corners, arcs of another radius.
 void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>& all,
                      std::span<JudgedMove> moves, const Tolerances& tol) {
   for (JudgedMove& judged : moves) {
-    const double radius = judged.radius();
-    if (radius <= 0) continue;
+    if (judged.radius() <= 0) continue;
+    if (is_conical(*judged.tool)) {
+      judge_shaped_liberty(finished, all, judged, tol);
+      continue;
+    }
     if (judged.doubt > 0)
-      keep_deeper(judged.gouge, gouge_of(finished, *judged.move, radius + judged.doubt, tol.gouge, false));
+      keep_deeper(judged.gouge,
+                  gouge_of_mill(finished, *judged.move, *judged.tool, judged.doubt, tol.gouge, false));
     if (&judged == all.data()) continue;
     const JudgedMove& before = *(&judged - 1);
     const auto corner =
         rounded_corner(before, judged, std::max(before.path_tolerance, judged.path_tolerance));
     if (!corner) continue;
     for (const Move& move : *corner)
-      keep_deeper(judged.gouge, gouge_of(finished, move, radius, tol.gouge, false));
+      keep_deeper(judged.gouge, gouge_of_mill(finished, move, *judged.tool, 0, tol.gouge, false));
   }
 }
 
@@ -90,8 +129,8 @@ void add_coverage(Figures& figures, const LevelCoverage& level) {
 class FindingsBuilder {
  public:
   FindingsBuilder(const Part& part, const JudgedProgram& program, const std::vector<FeatureWork>& works,
-                  const VerifyOptions& options)
-      : part_(part), program_(program), works_(works), options_(options) {}
+                  const std::vector<CarvingWork>& carvings, const VerifyOptions& options)
+      : part_(part), program_(program), works_(works), carvings_(carvings), options_(options) {}
 
   Findings build() {
     std::vector<const JudgedMove*> all;
@@ -108,6 +147,7 @@ class FindingsBuilder {
     findings_.all = figures_of(all, part_.top_z());
     for (std::size_t i = 0; i < by_step.size(); ++i) add_feature(static_cast<int>(i), by_step[i]);
     for (const FeatureWork& work : works_) judge_coverage(work);
+    for (const CarvingWork& work : carvings_) add_carving(work);
     sort_worst_first(findings_.faults);
     set_clean();
     return std::move(findings_);
@@ -133,6 +173,18 @@ class FindingsBuilder {
       feature.layers.push_back({heights[i], figures_of(by_layer[i], part_.top_z())});
     }
     findings_.features.push_back(std::move(feature));
+  }
+
+  void add_carving(const CarvingWork& work) {
+    const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
+    FeatureFindings& found = findings_.features[static_cast<std::size_t>(work.last_workingstep)];
+    for (Figures* figures : {&findings_.all, &found.figures}) {
+      if (work.left_mm <= figures->uncut_thickness_mm) continue;
+      figures->uncut_thickness_mm = work.left_mm;
+      figures->uncut_at = Place{work.worst, work.worst_z, 0};
+    }
+    for (Fault& fault : faults_of_carving(feature, work, options_.tol))
+      findings_.faults.push_back(std::move(fault));
   }
 
   void judge_coverage(const FeatureWork& work) {
@@ -184,6 +236,7 @@ class FindingsBuilder {
   const Part& part_;
   const JudgedProgram& program_;
   const std::vector<FeatureWork>& works_;
+  const std::vector<CarvingWork>& carvings_;
   const VerifyOptions& options_;
   Findings findings_;
 };
@@ -194,6 +247,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   const FinishedPart finished(part);
   JudgedProgram program = judged_program(part, toolpath, options.machine, options.earlier, options.control);
   std::vector<FeatureWork> works = works_of(part);
+  std::vector<CarvingWork> carvings = carvings_of(part);
 
   std::vector<std::function<void()>> tasks;
   tasks.push_back([&] {
@@ -207,8 +261,10 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
       judge_liberties(finished, program.moves, chunk, options.tol);
     });
   }
+  for (CarvingWork& work : carvings)
+    tasks.push_back([&part, &program, &options, &work] { judge_carving(part, program, options.tol, work); });
   judge_works(part, finished, program, options, works, std::move(tasks));
-  Findings findings = FindingsBuilder(part, program, works, options).build();
+  Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   if (findings.all.load)
     findings.all.thin_wall = thinnest_wall(finished, findings.all.load->max_force_n, *options.material);
   return findings;

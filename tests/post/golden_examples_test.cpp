@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <sstream>
 
 #include "base/files/file.h"
 #include "pipeline/check.h"
@@ -30,7 +31,7 @@ namespace fs = std::filesystem;
 struct Example {
   const char* file;
   const char* folder;               ///< in tests/golden/examples
-  std::optional<const char*> tool;  ///< where the file names none
+  std::optional<const char*> tool;  ///< or several, where the file names none
   std::optional<double> stepdown;   ///< mm
 };
 
@@ -40,7 +41,9 @@ constexpr Example kExamples[] = {kBracket,
                                  {"fishhead.p21", "fishhead", std::nullopt, 50},
                                  {"fishhead_sloped.p21", "fishhead_sloped", std::nullopt, 50},
                                  {"nested.step", "nested", "endmill:6", 8},
-                                 {"awkward.step", "awkward", "endmill:4", 8}};
+                                 {"awkward.step", "awkward", "endmill:4", 8},
+                                 {"sign.dxf", "sign", "vbit:60deg:10", std::nullopt},
+                                 {"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3}};
 constexpr Example kFivePockets{"five_pockets.toml", "five_pockets", std::nullopt, std::nullopt};
 
 struct Case {
@@ -64,7 +67,8 @@ resolve::PlanOptions options_of(const Case& c, bool inch) {
   resolve::PlanOptions options;
   if (c.example.file == std::string("bracket.toml"))
     options.machine = read::read_job(file_of(c.example)).machine;
-  if (c.example.tool) options.tools = {resolve::parse_tool(*c.example.tool)};
+  std::istringstream tools(c.example.tool.value_or(""));
+  for (std::string tool; tools >> tool;) options.tools.push_back(resolve::parse_tool(tool));
   options.stepdown = c.example.stepdown;
   options.post.dialect = c.dialect;
   options.post.inch = inch;

@@ -41,19 +41,6 @@ void add_library(const std::filesystem::path& library, std::vector<CertificateFi
 
 }  // namespace
 
-/// What is typed goes before what the job says.
-PostOptions PlanArguments::post(PostOptions post) const {
-  if (post_) post.dialect = *post_;
-  post.inch = post.inch || inch_;
-  if (decimals_) post.decimals = decimals_;
-  post.arcs = post.arcs && !no_arcs_;
-  post.tool_changer = post.tool_changer && !no_tool_change_;
-  post.length_offset = post.length_offset && !no_length_offset_;
-  post.exact_stop = post.exact_stop || exact_stop_;
-  if (spindle_wait_) post.spindle_wait = Seconds::of(*spindle_wait_);
-  return post;
-}
-
 ShopOptions PlanArguments::shop(const ShopOptions& of_job) const {
   ShopOptions own = shop_;
   own.lead_feed = feed_of(lead_feed_);
@@ -188,7 +175,7 @@ PlanOptions PlanArguments::options() const {
   options.cutting.ramp_feed = feed_of(ramp_feed_);
   options.cutting.slot_feed = feed_of(slot_feed_);
   options.cutting.spindle_rpm = spindle_;
-  options.post = post(options.post);
+  options.post = post_.options(options.post);
   options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
                        solver_.solver()};
   options.step_published = step_published_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "arguments/certificate_info.h"
+#include "arguments/post_arguments.h"
 #include "arguments/solver_arguments.h"
 
 namespace clearcut::cli {
@@ -53,8 +54,6 @@ class PlanArguments {
   void add_feed_options(CLI::App& command);
   void add_stage_options(CLI::App& command);
   void add_search_options(CLI::App& command);
-  void add_post_options(CLI::App& command);
-  PostOptions post(PostOptions of_job) const;
   Machine machine(const Machine& of_job) const;
   ShopOptions shop(const ShopOptions& of_job) const;
 
@@ -108,11 +107,7 @@ class PlanArguments {
   std::optional<double> acceleration_;
   std::optional<double> junction_deviation_;
   std::optional<double> rapid_feed_;
-  std::optional<std::string> post_;
-  bool inch_ = false;
-  std::optional<int> decimals_;
-  bool no_arcs_ = false, no_tool_change_ = false, no_length_offset_ = false, exact_stop_ = false;
-  std::optional<double> spindle_wait_;
+  PostArguments post_;
   std::optional<double> clearance_z_;
   std::optional<std::string> objective_;
   std::optional<double> time_;

@@ -41,7 +41,8 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
   command.add_option(
       "--op", operations_,
       "KIND:SELECTION, what outlines of a drawing are for: pocket, profile, inside, drill, engrave, "
-      "face, island or ignore, with a depth as in profile_d6; the selection is a layer, a colour, outer "
+      "vcarve, chamfer, face, island or ignore, with a depth as in profile_d6; the selection is a layer, a "
+      "colour, outer "
       "or numbers of `info` (repeatable)");
   command
       .add_option("--tabs", tabs_.count,
@@ -65,8 +66,9 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.option_defaults()->group("Tools");
   command.add_option(
       "--tool", tools_,
-      "KIND:DIAMETER, then any of :T3 :flutes=2 :corner=0.5 :length=20 :name=N :noplunge; kinds: "
-      "endmill, facemill, bullnose, ball, drill, reamer (repeatable)");
+      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :name=N :noplunge; "
+      "kinds: "
+      "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill (repeatable)");
   command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml")
       ->type_name("FILE");
 }
@@ -106,7 +108,7 @@ void PlanArguments::add_tool_options(CLI::App& command) {
 void PlanArguments::add_cutting_options(CLI::App& command) {
   add_strategy_options(command);
   add_shop_options(command);
-  add_post_options(command);
+  post_.add_options(command);
   add_search_options(command);
 }
 
@@ -174,25 +176,6 @@ void PlanArguments::add_feed_options(CLI::App& command) {
   command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min (default: the feed)")
       ->transform(as_feed());
   command.add_option("--spindle", spindle_, "Spindle speed, rpm (default: of the tool, else 100 m/min)");
-}
-
-void PlanArguments::add_post_options(CLI::App& command) {
-  command.option_defaults()->group("Controller");
-  command
-      .add_option("--post", post_,
-                  "Controller: linuxcnc (default), grbl, fanuc, haas, heidenhain, mach3, mach4, marlin")
-      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
-  command.add_flag("--inch", inch_, "Write the program in inches");
-  command.add_option("--decimals", decimals_, "Of coordinates (default: what the controller resolves)")
-      ->check(CLI::Range(3, 6));
-  command.add_flag("--no-arcs", no_arcs_, "Lines only");
-  command.add_flag("--no-tool-change", no_tool_change_, "A pause (M0) instead of M6");
-  command.add_flag("--no-length-offset", no_length_offset_, "No G43");
-  command.add_flag("--exact-stop", exact_stop_, "G61 instead of blending");
-  command
-      .add_option("--spindle-wait", spindle_wait_,
-                  "Seconds to wait after the spindle starts (default: of the machine)")
-      ->check(CLI::NonNegativeNumber);
 }
 
 void PlanArguments::add_shop_options(CLI::App& command) {

@@ -13,8 +13,19 @@
 namespace clearcut::cli {
 namespace {
 
+/// Neither format has words for what follows from a cutter's shape.
+void refuse_shaped(const Part& part, const std::string& output) {
+  for (const Feature& feature : part.features) {
+    if (!feature.carving && !feature.chamfer) continue;
+    throw InputError(output, feature.name + ": " + (feature.carving ? "V-carvings" : "chamfers") +
+                                 " cannot be written to this kind of file; leave them out with --op ignore:" +
+                                 feature.source);
+  }
+}
+
 std::string converted(Part& part, const PlanArguments& arguments, const std::string& output) {
   const auto extension = std::filesystem::path(output).extension();
+  refuse_shaped(part, output);
   if (extension == ".json") return write_outline_json(part);
   if (extension == ".p21" || extension == ".stpnc") {
     part = with_tools(std::move(part), arguments.options());

@@ -21,6 +21,10 @@ struct PostOptions {
   bool length_offset = true;        ///< false: no G43
   bool exact_stop = false;          ///< G61 instead of blending, where the control knows it
   bool continuous = false;  ///< where the control states no bound: no G61, corners are rounded by its own
+  std::optional<int> program_number;    ///< of the O word, before any in program_name
+  int work_offset = 54;                 ///< G54 to G59: where the part's zero is
+  bool block_numbers = false;           ///< N words, in tens
+  bool optional_stop = false;           ///< M1 before every tool but the first
   std::optional<Seconds> spindle_wait;  ///< after the spindle starts; default per dialect
   MmPerMin rapid = MmPerMin::of(3000);  ///< for controls whose G0 takes an F word (Marlin)
   Tolerances tol;

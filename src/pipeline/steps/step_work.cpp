@@ -6,6 +6,7 @@
 #include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "pipeline/steps/carve_step.h"
 #include "pipeline/steps/holes.h"
 #include "pipeline/steps/meeting_pockets.h"
 #include "plan/common/layers.h"
@@ -155,6 +156,11 @@ std::vector<StepWork> step_works(const ResolvedPlan& plan) {
     StepWork work;
     work.workingstep = static_cast<int>(i);
     work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), plan.tol);
+    work.hole = carve_step(work.workingstep, plan);
+    if (work.hole) {
+      works.push_back(std::move(work));
+      continue;
+    }
     const auto standing = standing_layers(work.workingstep, plan);
     work.hole = hole_step(standing, work.workingstep, plan);
     work.layers = layers_left(standing, work.workingstep, plan);

@@ -21,7 +21,7 @@ struct LayerLeft {
 struct StepWork {
   int workingstep = 0;
   std::vector<LayerLeft> layers;   ///< over which something still stands, from the top down
-  std::optional<Section> hole;     ///< where it is made as a round hole, whatever the strategy
+  std::optional<Section> hole;     ///< where it is made as a round hole or carved, whatever the strategy
   std::optional<double> wall_top;  ///< height of walls above that stand as near as its own
   bool done_before = false;        ///< an earlier program has left nothing that is worth a cut
 };

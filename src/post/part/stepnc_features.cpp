@@ -174,6 +174,8 @@ class FeatureWriter {
   std::string write() {
     switch (feature_.kind) {
       case FeatureKind::kClosedPocket:
+      case FeatureKind::kVCarving:
+      case FeatureKind::kChamfer:
         return closed_pocket();
       case FeatureKind::kPlanarFace:
         return planar_face();

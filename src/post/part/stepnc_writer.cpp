@@ -34,6 +34,10 @@ const char* body_keyword(ToolKind kind) {
       return "TWIST_DRILL";
     case ToolKind::kReamer:
       return "REAMER";
+    case ToolKind::kSpotDrill:
+      return "CENTER_DRILL";
+    case ToolKind::kVBit:
+    case ToolKind::kChamferMill:
     case ToolKind::kOther:
       break;
   }
@@ -159,7 +163,7 @@ class Writer {
                     p21_real(tool.corner_radius), kUnset, kUnset});
       const char* hand = counter_clockwise(static_cast<int>(i)) ? ".LEFT." : ".RIGHT.";
       std::vector<std::string> arguments = {size, std::to_string(tool.teeth), hand, ".F.", kUnset};
-      if (tool.kind == ToolKind::kOther) arguments.push_back(kUnset);
+      if (body_keyword(tool.kind) == std::string_view("SIDE_MILL")) arguments.push_back(kUnset);
       const std::string body = out_.add(body_keyword(tool.kind), arguments);
       const std::string edge = out_.add("CUTTING_COMPONENT", {kUnset, kUnset, kUnset, kUnset, kUnset});
       tools_.push_back(out_.add("MILLING_CUTTING_TOOL", {p21_string(tool_name(tool)), body, p21_list({edge}),

@@ -14,11 +14,15 @@
 #include "read/common/text.h"
 #include "read/repair/crossings/nesting.h"
 #include "read/repair/mends.h"
+#include "read/step_solid/face_curves.h"
 #include "stock/kerf.h"
 #include "stock/stacking.h"
 
 namespace clearcut::read {
 namespace {
+
+/// mm. Chamfers without a depth.
+constexpr double kEdgeBreak = 0.2;
 
 /// What the options say goes before what the file says.
 double depth_of(const DrawnGroup& group, const ReadOptions& options, Diagnostics& diagnostics) {
@@ -188,13 +192,52 @@ Feature face_of(const DrawnGroup& group, const Region& region, double depth, con
   Feature feature = blank_feature(group, depth, options);
   feature.kind = FeatureKind::kPlanarFace;
   feature.target = {Region::from_valid_loops(region.outer(), {})};
-  feature.allowed = dilate(feature.target, kOpenReach, options.tol);
+  feature.allowed = {Region::from_valid_loops(box_loop(region.box().grown(kOpenReach)), {})};
   return feature;
+}
+
+/// Without a depth as deep as the bit's cone asks for; until a bit is chosen that of a cone of 90 degrees.
+Feature carving_of(const DrawnGroup& group, Region region, const ReadOptions& options) {
+  const std::optional<double> asked = options.depth ? options.depth : group.depth;
+  VCarving carving;
+  if (asked) carving.limit = checked_depth(*asked, group.where);
+  const double widest = Clearance(region, options.tol).max();
+  Feature feature = blank_feature(group, std::min(widest, carving.limit.value_or(widest)), options);
+  feature.kind = FeatureKind::kVCarving;
+  feature.target = {std::move(region)};
+  feature.allowed = feature.target;
+  feature.carving = carving;
+  return feature;
+}
+
+/// Along every outline of the group; on which side its wall stands is found with the cutters.
+void add_chamfers(const ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
+                  std::vector<Feature>& out) {
+  // --depth is that of pockets.
+  if (!shaped.group.depth) diagnostics.note(shaped.group.where, "no depth given: edges are broken by 0.2 mm");
+  const double depth = checked_depth(shaped.group.depth.value_or(kEdgeBreak), shaped.group.where);
+  for (const Region& region : shaped.regions) {
+    std::vector<Loop> loops{region.outer()};
+    loops.insert(loops.end(), region.islands().begin(), region.islands().end());
+    for (Loop& loop : loops) {
+      Feature feature = blank_feature(shaped.group, depth, options);
+      feature.kind = FeatureKind::kChamfer;
+      feature.target = feature.allowed =
+          stock::kerf_of({ProfileSide::kOn, loop, true, 0, {}}, depth, options.tol);
+      feature.chamfer = Chamfer{std::move(loop), depth, true, {}, 0, 0};
+      out.push_back(std::move(feature));
+    }
+  }
 }
 
 void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
                         std::vector<Feature>& out) {
   if (shaped.regions.empty() && shaped.lines.empty()) return;
+  if (shaped.group.role == LayerRole::kVCarve) {
+    for (Region& region : shaped.regions) out.push_back(carving_of(shaped.group, std::move(region), options));
+    return;
+  }
+  if (shaped.group.role == LayerRole::kChamfer) return add_chamfers(shaped, options, diagnostics, out);
   const double depth = depth_of(shaped.group, options, diagnostics);
   switch (shaped.group.role) {
     case LayerRole::kInside:
@@ -217,9 +260,10 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
   }
 }
 
-/// Faces first, then pockets and holes, engraving, and what frees the part last: inner cut-outs before outer ones.
+/// Faces first, then pockets and holes, engraving, edges, and what frees the part last: inner cut-outs before outer ones.
 int turn_of(const Feature& feature) {
   if (feature.kind == FeatureKind::kPlanarFace) return 0;
+  if (feature.carving || feature.chamfer) return 2;
   if (!feature.profile) return 1;
   return feature.profile->side == ProfileSide::kOn ? 2 : 3;
 }
@@ -259,10 +303,6 @@ std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const Re
     ShapedGroup shaped;
     std::vector<RawCurve> curves = std::move(group.curves);
     shaped.group = std::move(group);
-    if (shaped.group.role == LayerRole::kChamfer && !options.overview) {
-      throw InputError(shaped.group.where, "chamfers are not cut yet; leave the layer out with --op ignore:" +
-                                               printable(shaped.group.name));
-    }
     if (shaped.group.role == LayerRole::kEngrave) {
       shaped.lines = chained_lines(curves, options.tol.join_gap);
     } else {
@@ -307,6 +347,11 @@ void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, D
   bool role = false, depth = false, top = false;
   for (const LayerRule& rule : rules) {
     if (!matches(rule.pattern, name)) continue;
+    // An edge that is to be broken stays the edge of what it bounds.
+    if (rule.role == LayerRole::kChamfer && group.says_role && group.role != LayerRole::kChamfer) {
+      group.broken_edges = rule;
+      continue;
+    }
     if (rule.role && !role) {
       group.role = *rule.role;
       group.says_role = role = true;
@@ -381,7 +426,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   for (ShapedGroup& one : shaped) {
     const LayerRole role = one.group.role;
     if (role == LayerRole::kStock || role == LayerRole::kIgnore || role == LayerRole::kProfile) continue;
-    if (!islands.empty() && near_any(islands, one.regions))
+    if (!islands.empty() && role != LayerRole::kChamfer && near_any(islands, one.regions))
       one.regions = subtract(one.regions, islands, options.tol);
     add_group_features(one, options, part.diagnostics, features);
   }

@@ -22,7 +22,7 @@ struct LayerMeaning {
 };
 /// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
 /// holes, "PROFILE", "CUTOUT" or "OUTSIDE" what is cut out along its outside, "INSIDE" along its inside, "ENGRAVE" or "ON" a
-/// line to follow, "CHAMFER", "FACE", "STOCK", "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
+/// line to follow, "VCARVE" what a V-bit carves (its depth is a limit), "CHAMFER" or "DEBURR" edges to break, "FACE", "STOCK", "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
 /// anything but letters.
 LayerMeaning meaning_of_layer(std::string_view name);
 /// Whether `name` matches `pattern`: case is ignored, * stands for anything.
@@ -33,9 +33,10 @@ struct DrawnGroup {
   std::string name;   ///< layer, or colour
   std::string where;  ///< file and layer: begins messages
   LayerRole role = LayerRole::kPocket;
-  bool says_role = false;       ///< somebody said it: the name, a rule, an option
-  std::optional<double> depth;  ///< mm
-  std::optional<double> top;    ///< mm
+  bool says_role = false;                      ///< somebody said it: the name, a rule, an option
+  std::optional<double> depth;                 ///< mm
+  std::optional<double> top;                   ///< mm
+  std::optional<LayerRule> broken_edges = {};  ///< its outlines get a chamfer besides
   std::vector<RawCurve> curves;
 };
 

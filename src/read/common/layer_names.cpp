@@ -55,8 +55,9 @@ std::optional<LayerRole> role_of_word(std::string_view word) {
     if (word == profile) return LayerRole::kProfile;
   }
   if (word == "INSIDE") return LayerRole::kInside;
+  if (word == "VCARVE" || word == "CARVE") return LayerRole::kVCarve;
   if (word == "ENGRAVE") return LayerRole::kEngrave;
-  if (word == "CHAMFER") return LayerRole::kChamfer;
+  if (word == "CHAMFER" || word == "CHAMFERS" || word == "DEBURR") return LayerRole::kChamfer;
   if (word == "FACE") return LayerRole::kFace;
   if (word == "STOCK") return LayerRole::kStock;
   for (const std::string_view ignored :

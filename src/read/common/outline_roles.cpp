@@ -15,11 +15,12 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::array<std::pair<const char*, LayerRole>, 10> kRoleNames{{{"pocket", LayerRole::kPocket},
+constexpr std::array<std::pair<const char*, LayerRole>, 11> kRoleNames{{{"pocket", LayerRole::kPocket},
                                                                         {"profile", LayerRole::kProfile},
                                                                         {"inside", LayerRole::kInside},
                                                                         {"drill", LayerRole::kHole},
                                                                         {"engrave", LayerRole::kEngrave},
+                                                                        {"vcarve", LayerRole::kVCarve},
                                                                         {"chamfer", LayerRole::kChamfer},
                                                                         {"face", LayerRole::kFace},
                                                                         {"island", LayerRole::kIsland},
@@ -104,6 +105,11 @@ std::optional<std::set<std::size_t>> chosen_by(const LayerRule& rule, const std:
                                "), the number of an outline as `clearcut info` lists them, or outer");
 }
 
+/// What an outline is stays so where its edge is to be broken: only those of which nothing else is said leave their group.
+bool stays(const LayerRule& rule, const DrawnGroup& group) {
+  return *rule.role == LayerRole::kChamfer && group.says_role;
+}
+
 /// Outlines of one rule leave their groups for a new one.
 void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::vector<Outline>& outlines,
               std::vector<ShapedGroup>& groups) {
@@ -113,12 +119,12 @@ void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::v
   moved.group.where = first.where;
   moved.group.role = *rule.role;
   moved.group.says_role = true;
-  moved.group.depth = rule.depth ? rule.depth : first.depth;
+  moved.group.depth = rule.depth || *rule.role == LayerRole::kChamfer ? rule.depth : first.depth;
   moved.group.top = rule.top ? rule.top : first.top;
   std::vector<Loop> loops;
   for (const std::size_t i : chosen) {
     loops.push_back(outlines[i].loop);
-    outlines[i].group = groups.size();
+    if (!stays(rule, groups[outlines[i].group].group)) outlines[i].group = groups.size();
   }
   moved.regions = nested(loops);
   groups.push_back(std::move(moved));
@@ -133,11 +139,33 @@ void renest(const std::vector<Outline>& outlines, std::size_t group, ShapedGroup
   shaped.regions = nested(loops);
 }
 
+/// Those of chamfers last: they ask what outlines are.
+std::vector<LayerRule> in_turn(std::vector<LayerRule> rules) {
+  std::stable_partition(rules.begin(), rules.end(),
+                        [](const LayerRule& rule) { return rule.role != LayerRole::kChamfer; });
+  return rules;
+}
+
+/// Chamfers along all outlines of layers that are something else besides.
+void add_broken_edges(std::vector<ShapedGroup>& groups) {
+  const std::size_t count = groups.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::optional<LayerRule> rule = groups[i].group.broken_edges;
+    if (!rule) continue;
+    ShapedGroup edges = groups[i];
+    edges.group.name = name_of(LayerRole::kChamfer);
+    edges.group.role = LayerRole::kChamfer;
+    edges.group.depth = rule->depth;
+    if (rule->top) edges.group.top = rule->top;
+    groups.push_back(std::move(edges));
+  }
+}
+
 /// Whether an option or rule that names outlines was used.
 bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>& outlines,
                          const std::vector<std::string>& layers, const ReadOptions& options) {
   bool any = false;
-  for (const LayerRule& rule : options.layer_rules) {
+  for (const LayerRule& rule : in_turn(options.layer_rules)) {
     const bool is_layer = std::any_of(layers.begin(), layers.end(),
                                       [&](const std::string& layer) { return matches(rule.pattern, layer); });
     if (is_layer || !rule.role) continue;
@@ -163,8 +191,9 @@ std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups
                                           const std::vector<Outline>& outlines) {
   std::vector<std::size_t> outermost;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    if (!outlines[i].about.empty()) continue;
-    if (groups[outlines[i].group].group.says_role || !holds_others(outlines, i)) return {};
+    const DrawnGroup& group = groups[outlines[i].group].group;
+    if (!outlines[i].about.empty() || group.role == LayerRole::kChamfer) continue;
+    if (group.says_role || !holds_others(outlines, i)) return {};
     outermost.push_back(i);
   }
   return outermost;
@@ -259,6 +288,7 @@ LayerRule rule_of_option(const std::string& text, const std::string& place) {
 
 void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<std::string>& layers,
                           const ReadOptions& options, const std::string& file) {
+  add_broken_edges(groups);
   const bool wanted = options.ask_if_unclear || options.overview || !options.layer_rules.empty();
   if (!wanted) return;
   std::vector<Outline> outlines = outlines_of(groups);

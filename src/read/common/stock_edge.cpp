@@ -25,7 +25,7 @@ void open_at_stock_edge(Part& part, const Tolerances& tol) {
   const Region stock = Region::from_valid_loops(box_loop(plan), {});
   const Region beside = Region::from_valid_loops(box_loop(plan.grown(kOpenReach)), {box_loop(plan)});
   for (Feature& feature : part.features) {
-    const bool is_area = !feature.profile && !feature.hole_diameter && is_walled(feature);
+    const bool is_area = !feature.profile && !feature.chamfer && !feature.hole_diameter && is_walled(feature);
     if (!is_area || !reaches_edge(feature, plan, tol)) continue;
     feature.allowed = unite(feature.allowed, {beside}, tol);
     feature.target = intersect(feature.target, {stock}, tol);

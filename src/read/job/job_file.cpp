@@ -147,7 +147,7 @@ LayerRule layer_rule(DataSection section) {
   if (!name) section.fail("name is missing; add name = \"POCKET*\"");
   rule.pattern = *name;
   const auto role = section.choice("role", {"pocket", "island", "hole", "ignore", "profile", "inside",
-                                            "engrave", "chamfer", "face", "stock"});
+                                            "engrave", "chamfer", "face", "stock", "vcarve"});
   if (role) rule.role = static_cast<LayerRole>(*role);
   rule.depth = section.positive("depth");
   rule.top = coordinate(section, "top");

@@ -75,6 +75,8 @@ std::string tool_section(const Tool& tool) {
     out += fmt::format("corner_radius = {}\n", trimmed(tool.corner_radius, 6));
   }
   if (tool.flute_length) out += fmt::format("flute_length = {}\n", trimmed(*tool.flute_length, 6));
+  if (tool.tip_angle) out += fmt::format("tip_angle = {}\n", trimmed(tool.tip_angle->degrees(), 6));
+  if (tool.tip_diameter > 0) out += fmt::format("tip_diameter = {}\n", trimmed(tool.tip_diameter, 6));
   if (!tool.center_cutting) out += "center_cutting = false\n";
   return out;
 }
@@ -84,7 +86,8 @@ std::string tool_sections(const Part& part) {
       "\n# [tools]\n# library = \"tools.toml\"    # or FreeCAD .fctl/.fctb, LinuxCNC .tbl, Fusion .json\n"
       "# use = [1, 2]             # numbers; absent: all\n# preset = \"Aluminium\"     # of the library; "
       "absent: the first\n"
-      "# Kinds: endmill, facemill, ball, bullnose, drill, reamer. Feeds may stand here too: feed, "
+      "# Kinds: endmill, facemill, ball, bullnose, drill, reamer, vbit, chamfer, spotdrill (these with "
+      "tip_angle in\n# degrees, tip_diameter). Feeds may stand here too: feed, "
       "plunge_feed,\n"
       "# ramp_feed, slot_feed (mm/min), spindle (rpm), coolant, stepdown (mm), stepover (fraction).\n";
   bool any = false;

@@ -19,7 +19,8 @@ constexpr std::size_t kLargestFile = std::size_t{64} << 20;
 constexpr double kWidest = 1000;
 
 const std::vector<std::string>& kind_names() {
-  static const std::vector<std::string> names{"endmill", "facemill", "ball", "bullnose", "drill", "reamer"};
+  static const std::vector<std::string> names{"endmill", "facemill", "ball",    "bullnose", "drill",
+                                              "reamer",  "vbit",     "chamfer", "spotdrill"};
   return names;
 }
 
@@ -48,6 +49,24 @@ std::vector<CuttingPreset> presets_of(DataSection& section) {
   return any ? std::vector{preset} : std::vector<CuttingPreset>{};
 }
 
+/// tip_angle in degrees and tip_diameter, of tools that end in a cone.
+void read_cone(DataSection& section, Tool& tool) {
+  constexpr double kSharpest = 5, kBluntest = 170;
+  const auto angle = section.positive("tip_angle");
+  const auto tip = section.not_negative("tip_diameter");
+  const bool cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
+                    tool.kind == ToolKind::kSpotDrill;
+  if (!cone && (angle || tip))
+    section.fail_at(angle ? "tip_angle" : "tip_diameter", "is not of this kind of tool");
+  if (!cone) return;
+  if (!angle) section.fail("tip_angle is missing; add tip_angle = 60 (degrees between the flanks)");
+  if (*angle < kSharpest || *angle > kBluntest)
+    section.fail_at("tip_angle", "must lie between 5 and 170 degrees");
+  tool.tip_angle = Radians::of_degrees(*angle);
+  tool.tip_diameter = tip.value_or(0);
+  if (tool.tip_diameter >= tool.diameter) section.fail_at("tip_diameter", "is not less than the diameter");
+}
+
 }  // namespace
 
 LibraryTool tool_of_section(DataSection section) {
@@ -63,6 +82,7 @@ LibraryTool tool_of_section(DataSection section) {
   if (out.tool.kind == ToolKind::kBallEndMill) out.tool.corner_radius = *diameter / 2;
   if (out.tool.corner_radius > *diameter / 2)
     section.fail_at("corner_radius", "is larger than the tool's radius");
+  read_cone(section, out.tool);
   out.tool.teeth = static_cast<int>(std::clamp(section.positive("teeth").value_or(2), 1.0, 100.0));
   out.tool.flute_length = section.positive("flute_length");
   out.tool.center_cutting = section.flag("center_cutting").value_or(true);

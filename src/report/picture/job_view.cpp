@@ -46,6 +46,12 @@ const char* words_for(ToolKind kind) {
       return "drill";
     case ToolKind::kReamer:
       return "reamer";
+    case ToolKind::kVBit:
+      return "V-bit";
+    case ToolKind::kChamferMill:
+      return "chamfer mill";
+    case ToolKind::kSpotDrill:
+      return "spot drill";
     case ToolKind::kOther:
       return "tool";
   }
@@ -133,7 +139,9 @@ std::string headline_of(const Fault& fault) {
 }
 
 std::string description_of(const Tool& tool) {
-  return fmt::format("T{} {} {} mm", tool.number, words_for(tool.kind), trimmed(tool.diameter, 3));
+  const std::string angle =
+      tool.tip_angle ? " " + trimmed(tool.tip_angle->degrees(), 2) + "\u00b0" : std::string();
+  return fmt::format("T{} {}{} {} mm", tool.number, words_for(tool.kind), angle, trimmed(tool.diameter, 3));
 }
 
 }  // namespace clearcut::report

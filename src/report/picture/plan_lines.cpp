@@ -119,6 +119,13 @@ void draw_lines_by_depth(SvgWriter& svg, const PlanView& view, const std::vector
   svg.close();
 }
 
+/// Width at height z of what a move cuts: cutters that make a feature by their shape are narrower below.
+double width_at(const Job& job, const Section& section, const Tool& tool, const Move& move, double z) {
+  const int feature = feature_of(job.part, section);
+  const bool carves = feature >= 0 && is_carved(job.part.features[static_cast<std::size_t>(feature)], tool);
+  return carves ? 2 * radius_at(tool, z - height_cut(move)) : tool.diameter;
+}
+
 std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature) {
   std::map<double, PathData> by_diameter;
   for (const Section& section : job.toolpath.sections) {
@@ -129,10 +136,12 @@ std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::opt
     for (const Move& move : section.moves) {
       const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSameDepth;
       if (!counts || !drawable(move.path) || !box_of(move).overlaps(reach)) continue;
+      const double width = width_at(job, section, *tool, move, z);
+      if (width <= 0) continue;
       if (move.is_vertical()) {
-        by_diameter[tool->diameter].add(move.path.from);
+        by_diameter[width].add(move.path.from);
       } else {
-        by_diameter[tool->diameter].add(move.path);
+        by_diameter[width].add(move.path);
       }
     }
   }

@@ -199,6 +199,7 @@ void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int fea
   PathData outside;
   outside.add(rectangle(view.visible()));
   fill_regions(svg, f.target, report::palette::kWall);
+  if (f.chamfer) return;  // it is all wall
   open_clipped(svg, outside.text() + allowed);
   draw_sweeps(svg, own, report::palette::kGouge);
   svg.close();

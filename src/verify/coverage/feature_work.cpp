@@ -225,8 +225,12 @@ std::vector<FeatureWork> works_of(const Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const Workingstep& step = part.workplan[i];
     const Operation& operation = step.operation;
+    if (part.features[static_cast<std::size_t>(step.feature)].carving ||
+        part.features[static_cast<std::size_t>(step.feature)].chamfer)
+      continue;
     const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());
     const Tool tool = known ? part.tools[operation.tool] : Tool{};
+    if (is_carved(part.features[static_cast<std::size_t>(step.feature)], tool)) continue;
     auto work = std::find_if(works.begin(), works.end(),
                              [&](const FeatureWork& w) { return w.feature == step.feature; });
     if (work == works.end()) {

@@ -6,6 +6,7 @@
 #include "base/progress.h"
 #include "stock/material.h"
 #include "verify/engagement/forces.h"
+#include "verify/faults/shaped_cutter.h"
 
 namespace clearcut::verify {
 namespace {
@@ -44,6 +45,7 @@ class LoadMeter {
     const Move& move = *judged.move;
     const double radius = judged.radius();
     follow_entry(judged);
+    if (judged.feeds() && judged.tool && is_conical(*judged.tool)) return measure_cone(judged);
     if (judged.low_z() < material_.z_top() - kFilm && radius > kFilm) {
       if (!judged.feeds()) {
         measure_rapid(judged);
@@ -58,6 +60,30 @@ class LoadMeter {
   }
 
  private:
+  /// Depth under what stands over the tip. What cones take away counts for cones alone: other cutters are judged as if it stood.
+  void measure_cone(JudgedMove& judged) {
+    const Move& move = *judged.move;
+    before_ = &move;
+    if (judged.low_z() < material_.z_top() - kFilm) {
+      const double length = move.length();
+      const int steps =
+          move.is_vertical() ? 1 : std::max(1, static_cast<int>(std::ceil(length / kLongestStep)));
+      for (int i = 0; i <= steps; ++i) measure_tip(judged, static_cast<double>(i) / steps);
+      (judged.load.axial_mm > 0 ? judged.load.cutting_mm : judged.load.air_mm) += length;
+    }
+    cones_.add(move, *judged.tool);
+  }
+
+  void measure_tip(JudgedMove& judged, double t) {
+    const Move& move = *judged.move;
+    const Vec2 p = move.is_vertical() ? move.path.from : move.path.at(t);
+    const double z = move.is_vertical() ? judged.low_z() : move.z_from + (move.z_to - move.z_from) * t;
+    const double axial = std::min(material_.height(p), cones_.at(p)) - z;
+    if (axial <= std::max(kFilm, judged.load.axial_mm)) return;
+    judged.load.axial_mm = axial;
+    judged.load.axial_at = {p, z, move.line};
+  }
+
   static int steps_of(double length, double radius) {
     return std::max(1, static_cast<int>(std::ceil(length / std::min(radius / 10, kLongestStep))));
   }
@@ -199,6 +225,8 @@ class LoadMeter {
   void measure_rapid(JudgedMove& judged) {
     const Move& move = *judged.move;
     const double radius = judged.radius() - kFilm;
+    // A cone leaves its groove straight up as it stands in it.
+    if (judged.tool && is_conical(*judged.tool) && move.is_vertical() && move.z_to >= move.z_from) return;
     // A vertical rapid touches most where it is lowest.
     if (move.is_vertical()) {
       if (touches(move.path.from, radius, judged.low_z()))
@@ -225,6 +253,7 @@ class LoadMeter {
 
   stock::Material& material_;
   const LoadOptions& options_;
+  CutHeights cones_;                ///< what cones have cut
   const Move* before_ = nullptr;    ///< the last feed move before the current one
   std::vector<const Move*> ramps_;  ///< of the entry that is being run
   bool in_entry_ = false;

@@ -22,6 +22,19 @@ Vec2 left_normal_at_middle(const Edge& edge) {
   return left_of(edge.tangent_at(0.5));
 }
 
+/// Of a chamfer's strip the side away from the wall that it breaks.
+EdgeTree leaning_edges(const Feature& feature) {
+  const double half = feature.chamfer->depth * std::tan(feature.wall_slope.radians()) / 2;
+  const EdgeTree line(std::vector<Edge>(feature.chamfer->line));
+  std::vector<Edge> edges;
+  for (const Region& region : feature.allowed) {
+    for (const Edge& edge : region.edges()) {
+      if (line.nearest(edge.at(0.5)).distance > half) edges.push_back(edge);
+    }
+  }
+  return EdgeTree(std::move(edges));
+}
+
 double distance_of(const Edge& path, const Edge& wall) {
   return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
 }
@@ -60,6 +73,7 @@ void FinishedPart::add_feature(const Feature& feature, int index) {
   shape.top = feature.top_z;
   shape.slope = std::tan(feature.wall_slope.radians());
   shape.single = feature.allowed.size() <= 1;
+  if (feature.chamfer) shape.leaning = leaning_edges(feature);
   greatest_lean_ = std::max(greatest_lean_, (shape.top - shape.floor) * shape.slope);
   shapes_.push_back(std::move(shape));
 }
@@ -79,6 +93,11 @@ bool FinishedPart::holds(const Shape& shape, Vec2 p) const {
   return shape.box.contains(p) && shape.outline.winding(p) != 0;
 }
 
+bool FinishedPart::leans_at(const Shape& shape, const Edge& piece) {
+  if (shape.slope <= 0) return false;
+  return shape.leaning.empty() || shape.leaning.nearest(piece.at(0.5)).distance < kProbe;
+}
+
 bool FinishedPart::is_inside(int feature, Vec2 p) const {
   const auto own =
       std::find_if(shapes_.begin(), shapes_.end(), [&](const Shape& s) { return s.feature == feature; });
@@ -89,7 +108,8 @@ bool FinishedPart::is_inside(int feature, Vec2 p) const {
 double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   if (shape.slope <= 0) return shape.floor;
   const double far = (shape.top - shape.floor) * shape.slope;
-  const double d = std::min(far, shape.outline.nearest(p, far).distance);
+  const EdgeTree& edges = shape.leaning.empty() ? shape.outline : shape.leaning;
+  const double d = std::min(far, edges.nearest(p, far).distance);
   return std::max(shape.floor, shape.top - d / shape.slope);
 }
 
@@ -186,7 +206,7 @@ void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
   const Vec2 middle = piece.at(0.5), aside = left_normal_at_middle(piece) * kProbe;
   const double left = height_beside(middle + aside, index, true);
   const double right = height_beside(middle - aside, index, false);
-  if (shape.slope > 0) return add_leaning_wall(piece, shape, left, right);
+  if (leans_at(shape, piece)) return add_leaning_wall(piece, shape, left, right);
   if (left < right) walls_.push_back({piece, left, right, shape.feature});
   if (right < left) walls_.push_back({piece.reversed(), right, left, shape.feature});
 }

@@ -1,0 +1,118 @@
+#include "link/tracks/tracks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "link/moves.h"
+
+namespace clearcut::link {
+namespace {
+
+/// mm. Words are off by no more, those of four decimals of an inch included: what they make steeper must not plunge too fast.
+constexpr double kRounded = 0.0013;
+
+Track turned(const Track& track) {
+  Track out{{}, track.closed};
+  for (auto piece = track.pieces.rbegin(); piece != track.pieces.rend(); ++piece)
+    out.pieces.push_back({piece->path.reversed(), piece->z_to, piece->z_from});
+  return out;
+}
+
+Track begun_at(Track track, std::size_t piece) {
+  std::rotate(track.pieces.begin(), track.pieces.begin() + static_cast<std::ptrdiff_t>(piece),
+              track.pieces.end());
+  return track;
+}
+
+/// How a track may be entered, and how far away that is.
+struct TrackStart {
+  double distance = std::numeric_limits<double>::infinity();
+  std::size_t piece = 0;
+  bool backwards = false;
+};
+
+TrackStart nearest_start(const Track& track, Vec2 from) {
+  TrackStart best;
+  const auto offer = [&](Vec2 at, std::size_t piece, bool backwards) {
+    const double d = distance(from, at);
+    if (d < best.distance) best = {d, piece, backwards};
+  };
+  const std::size_t starts = track.closed ? track.pieces.size() : 1;
+  for (std::size_t i = 0; i < starts; ++i) offer(track.pieces[i].path.from, i, false);
+  if (!track.closed) offer(track.pieces.back().path.to, 0, true);
+  return best;
+}
+
+class TrackLinker {
+ public:
+  TrackLinker(double clear_z, const LinkOptions& options) : clear_z_(clear_z), options_(options) {}
+
+  void run(const Track& track) {
+    const Track::Piece& first = track.pieces.front();
+    if (!list_) list_.emplace(first.path.from, options_.safe_z);
+    if (list_->at() != first.path.from) {
+      list_->vertical(std::max(options_.cross_z, clear_z_), MoveKind::kRapid, {});
+      list_->line(first.path.from, MoveKind::kRapid, {});
+    }
+    if (list_->z() > clear_z_) list_->vertical(clear_z_, MoveKind::kRapid, {});
+    if (list_->z() < first.z_from) {
+      list_->vertical(first.z_from, MoveKind::kRetract, options_.feed);
+    } else {
+      list_->vertical(first.z_from, MoveKind::kPlunge, options_.plunge_feed);
+    }
+    std::vector<Move> moves;
+    for (const Track::Piece& piece : track.pieces) {
+      if (piece.path.from != piece.path.to)
+        moves.push_back({piece.path, piece.z_from, piece.z_to, MoveKind::kCut, feed_of(piece), 0});
+    }
+    list_->append(moves);
+  }
+
+  Vec2 at() const { return list_ ? list_->at() : Vec2{}; }
+
+  Section finish() {
+    Section section;
+    section.spindle_clockwise = options_.spindle_clockwise;
+    if (!list_) return section;
+    list_->vertical(options_.safe_z, MoveKind::kRapid, {});
+    section.moves = list_->take();
+    return section;
+  }
+
+ private:
+  MmPerMin feed_of(const Track::Piece& piece) const {
+    if (piece.z_from <= piece.z_to) return options_.feed;
+    const double down = piece.z_from - piece.z_to + 2 * kRounded;
+    const double along = std::max(0.0, piece.path.length() - 3 * kRounded);
+    const double share = down / std::hypot(along, down);
+    return std::min(options_.feed, options_.plunge_feed * (1 / share));
+  }
+
+  double clear_z_;
+  const LinkOptions& options_;
+  std::optional<MoveList> list_;
+};
+
+}  // namespace
+
+Section link_tracks(std::vector<std::vector<Track>> sets, double clear_z, const LinkOptions& options) {
+  TrackLinker linker(clear_z, options);
+  for (std::vector<Track>& set : sets) {
+    while (!set.empty()) {
+      std::size_t next = 0;
+      TrackStart best;
+      for (std::size_t i = 0; i < set.size(); ++i) {
+        const TrackStart one = nearest_start(set[i], linker.at());
+        if (one.distance < best.distance) best = one, next = i;
+      }
+      Track track = std::move(set[next]);
+      set.erase(set.begin() + static_cast<std::ptrdiff_t>(next));
+      linker.run(best.backwards ? turned(track) : begun_at(std::move(track), best.piece));
+    }
+  }
+  return linker.finish();
+}
+
+}  // namespace clearcut::link

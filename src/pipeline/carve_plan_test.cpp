@@ -1,0 +1,115 @@
+// V-carving and engraving through the whole way: drawn, planned, certified, and what wrong programs are called.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "pipeline/test_drawings.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string line(const std::string& layer, Vec2 a, Vec2 b) {
+  const auto point = [](int code, Vec2 p) {
+    return std::to_string(code) + "\n" + std::to_string(p.x) + "\n" + std::to_string(code + 10) + "\n" +
+           std::to_string(p.y) + "\n";
+  };
+  return "0\nLINE\n8\n" + layer + "\n" + point(10, a) + point(11, b);
+}
+
+/// An L, and a D with its bowl.
+std::string letters(double wider = 0) {
+  return outline("VCARVE", {{{40 - wider, 12 - wider}},
+                            {{44 + wider, 12 - wider}},
+                            {{44 + wider, 24 - wider}},
+                            {{50 + wider, 24 - wider}},
+                            {{50 + wider, 28 + wider}},
+                            {{40 - wider, 28 + wider}}}) +
+         outline("VCARVE", {{{60, 12}}, {{66, 12}, 1.0}, {{66, 28}}, {{60, 28}}}) +
+         outline("VCARVE", {{{63, 15}}, {{65, 15}, 0.9}, {{65, 25}}, {{63, 25}}});
+}
+
+TEST(VCarving, LettersAreCarvedClean) {
+  const PlanResult result = plan_part(drawn(letters()), with({"vbit:60deg:12"}));
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+  EXPECT_LT(result.findings.all.uncut_thickness_mm, 0.01);
+  EXPECT_LE(result.findings.all.gouge_mm, 0.001);
+}
+
+TEST(VCarving, AProgramForLettersTwentyMicrometresWiderIsFaulty) {
+  const auto options = with({"vbit:60deg:12"});
+  const PlanResult wider = plan_part(drawn(letters(0.02)), options);
+  const CheckResult wrong = check_program(drawn(letters()), wider.program, "wider.ngc", options);
+  EXPECT_TRUE(has(wrong.findings, FaultKind::kGouge)) << faults_of(wrong.findings);
+  // 0.02 mm sideways; at the reflex corner its diagonal, straight down on the floor.
+  EXPECT_GE(wrong.findings.all.gouge_mm, 0.0195);
+  EXPECT_LE(wrong.findings.all.gouge_mm, 0.02 * std::sqrt(2.0) / std::tan(kPi / 6) + 0.001);
+  const PlanResult right = plan_part(drawn(letters()), options);
+  const CheckResult narrow = check_program(drawn(letters(0.02)), right.program, "narrow.ngc", options);
+  EXPECT_TRUE(has(narrow.findings, FaultKind::kUncut)) << faults_of(narrow.findings);
+}
+
+TEST(VCarving, ADepthLimitLeavesAFloorThatAMillClears) {
+  const std::string text = box("VCARVE_D1.5", 0, 0, 24, 16);
+  const PlanResult result = plan_part(drawn(text), with({"vbit:60deg:6", "endmill:3"}));
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+  ASSERT_EQ(result.part.workplan.size(), 2u);
+  EXPECT_EQ(tool_of(result.part, result.part.workplan[0]).kind, ToolKind::kEndMill);
+  EXPECT_NEAR(feature_of(result.part, result.part.workplan[1]).floor_z, -1.5, 1e-9);
+  EXPECT_THAT(refusal(drawn(text), {"vbit:60deg:6"}), HasSubstr("the floor between them needs an end mill"));
+  EXPECT_THAT(refusal(drawn(text), {"endmill:3"}), HasSubstr("V-carving needs a V-bit"));
+}
+
+TEST(VCarving, WithoutTheMillsWorkTheFloorIsLeft) {
+  const Part part = drawn(box("VCARVE_D1.5", 0, 0, 24, 16));
+  const auto options = with({"vbit:60deg:6", "endmill:3"});
+  const PlanResult result = plan_part(part, options);
+  // The program from the V-bit on.
+  const auto change = result.program.find("T1 M6");
+  ASSERT_NE(change, std::string::npos);
+  const std::string start = "G21\nG17 G40 G49 G54 G80 G90 G91.1 G94\nG64 P0.0005 Q0\n";
+  const CheckResult wrong =
+      check_program(part, start + result.program.substr(change), "bit_only.ngc", options);
+  EXPECT_TRUE(has(wrong.findings, FaultKind::kUncut)) << faults_of(wrong.findings);
+}
+
+TEST(Engraving, LinesAreEngravedWithBitsAndBalls) {
+  const std::string text = line("ENGRAVE_D0.4", {5, 4}, {85, 4}) + box("ENGRAVE_D0.4", 10, 10, 40, 30);
+  for (const char* tool : {"vbit:60deg:6", "vbit:90deg:6:tip=0.2", "ball:3"}) {
+    const PlanResult result = plan_part(drawn(text), with({tool}));
+    EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << tool << "\n" << faults_of(result.findings);
+  }
+}
+
+TEST(Engraving, TooDeepBesideTheLineOrNotAllOfItIsFaulty) {
+  const auto options = with({"vbit:60deg:6"});
+  const Part part = drawn(line("ENGRAVE_D0.4", {5, 4}, {85, 4}));
+  const auto judged = [&](const std::string& other) {
+    return check_program(part, plan_part(drawn(other), options).program, "other.ngc", options).findings;
+  };
+  EXPECT_TRUE(has(judged(line("ENGRAVE_D0.42", {5, 4}, {85, 4})), FaultKind::kGouge));
+  EXPECT_TRUE(has(judged(line("ENGRAVE_D0.38", {5, 4}, {85, 4})), FaultKind::kUncut));
+  EXPECT_TRUE(has(judged(line("ENGRAVE_D0.4", {5, 4.02}, {85, 4.02})), FaultKind::kGouge));
+  EXPECT_TRUE(has(judged(line("ENGRAVE_D0.4", {5, 4}, {84.9, 4})), FaultKind::kUncut));
+}
+
+TEST(Tools, ConesAreNamedByTheirAngle) {
+  const Tool bit = resolve::parse_tool("vbit:60deg:6:tip=0.2");
+  EXPECT_EQ(bit.kind, ToolKind::kVBit);
+  EXPECT_NEAR(bit.tip_angle->degrees(), 60, 1e-12);
+  EXPECT_NEAR(resolve::parse_tool("vbit:0.25in:60deg").diameter, 6.35, 1e-12);
+  EXPECT_NEAR(radius_at(bit, 1), 0.1 + std::tan(kPi / 6), 1e-12);
+  EXPECT_THROW(resolve::parse_tool("vbit:6"), InputError);
+  EXPECT_THROW(resolve::parse_tool("endmill:6:60deg"), InputError);
+  EXPECT_THROW(resolve::parse_tool("vbit:60deg:6:tip=7"), InputError);
+  const Part pocket = drawn(box("POCKET_D2", 0, 0, 20, 20));
+  EXPECT_THAT(refusal(pocket, {"vbit:60deg:6"}), HasSubstr("clears no floors"));
+}
+
+}  // namespace
+}  // namespace clearcut::pipeline

@@ -1,0 +1,71 @@
+// Stock that stands over the part: faced off first, and certified.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "pipeline/test_drawings.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+Part with_stock_up_to(double top) {
+  Part part = drawn(box("POCKET_D4", 10, 8, 50, 30) + circle("HOLE_D6", {65, 19}, 3));
+  part.stock = Stock{{{0, 0}, {75, 40}}, -10, top};
+  return part;
+}
+
+TEST(Facing, OversizeStockComesOffBeforeAnythingElse) {
+  const PlanResult result = plan_part(with_stock_up_to(1.5), with({"endmill:5"}));
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+  ASSERT_EQ(result.part.workplan.size(), 3u);
+  const Feature& face = feature_of(result.part, result.part.workplan.front());
+  EXPECT_EQ(face.kind, FeatureKind::kPlanarFace);
+  EXPECT_NEAR(face.top_z, 1.5, 1e-12);
+  EXPECT_NEAR(face.floor_z, 0, 1e-12);
+}
+
+TEST(Facing, TheWidestCutterFacesAndStockThatEndsAtTheTopIsLeftAlone) {
+  const PlanResult result = plan_part(with_stock_up_to(0.8), with({"endmill:5", "facemill:40"}));
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+  EXPECT_EQ(tool_of(result.part, result.part.workplan.front()).kind, ToolKind::kFaceMill);
+  EXPECT_EQ(plan_part(with_stock_up_to(0), with({"endmill:5"})).part.workplan.size(), 2u);
+}
+
+/// A face on a random outline; `dense` samples of it know nothing of offsets, strategies or the certificate.
+TEST(Facing, RandomOutlinesAreFacedAllOver) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> away(8, 25), share(0.1, 0.9), place(-26, 26);
+  for (int round = 0; round < 40; ++round) {
+    std::vector<BulgeVertex> corners;
+    const int count = 3 + round % 9;
+    for (int i = 0; i < count; ++i)
+      corners.push_back({direction_of(2 * kPi * (i + share(random)) / count) * away(random)});
+    resolve::PlanOptions options = with({"endmill:8"});
+    options.strategy = round % 2 == 0 ? "zigzag" : "contour";
+    const Part part = drawn(outline("FACE_D1", corners));
+    const PlanResult result = plan_part(part, options);
+    EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << round << "\n" << faults_of(result.findings);
+    std::vector<Vec2> path;
+    for (const Section& section : result.toolpath.sections) {
+      for (const Move& move : section.moves) {
+        ASSERT_GE(std::min(move.z_from, move.z_to), -1.0005);
+        if (is_rapid(move.kind) || std::max(move.z_from, move.z_to) > -0.999) continue;
+        const int steps = 1 + static_cast<int>(move.path.length() / 0.1);
+        for (int i = 0; i <= steps; ++i) path.push_back(move.path.at(static_cast<double>(i) / steps));
+      }
+    }
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 p{place(random), place(random)};
+      if (!contains(part.features.front().target, p)) continue;
+      double nearest = HUGE_VAL;
+      for (const Vec2 q : path) nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
+      ASSERT_LE(nearest, 4.01) << round << " at " << p.x << " " << p.y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clearcut::pipeline

@@ -1,0 +1,127 @@
+#include "pipeline/steps/carve_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "link/tracks/tracks.h"
+#include "pipeline/certify.h"
+#include "plan/carve/carve.h"
+#include "plan/carve/chamfer.h"
+#include "post/post.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// mm. Ridges that a pointed bit may leave on a floor where no mill reaches; less than the certificate allows.
+constexpr double kCusp = 0.03;
+/// mm. What chords of the medial axis take of the flanks' distance from the outline.
+constexpr double kChords = 0.0004;
+/// mm. What offsets and booleans take of the distance from a wall.
+constexpr double kOffsets = 0.001;
+
+Loop corners_of(const Box& box) {
+  const Vec2 points[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  return loop_from_points(points);
+}
+
+/// What the mills of earlier steps clear of the floor of a V-carving.
+Regions cleared_before(int workingstep, const Region& region, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  const Workingstep& own = part.workplan[static_cast<std::size_t>(workingstep)];
+  const Feature& feature = feature_of(part, own);
+  const double foot = (feature.top_z - feature.floor_z) * std::tan(feature.wall_slope.radians());
+  Regions cleared;
+  for (int i = 0; i < workingstep; ++i) {
+    const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
+    if (step.feature != own.feature || !clears_floors(tool_of(part, step))) continue;
+    const double radius = tool_of(part, step).radius(), flat = radius - tool_of(part, step).corner_radius;
+    const Regions centers = inset(region, foot + radius + step.operation.allowance_side, plan.tol);
+    if (!centers.empty()) cleared = unite(cleared, dilate(centers, flat, plan.tol), plan.tol);
+  }
+  return cleared;
+}
+
+/// mm that a flank stays off what it must not touch where tips are printed to `rounding`. No more than that: it is left in sharp
+/// corners several times.
+double aside_of(double slope, double rounding, const ResolvedPlan& plan) {
+  return kChords + std::max(0.0, rounding * (1 + slope) - 0.9 * plan.tol.gouge);
+}
+
+/// What is free up to every height at which something ends, from the top of a chamfer on.
+std::vector<plan::carve::StandingUpTo> standing_above(const Feature& feature, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  std::set<double> heights{feature.top_z, part.top_z()};
+  for (const Feature& other : part.features) heights.insert(other.top_z);
+  std::vector<plan::carve::StandingUpTo> out;
+  for (const double z : heights) {
+    if (z < feature.top_z) continue;
+    Regions free;
+    if (part.stock) {
+      const Box& block = part.stock->plan;
+      free = {Region::from_valid_loops(corners_of(block.grown(kOpenReach)), {corners_of(block)})};
+    }
+    for (const Feature& other : part.features) {
+      if (other.floor_z < z && !other.allowed.empty())
+        free = free.empty() ? other.allowed : unite(free, other.allowed, plan.tol);
+    }
+    out.push_back({z, std::move(free)});
+  }
+  return out;
+}
+
+plan::carve::TrackSets chamfer_tracks(const Feature& feature, const Tool& tool, double stepdown,
+                                      const ResolvedPlan& plan) {
+  plan::carve::ChamferShape shape;
+  shape.top = feature.top_z;
+  shape.slope = flank_slope(tool);
+  shape.tip_radius = tool.tip_diameter / 2;
+  shape.tool_radius = tool.radius();
+  shape.aside = kOffsets + aside_of(shape.slope, post::rounding_of(plan.post), plan);
+  shape.stepdown = stepdown;
+  return plan::carve::chamfer_edge(*feature.chamfer, shape, standing_above(feature, plan), plan.tol).sets;
+}
+
+plan::carve::TrackSets tracks_of(int workingstep, const ResolvedPlan& plan) {
+  const Workingstep& step = plan.part.workplan[static_cast<std::size_t>(workingstep)];
+  const Feature& feature = feature_of(plan.part, step);
+  const Tool& tool = tool_of(plan.part, step);
+  const double stepdown = plan.steps[static_cast<std::size_t>(workingstep)].stepdown;
+  if (feature.chamfer) return chamfer_tracks(feature, tool, stepdown, plan);
+  if (feature.profile)
+    return plan::carve::engrave_line(feature.profile->line, feature.profile->closed, feature.top_z,
+                                     feature.floor_z, stepdown);
+  plan::carve::CarveShape shape;
+  shape.top = feature.top_z;
+  shape.floor = feature.floor_z;
+  shape.slope = flank_slope(tool);
+  shape.tip_radius = tool.tip_diameter / 2;
+  shape.aside = aside_of(shape.slope, post::rounding_of_lines(plan.post), plan);
+  shape.arcs_aside = aside_of(shape.slope, post::rounding_of(plan.post), plan) - shape.aside;
+  shape.stepdown = stepdown;
+  shape.cusp = kCusp;
+  plan::carve::TrackSets sets;
+  for (const Region& region : feature.target) {
+    for (auto& set :
+         plan::carve::carve_region(region, shape, cleared_before(workingstep, region, plan), plan.tol))
+      sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
+}  // namespace
+
+std::optional<Section> carve_step(int workingstep, const ResolvedPlan& plan) {
+  const Workingstep& step = plan.part.workplan[static_cast<std::size_t>(workingstep)];
+  if (!is_carved(feature_of(plan.part, step), tool_of(plan.part, step))) return std::nullopt;
+  const link::LinkOptions link =
+      link_options(plan, workingstep, plan.steps[static_cast<std::size_t>(workingstep)].entry);
+  Section section =
+      link::link_tracks(tracks_of(workingstep, plan), plan.part.top_z() + link.above_material, link);
+  describe(section, workingstep, plan);
+  return section;
+}
+
+}  // namespace clearcut::pipeline

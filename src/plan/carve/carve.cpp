@@ -1,0 +1,203 @@
+#include "plan/carve/carve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/clearance.h"
+#include "plan/carve/chains.h"
+
+namespace clearcut::plan::carve {
+namespace {
+
+/// mm. Points of the axis' curves lie no farther from it.
+constexpr double kChord = 0.0002;
+/// mm. Stretches of a ring that are looked at as one: whether a mill has cleared them.
+constexpr double kPiece = 0.1;
+/// mm. Of what a mill clears, the rim is cut again.
+constexpr double kRim = 0.02;
+
+class RegionCarver {
+ public:
+  RegionCarver(const Region& region, const CarveShape& shape, const Regions& cleared, const Tolerances& tol)
+      : clearance_(region, tol),
+        shape_(shape),
+        nearest_(shape.tip_radius + shape.aside),
+        widest_(nearest_ + (shape.top - shape.floor) * shape.slope) {
+    for (const Region& one : cleared) {
+      for (Region& rest : inset(one, kRim, tol)) cleared_.push_back(std::move(rest));
+    }
+  }
+
+  TrackSets carve() {
+    collect_axis();
+    const bool has_floor = clearance_.max() > widest_;
+    const double depth = shape_.top - shape_.floor;
+    const int levels = std::max(1, static_cast<int>(std::ceil(depth / shape_.stepdown - 1e-9)));
+    TrackSets sets;
+    double above = shape_.top;
+    for (int i = 1; i <= levels; ++i) {
+      const double z = i == levels ? shape_.floor : shape_.top - depth * i / levels;
+      std::vector<Track> set = tracks_of(joined(deeper_than(above)), z);
+      if (has_floor) add_rings(clearance_.inset(widest_ + shape_.arcs_aside), z, set);
+      sets.push_back(std::move(set));
+      above = z;
+    }
+    if (has_floor) clear_floor(sets);
+    std::erase_if(sets, [](const std::vector<Track>& set) { return set.empty(); });
+    return sets;
+  }
+
+ private:
+  double tip_at(double clearance) const {
+    return std::max(shape_.floor, shape_.top - std::max(0.0, clearance - nearest_) / shape_.slope);
+  }
+  double clearance_at(double z) const { return nearest_ + (shape_.top - z) * shape_.slope; }
+
+  void collect_axis() {
+    const MedialAxis& axis = clearance_.axis();
+    std::vector<char> has_edge(axis.points.size(), 0);
+    for (std::size_t i = 0; i < axis.edges.size(); ++i) {
+      const AxisEdge& edge = axis.edges[i];
+      has_edge[static_cast<std::size_t>(edge.a)] = has_edge[static_cast<std::size_t>(edge.b)] = 1;
+      Chain chain = clearance_.axis_curve(static_cast<int>(i), kChord);
+      chain.front() = axis.points[static_cast<std::size_t>(edge.a)];
+      chain.back() = axis.points[static_cast<std::size_t>(edge.b)];
+      axis_.push_back(std::move(chain));
+    }
+    // The middle of a circle.
+    for (std::size_t i = 0; i < has_edge.size(); ++i)
+      if (!has_edge[i]) axis_.push_back({axis.points[i]});
+  }
+
+  /// Stretches of the axis where the tip goes below z, up to where the floor is wider than the tip.
+  std::vector<Chain> deeper_than(double z) const {
+    std::vector<Chain> out;
+    for (const Chain& chain : axis_) {
+      for (Chain& part : between(chain, clearance_at(z), widest_)) out.push_back(std::move(part));
+    }
+    return out;
+  }
+
+  std::vector<Track> tracks_of(const std::vector<Chain>& chains, double z) const {
+    const double bend = clearance_at(z);
+    std::vector<Track> tracks;
+    for (const Chain& chain : chains) {
+      Track track;
+      const Chain bent = with_points_at(chain, bend);
+      const auto tip = [&](const AxisPoint& p) { return std::max(z, tip_at(p.clearance)); };
+      for (std::size_t i = 0; i + 1 < bent.size(); ++i) {
+        track.pieces.push_back(
+            {Edge::line(bent[i].point, bent[i + 1].point), tip(bent[i]), tip(bent[i + 1])});
+      }
+      if (bent.size() == 1) track.pieces.push_back(standing(bent.front().point, tip(bent.front())));
+      tracks.push_back(std::move(track));
+    }
+    return tracks;
+  }
+
+  static Track::Piece standing(Vec2 at, double z) { return {Edge::line(at, at), z, z}; }
+
+  static void add_loop(const Loop& loop, double z, std::vector<Track>& set) {
+    Track track;
+    track.closed = true;
+    for (const Edge& edge : loop) track.pieces.push_back({edge, z, z});
+    set.push_back(std::move(track));
+  }
+
+  static void add_rings(const Regions& regions, double z, std::vector<Track>& set) {
+    for (const Region& region : regions) {
+      add_loop(region.outer(), z, set);
+      for (const Loop& island : region.islands()) add_loop(island, z, set);
+    }
+  }
+
+  /// What no mill has cleared: rings inwards, each beside the one before, and the axis between them.
+  void clear_floor(TrackSets& sets) const {
+    const double step = 2 * (shape_.tip_radius + shape_.cusp * shape_.slope);
+    for (double at = widest_ + step; at < clearance_.max(); at += step) {
+      std::vector<Track> set;
+      for (const Region& region : clearance_.inset(at)) {
+        add_uncleared(region.outer(), set);
+        for (const Loop& island : region.islands()) add_uncleared(island, set);
+      }
+      if (set.empty() && !cleared_.empty()) break;
+      sets.push_back(std::move(set));
+    }
+    std::vector<Chain> inner;
+    for (const Chain& chain : axis_) {
+      for (const Chain& part : between(chain, widest_, clearance_.max() + 1)) add_uncleared_part(part, inner);
+    }
+    sets.push_back(tracks_of(joined(inner), shape_.floor));
+  }
+
+  bool is_cleared(Vec2 p) const { return contains(cleared_, p); }
+
+  void add_uncleared(const Loop& loop, std::vector<Track>& set) const {
+    Track run;
+    bool whole = true;
+    for (const Edge& edge : loop) {
+      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.length() / kPiece)));
+      for (int i = 0; i < pieces; ++i) {
+        const double a = static_cast<double>(i) / pieces, b = (i + 1.0) / pieces;
+        if (is_cleared(edge.at((a + b) / 2))) {
+          whole = false;
+          if (!run.pieces.empty()) set.push_back(std::move(run));
+          run = {};
+        } else {
+          run.pieces.push_back({pieces == 1 ? edge : edge.part(a, b), shape_.floor, shape_.floor});
+        }
+      }
+    }
+    if (whole) return add_loop(loop, shape_.floor, set);
+    if (!run.pieces.empty()) set.push_back(std::move(run));
+  }
+
+  void add_uncleared_part(const Chain& chain, std::vector<Chain>& out) const {
+    Chain run;
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      const double length = distance(chain[i].point, chain[i + 1].point);
+      const int pieces = std::max(1, static_cast<int>(std::ceil(length / kPiece)));
+      for (int k = 0; k < pieces; ++k) {
+        const AxisPoint a = part_way(chain[i], chain[i + 1], static_cast<double>(k) / pieces);
+        const AxisPoint b = part_way(chain[i], chain[i + 1], (k + 1.0) / pieces);
+        if (is_cleared(lerp(a.point, b.point, 0.5))) {
+          if (run.size() > 1) out.push_back(std::move(run));
+          run = {};
+          continue;
+        }
+        if (run.empty()) run.push_back(a);
+        run.push_back(b);
+      }
+    }
+    if (run.size() > 1) out.push_back(std::move(run));
+  }
+
+  Clearance clearance_;
+  const CarveShape& shape_;
+  double nearest_;  ///< clearance at which the tip is at the top
+  double widest_;   ///< clearance from which on it is at the floor
+  Regions cleared_;
+  std::vector<Chain> axis_;
+};
+
+}  // namespace
+
+TrackSets carve_region(const Region& region, const CarveShape& shape, const Regions& cleared,
+                       const Tolerances& tol) {
+  return RegionCarver(region, shape, cleared, tol).carve();
+}
+
+TrackSets engrave_line(const Path& line, bool closed, double top, double floor, double stepdown) {
+  const int levels = std::max(1, static_cast<int>(std::ceil((top - floor) / stepdown - 1e-9)));
+  TrackSets sets;
+  for (int i = 1; i <= levels; ++i) {
+    const double z = i == levels ? floor : top - (top - floor) * i / levels;
+    Track track;
+    track.closed = closed;
+    for (const Edge& edge : line) track.pieces.push_back({edge, z, z});
+    sets.push_back({std::move(track)});
+  }
+  return sets;
+}
+
+}  // namespace clearcut::plan::carve

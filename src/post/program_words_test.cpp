@@ -1,0 +1,127 @@
+// Words that a shop asks for in its programs, and controls that have none of them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+
+#include "base/error.h"
+#include "post/post.h"
+
+namespace clearcut::post {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// One straight cut with each of two tools.
+std::string program(const PostOptions& options) {
+  Part part;
+  Toolpath toolpath;
+  for (const int number : {1, 2}) {
+    Tool tool;
+    tool.number = number;
+    tool.diameter = 6;
+    part.tools.push_back(tool);
+    Section section;
+    section.tool_number = number;
+    section.spindle_rpm = 8000;
+    section.moves = {
+        {Edge::line({0, 0}, {0, 0}), 5, -1, MoveKind::kPlunge, MmPerMin::of(100), 0},
+        {Edge::line({0, 0}, {10, 0}), -1, -1, MoveKind::kCut, MmPerMin::of(300), 0},
+        {Edge::line({10, 0}, {10, 0}), -1, 5, MoveKind::kRapid, {}, 0},
+    };
+    toolpath.sections.push_back(section);
+  }
+  return write_program(toolpath, part, options);
+}
+
+PostOptions post_for(const char* dialect) {
+  PostOptions options;
+  options.dialect = dialect;
+  return options;
+}
+
+std::string refusal(const PostOptions& options) {
+  try {
+    program(options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ProgramWords, WorkOffsetStandsInTheSafeStart) {
+  PostOptions options = post_for("linuxcnc");
+  EXPECT_THAT(program(options), HasSubstr(" G54 "));
+  options.work_offset = 57;
+  EXPECT_THAT(program(options), HasSubstr(" G57 "));
+  EXPECT_THAT(program(options), Not(HasSubstr("G54")));
+}
+
+TEST(ProgramWords, ProgramNumberIsTheOWord) {
+  PostOptions options = post_for("fanuc");
+  options.program_name = "bracket";
+  EXPECT_THAT(program(options), HasSubstr("%\nO0001\n(BRACKET)"));
+  options.program_number = 1234;
+  EXPECT_THAT(program(options), HasSubstr("%\nO1234\n(BRACKET)"));
+  options.program_number = 12345;
+  EXPECT_THAT(refusal(options), HasSubstr("--program-number"));
+  options.dialect = "haas";
+  EXPECT_THAT(program(options), HasSubstr("%\nO12345\n"));
+}
+
+TEST(ProgramWords, BlocksAreNumberedInTens) {
+  PostOptions options = post_for("haas");
+  const std::string plain = program(options);
+  options.block_numbers = true;
+  std::istringstream numbered(program(options));
+  std::string line, without;
+  int next = 10;
+  while (std::getline(numbered, line)) {
+    if (line.starts_with("N")) {
+      const std::string word = "N" + std::to_string(next) + " ";
+      ASSERT_TRUE(line.starts_with(word)) << line;
+      line.erase(0, word.size());
+      next += 10;
+    } else {
+      EXPECT_THAT(std::string("(%O"), HasSubstr(line.substr(0, 1))) << line;
+    }
+    without += line + "\n";
+  }
+  EXPECT_EQ(without, plain);
+}
+
+TEST(ProgramWords, OptionalStopComesBeforeEveryToolButTheFirst) {
+  PostOptions options = post_for("linuxcnc");
+  EXPECT_THAT(program(options), Not(HasSubstr("\nM1\n")));
+  options.optional_stop = true;
+  const std::string text = program(options);
+  const auto stop = text.find("\nM1\n");
+  ASSERT_NE(stop, std::string::npos);
+  EXPECT_EQ(text.find("\nM1\n", stop + 1), std::string::npos);
+  EXPECT_LT(text.find("T1 M6"), stop);
+  EXPECT_LT(stop, text.find("T2 M6"));
+}
+
+TEST(ProgramWords, ControlsWithoutThemRefuseThem) {
+  for (const char* dialect : {"heidenhain", "marlin"}) {
+    PostOptions options = post_for(dialect);
+    options.work_offset = 55;
+    EXPECT_THAT(refusal(options), HasSubstr("--work-offset")) << dialect;
+    options = post_for(dialect);
+    options.block_numbers = true;
+    EXPECT_THAT(refusal(options), HasSubstr("--block-numbers")) << dialect;
+  }
+  for (const char* dialect : {"heidenhain", "marlin", "grbl"}) {
+    PostOptions options = post_for(dialect);
+    options.optional_stop = true;
+    EXPECT_THAT(refusal(options), HasSubstr("--optional-stop")) << dialect;
+    options = post_for(dialect);
+    options.program_number = 7;
+    EXPECT_THAT(refusal(options), HasSubstr("--program-number")) << dialect;
+  }
+}
+
+}  // namespace
+}  // namespace clearcut::post

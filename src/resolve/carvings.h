@@ -1,0 +1,18 @@
+// V-carving and engraving for the cutters that were chosen: slopes, depths, and the mill that clears wide floors.
+#pragma once
+
+#include "model/part.h"
+#include "resolve/plan_options.h"
+
+namespace clearcut::resolve {
+
+/// The tool for a feature that a cutter carves by its shape: for V-carving the first V-bit, for engraving the first V-bit or
+/// ball; an index, -1 where there is none.
+int carving_tool(const Feature& feature, const std::vector<Tool>& tools);
+
+/// Gives every V-carving the slope and the depth of its bit, and where its floor is wide enough a step before it that clears the
+/// floor with the largest mill that fits; every engraving with a shaped cutter the groove that it cuts. Throws InputError where
+/// the tools cannot make it.
+void shape_carvings(Part& part, const PlanOptions& options, StepSources& sources);
+
+}  // namespace clearcut::resolve

@@ -1,0 +1,260 @@
+#include "resolve/features/chamfers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/text/format.h"
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm beside the line where is looked for what is milled there. Lines of drawings are as near to outlines as these repair.
+constexpr double kBeside = 0.02;
+/// mm. Slots may be no wider than their mill.
+constexpr double kFits = 0.002;
+/// mm. Half the width of what offsets and booleans leave between areas that touch.
+constexpr double kSliver = 0.003;
+/// mm. A wall of the stock has room for any cutter beside it.
+constexpr double kBesideStock = 50;
+/// mm of a wall that has to stand below a chamfer.
+constexpr double kLeastWall = 0.01;
+/// mm along a line between the places where its wall is looked for.
+constexpr double kLook = 2;
+
+Regions joined(const Regions& a, const Regions& b, const Tolerances& tol) {
+  return a.empty() ? b : b.empty() ? a : unite(a, b, tol);
+}
+
+Regions inset_all(const Regions& regions, double d, const Tolerances& tol) {
+  Regions out;
+  for (const Region& region : regions) {
+    for (Region& one : inset(region, d, tol)) out.push_back(std::move(one));
+  }
+  return out;
+}
+
+Loop corners_of(const Box& box) {
+  const Vec2 points[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  return loop_from_points(points);
+}
+
+/// Radius of the narrowest mill that works on a feature, stock that it leaves included; nothing for drilled holes.
+std::optional<double> corner_radius_of(const Part& part, int feature) {
+  std::optional<double> least;
+  for (const Workingstep& step : part.workplan) {
+    if (step.feature != feature || !clears_floors(tool_of(part, step))) continue;
+    const double radius = tool_of(part, step).radius() + step.operation.allowance_side;
+    least = std::min(least.value_or(radius), radius);
+  }
+  return least;
+}
+
+/// What a mill clears of a feature: all but its corners.
+Regions cleared_of(const Feature& feature, double mill_radius, const Tolerances& tol) {
+  const double radius = mill_radius - kFits;
+  if (!feature.profile) {
+    const Regions centers = inset_all(feature.allowed, radius, tol);
+    return centers.empty() ? Regions{} : intersect(feature.target, dilate(centers, radius, tol), tol);
+  }
+  const Regions within{Region::from_valid_loops(feature.profile->line, {})};
+  if (feature.profile->side == ProfileSide::kOutside)
+    return subtract(feature.target, inset_all(dilate(within, radius, tol), radius, tol), tol);
+  const Regions centers = inset_all(within, radius, tol);
+  return centers.empty() ? Regions{} : intersect(feature.target, dilate(centers, radius, tol), tol);
+}
+
+class WallFinder {
+ public:
+  WallFinder(Part& part, int feature, const Tolerances& tol)
+      : part_(part), index_(feature), feature_(part.features[static_cast<std::size_t>(feature)]), tol_(tol) {}
+
+  /// Whether the wall is made by a cut-out.
+  bool find() {
+    Chamfer& chamfer = *feature_.chamfer;
+    foot_ = feature_.top_z - chamfer.depth;
+    collect();
+    chamfer.air_inside = side();
+    chamfer.room.clear();
+    chamfer.reach = kBesideStock / 2;
+    chamfer.room_floor = -HUGE_VAL;
+    bool cut_out = false;
+    for (const int i : beside_line()) {
+      const Feature& other = part_.features[static_cast<std::size_t>(i)];
+      const auto hole = stock::round_hole_of(other, tol_);
+      const auto radius = hole ? std::nullopt : corner_radius_of(part_, i);
+      const Regions cleared = radius ? cleared_of(other, *radius, tol_) : other.target;
+      chamfer.room = joined(chamfer.room, cleared, tol_);
+      chamfer.reach = std::min(chamfer.reach, hole ? hole->radius : radius.value_or(chamfer.reach));
+      chamfer.room_floor = std::max(chamfer.room_floor, other.floor_z);
+      cut_out = cut_out || (other.profile && other.profile->side != ProfileSide::kOn);
+    }
+    if (stock_beside_) add_stock_side();
+    return cut_out;
+  }
+
+ private:
+  /// Features that are open at the foot's height.
+  void collect() {
+    const Box near = box(feature_.chamfer->line).grown(kBeside);
+    for (std::size_t i = 0; i < part_.features.size(); ++i) {
+      const Feature& other = part_.features[i];
+      if (static_cast<int>(i) == index_ || other.chamfer || other.carving || other.target.empty()) continue;
+      if (other.floor_z < foot_ - kLeastWall && other.top_z > foot_ && box(other.target).overlaps(near))
+        open_.push_back(static_cast<int>(i));
+    }
+  }
+
+  bool is_open(Vec2 p) const {
+    if (part_.stock && !part_.stock->plan.contains(p)) return true;
+    return std::any_of(open_.begin(), open_.end(), [&](int i) {
+      return contains(part_.features[static_cast<std::size_t>(i)].target, p);
+    });
+  }
+
+  template <typename Look>
+  void along(Look look) const {
+    for (const Edge& edge : feature_.chamfer->line) {
+      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.length() / kLook)));
+      for (int i = 0; i < pieces; ++i) {
+        const double t = (i + 0.5) / pieces;
+        look(edge.at(t), left_of(edge.tangent_at(t)) * kBeside);
+      }
+    }
+  }
+
+  /// Whether what is milled lies inside the line.
+  bool side() const {
+    const bool left_is_inside = signed_area(feature_.chamfer->line) > 0;
+    int left = 0, right = 0, none = 0;
+    Vec2 bad;
+    along([&](Vec2 p, Vec2 aside) {
+      const bool a = is_open(p + aside), b = is_open(p - aside);
+      if (a == b)
+        ++none, bad = p;
+      else
+        ++(a ? left : right);
+    });
+    if (none > 0 || (left > 0) == (right > 0)) {
+      throw InputError(
+          feature_.name,
+          fmt::format(
+              "no wall stands along its whole line (look at x {} y {}): a chamfer breaks the edge of what is "
+              "milled "
+              "(a pocket, hole or cut-out deeper than {} mm) or of the stock; draw it on such an edge",
+              trimmed(bad.x, 3), trimmed(bad.y, 3), trimmed(feature_.chamfer->depth, 3)));
+    }
+    return (left > 0) == left_is_inside;
+  }
+
+  /// Those that lie beside the line; notes whether the stock ends there.
+  std::vector<int> beside_line() {
+    std::vector<int> found;
+    along([&](Vec2 p, Vec2 aside) {
+      for (const Vec2 q : {p + aside, p - aside}) {
+        stock_beside_ = stock_beside_ || (part_.stock && !part_.stock->plan.contains(q));
+        for (const int i : open_) {
+          const bool known = std::find(found.begin(), found.end(), i) != found.end();
+          if (!known && contains(part_.features[static_cast<std::size_t>(i)].target, q)) found.push_back(i);
+        }
+      }
+    });
+    return found;
+  }
+
+  void add_stock_side() {
+    Chamfer& chamfer = *feature_.chamfer;
+    const Box& plan = part_.stock->plan;
+    const Region beside = Region::from_valid_loops(corners_of(plan.grown(kBesideStock)), {corners_of(plan)});
+    chamfer.room = joined(chamfer.room, {beside}, tol_);
+    chamfer.room_floor = std::max(chamfer.room_floor, part_.stock->z_bottom);
+  }
+
+  Part& part_;
+  int index_;
+  Feature& feature_;
+  const Tolerances& tol_;
+  double foot_ = 0;
+  std::vector<int> open_;
+  bool stock_beside_ = false;
+};
+
+/// The strip of the top that a chamfer takes, `width` mm wide.
+Regions strip_of(const Chamfer& chamfer, double width, const Tolerances& tol) {
+  const Regions within{Region::from_valid_loops(chamfer.line, {})};
+  if (chamfer.air_inside) return subtract(dilate(within, width, tol), within, tol);
+  const Regions rest = inset(within.front(), width, tol);
+  return rest.empty() ? within : subtract(within, rest, tol);
+}
+
+void refuse_narrow_cone(const Feature& feature, const Tool& tool) {
+  if (!is_conical(tool))
+    throw InputError(feature.name,
+                     "a chamfer needs a chamfer mill or a V-bit; give one besides, for example "
+                     "--tool chamfer:90deg:6");
+  if (feature.chamfer->depth <= cone_height(tool)) return;
+  throw InputError(feature.name,
+                   fmt::format("it is {} mm deep and the flanks of T{} ({} {} mm) are {} mm high; use less "
+                               "depth or a wider cutter",
+                               trimmed(feature.chamfer->depth, 3), tool.number, name_of(tool.kind),
+                               trimmed(tool.diameter, 4), trimmed(cone_height(tool), 3)));
+}
+
+/// Where the chamfer would take more of the top than stands there.
+void refuse_thin_top(const Part& part, int index, const Tolerances& tol) {
+  const Feature& feature = part.features[static_cast<std::size_t>(index)];
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& other = part.features[i];
+    if (static_cast<int>(i) == index || other.floor_z >= feature.top_z - kLeastWall) continue;
+    if (!box(other.target).overlaps(box(feature.target))) continue;
+    const Regions met = inset_all(intersect(feature.target, other.target, tol), kSliver, tol);
+    if (met.empty()) continue;
+    const Vec2 at = box(met).center();
+    throw InputError(feature.name,
+                     fmt::format("it is {} mm wide at the top and meets {} at x {} y {}; use less depth",
+                                 trimmed(feature.chamfer->depth * std::tan(feature.wall_slope.radians()), 3),
+                                 other.name, trimmed(at.x, 2), trimmed(at.y, 2)));
+  }
+}
+
+}  // namespace
+
+int chamfer_tool(const std::vector<Tool>& tools) {
+  for (const ToolKind kind : {ToolKind::kChamferMill, ToolKind::kVBit}) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+      if (tools[i].kind == kind && is_conical(tools[i])) return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+void shape_chamfers(Part& part, const Tolerances& tol) {
+  std::vector<Workingstep> early, late;
+  for (const Workingstep& step : part.workplan) {
+    Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
+    if (!feature.chamfer) {
+      early.push_back(step);
+      continue;
+    }
+    const Tool& tool = tool_of(part, step);
+    refuse_narrow_cone(feature, tool);
+    feature.wall_slope = Radians::of(tool.tip_angle->radians() / 2);
+    feature.floor_z = feature.top_z - feature.chamfer->depth;
+    const bool cut_out = WallFinder(part, step.feature, tol).find();
+    feature.target = strip_of(*feature.chamfer, feature.chamfer->depth * flank_slope(tool), tol);
+    feature.allowed = feature.target;
+    (cut_out && tool.kind == ToolKind::kChamferMill && tool.tip_diameter > 0 ? late : early).push_back(step);
+  }
+  for (const Workingstep& step : late) early.push_back(step);
+  part.workplan = std::move(early);
+  for (const Workingstep& step : part.workplan) {
+    if (feature_of(part, step).chamfer) refuse_thin_top(part, step.feature, tol);
+  }
+}
+
+}  // namespace clearcut::resolve

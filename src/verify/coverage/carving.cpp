@@ -1,0 +1,259 @@
+#include "verify/coverage/carving.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/text/format.h"
+#include "verify/coverage/chamfered_wall.h"
+#include "verify/faults/shaped_cutter.h"
+#include "verify/part/edge_tree.h"
+
+namespace clearcut::verify {
+namespace {
+
+/// mm along the outline between circles, and between places on an engraved line.
+constexpr double kRaySpacing = 0.002;
+constexpr double kLineSpacing = 0.02;
+/// mm. A circle that an outline cuts no deeper is one that it touches.
+constexpr double kTouch = 1e-7;
+constexpr int kMostShrinks = 200;
+/// mm. Squares of the floor are not divided below this half diagonal.
+constexpr double kSmallestCell = 0.004;
+/// Radians. A smaller turn of the outline is no corner.
+constexpr double kSmooth = 1e-6;
+
+/// The smallest cone of the steps of a feature; null without one.
+const Tool* carver_of(const Part& part, int feature) {
+  const Tool* carver = nullptr;
+  for (const Workingstep& step : part.workplan) {
+    const bool known = step.operation.tool >= 0 && step.operation.tool < static_cast<int>(part.tools.size());
+    if (step.feature != feature || !known ||
+        !is_carved(part.features[static_cast<std::size_t>(feature)], tool_of(part, step)))
+      continue;
+    if (!carver || tool_of(part, step).tip_diameter < carver->tip_diameter) carver = &tool_of(part, step);
+  }
+  return carver;
+}
+
+class CarvingJudge {
+ public:
+  CarvingJudge(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work)
+      : feature_(part.features[static_cast<std::size_t>(work.feature)]),
+        carver_(*carver_of(part, work.feature)),
+        tol_(tol),
+        work_(work),
+        outline_(feature_.target) {
+    const Box here = box(feature_.target);
+    for (const JudgedMove& judged : program.moves) {
+      if (!judged.feeds() || !judged.tool || judged.radius() <= 0 || judged.low_z() >= feature_.top_z)
+        continue;
+      const Move& move = *judged.move;
+      const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+      if (!path.grown(judged.radius()).overlaps(here)) continue;
+      work_.any_cut = true;
+      const bool cone = is_conical(*judged.tool) || judged.tool->kind == ToolKind::kBallEndMill;
+      if (cone) shaped_.add(move, *judged.tool);
+      if (!cone && std::max(move.z_from, move.z_to) <= feature_.floor_z + tol_.uncut)
+        floor_mills_.push_back(move.path), floor_radii_.push_back(flat_radius_of(*judged.tool));
+    }
+    mill_tree_ = EdgeTree(floor_mills_);
+    for (const double radius : floor_radii_) widest_mill_ = std::max(widest_mill_, radius);
+  }
+
+  void judge_engraving() {
+    const double bound = kLineSpacing / 2 * (is_conical(carver_) ? 1 / flank_slope(carver_) : 0);
+    for (const Edge& edge : feature_.profile->line) {
+      const int steps = std::max(1, static_cast<int>(std::ceil(edge.length() / kLineSpacing)));
+      for (int i = 0; i <= steps; ++i) {
+        const Vec2 p = edge.at(static_cast<double>(i) / steps);
+        // Between places the path itself is straight or one arc: only what is cut beside it would need the bound.
+        keep(p, shaped_.at(p) - feature_.floor_z, feature_.floor_z, std::min(bound, tol_.uncut / 4));
+      }
+    }
+  }
+
+  void judge_v_carving() {
+    slope_ = flank_slope(carver_);
+    tip_ = carver_.tip_diameter / 2;
+    widest_ = tip_ + (feature_.top_z - feature_.floor_z) * slope_;
+    across_ = slope_ / std::hypot(1.0, slope_);
+    for (const Region& region : feature_.target) {
+      judge_loop(region.outer());
+      for (const Loop& island : region.islands()) judge_loop(island);
+    }
+    judge_floor();
+  }
+
+ private:
+  void keep(Vec2 p, double left, double z, double bound) {
+    const double thickness = left + bound;
+    if (thickness <= work_.left_mm) return;
+    work_.left_mm = thickness;
+    work_.worst = p;
+    work_.worst_z = z;
+  }
+
+  void judge_loop(const Loop& loop) {
+    const Edge* before = &loop.back();
+    for (const Edge& edge : loop) {
+      judge_corner(*before, edge);
+      const int steps = std::max(1, static_cast<int>(std::ceil(edge.length() / kRaySpacing)));
+      for (int i = 0; i <= steps; ++i) {
+        const double t = static_cast<double>(i) / steps;
+        judge_ray(edge.at(t), left_of(edge.tangent_at(t)));
+      }
+      before = &edge;
+    }
+  }
+
+  /// All round a corner that points into the carving.
+  void judge_corner(const Edge& before, const Edge& after) {
+    const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
+    const double turn = std::atan2(cross(in, out), dot(in, out));
+    if (turn >= -kSmooth) return;
+    const double from = angle_of(left_of(in));
+    const int steps = std::max(1, static_cast<int>(std::ceil(-turn * widest_ / kRaySpacing)));
+    for (int i = 0; i <= steps; ++i) judge_ray(after.from, direction_of(from + turn * i / steps));
+  }
+
+  /// Radius of the largest circle from `b` towards `n` that no outline enters, up to the widest of interest.
+  double circle_from(Vec2 b, Vec2 n) const {
+    double radius = widest_;
+    for (int i = 0; i < kMostShrinks; ++i) {
+      const Vec2 center = b + n * radius;
+      const auto hit = outline_.nearest(center, radius - kTouch);
+      if (hit.edge < 0) return radius;
+      const Vec2 to = nearest_point(outline_.edges()[static_cast<std::size_t>(hit.edge)], center) - b;
+      const double ahead = dot(to, n);
+      if (ahead <= 1e-12) return 0;
+      const double smaller = dot(to, to) / (2 * ahead);
+      if (smaller >= radius) return radius;
+      radius = smaller;
+    }
+    return radius;
+  }
+
+  void judge_ray(Vec2 b, Vec2 n) {
+    const double radius = circle_from(b, n);
+    if (radius <= tip_) return;  // out of the tip's reach
+    const Vec2 middle = b + n * radius;
+    const double z = feature_.top_z - (radius - tip_) / slope_;
+    keep(middle, (shaped_.at(middle) - z) * across_, z, kRaySpacing * std::sqrt(1 - across_ * across_));
+  }
+
+  bool in_a_mills_way(Vec2 p, double reach) const {
+    bool found = false;
+    mill_tree_.within(p, widest_mill_, [&](int i) {
+      const auto at = static_cast<std::size_t>(i);
+      found = found || distance(floor_mills_[at], p) + reach <= floor_radii_[at] + tol_.uncut;
+    });
+    return found;
+  }
+
+  /// Whether p lies in the carving, and how far from its outline.
+  double depth_into(Vec2 p) const {
+    const double d = outline_.nearest(p).distance;
+    return outline_.winding(p) != 0 ? d : -d;
+  }
+
+  void judge_floor() {
+    const Box whole = outline_.box();
+    const double half = std::max(whole.width(), whole.height()) / 2;
+    judge_cell(whole.center(), half);
+  }
+
+  bool is_near_a_mill(Vec2 p, double reach) const {
+    bool found = false;
+    mill_tree_.within(p, widest_mill_ + reach, [&](int) { found = true; });
+    return found;
+  }
+
+  void judge_cell(Vec2 p, double half) {
+    const double diagonal = half * std::sqrt(2.0), foot = widest_ - tip_;
+    const double inside = depth_into(p);
+    if (inside + diagonal < foot) return;
+    if (in_a_mills_way(p, diagonal)) return;
+    const double over = shaped_.at(p) - feature_.floor_z;
+    if (over + diagonal / slope_ <= kHighestCusp) return;
+    const bool untouched = over - diagonal / slope_ > kHighestCusp && !is_near_a_mill(p, diagonal);
+    if (untouched && inside - diagonal >= foot)
+      return keep(p, std::min(over, foot / slope_), feature_.floor_z, 0);
+    if (diagonal > kSmallestCell) {
+      for (const Vec2 way : {Vec2{-0.5, -0.5}, Vec2{0.5, -0.5}, Vec2{-0.5, 0.5}, Vec2{0.5, 0.5}})
+        judge_cell(p + way * half, half / 2);
+      return;
+    }
+    if (inside < foot + tol_.uncut || in_a_mills_way(p, 0)) return;
+    if (over > kHighestCusp) keep(p, std::min(over, foot / slope_), feature_.floor_z, 0);
+  }
+
+  const Feature& feature_;
+  const Tool& carver_;
+  const Tolerances& tol_;
+  CarvingWork& work_;
+  EdgeTree outline_;
+  CutHeights shaped_;
+  std::vector<Edge> floor_mills_;
+  std::vector<double> floor_radii_;
+  EdgeTree mill_tree_;
+  double widest_mill_ = 0;
+  double slope_ = 0, tip_ = 0, widest_ = 0;
+  double across_ = 0;  ///< thickness square to the flank for each mm of height
+};
+
+}  // namespace
+
+std::vector<CarvingWork> carvings_of(const Part& part) {
+  std::vector<CarvingWork> works;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const int feature = part.workplan[i].feature;
+    if (!carver_of(part, feature)) continue;
+    const auto known = std::find_if(works.begin(), works.end(),
+                                    [&](const CarvingWork& work) { return work.feature == feature; });
+    if (known == works.end()) {
+      CarvingWork work;
+      work.feature = feature;
+      work.last_workingstep = static_cast<int>(i);
+      works.push_back(work);
+    } else {
+      known->last_workingstep = static_cast<int>(i);
+    }
+  }
+  return works;
+}
+
+void judge_carving(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work) {
+  if (part.features[static_cast<std::size_t>(work.feature)].chamfer)
+    return judge_chamfer(part, program, tol, work);
+  CarvingJudge judge(part, program, tol, work);
+  if (!work.any_cut) return;
+  if (part.features[static_cast<std::size_t>(work.feature)].profile) {
+    judge.judge_engraving();
+  } else {
+    judge.judge_v_carving();
+  }
+  if (std::isinf(work.left_mm))
+    work.left_mm = part.top_z() - part.features[static_cast<std::size_t>(work.feature)].floor_z;
+}
+
+std::vector<Fault> faults_of_carving(const Feature& feature, const CarvingWork& work, const Tolerances& tol) {
+  if (!work.any_cut) {
+    const Vec2 middle = feature.target.empty() ? Vec2{} : box(feature.target).center();
+    return {{FaultKind::kNothingCut,
+             feature.name,
+             {middle, feature.floor_z, 0},
+             feature.top_z - feature.floor_z,
+             feature.name + ": nothing of it is cut; the program has no feed move down there."}};
+  }
+  if (work.left_mm <= tol.uncut) return {};
+  return {{FaultKind::kUncut,
+           feature.name,
+           {work.worst, work.worst_z, 0},
+           work.left_mm,
+           feature.name + ": up to " + trimmed(work.left_mm, 3) + " mm is left uncut, at x " +
+               trimmed(work.worst.x, 3) + " y " + trimmed(work.worst.y, 3) + " z " +
+               trimmed(work.worst_z, 3) + "."}};
+}
+
+}  // namespace clearcut::verify

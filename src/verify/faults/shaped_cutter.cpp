@@ -1,0 +1,225 @@
+#include "verify/faults/shaped_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace clearcut::verify {
+namespace {
+
+/// mm. Stretches of a path that are no longer are not halved again.
+constexpr double kShortest = 2e-4;
+constexpr int kSections = 40;
+constexpr double kGolden = 0.6180339887498949;
+/// mm. Side of a square of the grid that moves are found by, and how many buckets it is folded into.
+constexpr double kCell = 1;
+constexpr std::size_t kBuckets = 1U << 14U;
+
+/// Of the heights between `low` and `high`, that at which a cutter with its tip at z comes nearest to a wall that leans.
+double nearest_height(const Wall& wall, const Tool& tool, double z, double low, double high) {
+  // Beside a flank that is steeper than the wall its foot is nearest, else its top; a rounding touches where it is as steep.
+  if (is_conical(tool))
+    return flank_slope(tool) <= wall.slope ? low : std::clamp(z + cone_height(tool), low, high);
+  const double touch = tool.corner_radius * (1 - wall.slope / std::hypot(1.0, wall.slope));
+  return std::clamp(z + touch, low, high);
+}
+
+/// How far a tip at height z has to stay from the outline of a wall.
+double distance_needed(const Wall& wall, const Tool& tool, double z, bool leans_here) {
+  if (z >= wall.z_high) return 0;
+  if (!leans_here || wall.slope <= 0) return radius_at(tool, wall.z_high - z);
+  const double low = std::max(z, wall.z_low), high = std::max(low, std::min(wall.z_high, wall.top_z));
+  const double height = nearest_height(wall, tool, z, low, high);
+  // Above its outline the wall stands upright.
+  return std::max(radius_at(tool, height - z) + wall.lean(height), radius_at(tool, wall.z_high - z));
+}
+
+class ShapedJudge {
+ public:
+  ShapedJudge(const FinishedPart& part, const Move& move, const Tool& tool, double slack)
+      : part_(part), move_(move), tool_(tool), slack_(slack) {
+    half_ = move.is_vertical() ? 0 : move.path.length() / 2;
+  }
+
+  std::optional<Gouge> judge() {
+    const double low = std::min(move_.z_from, move_.z_to);
+    if (low >= part_.top_z()) return std::nullopt;
+    part_.wall_tree().within(at(0.5), half_ + tool_.radius() + part_.greatest_lean(),
+                             [&](int i) { against_wall(part_.walls()[static_cast<std::size_t>(i)]); });
+    for (const double t : {0.0, 0.5, 1.0}) against_inside(t);
+    return worst_;
+  }
+
+ private:
+  Vec2 at(double t) const { return move_.is_vertical() ? move_.path.from : move_.path.at(t); }
+  double z_at(double t) const { return move_.z_from + (move_.z_to - move_.z_from) * t; }
+
+  double excess(const Wall& wall, double t) const {
+    const Vec2 p = at(t);
+    const bool leans = wall.slope > 0 && part_.is_inside(wall.feature, p);
+    return distance_needed(wall, tool_, z_at(t), leans) - distance(wall.edge, p);
+  }
+
+  /// mm that the excess beside the wall changes at most over the whole move.
+  double rate_beside(const Wall& wall) const {
+    const double flank = is_conical(tool_) ? flank_slope(tool_) : 0;
+    return 2 * half_ + std::abs(move_.z_to - move_.z_from) * (flank + wall.slope);
+  }
+
+  /// The share of the move that is below the wall's top.
+  std::array<double, 2> below_top(const Wall& wall) const {
+    const double dz = move_.z_to - move_.z_from;
+    if (dz == 0) return {0, 1};
+    const double passes = std::clamp((wall.z_high - move_.z_from) / dz, 0.0, 1.0);
+    return dz < 0 ? std::array{passes, 1.0} : std::array{0.0, passes};
+  }
+
+  void against_wall(const Wall& wall) {
+    double worst_t = 0, worst = -HUGE_VAL;
+    const auto look = [&](double t) {
+      const double e = excess(wall, t);
+      if (e > worst) worst = e, worst_t = t;
+      return e;
+    };
+    const double first = look(0), last = look(1);
+    if (!move_.is_vertical()) {
+      const double rate = rate_beside(wall);
+      if ((first + last + rate) / 2 <= 0) return;
+      if (!wall.edge.is_arc() && !move_.path.is_arc()) {
+        by_sections(look, below_top(wall));
+      } else {
+        by_halves(look, {0, first}, {1, last}, rate, worst);
+      }
+    }
+    if (worst > 0) keep(wall, worst_t, worst);
+  }
+
+  /// The excess is concave below the wall's top: the radius is so over the height, and the distance is convex.
+  template <typename Look>
+  static void by_sections(Look look, std::array<double, 2> range) {
+    auto [low, high] = range;
+    double a = high - kGolden * (high - low), b = low + kGolden * (high - low), fa = look(a), fb = look(b);
+    for (int i = 0; i < kSections; ++i) {
+      if (fa < fb) {
+        low = a, a = b, fa = fb;
+        fb = look(b = low + kGolden * (high - low));
+      } else {
+        high = b, b = a, fb = fa;
+        fa = look(a = high - kGolden * (high - low));
+      }
+    }
+  }
+
+  struct Sample {
+    double t, excess;
+  };
+
+  template <typename Look>
+  void by_halves(Look look, Sample a, Sample b, double rate, const double& worst) {
+    const double change = rate * (b.t - a.t);
+    const double above = (a.excess + b.excess + change) / 2;
+    if (above <= std::max(slack_ / 2, worst) || change < kShortest) return;
+    const double t = (a.t + b.t) / 2;
+    const Sample middle{t, look(t)};
+    by_halves(look, a, middle, rate, worst);
+    by_halves(look, middle, b, rate, worst);
+  }
+
+  void keep(const Wall& wall, double t, double sideways) {
+    const double upwards = is_conical(tool_) ? sideways / flank_slope(tool_) : sideways;
+    const double depth = std::min({sideways, upwards, wall.z_high - z_at(t)});
+    if (depth <= 0 || (worst_ && depth <= worst_->depth)) return;
+    worst_ = Gouge{depth, at(t), z_at(t), false, wall.feature};
+  }
+
+  /// The tip itself may be below a floor or inside a wall.
+  void against_inside(double t) {
+    const double height = part_.height(at(t)), z = z_at(t);
+    if (height <= z + slack_ || (worst_ && height - z <= worst_->depth)) return;
+    worst_ = Gouge{height - z, at(t), z, true, -1};
+  }
+
+  const FinishedPart& part_;
+  const Move& move_;
+  const Tool& tool_;
+  double slack_;
+  double half_ = 0;
+  std::optional<Gouge> worst_;
+};
+
+/// Place along a straight move where a cone stands lowest over p, if it went on without end.
+double lowest_place(const Move& move, const Tool& tool, Vec2 p) {
+  const Vec2 along = move.path.to - move.path.from;
+  const double length = norm(along), near = dot(p - move.path.from, along) / (length * length);
+  const double aside = std::abs(cross(p - move.path.from, along)) / length;
+  const double rise = (move.z_to - move.z_from) / length, steep = rise * flank_slope(tool);
+  if (std::abs(steep) >= 1) return rise < 0 ? 1 : 0;
+  return near - steep * aside / std::sqrt(1 - steep * steep) / length;
+}
+
+}  // namespace
+
+std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move, const Tool& tool,
+                                     double slack) {
+  return ShapedJudge(part, move, tool, slack).judge();
+}
+
+std::optional<double> height_at(const Tool& tool, double distance) {
+  if (distance > tool.radius()) return std::nullopt;
+  if (is_conical(tool)) return std::max(0.0, distance - tool.tip_diameter / 2) / flank_slope(tool);
+  const double round = tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
+  const double out = std::max(0.0, distance - (tool.radius() - round));
+  return round - std::sqrt(std::max(0.0, round * round - out * out));
+}
+
+CutHeights::CutHeights() : cells_(kBuckets) {}
+
+std::size_t CutHeights::cell_of(double x, double y) {
+  const auto column = static_cast<std::int64_t>(std::floor(x / kCell));
+  const auto row = static_cast<std::int64_t>(std::floor(y / kCell));
+  const auto mixed = static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15ULL +
+                     static_cast<std::uint64_t>(row) * 0xC2B2AE3D27D4EB4FULL;
+  return static_cast<std::size_t>(mixed >> 50U) % kBuckets;
+}
+
+void CutHeights::add(const Move& move, const Tool& tool) {
+  const std::size_t index = entries_.size();
+  entries_.push_back({&move, &tool});
+  const Box box =
+      (move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box()).grown(tool.radius());
+  for (double x = std::floor(box.min.x / kCell) * kCell; x <= box.max.x; x += kCell) {
+    for (double y = std::floor(box.min.y / kCell) * kCell; y <= box.max.y; y += kCell) {
+      auto& cell = cells_[cell_of(x + kCell / 2, y + kCell / 2)];
+      if (cell.empty() || cell.back() != index) cell.push_back(index);
+    }
+  }
+}
+
+double CutHeights::at(Vec2 p) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : cells_[cell_of(p.x, p.y)]) {
+    const Move& move = *entries_[i].move;
+    const Tool& tool = *entries_[i].tool;
+    if (std::min(move.z_from, move.z_to) >= lowest) continue;
+    const auto look = [&](double t) {
+      const double c = std::clamp(t, 0.0, 1.0);
+      const Vec2 center = move.is_vertical() ? move.path.from : move.path.at(c);
+      const double z =
+          move.is_vertical() ? std::min(move.z_from, move.z_to) : move.z_from + (move.z_to - move.z_from) * c;
+      if (const auto above = height_at(tool, distance(center, p))) lowest = std::min(lowest, z + *above);
+    };
+    if (move.is_vertical()) {
+      look(0);
+      continue;
+    }
+    look(nearest(move.path, p).t);
+    if (move.z_from == move.z_to) continue;
+    look(0);
+    look(1);
+    if (is_conical(tool) && !move.path.is_arc()) look(lowest_place(move, tool, p));
+  }
+  return lowest;
+}
+
+}  // namespace clearcut::verify
