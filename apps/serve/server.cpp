@@ -1,6 +1,7 @@
 #include "serve/server.h"
 
 #include <clearcut/error.h>
+#include <sys/socket.h>
 
 #include <chrono>
 #include <regex>
@@ -17,6 +18,7 @@ using httplib::Response;
 using Answered = httplib::Server::HandlerResponse;
 
 constexpr std::size_t kThreads = 160;   // more than those who follow plans and those who wait for a check
+constexpr int kWaiting = 128;           // connections that are not accepted yet
 constexpr time_t kLongestSilence = 10;  // s of a connection in the middle of a request
 
 /// A thread that runs out of memory over a request drops that connection alone.
@@ -120,12 +122,19 @@ void Server::add_routes() {
 
 int Server::bind() {
   const Settings& settings = service_.settings;
-  if (settings.port == 0) {
-    const int port = server_.bind_to_any_port(settings.listen);
-    if (port > 0) return port;
-  } else if (server_.bind_to_port(settings.listen, settings.port)) {
-    return settings.port;
+  int socket = -1;
+  server_.set_socket_options([&](socket_t made) {
+    httplib::default_socket_options(made);
+    socket = made;
+  });
+  int port = settings.port;
+  if (port == 0) {
+    port = server_.bind_to_any_port(settings.listen);
+  } else if (!server_.bind_to_port(settings.listen, port)) {
+    port = -1;
   }
+  // The library lets five wait to be accepted; those who come beyond that would be turned away.
+  if (port > 0 && ::listen(socket, kWaiting) == 0) return port;
   throw InputError("--port", "cannot be listened on (" + settings.listen + ", " +
                                  std::to_string(settings.port) +
                                  "); another program may have it: name another, or 0 for any");

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "base/error.h"
 #include "model/results/not_machined.h"
 #include "pipeline/certify.h"
 #include "pipeline/selection/strategies.h"
@@ -50,6 +51,22 @@ void number_sections(Toolpath& toolpath, const Part& part) {
   for (auto& section : toolpath.sections) {
     if (section.tool_number == 0) section.tool_number = part.tools.front().number;
   }
+}
+
+/// The question with the tools that the program calls; with all that were given where the part cannot be made with those alone,
+/// because the program leaves work out. `asked` becomes what was resolved.
+ResolvedPlan resolved_for(const Toolpath& toolpath, const Part& part, resolve::PlanOptions& asked,
+                          const StrategyTable& strategies) {
+  resolve::PlanOptions called = with_tools_of(toolpath, asked);
+  if (called.tools.size() < asked.tools.size()) {
+    try {
+      ResolvedPlan plan = resolve::resolve(part, called, strategies);
+      asked = std::move(called);
+      return plan;
+    } catch (const InputError&) {  // said below, where it is so with all tools
+    }
+  }
+  return resolve::resolve(part, asked, strategies);
 }
 
 /// What is stated for the tool that a workingstep of `prepared` is made with goes before what `stated`, the step as it was
@@ -123,8 +140,8 @@ CheckResult check_program(const Part& part, const std::string& program, const st
         {"tool-by-hand", "the tools are put in by hand in the order of the part's work, one at each pause",
          0});
   CheckResult result;
-  const resolve::PlanOptions asked = with_tools_of(read.toolpath, numbered_by(read.toolpath, options));
-  if (!resolved) resolved = resolve::resolve(part, asked, strategies);
+  resolve::PlanOptions asked = numbered_by(read.toolpath, options);
+  if (!resolved) resolved = resolved_for(read.toolpath, part, asked, strategies);
   const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
   keep_stated_limits(result.part, part, asked);

@@ -16,7 +16,8 @@ using ::testing::Not;
 const std::string kJob =
     "[part]\nfile = \"plate.json\"\n"
     "[stock]\nx = [0, 80]\ny = [0, 60]\nz = [-12, 0]\n"
-    "[[tool]]\nnumber = 3\nkind = \"endmill\"\nname = \"rougher <8>\"\ndiameter = 8\nflute_length = 20\nfeed = 600\n"
+    "[[tool]]\nnumber = 3\nkind = \"endmill\"\nname = \"rougher <8>\"\ndiameter = 8\nflute_length = 20\nfeed "
+    "= 600\n"
     "plunge_feed = 150\nspindle = 4000\n";
 const std::string kPlate =
     R"({"name": "PLATE & CO", "units": "mm", "outer": [[10, 10, 0], [70, 10, 0], [70, 50, 0], [10, 50, 0]],

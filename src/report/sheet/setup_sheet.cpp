@@ -135,7 +135,8 @@ class Sheet {
   void row(const std::vector<std::string>& cells, std::size_t words) {
     page_.open("tr", {});
     for (std::size_t i = 0; i < cells.size(); ++i)
-      page_.words("td", cells[i], i < words ? SvgWriter::Attributes{} : SvgWriter::Attributes{{"class", "n"}});
+      page_.words("td", cells[i],
+                  i < words ? SvgWriter::Attributes{} : SvgWriter::Attributes{{"class", "n"}});
     page_.close();
   }
   void end_table() {
@@ -179,8 +180,7 @@ class Sheet {
     if (!operation.cutting.feed) return "";
     std::string text = trimmed(operation.cutting.feed->mm_per_min() / unit_mm(), info_.inch ? 2 : 0);
     if (operation.cutting.plunge_feed)
-      text +=
-          " / " + trimmed(operation.cutting.plunge_feed->mm_per_min() / unit_mm(), info_.inch ? 2 : 0);
+      text += " / " + trimmed(operation.cutting.plunge_feed->mm_per_min() / unit_mm(), info_.inch ? 2 : 0);
     return text;
   }
 
