@@ -39,7 +39,8 @@ const StrategyEntry* strategy_named(const std::string& name, const StrategyTable
   if (const StrategyEntry* entry = strategies.find(name)) return entry;
   std::string known = "auto";
   for (const StrategyEntry& entry : strategies.entries()) known += ", " + entry.name;
-  throw InputError(place, "strategy '" + name + "' is unknown; use one of " + known);
+  const std::string what = place == "--strategy" ? "" : "strategy ";  // the place says it already
+  throw InputError(place, what + "'" + name + "' is unknown; use one of " + known);
 }
 
 std::string strategy_of_stepnc(const std::string& name) {

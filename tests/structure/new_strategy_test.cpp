@@ -70,7 +70,7 @@ TEST(NewStrategy, IsUnknownWithoutItsRow) {
     pipeline::plan_part(pocket(), options);
     FAIL() << "planned";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("strategy 'rings' is unknown; use one of auto, zigzag"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("'rings' is unknown; use one of auto, zigzag"));
   }
 }
 
