@@ -7,7 +7,7 @@ PRECOMPILED ?= ON
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=$(PRECOMPILED) $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test python packages reproduce-packages docs format lint-viewer test-browser clean
+.PHONY: all setup build demo test web test-web python packages reproduce-packages docs format lint-viewer test-browser clean
 all: build
 
 setup:
@@ -27,6 +27,18 @@ demo:
 
 test: build
 	@ctest --preset release
+
+# The page without a server: build/web/site, which any static host serves; planning runs in the browser as WebAssembly.
+web:
+	@scripts/setup.sh build web
+	@scripts/web/sources.sh build/web-sources
+	@cmake --preset web > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
+	@cmake --build --preset web --target site
+
+# The same bytes as the command, for the examples and random parts; then the page in a browser, also without a network.
+test-web: web build
+	@scripts/web/same_bytes.sh $(BUILD)/apps/cli/clearcut build/web/apps/web
+	@scripts/web/browser_test.sh build/web/site $(BUILD)/apps/cli/clearcut
 
 # The Python module in build/release/python, its wheel, and its tests. PYTHONPATH=build/release/python is all it needs.
 python:

@@ -12,7 +12,9 @@ endif()
 target_compile_options(clearcut_options INTERFACE -ffp-contract=off)
 # Functions may be inlined although they could be replaced when the library is loaded: nobody replaces ours, and position
 # independent code then costs nothing in planning time.
-target_compile_options(clearcut_options INTERFACE -fno-semantic-interposition)
+if(NOT EMSCRIPTEN)
+  target_compile_options(clearcut_options INTERFACE -fno-semantic-interposition)
+endif()
 # No path of the build in what is built: the same bytes from any folder.
 target_compile_options(clearcut_options INTERFACE -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
 
@@ -28,7 +30,7 @@ endif()
 option(CLEARCUT_PRECOMPILED_HEADERS "Parse common headers once" OFF)
 
 find_program(CLEARCUT_CCACHE ccache)
-if(CLEARCUT_CCACHE)
+if(CLEARCUT_CCACHE AND NOT EMSCRIPTEN)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CLEARCUT_CCACHE})
   if(CLEARCUT_PRECOMPILED_HEADERS)
     # What the cache needs to know a precompiled header again (ccache's manual, "Precompiled headers").

@@ -26,25 +26,6 @@ void complain(std::string message) {
   std::fprintf(stderr, "clearcut: %s\n", message.c_str());
 }
 
-void add_commands(CLI::App& app, int& exit_code) {
-  add_plan_command(app, exit_code);
-  add_batch_command(app, exit_code);
-  add_serve_command(app, exit_code);
-  add_verify_command(app, exit_code);
-  add_setup_sheet_command(app, exit_code);
-  add_check_command(app, exit_code);
-  add_info_command(app, exit_code);
-  add_init_command(app, exit_code);
-  add_convert_command(app, exit_code);
-  add_compare_command(app, exit_code);
-  add_tools_command(app, exit_code);
-  add_elements_command(app, exit_code);
-  add_tour_command(app, exit_code);
-  add_reproduce_command(app, exit_code);
-  add_study_command(app, exit_code);
-  add_generate_command(app, exit_code);
-}
-
 /// What was wrong with the arguments, in one line.
 std::string about(const CLI::ParseError& error, const CLI::App& app,
                   const std::vector<std::string>& arguments) {

@@ -16,6 +16,9 @@ inline int exit_code_of(const Findings& findings) {
   return verdict_of(findings) == Verdict::kClean ? kClean : kFault;
 }
 
+/// All of them; the web build has fewer (apps/web).
+void add_commands(CLI::App& app, int& exit_code);
+
 void add_plan_command(CLI::App& app, int& exit_code);
 void add_verify_command(CLI::App& app, int& exit_code);
 void add_setup_sheet_command(CLI::App& app, int& exit_code);

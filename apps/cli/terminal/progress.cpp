@@ -9,6 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "terminal/progress_text.h"
+
 namespace clearcut::cli {
 namespace {
 
@@ -21,31 +23,6 @@ const ProgressClock::time_point kStart = ProgressClock::now();
 
 double now_s() {
   return std::chrono::duration<double>(ProgressClock::now() - kStart).count();
-}
-
-/// s, as fast as it went so far; none before the first is done.
-std::optional<double> time_left(std::size_t done, std::size_t of, double spent_s) {
-  if (done == 0 || of <= done) return std::nullopt;
-  const double share = static_cast<double>(done) / static_cast<double>(of);
-  return spent_s * (1 - share) / share;
-}
-
-std::string described(const Progress& at, double spent_s) {
-  if (at.stage == Stage::kCertifying) return "certifying the program";
-  std::string text = fmt::format("planning: {} of at most {} candidates", at.done, at.most);
-  if (const auto left = time_left(at.done, at.most, spent_s))
-    text += fmt::format(", at most {:.0f} s left", *left);
-  return text;
-}
-
-/// Of the JSON that another program reads.
-std::string json_of(const Progress& at, double spent_s) {
-  std::string text =
-      fmt::format(R"({{"progress":{{"stage":"{}","done":{},"most":{})",
-                  at.stage == Stage::kCertifying ? "certifying" : "planning", at.done, at.most);
-  if (const auto left = time_left(at.done, at.most, spent_s))
-    text += fmt::format(R"(,"left_s":{:.0f})", *left);
-  return text + "}}";
 }
 
 bool is_for_programs() {

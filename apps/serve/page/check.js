@@ -74,7 +74,7 @@ async function startCheck(event) {
   element('check-go').disabled = true;
   say(element('check-status'), 'Checking …');
   try {
-    const state = await asked('/check', { method: 'POST', body: check.files.form(checkOptions()) });
+    const state = await pipeline.check(check.files.form(checkOptions()));
     if (state.state === 'done') showCheck(state, program);
     else say(element('check-status'), state.message, true);
   } catch (error) {

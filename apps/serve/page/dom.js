@@ -27,11 +27,3 @@ function say(status, text, isError = false) {
 
 /** A word as a shell takes it. */
 function quoted(word) { return /^[\w@%+=:,./-]+$/.test(word) ? word : `"${word.replaceAll('"', '')}"`; }
-
-/** The answer as JSON; throws an Error with the server's own words. */
-async function asked(path, request) {
-  const answer = await fetch(path, request).catch(() => { throw new Error('The server does not answer. Is it still running?'); });
-  const json = await answer.json().catch(() => ({}));
-  if (!answer.ok) throw new Error(json.error || `The server answers ${answer.status}.`);
-  return json;
-}

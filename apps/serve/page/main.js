@@ -29,7 +29,7 @@ function setUpTabs() {
 const toolKinds = ['endmill', 'facemill', 'bullnose', 'ball', 'drill', 'reamer'];
 
 async function setUpOptions() {
-  const options = await asked('/options');
+  const options = await pipeline.options();
   const values = (command, name) => options[command].find(one => one.names.includes(name))?.values ?? [];
   fillSelect(element('unit'), values('plan', '--unit'), 'as the file says');
   fillSelect(element('strategy'), values('plan', '--strategy').filter(name => name !== 'auto'), 'the fastest');
@@ -42,6 +42,7 @@ async function setUpOptions() {
 }
 
 for (const id of ['tool-kind', 'check-kind']) fillSelect(element(id), toolKinds);
+if (pipeline.promise) element('promise').textContent = pipeline.promise;
 setUpTabs();
 setUpPlan();
 setUpCheck();

@@ -1,6 +1,6 @@
 // The tab that plans.
 
-const plan = { files: null, id: '', events: null };
+const plan = { files: null, id: '', unfollow: null };
 
 /** Files that say their tools themselves. */
 const saysTools = name => ['toml', 'p21', 'stpnc', '238'].includes(kindOf(name));
@@ -79,8 +79,8 @@ function showPlan(state) {
 }
 
 function endPlan() {
-  plan.events?.close();
-  plan.events = null;
+  plan.unfollow?.();
+  plan.unfollow = null;
   element('plan-progress').hidden = true;
   element('plan-cancel').hidden = true;
   element('plan-go').disabled = !plan.files.of('part');
@@ -94,34 +94,24 @@ function hearPlan(state) {
 }
 
 function followPlan(id) {
-  plan.events = new EventSource(`/plan/${id}/events`);
-  plan.events.onmessage = event => hearPlan(JSON.parse(event.data));
-  plan.events.onerror = async () => {
-    plan.events?.close();
-    try {
-      const state = await asked(`/plan/${id}`);
-      hearPlan(state);
-      if (plan.events) setTimeout(() => followPlan(id), 1000);
-    } catch (error) {
-      endPlan();
-      say(element('plan-status'), error.message, true);
-    }
-  };
+  plan.unfollow = pipeline.follow(id, hearPlan, error => {
+    endPlan();
+    say(element('plan-status'), error.message, true);
+  });
 }
 
 async function startPlan(event) {
   event.preventDefault();
-  if (plan.id) asked(`/plan/${plan.id}`, { method: 'DELETE' }).catch(() => {});  // its results are not wanted any more
+  if (plan.id) pipeline.drop(plan.id);  // its results are not wanted any more
   plan.id = '';
   element('plan-result').hidden = true;
   element('plan-report').removeAttribute('src');
   element('plan-go').disabled = true;
   say(element('plan-status'), 'Sending the files …');
   try {
-    const answer = await asked('/plan', { method: 'POST', body: plan.files.form(planOptions()) });
-    plan.id = answer.id;
+    plan.id = await pipeline.plan(plan.files.form(planOptions()));
     element('plan-cancel').hidden = false;
-    followPlan(answer.id);
+    followPlan(plan.id);
   } catch (error) {
     endPlan();
     say(element('plan-status'), error.message, true);
@@ -133,7 +123,7 @@ async function cancelPlan() {
   plan.id = '';
   endPlan();
   say(element('plan-status'), 'Cancelled.');
-  await asked(`/plan/${id}`, { method: 'DELETE' }).catch(() => {});
+  await pipeline.drop(id);
 }
 
 function setUpPlan() {

@@ -1,0 +1,24 @@
+#include "commands/commands.h"
+
+namespace clearcut::cli {
+
+void add_commands(CLI::App& app, int& exit_code) {
+  add_plan_command(app, exit_code);
+  add_batch_command(app, exit_code);
+  add_serve_command(app, exit_code);
+  add_verify_command(app, exit_code);
+  add_setup_sheet_command(app, exit_code);
+  add_check_command(app, exit_code);
+  add_info_command(app, exit_code);
+  add_init_command(app, exit_code);
+  add_convert_command(app, exit_code);
+  add_compare_command(app, exit_code);
+  add_tools_command(app, exit_code);
+  add_elements_command(app, exit_code);
+  add_tour_command(app, exit_code);
+  add_reproduce_command(app, exit_code);
+  add_study_command(app, exit_code);
+  add_generate_command(app, exit_code);
+}
+
+}  // namespace clearcut::cli

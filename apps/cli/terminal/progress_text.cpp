@@ -1,0 +1,30 @@
+#include "terminal/progress_text.h"
+
+#include <fmt/format.h>
+
+namespace clearcut::cli {
+
+std::optional<double> time_left(std::size_t done, std::size_t of, double spent_s) {
+  if (done == 0 || of <= done) return std::nullopt;
+  const double share = static_cast<double>(done) / static_cast<double>(of);
+  return spent_s * (1 - share) / share;
+}
+
+std::string described(const Progress& at, double spent_s) {
+  if (at.stage == Stage::kCertifying) return "certifying the program";
+  std::string text = fmt::format("planning: {} of at most {} candidates", at.done, at.most);
+  if (const auto left = time_left(at.done, at.most, spent_s))
+    text += fmt::format(", at most {:.0f} s left", *left);
+  return text;
+}
+
+std::string json_of(const Progress& at, double spent_s) {
+  std::string text =
+      fmt::format(R"({{"progress":{{"stage":"{}","done":{},"most":{})",
+                  at.stage == Stage::kCertifying ? "certifying" : "planning", at.done, at.most);
+  if (const auto left = time_left(at.done, at.most, spent_s))
+    text += fmt::format(R"(,"left_s":{:.0f})", *left);
+  return text + "}}";
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,17 @@
+// The commands of the web build: what a page asks for. Studies, batches and the server need a machine of their own.
+#include "commands/commands.h"
+
+namespace clearcut::cli {
+
+void add_commands(CLI::App& app, int& exit_code) {
+  add_plan_command(app, exit_code);
+  add_verify_command(app, exit_code);
+  add_setup_sheet_command(app, exit_code);
+  add_check_command(app, exit_code);
+  add_info_command(app, exit_code);
+  add_init_command(app, exit_code);
+  add_convert_command(app, exit_code);
+  add_generate_command(app, exit_code);
+}
+
+}  // namespace clearcut::cli

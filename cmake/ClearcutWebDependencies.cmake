@@ -1,0 +1,71 @@
+# The packages of ClearcutDependencies.cmake for the preset web (WebAssembly by emscripten): headers by a folder of links into
+# /usr/include, the three compiled libraries from Debian's sources (scripts/web/sources.sh), stand-ins in cmake/web for TBB,
+# OpenSSL's digest and what emscripten's standard library lacks.
+set(web_sources ${PROJECT_SOURCE_DIR}/build/web-sources)
+set(web_include ${PROJECT_BINARY_DIR}/include)
+set(CLEARCUT_WEB_FOLDER ${PROJECT_SOURCE_DIR}/cmake/web)
+
+function(clearcut_web_source out pattern)
+  file(GLOB found ${web_sources}/${pattern})
+  if(NOT found)
+    message(FATAL_ERROR "${web_sources}/${pattern} is missing; run scripts/web/sources.sh build/web-sources, or make web")
+  endif()
+  list(GET found 0 found)
+  set(${out} ${found} PARENT_SCOPE)
+endfunction()
+clearcut_web_source(clipper libpolyclipping-*/cpp/clipper.cpp)
+clearcut_web_source(pugixml pugixml-*/src/pugixml.cpp)
+clearcut_web_source(fmt_source fmtlib-*/src/format.cc)
+clearcut_web_source(glibc_sin glibc-*/sysdeps/ieee754/dbl-64/s_sin.c)
+
+file(MAKE_DIRECTORY ${web_include})
+foreach(name boost fmt nlohmann toml++ CLI fast_float polyclipping pugixml.hpp pugiconfig.hpp)
+  if(NOT EXISTS /usr/include/${name})
+    message(FATAL_ERROR "/usr/include/${name} is missing; run scripts/setup.sh build web, or make web")
+  endif()
+  file(CREATE_LINK /usr/include/${name} ${web_include}/${name} SYMBOLIC)
+endforeach()
+execute_process(COMMAND em-config EMSCRIPTEN_ROOT OUTPUT_VARIABLE emscripten_root OUTPUT_STRIP_TRAILING_WHITESPACE)
+
+# Before every other folder, so that the stand-ins are found first.
+include_directories(BEFORE SYSTEM ${CLEARCUT_WEB_FOLDER}/include ${web_include})
+add_library(clearcut_web_headers INTERFACE)
+foreach(name Boost::headers nlohmann_json::nlohmann_json PkgConfig::tomlplusplus CLI11::CLI11 TBB::tbb)
+  add_library(${name} ALIAS clearcut_web_headers)
+endforeach()
+
+enable_language(C)
+add_library(clearcut_web_packages STATIC ${clipper} ${pugixml} ${fmt_source} ${CLEARCUT_WEB_FOLDER}/sha256.c
+  ${CLEARCUT_WEB_FOLDER}/to_chars.cpp)
+set_source_files_properties(${CLEARCUT_WEB_FOLDER}/sha256.c PROPERTIES
+  COMPILE_OPTIONS "-I${emscripten_root}/system/lib/libc/musl/src/crypt")
+target_compile_options(clearcut_web_packages PRIVATE -ffp-contract=off -w)
+
+# The command's sine and its kin, so that programs are the command's: emscripten's C library rounds 3 to 18 % of their values
+# the other way. Its exp, log and pow are the same already.
+cmake_path(GET glibc_sin PARENT_PATH glibc_math)
+set(glibc_headers ${PROJECT_BINARY_DIR}/libm)
+foreach(name math_private fenv_private math-underflow libm-alias-double libm-alias-finite math-barriers fix-int-fp-convert-zero
+        math-svid-compat math-use-builtins math-narrow-eval nan-high-order-bit)
+  file(TOUCH ${glibc_headers}/${name}.h)  # libm_names.h says all that is needed of them
+endforeach()
+set(glibc_sources s_sin s_tan s_atan e_atan2 e_asin e_hypot e_log10 branred sincostab)
+list(TRANSFORM glibc_sources PREPEND ${glibc_math}/)
+list(TRANSFORM glibc_sources APPEND .c)
+target_sources(clearcut_web_packages PRIVATE ${glibc_sources})
+set_source_files_properties(${glibc_sources} PROPERTIES
+  COMPILE_OPTIONS "-fno-builtin;-include;${CLEARCUT_WEB_FOLDER}/libm_names.h;-I${glibc_headers}")
+foreach(name fmt::fmt pugixml::pugixml PkgConfig::polyclipping OpenSSL::Crypto)
+  add_library(${name} ALIAS clearcut_web_packages)
+endforeach()
+# Debian's Node finds the parser that emscripten's linker uses there; another Node has to be told.
+set(CMAKE_C_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)
+set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_C_LINKER_LAUNCHER})
+# Compiled by emscripten's clang at once, with emscripten's flags: its own script takes as long to start as most sources take to
+# compile.
+execute_process(COMMAND em-config CLANG_ADD_VERSION OUTPUT_VARIABLE clang_version OUTPUT_STRIP_TRAILING_WHITESPACE)
+find_program(CLEARCUT_WEB_CLANG NAMES clang++-${clang_version} REQUIRED)
+separate_arguments(web_flags UNIX_COMMAND "${CMAKE_CXX_FLAGS}")
+execute_process(COMMAND ${CMAKE_CXX_COMPILER} ${web_flags} --cflags OUTPUT_VARIABLE web_flags OUTPUT_STRIP_TRAILING_WHITESPACE
+  COMMAND_ERROR_IS_FATAL ANY)
+set(CMAKE_CXX_COMPILE_OBJECT "${CLEARCUT_WEB_CLANG} ${web_flags} <DEFINES> <INCLUDES> <FLAGS> -o <OBJECT> -c <SOURCE>")

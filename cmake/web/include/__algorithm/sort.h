@@ -1,0 +1,30 @@
+// std::sort as g++'s standard library has it; see clearcut_order.h. The library's own takes another name.
+#pragma once
+
+#include <clearcut_order.h>
+
+#include <__algorithm/comp.h>
+#include <__algorithm/comp_ref_type.h>
+#include <__algorithm/unwrap_iter.h>
+#include <__iterator/iterator_traits.h>
+#include <type_traits>
+#include <memory>
+#include <__algorithm/min_element.h>
+#include <__algorithm/partial_sort.h>
+
+#define sort clearcut_other_sort
+#include_next <__algorithm/sort.h>
+#undef sort
+
+_LIBCPP_BEGIN_NAMESPACE_STD
+
+template <class It, class Less>
+inline _LIBCPP_CONSTEXPR_AFTER_CXX17 void sort(It first, It last, Less less) {
+  clearcut_order::sort(first, last, less);
+}
+template <class It>
+inline _LIBCPP_CONSTEXPR_AFTER_CXX17 void sort(It first, It last) {
+  _VSTD::sort(first, last, __less<typename iterator_traits<It>::value_type>());
+}
+
+_LIBCPP_END_NAMESPACE_STD

@@ -1,0 +1,28 @@
+// std::sort_heap as g++'s standard library has it; see clearcut_order.h. The library's own takes another name.
+#pragma once
+
+#include <clearcut_order.h>
+
+#include <__algorithm/comp.h>
+#include <__algorithm/comp_ref_type.h>
+#include <__algorithm/unwrap_iter.h>
+#include <__iterator/iterator_traits.h>
+#include <type_traits>
+#include <__algorithm/pop_heap.h>
+
+#define sort_heap clearcut_other_sort_heap
+#include_next <__algorithm/sort_heap.h>
+#undef sort_heap
+
+_LIBCPP_BEGIN_NAMESPACE_STD
+
+template <class It, class Less>
+inline _LIBCPP_CONSTEXPR_AFTER_CXX17 void sort_heap(It first, It last, Less less) {
+  clearcut_order::sort_heap(first, last, less);
+}
+template <class It>
+inline _LIBCPP_CONSTEXPR_AFTER_CXX17 void sort_heap(It first, It last) {
+  _VSTD::sort_heap(first, last, __less<typename iterator_traits<It>::value_type>());
+}
+
+_LIBCPP_END_NAMESPACE_STD

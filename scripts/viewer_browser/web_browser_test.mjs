@@ -1,0 +1,159 @@
+// node web_browser_test.mjs FOLDER BROWSER SITE EXAMPLES [COMMAND]: serves the folder SITE as any static host would, on this machine alone, and does
+// with the page what a person does: plan, cancel, check, download, reload without a network. Screenshots go to FOLDER/pictures. COMMAND, where
+// it is named, has to judge the downloaded program as the page did.
+import { spawnSync } from 'node:child_process';
+import { createReadStream, existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { createRequire } from 'node:module';
+import { extname, join, resolve } from 'node:path';
+import { chromium } from 'playwright-core';
+
+const [folder, executablePath, site, examples, command] = process.argv.slice(2).map(argument => resolve(argument));
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const kinds = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json' };
+let failed = 0;
+function check(right, what) {
+  console.log((right ? 'ok      ' : 'FAILED  ') + what);
+  if (!right) ++failed;
+}
+
+const asked = [];
+const host = createServer((request, response) => {
+  const name = new URL(request.url, 'http://host').pathname.replace(/^\/app\//, '') || 'index.html', file = join(site, name);
+  asked.push(`${request.method} ${name}`);
+  if (!/^[\w.]+$/.test(name) || !existsSync(file)) return response.writeHead(404).end();
+  response.writeHead(200, { 'Content-Type': kinds[extname(name)] ?? 'application/octet-stream' });
+  return createReadStream(file).pipe(response);
+});
+await new Promise(ready => { host.listen(0, '127.0.0.1', ready); });
+const address = `http://127.0.0.1:${host.address().port}/app/`;
+
+const browser = await chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync'] });
+
+async function open(width, height, colorScheme) {
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
+  const page = await context.newPage();
+  page.on('pageerror', error => check(false, `no error: ${error.message}`));
+  page.on('console', message => { if (message.type() === 'error') check(false, `no console error: ${message.text()}`); });
+  page.on('request', request => { if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) check(false, `no other address: ${request.url()}`); });
+  await page.goto(address, { timeout: 60000 });
+  return page;
+}
+
+async function isAccessible(page, what) {
+  const found = await page.evaluate(`${axe}; axe.run(document, { iframes: false, runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] })`);
+  check(found.violations.length === 0, `${what}: no findings of axe ${found.violations.map(one => `${one.id} ${one.nodes[0].target}`).join(', ')}`);
+}
+
+const fits = page => page.evaluate('document.documentElement.scrollWidth <= innerWidth');
+const picture = name => `${folder}/pictures/${name}.png`;
+const partOf = page => page.selectOption('#plan-list li:last-child select', 'part');
+
+async function planned(page, verdict) {
+  await page.click('#plan-go');
+  await page.waitForSelector('#plan-result:not([hidden])', { timeout: 240000 });
+  check(await page.textContent('#plan-verdict') === verdict, `a plan ends with its verdict, ${verdict}`);
+}
+
+async function plansBracket(page) {
+  await page.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
+  await page.fill('#plan-options', '--stepdown 2.5');
+  check((await page.textContent('#plan-command')).startsWith('clearcut plan bracket.dxf --tool endmill:6'), 'the command line is shown');
+  await planned(page, 'CLEAN');
+  const handle = await page.$('#plan-report'), frame = await handle.contentFrame();
+  await frame.waitForSelector('#play', { timeout: 60000 });
+  check(await frame.isVisible('#play'), 'the report plays in the frame');
+  for (const [title, ending] of [['Program', 'ngc'], ['Certificate', 'json'], ['Report', 'html']]) {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#plan-downloads a:text-is("${title}")`)]);
+    await download.saveAs(`${folder}/web-bracket.${ending}`);
+    check(download.suggestedFilename() === `bracket.${ending}`, `${title.toLowerCase()} is downloaded`);
+  }
+  const golden = readFileSync(join(examples, '../tests/golden/examples/bracket/linuxcnc-mm.ngc'), 'utf8');
+  check(readFileSync(`${folder}/web-bracket.ngc`, 'utf8') === golden, 'the program is the golden one, byte for byte');
+  if (!command) return;
+  const end = spawnSync(command, ['verify', `${folder}/web-bracket.ngc`, '--part', join(examples, 'bracket.dxf'), '--tool', 'endmill:6', '--stepdown', '2.5'], { encoding: 'utf8' });
+  check(end.status === 0, 'the command finds the downloaded program CLEAN, too');
+}
+
+async function cancels(page) {
+  await page.setInputFiles('#plan-files', join(examples, 'fishhead.p21'));
+  await partOf(page);
+  await page.fill('#tool-diameter', '1');
+  await page.fill('#plan-options', '');
+  await page.click('#plan-go');
+  await page.waitForFunction(() => /Planning|Reading/.test(document.getElementById('plan-status').textContent), null, { timeout: 60000 });
+  await page.waitForTimeout(1500);
+  check(page.workers().length === 1, 'a plan runs in a worker');
+  await page.click('#plan-cancel');
+  check(await page.textContent('#plan-status') === 'Cancelled.', 'a plan is cancelled');
+  await page.waitForTimeout(300);
+  check(page.workers().length === 0, 'its worker is gone');
+}
+
+async function refuses(page) {
+  await page.setInputFiles('#plan-files', join(examples, 'bracket.step'));
+  await partOf(page);
+  await page.fill('#tool-diameter', '6');
+  await page.click('#plan-go');
+  await page.waitForFunction(() => document.getElementById('plan-status').classList.contains('error'), null, { timeout: 60000 });
+  check(/bracket\.step.*a STEP solid, which this page cannot read/.test(await page.textContent('#plan-status')), 'a STEP solid is refused in plain words');
+  await page.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
+  await partOf(page);
+  await page.fill('#plan-options', '--no-such-option');
+  await page.click('#plan-go');
+  await page.waitForFunction(() => /no-such-option/.test(document.getElementById('plan-status').textContent), null, { timeout: 60000 });
+  check(true, 'an unknown option is refused in the words of the command');
+  await page.fill('#plan-options', '');
+}
+
+async function checks(page) {
+  await page.click('#tab-check');
+  writeFileSync(`${folder}/wrong.ngc`, 'G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X-20 Y25\nG0 Z-1\nG1 X70 F900\nG0 Z5\nM30\n');
+  await page.setInputFiles('#check-files', [`${folder}/wrong.ngc`, join(examples, 'bracket.dxf')]);
+  await page.fill('#check-diameter', '6');
+  await page.click('#check-go');
+  await page.waitForSelector('#check-result:not([hidden])', { timeout: 120000 });
+  check(await page.textContent('#check-verdict') === 'FAULTY', 'a wrong program is FAULTY');
+  check(await page.locator('#check-faults li').count() > 0, 'its faults are listed');
+  check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
+  check(/Nothing is uploaded/.test(await page.textContent('#promise')), 'the page says that nothing is uploaded');
+}
+
+async function worksOffline(page) {
+  await page.evaluate('navigator.serviceWorker.ready');
+  await page.reload();
+  await page.waitForFunction('navigator.serviceWorker.controller !== null', null, { timeout: 30000 });
+  host.closeAllConnections();
+  await new Promise(closed => { host.close(closed); });
+  await page.reload();
+  await page.waitForFunction(() => document.querySelectorAll('#strategy option').length > 3, null, { timeout: 30000 });
+  await page.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
+  await page.fill('#plan-options', '--stepdown 2.5');
+  await planned(page, 'CLEAN');
+}
+
+const page = await open(1366, 768, 'light');
+await isAccessible(page, 'the empty page');
+const manifest = await page.evaluate(async () => (await fetch(document.querySelector('link[rel=manifest]').href)).json());
+check(manifest.name === 'Clearcut' && manifest.display === 'standalone' && manifest.icons.length > 0, 'it can be installed as an app');
+await plansBracket(page);
+await page.screenshot({ path: picture('web-1366') });
+await isAccessible(page, 'the page with a plan');
+check(await fits(page), 'nothing overflows at 1366');
+await cancels(page);
+await refuses(page);
+await checks(page);
+await page.screenshot({ path: picture('web-check-1366') });
+const phone = await open(390, 844, 'dark');
+await phone.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
+await planned(phone, 'CLEAN');
+check(await fits(phone), 'nothing overflows at 390');
+await phone.screenshot({ path: picture('web-390-dark'), fullPage: true });
+await phone.context().close();
+await worksOffline(page);
+check(asked.every(one => one.startsWith('GET ')), 'nothing was sent to the host');
+await browser.close();
+console.log(failed === 0 ? 'the page without a server: all is well' : `the page without a server: ${failed} failed`);
+process.exit(failed === 0 ? 0 : 1);

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# sources.sh FOLDER: sources of the libraries that the web build compiles itself, as Debian has them (`apt-get source`, which
+# checks their signatures). Does nothing where they lie there already. The system's own list of sources stays as it is.
+set -euo pipefail
+folder=$1
+packages=(libpolyclipping pugixml fmtlib)
+mkdir -p "$folder"
+cd "$folder"
+libm=glibc-*/sysdeps/ieee754/dbl-64
+present() { [ -e $libm/s_sin.c ] || return 1; for one in "${packages[@]}"; do compgen -G "$one-[0-9]*/" > /dev/null || return 1; done; }
+present && exit 0
+
+# The same places as the packages, for sources.
+cat /etc/apt/sources.list.d/*.sources 2> /dev/null | sed 's/^Types:.*/Types: deb-src/' > list.sources || true
+sed -n 's/^deb /deb-src /p' /etc/apt/sources.list > list.list 2> /dev/null || true
+list=list.sources
+grep -q '^Types' list.sources || list=list.list
+mkdir -p lists/partial
+apt=(apt-get -qq -o "Dir::Etc::sourcelist=$PWD/$list" -o Dir::Etc::sourceparts=/dev/null -o "Dir::State::lists=$PWD/lists"
+     -o APT::Sandbox::User=root)
+"${apt[@]}" update
+"${apt[@]}" source "${packages[@]}"
+# Of the C library only its functions of double numbers, which lie in one folder.
+"${apt[@]}" source --download-only glibc
+tar -xJf glibc_*.orig.tar.xz --wildcards "$libm/*" 'glibc-*/COPYING.LIB'
+rm -f ./*.orig.tar.* ./*.debian.tar.* ./*.dsc
+rm -rf lists list.sources list.list
+present || { echo "sources.sh: apt-get source did not bring ${packages[*]}" >&2; exit 1; }
