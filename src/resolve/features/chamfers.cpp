@@ -9,6 +9,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/rectangle.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::resolve {
@@ -37,11 +38,6 @@ Regions inset_all(const Regions& regions, double d, const Tolerances& tol) {
     for (Region& one : inset(region, d, tol)) out.push_back(std::move(one));
   }
   return out;
-}
-
-Loop corners_of(const Box& box) {
-  const Vec2 points[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(points);
 }
 
 /// Radius of the narrowest mill that works on a feature, stock that it leaves included; nothing for drilled holes.
@@ -170,7 +166,7 @@ class WallFinder {
   void add_stock_side() {
     Chamfer& chamfer = *feature_.chamfer;
     const Box& plan = part_.stock->plan;
-    const Region beside = Region::from_valid_loops(corners_of(plan.grown(kBesideStock)), {corners_of(plan)});
+    const Region beside = frame_around(plan, kBesideStock);
     chamfer.room = joined(chamfer.room, {beside}, tol_);
     chamfer.room_floor = std::max(chamfer.room_floor, part_.stock->z_bottom);
   }
