@@ -45,6 +45,7 @@ target_compile_options(clearcut_web_packages PRIVATE -ffp-contract=off -w)
 # the other way. Its exp, log and pow are the same already.
 cmake_path(GET glibc_sin PARENT_PATH glibc_math)
 set(glibc_headers ${PROJECT_BINARY_DIR}/libm)
+file(MAKE_DIRECTORY ${glibc_headers})
 foreach(name math_private fenv_private math-underflow libm-alias-double libm-alias-finite math-barriers fix-int-fp-convert-zero
         math-svid-compat math-use-builtins math-narrow-eval nan-high-order-bit)
   file(TOUCH ${glibc_headers}/${name}.h)  # libm_names.h says all that is needed of them
@@ -54,7 +55,7 @@ list(TRANSFORM glibc_sources PREPEND ${glibc_math}/)
 list(TRANSFORM glibc_sources APPEND .c)
 target_sources(clearcut_web_packages PRIVATE ${glibc_sources})
 set_source_files_properties(${glibc_sources} PROPERTIES
-  COMPILE_OPTIONS "-fno-builtin;-include;${CLEARCUT_WEB_FOLDER}/libm_names.h;-I${glibc_headers}")
+  COMPILE_OPTIONS "-fno-builtin;-include;${CLEARCUT_WEB_FOLDER}/libm_names.h;-I${glibc_headers};-I${glibc_math}")
 foreach(name fmt::fmt pugixml::pugixml PkgConfig::polyclipping OpenSSL::Crypto)
   add_library(${name} ALIAS clearcut_web_packages)
 endforeach()

@@ -11,7 +11,7 @@ namespace clearcut::cli {
 namespace {
 
 constexpr double kRenewEvery = 0.2;  // s
-double last_said_s = 0;  // one command runs in a process of the page
+double last_said_s = 0;              // one command runs in a process of the page
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

@@ -36,6 +36,7 @@
 #define __glibc_unlikely(x) __builtin_expect((x) != 0, 0)
 #define __glibc_likely(x) __builtin_expect((x) != 0, 1)
 #define attribute_hidden
+#define __always_inline inline __attribute__((always_inline))
 #define LITTLE_ENDI 1
 #define HIGH_HALF 1
 #define LOW_HALF 0
@@ -60,6 +61,8 @@ static inline double clearcut_double(int64_t bits) {
 }
 #define EXTRACT_WORDS64(to, x) ((to) = clearcut_bits(x))
 #define INSERT_WORDS64(to, bits) ((to) = clearcut_double(bits))
-#define EXTRACT_WORDS(high, low, x) ((high) = (int32_t)(clearcut_bits(x) >> 32), (low) = (uint32_t)clearcut_bits(x))
+#define EXTRACT_WORDS(high, low, x) \
+  ((high) = (int32_t)(clearcut_bits(x) >> 32), (low) = (uint32_t)clearcut_bits(x))
 #define GET_HIGH_WORD(to, x) ((to) = (int32_t)(clearcut_bits(x) >> 32))
-#define SET_HIGH_WORD(x, bits) ((x) = clearcut_double(((int64_t)(bits) << 32) | (clearcut_bits(x) & 0xffffffff)))
+#define SET_HIGH_WORD(x, bits) \
+  ((x) = clearcut_double(((int64_t)(bits) << 32) | (clearcut_bits(x) & 0xffffffff)))

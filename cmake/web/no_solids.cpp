@@ -8,10 +8,12 @@ bool solids_can_be_read() {
   return false;
 }
 
-SolidModel load_solid(std::string_view /*text*/, const std::string& file_name, const SolidChoice& /*choice*/) {
-  throw InputError(file_name,
-                   "a STEP solid, which this page cannot read, because it runs without the CAD kernel; export the "
-                   "outline as DXF or SVG, or plan with the clearcut command");
+SolidModel load_solid(std::string_view /*text*/, const std::string& file_name,
+                      const SolidChoice& /*choice*/) {
+  throw InputError(
+      file_name,
+      "a STEP solid, which this page cannot read, because it runs without the CAD kernel; export the "
+      "outline as DXF or SVG, or plan with the clearcut command");
 }
 
 }  // namespace clearcut::read

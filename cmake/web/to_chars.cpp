@@ -1,9 +1,9 @@
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
 #include <cstring>
 #include <string>
-
-#include <fmt/format.h>
 
 namespace {
 

@@ -78,7 +78,9 @@ async function plansBracket(page) {
 }
 
 async function cancels(page) {
-  await page.setInputFiles('#plan-files', join(examples, 'fishhead.p21'));
+  const part = { name: 'large', units: 'mm', outer: [[0, 0, 0.1], [400, 0, 0.2], [400, 300, 0.1], [0, 300, 0.3]], islands: [[[200, 150, 1], [150, 150, 1]]], top: 0, depth: 5 };
+  writeFileSync(`${folder}/large.json`, JSON.stringify(part));
+  await page.setInputFiles('#plan-files', `${folder}/large.json`);
   await partOf(page);
   await page.fill('#tool-diameter', '1');
   await page.fill('#plan-options', '');

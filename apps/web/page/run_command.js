@@ -11,6 +11,7 @@ async function runCommand(makeModule, wasm, words, files, heard) {
   const lines = [];
   const module = await makeModule({
     noInitialRun: true,
+    quit: (status, thrown) => { throw thrown; },  // under Node it would end the process
     print: line => lines.push(line),
     printErr: heard,
     instantiateWasm: (imports, done) => {

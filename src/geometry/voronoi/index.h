@@ -3,11 +3,11 @@
 
 #include <cstddef>
 
-namespace clearcut::geometry::voronoi {
+namespace clearcut::inline geometry::voronoi {
 
 /// `i` >= 0.
 constexpr std::size_t index(int i) {
   return static_cast<std::size_t>(i);
 }
 
-}  // namespace clearcut::geometry::voronoi
+}  // namespace clearcut::inline geometry::voronoi

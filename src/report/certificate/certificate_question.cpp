@@ -12,8 +12,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kAssumptions[] = {
-    "cutters are cylinders of their stated diameter; rounded ends count by their flat part on floors and by "
-    "their full radius at walls",
+    ("cutters are cylinders of their stated diameter; rounded ends count by their flat part on floors and by "
+     "their full radius at walls"),
     "tool, holder, work and machine do not bend, and the spindle runs true",
     "holders, shanks and clamps are not looked at",
     "the work's zero is where G54 or the active datum lies, and the stock is as stated",

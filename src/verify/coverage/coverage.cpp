@@ -38,7 +38,6 @@ class CoverageProof {
       : question_(question),
         film_(question),
         tol_(tol),
-        fine_(fine),
         widest_(fine ? tol.uncut / kFineShare
                      : std::max(widest_left(tol) - question.path_tolerance, widest_left(tol) / 2)),
         slack_(widest_ / 2),
@@ -384,7 +383,6 @@ class CoverageProof {
   const CoverageQuestion& question_;
   const WallFilm film_;
   const Tolerances& tol_;
-  const bool fine_;
   const double widest_;  ///< mm; what is left up to this width is no fault
   const double slack_;   ///< mm; what lies at most this far outside a swath is not too wide
   /// mm; a program that keeps as near to the boundary of the legal area leaves nothing thicker in corners.

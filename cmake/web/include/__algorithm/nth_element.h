@@ -1,14 +1,14 @@
 // std::nth_element as g++'s standard library has it; see clearcut_order.h. The library's own takes another name.
 #pragma once
 
-#include <clearcut_order.h>
-
 #include <__algorithm/comp.h>
 #include <__algorithm/comp_ref_type.h>
+#include <__algorithm/sort.h>
 #include <__algorithm/unwrap_iter.h>
 #include <__iterator/iterator_traits.h>
+#include <clearcut_order.h>
+
 #include <type_traits>
-#include <__algorithm/sort.h>
 
 #define nth_element clearcut_other_nth_element
 #include_next <__algorithm/nth_element.h>

@@ -1,16 +1,16 @@
 // std::partial_sort as g++'s standard library has it; see clearcut_order.h. The library's own takes another name.
 #pragma once
 
-#include <clearcut_order.h>
-
 #include <__algorithm/comp.h>
 #include <__algorithm/comp_ref_type.h>
+#include <__algorithm/make_heap.h>
+#include <__algorithm/sift_down.h>
+#include <__algorithm/sort_heap.h>
 #include <__algorithm/unwrap_iter.h>
 #include <__iterator/iterator_traits.h>
+#include <clearcut_order.h>
+
 #include <type_traits>
-#include <__algorithm/make_heap.h>
-#include <__algorithm/sort_heap.h>
-#include <__algorithm/sift_down.h>
 
 #define partial_sort clearcut_other_partial_sort
 #include_next <__algorithm/partial_sort.h>

@@ -1,14 +1,14 @@
 // std::pop_heap as g++'s standard library has it; see clearcut_order.h. The library's own takes another name.
 #pragma once
 
-#include <clearcut_order.h>
-
 #include <__algorithm/comp.h>
 #include <__algorithm/comp_ref_type.h>
+#include <__algorithm/sift_down.h>
 #include <__algorithm/unwrap_iter.h>
 #include <__iterator/iterator_traits.h>
+#include <clearcut_order.h>
+
 #include <type_traits>
-#include <__algorithm/sift_down.h>
 
 #define pop_heap clearcut_other_pop_heap
 #include_next <__algorithm/pop_heap.h>

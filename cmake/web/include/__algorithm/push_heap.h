@@ -1,12 +1,12 @@
 // std::push_heap as g++'s standard library has it; see clearcut_order.h. The library's own takes another name.
 #pragma once
 
-#include <clearcut_order.h>
-
 #include <__algorithm/comp.h>
 #include <__algorithm/comp_ref_type.h>
 #include <__algorithm/unwrap_iter.h>
 #include <__iterator/iterator_traits.h>
+#include <clearcut_order.h>
+
 #include <type_traits>
 
 #define push_heap clearcut_other_push_heap

@@ -1,16 +1,16 @@
 // std::sort as g++'s standard library has it; see clearcut_order.h. The library's own takes another name.
 #pragma once
 
-#include <clearcut_order.h>
-
 #include <__algorithm/comp.h>
 #include <__algorithm/comp_ref_type.h>
-#include <__algorithm/unwrap_iter.h>
-#include <__iterator/iterator_traits.h>
-#include <type_traits>
-#include <memory>
 #include <__algorithm/min_element.h>
 #include <__algorithm/partial_sort.h>
+#include <__algorithm/unwrap_iter.h>
+#include <__iterator/iterator_traits.h>
+#include <clearcut_order.h>
+
+#include <memory>
+#include <type_traits>
 
 #define sort clearcut_other_sort
 #include_next <__algorithm/sort.h>

@@ -43,18 +43,18 @@ double Wall::edge_end(double s) const {
 }
 
 Path Wall::part(double s0, double s1) const {
-  constexpr double kShortest = 1e-6;
+  constexpr double kShortestPart = 1e-6;
   Path out;
-  for (double s = s0; s1 - s > kShortest;) {
+  for (double s = s0; s1 - s > kShortestPart;) {
     const Spot place = spot(s);
     const double begin = place.lap + (place.edge == 0 ? 0 : ends_[place.edge - 1]);
     const double end = place.lap + ends_[place.edge];
     const double until = std::min(end, s1), whole = end - begin;
-    if (until - s > kShortest) {
+    if (until - s > kShortestPart) {
       const double t0 = (s - begin) / whole, t1 = (until - begin) / whole;
       out.push_back(t0 < 1e-9 && t1 > 1 - 1e-9 ? loop_[place.edge] : loop_[place.edge].part(t0, t1));
     }
-    s = until + (until == end ? kShortest * 1e-3 : 0);
+    s = until + (until == end ? kShortestPart * 1e-3 : 0);
   }
   return out;
 }
