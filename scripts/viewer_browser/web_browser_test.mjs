@@ -90,7 +90,7 @@ async function cancels(page) {
   check(page.workers().length === 1, 'a plan runs in a worker');
   await page.click('#plan-cancel');
   check(await page.textContent('#plan-status') === 'Cancelled.', 'a plan is cancelled');
-  await page.waitForTimeout(300);
+  for (let i = 0; i < 100 && page.workers().length > 0; ++i) await page.waitForTimeout(100);
   check(page.workers().length === 0, 'its worker is gone');
 }
 
