@@ -13,4 +13,4 @@ if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit
 fi
 cp "$source/viewer_browser_test.mjs" "$kit/"
 "$clearcut" plan examples/fishhead.p21 -o "$kit/fishhead.ngc" --stepdown 2 --report "$kit/fishhead.html" --quiet
-timeout 300 node "$kit/viewer_browser_test.mjs" "$kit" "$browser"
+timeout 900 node "$kit/viewer_browser_test.mjs" "$kit" "$browser"
