@@ -5,7 +5,7 @@ import { resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 
 const [folder, executablePath] = process.argv.slice(2).map(argument => resolve(argument));
-const file = folder + '/fishhead.html', axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const fishhead = folder + '/fishhead.html', axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 let failed = 0;
 function check(right, what) {
   console.log((right ? 'ok      ' : 'FAILED  ') + what);
@@ -16,7 +16,7 @@ const launch = more => chromium.launch({ executablePath, args: ['--headless', '-
   '--disable-background-networking', '--disable-component-update', '--disable-sync', ...more] });
 const browser = await launch(['--enable-unsafe-swiftshader']);
 
-async function open(width, height, colorScheme, hash = '', where = browser) {
+async function open(width, height, colorScheme, hash = '', where = browser, file = fishhead) {
   const page = await where.newPage({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
   page.on('pageerror', error => check(false, 'no error: ' + error.message));
   page.on('console', message => { if (message.type() === 'error') check(false, 'no console error: ' + message.text()); });
@@ -175,6 +175,16 @@ async function frames() {
   await page.close();
 }
 
+/** A pocket of a part without stock has a floor. */
+async function withoutStock() {
+  const page = await open(1366, 768, 'light', '#t=1e9', browser, folder + '/square.html');
+  await evaluate(page, "by('path').value = 'none'; redraw()");
+  await stagePicture(page);
+  check(await evaluate(page, `(() => { drawScene(DETAILS[1]); const s = projected({ x: 25, y: 25, z: -2 }), pixel = new Uint8Array(4);
+    gl.readPixels(s.x * view.ratio, stageCanvas.height - s.y * view.ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); return pixel[3]; })()`) === 255, 'a pocket without stock has a floor');
+  await page.close();
+}
+
 /** Where there is no WebGL the page says so and stays flat. */
 async function withoutWebGl() {
   const flat = await launch(['--disable-3d-apis']), page = await open(1366, 768, 'light', '#t=3000', flat);
@@ -205,11 +215,11 @@ async function looks(width, height, scheme) {
 }
 
 const page = await open(1366, 768, 'light', '#view=above');
-check(statSync(file).size < 10e6, `the page has ${statSync(file).size} bytes`);
+check(statSync(fishhead).size < 10e6, `the page has ${statSync(fishhead).size} bytes`);
 console.log('opened in', await evaluate(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
 await page.close();
-for (const part of [inSpace, scrubsInSpace, frames, withoutWebGl]) await part();
+for (const part of [inSpace, scrubsInSpace, withoutStock, frames, withoutWebGl]) await part();
 for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080]]) for (const scheme of ['light', 'dark']) await looks(width, height, scheme);
 await browser.close();
 console.log(failed === 0 ? 'the page in the browser: all well' : `the page in the browser: ${failed} failed`);

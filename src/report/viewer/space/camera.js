@@ -4,7 +4,8 @@ const space = { on: false, supported: null, why: '' };
 const camera = { x: 0, y: 0, z: 0, k: 1, yaw: 0, pitch: 0, fitted: true };
 const DEGREE = Math.PI / 180;
 const STANDPOINTS = { iso: [45, 35.264], top: [0, 90], front: [0, 0], right: [90, 0] };
-const bottomZ = job.stock && job.stock_z !== null ? job.stock_z : job.bottom;  // of the stock
+// Of the stock. Where none is given the part is solid below everything that is cut.
+const bottomZ = job.stock && job.stock_z !== null ? job.stock_z : job.bottom - 0.02 * Math.hypot(wx1 - wx0, wy1 - wy0);
 
 /** Directions on the screen in the part's frame: to the right, up, and towards the viewer. */
 function cameraAxes() {

@@ -118,7 +118,8 @@ function arcPoints([x0, y0], [radius, , , , turn, x1, y1]) {
 /** The part: the outline of each feature at its floor and at its top; and the edges of the stock. */
 function writePart() {
   const corners = [], line = (p, q, ink) => corners.push([...p, ink], [...q, ink]);
-  const ink = [...rgb(css('ink')).map(v => 255 * v), 190], faint = [...rgb(css('edge')).map(v => 255 * v), 200];
+  // On light material before a dark page neither the page's ink nor its opposite would be seen.
+  const ink = [...rgb(dark.matches ? '#5b6b7d' : css('ink')).map(v => 255 * v), 190], faint = [...rgb(css('edge')).map(v => 255 * v), 200];
   for (const feature of job.features) {
     for (const polygon of polygonsOf(feature.path)) {
       for (const z of new Set([feature.floor, feature.top ?? job.top])) for (let k = 1; k < polygon.length; ++k) line([...polygon[k - 1], z], [...polygon[k], z], ink);
