@@ -196,7 +196,7 @@ TEST(Serve, RefusesWhatItMustNotDo) {
            {square("--tool 'endmill:6"), "quote"},
            {form_of("job.toml", "[part]\nfile = \"/etc/passwd\"\n", ""), "job.toml:2"},
            {form_of("job.toml", "[machine]\nfile = '../m.toml'  # mm/min\n", ""), "plain names"},
-           {form_of("job.toml", "tools.library = \"\\u002fx.tbl\"\n", ""), "plain names"},
+           {form_of("job.toml", "tools.\"library\" = \"\\u002fx.tbl\"\n", ""), "plain names"},
            {form_of("job.toml", "[plan]\nafter = \"#/../x.ngc\"\n", ""), "plain names"},
            {form_of("job.toml", "[plan]\nafter = \"\"\"\n/etc/passwd\"\"\"\n", ""), "several lines"},
            {{{"options", "", "", ""}}, "part is missing"},

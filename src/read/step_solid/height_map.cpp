@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/rectangle.h"
 #include "model/part.h"
 #include "read/repair/near_grid.h"
 #include "read/repair/repair.h"
@@ -89,7 +90,7 @@ Cell cell_of(const SolidFace& face, const Box& solid, Places& places, const Repa
   cell.face = face.number - 1;
   cell.z = face.z_high;
   if (face.facing == Facing::kMixed) {
-    cell.curves = {box_loop(within(face.plan, solid))};
+    cell.curves = {rectangle(within(face.plan, solid))};
   } else {
     // A seam is there both ways.
     const std::vector<Path> all = snapped(face.outline, places);
