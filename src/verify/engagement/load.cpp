@@ -282,8 +282,10 @@ double bottom_of(const Part& part) {
 
 /// Number of samples below which a part of the program is not worth running all before it once more.
 constexpr double kLeastSamples = 20000;
-/// Most parts: each keeps the material that it runs through.
+/// Most parts, and most radii of path over all of them: each part keeps the material that it runs through, about half a kB for
+/// each radius.
 constexpr int kMostParts = 4;
+constexpr double kMostRadii = 6e5;
 
 /// About how many samples a move is measured at.
 double samples_of(const JudgedMove& judged, double top_z) {
@@ -326,9 +328,14 @@ void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOp
 
 std::vector<std::function<void()>> load_tasks(const Part& part, std::vector<JudgedMove>& moves,
                                               const LoadOptions& options, int threads) {
-  double all = 0;
-  for (const JudgedMove& judged : moves) all += samples_of(judged, part.top_z());
-  const int parts = std::clamp(static_cast<int>(all / kLeastSamples), 1, std::clamp(threads, 1, kMostParts));
+  double all = 0, radii = 0;
+  for (const JudgedMove& judged : moves) {
+    all += samples_of(judged, part.top_z());
+    if (judged.feeds() && judged.radius() > kFilm) radii += judged.move->length() / judged.radius();
+  }
+  const double room = std::clamp(kMostRadii / std::max(radii, 1.0), 1.0, double{kMostParts});
+  const int most = std::clamp(threads, 1, static_cast<int>(room));
+  const int parts = std::clamp(static_cast<int>(all / kLeastSamples), 1, most);
   std::vector<std::function<void()>> tasks;
   double before = 0;
   for (std::size_t first = 0, last = 0; last < moves.size(); first = last) {
