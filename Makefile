@@ -7,7 +7,7 @@ PRECOMPILED ?= ON
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=$(PRECOMPILED) $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test web test-web python packages reproduce-packages docs format lint-viewer test-browser clean
+.PHONY: all setup build demo test web test-web python packages reproduce-packages docs format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -49,7 +49,7 @@ python:
 
 # Debian packages, a tarball and what they consist of, in build/packages/out; then they are tried in a fresh root.
 packages:
-	@scripts/setup.sh build python solids packages
+	@scripts/setup.sh build server python solids packages
 	@scripts/packaging/make.sh
 	@scripts/packaging/try.sh build/packages/out
 
@@ -75,6 +75,13 @@ lint-viewer:
 test-browser: build
 	@scripts/viewer_browser_test.sh $(BUILD)/apps/cli/clearcut
 	@scripts/serve_browser_test.sh $(BUILD)/apps/cli/clearcut
+
+# The FreeCAD add-on, in FreeCAD itself without a window, on models made in the tests. Installs FreeCAD, 1 GB.
+test-freecad:
+	@scripts/setup.sh build python freecad
+	@$(call configure,-DCLEARCUT_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
+	@cmake --build --preset release --target _core
+	@scripts/freecad_tests.sh $(BUILD)
 
 clean:
 	rm -rf build out

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/units.h"
 #include "pipeline/tour/engagement_model.h"
 #include "pipeline/tour/tour_solver.h"
@@ -137,14 +138,16 @@ void add_solution(report::TextTable& table, const std::string& name, const plan:
 void add_objectives(report::TextTable& table, const std::string& name, const plan::tour::TourTask& task) {
   const auto problem = pipeline::grid_problem(task);
   const auto asked = objectives_for(task);
-  std::vector<order::Solution> solutions;
+  std::vector<order::Solution> solutions(asked.size());
+  parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) {
+    const long long rounds = asked[i].objective->path_dependent() ? kPathRounds : kLocalRounds;
+    solutions[i] = solved(problem, *asked[i].objective, 1, rounds);
+  });
   double least_length = std::numeric_limits<double>::infinity();
   int least_turns = std::numeric_limits<int>::max();
-  for (const Asked& one : asked) {
-    const long long rounds = one.objective->path_dependent() ? kPathRounds : kLocalRounds;
-    solutions.push_back(solved(problem, *one.objective, 1, rounds));
-    least_length = std::min(least_length, solutions.back().length);
-    least_turns = std::min(least_turns, solutions.back().turns);
+  for (const order::Solution& solution : solutions) {
+    least_length = std::min(least_length, solution.length);
+    least_turns = std::min(least_turns, solution.turns);
   }
   for (std::size_t i = 0; i < asked.size(); ++i)
     add_solution(table, name, task, asked[i].name, solutions[i], least_length, least_turns);

@@ -94,17 +94,18 @@ TEST(Serve, DescriptionHoldsForEveryRoute) {
       EXPECT_THAT(answer->body, Not(HasSubstr("nothing of that name"))) << path;
     }
   }
-  EXPECT_EQ(count, 15);
+  EXPECT_EQ(count, 18);
 }
 
 /// Runs the command in a folder with the part, as the server does.
 void plan_by_command(const ScratchFolder& folder, const std::string& options) {
   folder.file("square.json", kSquare);
   std::filesystem::create_directory(folder.path("results"));
-  const std::string line =
-      "cd " + folder.path("") + " && COLUMNS=100 " + CLEARCUT_COMMAND + " plan square.json " + options +
-      " --output=results/program.ngc --certificate=results/certificate.json"
-      " --svg=results/picture.svg --report=results/report.html >results/text.txt 2>/dev/null";
+  const std::string line = "cd " + folder.path("") + " && COLUMNS=100 " + CLEARCUT_COMMAND +
+                           " plan square.json " + options +
+                           " --output=results/program.ngc --certificate=results/certificate.json"
+                           " --svg=results/picture.svg --report=results/report.html "
+                           "--setup-sheet=results/setup-sheet.html >results/text.txt 2>/dev/null";
   ASSERT_EQ(std::system(line.c_str()), 0);
 }
 
@@ -121,6 +122,7 @@ TEST(Serve, PlansWithTheCommandsOwnBytes) {
                                                                      {"certificate", "certificate.json"},
                                                                      {"report", "report.html"},
                                                                      {"picture", "picture.svg"},
+                                                                     {"setup-sheet", "setup-sheet.html"},
                                                                      {"text", "text.txt"}}) {
     const std::string result = fetched(server, state.at("results").at(name));
     EXPECT_EQ(result, read_file(folder.path("results/" + file))) << name;
@@ -165,6 +167,35 @@ TEST(Serve, ChecksAProgram) {
       checked("G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X-20 Y25\nG0 Z-1\nG1 X70 F900\nG0 Z5\nM30\n");
   EXPECT_EQ(wrong.value("verdict", ""), "FAULTY") << wrong.dump();
   EXPECT_FALSE(wrong.at("certificate").at("faults").empty());
+}
+
+TEST(Serve, SaysWhatAPartHolds) {
+  const ServerProcess server;
+  auto client = server.client();
+  const auto info = client.Post("/info", form_of("square.json", kSquare, ""));
+  ASSERT_TRUE(info);
+  EXPECT_EQ(info->status, 200);
+  const json said = json::parse(info->body);
+  EXPECT_EQ(said.at("state"), "done") << said.dump();
+  EXPECT_EQ(said.at("info").at("schema"), "clearcut-info-1");
+  EXPECT_THAT(info->body, Not(HasSubstr("clearcut-serve-")));
+  const auto broken = client.Post("/info", form_of("square.json", "{", ""));
+  EXPECT_THAT(json::parse(broken->body).value("message", ""), HasSubstr("square.json"));
+  EXPECT_EQ(client.Post("/info", form_of("square.json", kSquare, "--json"))->status, 400);
+  EXPECT_TRUE(soon([&] { return server.files_of_plans() == 0; }));
+}
+
+TEST(Serve, ComparesStrategies) {
+  const ServerProcess server;
+  auto client = server.client();
+  client.set_read_timeout(300);
+  const auto answer =
+      client.Post("/compare", form_of("square.json", kSquare, "--tool endmill:6 --accept out-of-reach"));
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(json::parse(answer->body).at("state"), "done");
+  const json compared = json::parse(answer->body).at("compare");
+  EXPECT_EQ(compared.at("schema"), "clearcut-compare-1");
+  EXPECT_GT(compared.at("strategies").size(), 2U);
 }
 
 struct Refused {
@@ -250,6 +281,9 @@ TEST(Serve, AnswersOwnNamesAndPagesAlone) {
     EXPECT_EQ(status({{"Host", own}, {"Origin", origin}}), 403) << origin;
   EXPECT_EQ(status({{"Host", own}, {"Sec-Fetch-Site", "cross-site"}}), 403);
   EXPECT_EQ(status({{"Host", own}, {"Range", "bytes=0-1,0-1"}}), 416);
+  httplib::Headers many{{"Host", own}};
+  for (int i = 0; i < 200; ++i) many.emplace("X-Of-No-Use", "1");
+  EXPECT_EQ(status(many), 431);
   EXPECT_THAT(answer_to(server.port(), "GET /options HTTP/1.1\r\n\r\n"), HasSubstr("403"));
   // What follows a refused request is no request.
   const std::string hidden = "GET /options HTTP/1.1\r\nHost: localhost\r\n\r\n";
@@ -285,10 +319,19 @@ TEST(Serve, TakesNoLargeAndNoBrokenRequests) {
 TEST(Serve, StandsNoise) {
   const ServerProcess server;
   std::mt19937 random(7);
+  std::string many;
+  for (int i = 0; i < 300; ++i) many += "X-Of-No-Use: 1\r\n";
   const std::vector<std::string> starts{
-      "", "GET ", "GET / HTTP/1.1\r\n", "POST /plan HTTP/1.1\r\nHost: localhost\r\n",
+      "",
+      "GET ",
+      "GET / HTTP/1.1\r\n",
+      "POST /plan HTTP/1.1\r\nHost: localhost\r\n",
       "POST /plan HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; "
-      "boundary=b\r\nContent-Length: 300\r\n\r\n--b\r\n"};
+      "boundary=b\r\nContent-Length: 300\r\n\r\n--b\r\n",
+      "POST /info HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; "
+      "boundary=b\r\nContent-Length: 260\r\n\r\n--b\r\nContent-Disposition: form-data; name=\"part\"; "
+      "filename=\"a.json\"\r\n\r\n",
+      "GET / HTTP/1.1\r\nHost: localhost\r\n" + many};
   for (int i = 0; i < 1000; ++i) {
     std::string bytes = starts[random() % starts.size()];
     const std::size_t size = random() % 300;

@@ -27,3 +27,6 @@ function say(status, text, isError = false) {
 
 /** A word as a shell takes it. */
 function quoted(word) { return /^[\w@%+=:,./-]+$/.test(word) ? word : `"${word.replaceAll('"', '')}"`; }
+
+/** A file's name without its ending. */
+const stemOf = name => name.replace(/\.[^.]*$/, '');

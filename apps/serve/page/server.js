@@ -40,4 +40,8 @@ const pipeline = {
   },
   /** Judges a program; gives its last state with certificate and text. */
   check: form => asked('/check', { method: 'POST', body: form }),
+  /** What a part holds. */
+  info: form => asked('/info', { method: 'POST', body: form }),
+  /** Every strategy on a part. */
+  compare: form => asked('/compare', { method: 'POST', body: form }),
 };

@@ -13,21 +13,6 @@ function compiledCommand() {
   return local.wasm;
 }
 
-/** Words as a shell takes them apart: blanks part them, quotes hold them together. */
-function wordsOf(text) {
-  const words = [];
-  let word = null, quote = '';
-  for (const c of text) {
-    if (quote && c === quote) quote = '';
-    else if (!quote && (c === '"' || c === "'")) { quote = c; word ??= ''; }
-    else if (!quote && /\s/.test(c)) { if (word !== null) words.push(word); word = null; }
-    else word = (word ?? '') + c;
-  }
-  if (quote) throw new Error('options: a quote stays open');
-  if (word !== null) words.push(word);
-  return words;
-}
-
 /** A file's name that is no option. */
 const plainName = name => name.startsWith('-') ? `./${name}` : name;
 
@@ -65,8 +50,15 @@ function closeWork(work, state) {
 const resultKinds = { 'program.ngc': ['program', 'text/plain'], 'certificate.json': ['certificate', 'application/json'],
   'report.html': ['report', 'text/html'], 'picture.svg': ['picture', 'image/svg+xml'] };
 
+/** Of a command that prints JSON about a part. */
+function stateOfAnswer(work, end) {
+  if (end.code > 1 || !end.text.startsWith('{')) return { state: 'failed', message: work.state.messages.at(-1) ?? 'ended without an answer' };
+  return { state: 'done', [work.answers]: JSON.parse(end.text) };
+}
+
 /** The last state of a command that ended by itself. */
 function stateOfEnd(work, end) {
+  if (work.answers) return stateOfAnswer(work, end);
   const { messages } = work.state, certificate = end.results['certificate.json'];
   if (end.code > 1 || !certificate) return { state: 'failed', message: messages.at(-1) ?? 'ended without a result' };
   const state = { state: 'done', certificate: JSON.parse(new TextDecoder().decode(certificate)), text: end.text, results: {} };
@@ -132,6 +124,12 @@ const pipeline = {
     const words = ['verify', nameIn(form, 'program'), `--part=${nameIn(form, 'part')}`, ...wordsOf(form.get('options')), '--json=results/certificate.json'];
     return startWork(words, await filesOf(form), false).end;
   },
+  async info(form) {
+    const work = startWork(['info', nameIn(form, 'part'), ...wordsOf(form.get('options')), '--json'], await filesOf(form), false);
+    work.answers = 'info';
+    return work.end;
+  },
+  compare: async () => ({ state: 'failed', message: 'This page plans one strategy at a time; to compare all, run clearcut compare.' }),
 };
 
 if ('serviceWorker' in navigator) navigator.serviceWorker.register('offline.js').catch(() => {});  // then it works with a network only
