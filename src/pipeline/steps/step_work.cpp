@@ -7,6 +7,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "pipeline/steps/carve_step.h"
+#include "pipeline/steps/formed_holes.h"
 #include "pipeline/steps/holes.h"
 #include "pipeline/steps/meeting_pockets.h"
 #include "plan/common/layers.h"
@@ -157,6 +158,7 @@ std::vector<StepWork> step_works(const ResolvedPlan& plan) {
     work.workingstep = static_cast<int>(i);
     work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), plan.tol);
     work.hole = carve_step(work.workingstep, plan);
+    if (!work.hole) work.hole = formed_hole_step(work.workingstep, plan);
     if (work.hole) {
       works.push_back(std::move(work));
       continue;
