@@ -77,7 +77,6 @@ class IsoWriter {
   void end_rapid();
 
   void write_hole(const DrillBlock& hole, const Tool* tap);
-  void write_rigid_tap(const DrillBlock& hole, const Tool& tap);
   void write_tap_move(const Move& move, const Section& section);
   void write_move(const Move& move);
   void write_rapid(const Ticks& to);
@@ -169,10 +168,20 @@ void IsoWriter::write_section(const Section& section) {
   }
 }
 
-/// G98: back to the height before it, as the moves do.
+/// G98: back to the height before it, as the moves do. G33.1 goes from where feeding begins and back there, tied to the
+/// spindle.
 void IsoWriter::write_hole(const DrillBlock& hole, const Tool* tap) {
   const std::string_view word = cycle_word(hole, tap, dialect_);
-  if (word == "G33.1") return write_rigid_tap(hole, *tap);
+  if (word == "G33.1") {
+    rapid_to_height(hole.clear);
+    out_.word(word);
+    axis_word('Z', hole.bottom.z);
+    out_.word('K', PrintGrid(options_.inch, 6).ticks(tap->pitch), PrintGrid(options_.inch, 6));
+    out_.end_block();
+    held_.motion = -1;
+    held_.feed = -1;
+    return rapid_to_height(hole.above);
+  }
   if (tap && !tap->floating && dialect_.tapping == Tapping::kRigidByM29)
     out_.line(fmt::format("M29 S{}", std::llround(std::abs(held_.spindle))));
   out_.word("G98");
@@ -189,18 +198,6 @@ void IsoWriter::write_hole(const DrillBlock& hole, const Tool* tap) {
   held_.at = {hole.bottom.x, hole.bottom.y, hole.above};
   held_.motion = -1;
   held_.feed = -1;
-}
-
-/// From where the cycle would begin to feed, and back to it, tied to the spindle.
-void IsoWriter::write_rigid_tap(const DrillBlock& hole, const Tool& tap) {
-  rapid_to_height(hole.clear);
-  out_.word("G33.1");
-  axis_word('Z', hole.bottom.z);
-  out_.word('K', PrintGrid(options_.inch, 6).ticks(tap.pitch), PrintGrid(options_.inch, 6));
-  out_.end_block();
-  held_.motion = -1;
-  held_.feed = -1;
-  rapid_to_height(hole.above);
 }
 
 /// With a floating holder: the spindle turns back at the bottom, and forward again once the tap is out.

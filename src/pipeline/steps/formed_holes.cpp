@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "link/hole.h"
-#include "link/thread.h"
+#include "link/tracks/thread.h"
 #include "pipeline/certify.h"
 #include "post/post.h"
 

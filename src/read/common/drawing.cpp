@@ -9,7 +9,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "read/common/drawn_holes.h"
+#include "read/common/holes/drawn_holes.h"
 #include "read/common/outline_roles.h"
 #include "read/common/stock_edge.h"
 #include "read/common/text.h"

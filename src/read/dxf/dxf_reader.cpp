@@ -9,7 +9,7 @@
 #include "base/text/format.h"
 #include "base/units.h"
 #include "read/common/drawing.h"
-#include "read/common/drawn_holes.h"
+#include "read/common/holes/drawn_holes.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/dxf/dxf_curves.h"

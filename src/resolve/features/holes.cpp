@@ -101,6 +101,9 @@ class HoleShaper {
     const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
     if (hole.kind == HoleKind::kReamed && own < 0)
       refuse(feature_of(step), "a reamer of its width", "reamer", hole.diameter);
+    // A blind hole ends at the drill's tip where nobody says how long its point is.
+    const bool to_tip = hole.kind == HoleKind::kDrilled && !feature_of(step).through && !tool.tip_angle;
+    if (to_tip) hole.full_z = feature_of(step).floor_z + point_length(tool);
     set_depth(feature_of(step), point_length(tool));
     if (hole.peck) step.operation.stepdown = *hole.peck;
     if (tool.kind == ToolKind::kReamer || tool.kind == ToolKind::kBoringBar) {

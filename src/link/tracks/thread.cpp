@@ -1,4 +1,4 @@
-#include "link/thread.h"
+#include "link/tracks/thread.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "read/common/drawn_holes.h"
+#include "read/common/holes/drawn_holes.h"
 
 #include <algorithm>
 
