@@ -7,7 +7,7 @@ PRECOMPILED ?= ON
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=$(PRECOMPILED) $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test python packages reproduce-packages docs format lint-viewer test-browser clean
+.PHONY: all setup build demo test python packages reproduce-packages docs format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -63,6 +63,13 @@ lint-viewer:
 test-browser: build
 	@scripts/viewer_browser_test.sh $(BUILD)/apps/cli/clearcut
 	@scripts/serve_browser_test.sh $(BUILD)/apps/cli/clearcut
+
+# The FreeCAD add-on, in FreeCAD itself without a window, on models made in the tests. Installs FreeCAD, 1 GB.
+test-freecad:
+	@scripts/setup.sh build python freecad
+	@$(call configure,-DCLEARCUT_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
+	@cmake --build --preset release --target _core
+	@scripts/freecad_tests.sh $(BUILD)
 
 clean:
 	rm -rf build out

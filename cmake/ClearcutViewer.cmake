@@ -3,7 +3,7 @@
 set(viewer_folder ${PROJECT_SOURCE_DIR}/src/report/viewer)
 set(viewer_template ${PROJECT_SOURCE_DIR}/src/report/viewer/html_page.cpp.in)
 set(viewer_source ${PROJECT_BINARY_DIR}/generated/report/html_page.cpp)
-file(GLOB viewer_files CONFIGURE_DEPENDS ${viewer_folder}/*.js ${viewer_folder}/*.css ${viewer_folder}/*.html)
+file(GLOB viewer_files CONFIGURE_DEPENDS ${viewer_folder}/*.js ${viewer_folder}/space/*.js ${viewer_folder}/*.css ${viewer_folder}/*.html)
 add_custom_command(OUTPUT ${viewer_source}
   COMMAND ${CMAKE_COMMAND} -DFOLDER=${viewer_folder} -DTEMPLATE=${viewer_template} -DOUTPUT=${viewer_source}
           -DSTYLE=viewer.css -DBODY=body.html -P ${PROJECT_SOURCE_DIR}/cmake/EmbedViewer.cmake

@@ -24,4 +24,5 @@ PART
 server=$!
 trap 'kill $server 2> /dev/null || true' EXIT
 for _ in $(seq 100); do [ ! -s "$kit/serve.txt" ] || break; sleep 0.1; done
-timeout 300 node "$kit/serve_browser_test.mjs" "$kit" "$browser" "$(head -1 "$kit/serve.txt")"
+cp examples/plate.dxf examples/tools.toml "$kit/"
+timeout 900 node "$kit/serve_browser_test.mjs" "$kit" "$browser" "$(head -1 "$kit/serve.txt")" "$clearcut"

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# setup.sh [GROUP...]: installs the Debian packages of these groups of packages.txt (none named: of all) that are missing;
-# does nothing where all are present.
+# setup.sh [GROUP...]: installs the Debian packages of these groups of packages.txt (none named: of all but those marked "alone")
+# that are missing; does nothing where all are present.
 set -euo pipefail
 list=$(dirname "$0")/packages.txt
 for group in "$@"; do
-  grep -qxF "[$group]" "$list" || { echo "setup.sh: packages.txt has no group $group" >&2; exit 2; }
+  grep -qxF -e "[$group]" -e "[$group] alone" "$list" || { echo "setup.sh: packages.txt has no group $group" >&2; exit 2; }
 done
 
 declare -A present
@@ -16,7 +16,9 @@ required=() optional=() wanted=
 while read -r line; do
   case $line in
     ''|'#'*) ;;
-    '['*) wanted=; [ $# -gt 0 ] && [[ " $* " != *" ${line:1:-1} "* ]] || wanted=yes ;;
+    '['*)
+      wanted= group=${line%%]*}
+      if [ $# -gt 0 ]; then [[ " $* " != *" ${group:1} "* ]] || wanted=yes; else [[ $line == *' alone' ]] || wanted=yes; fi ;;
     optional:*) [ -z "$wanted" ] || [ -n "${present[${line#optional:}]:-}" ] || optional+=("${line#optional:}") ;;
     *) [ -z "$wanted" ] || [ -n "${present[$line]:-}" ] || required+=("$line") ;;
   esac

@@ -13,4 +13,8 @@ if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit
 fi
 cp "$source/viewer_browser_test.mjs" "$kit/"
 "$clearcut" plan examples/fishhead.p21 -o "$kit/fishhead.ngc" --stepdown 2 --report "$kit/fishhead.html" --quiet
-timeout 300 node "$kit/viewer_browser_test.mjs" "$kit" "$browser"
+cat > "$kit/square.json" <<'PART'
+{"name": "square", "units": "mm", "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2}
+PART
+"$clearcut" plan "$kit/square.json" --tool endmill:6 --accept out-of-reach -o "$kit/square.ngc" --report "$kit/square.html" --quiet
+timeout 900 node "$kit/viewer_browser_test.mjs" "$kit" "$browser"

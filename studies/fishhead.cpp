@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "geometry/rectangle.h"
 #include "stock/stacking.h"
 
 namespace clearcut::studies {
@@ -173,11 +174,6 @@ Loop loop_of(const Circle& circle) {
           Edge::arc(c - r, c + r, c, Turn::kCounterClockwise)};
 }
 
-Loop loop_of(const Box& box) {
-  const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(corners);
-}
-
 /// Collects features with their workingsteps in order of cutting.
 class Builder {
  public:
@@ -204,8 +200,8 @@ class Builder {
     if (!walls.empty()) islands.push_back(loop_of(walls));
     Feature feature;
     feature.kind = FeatureKind::kPlanarFace;
-    feature.target = {Region::from_valid_loops(loop_of(kBlock.plan), islands)};
-    feature.allowed = {Region::from_valid_loops(loop_of(kBlock.plan.grown(kOpenReach)), islands)};
+    feature.target = {Region::from_valid_loops(rectangle(kBlock.plan), islands)};
+    feature.allowed = {Region::from_valid_loops(rectangle(kBlock.plan.grown(kOpenReach)), islands)};
     add(name, std::move(feature), floor_z, walls.empty() ? kFaceMill : kEndMill, feed, rpm);
   }
 

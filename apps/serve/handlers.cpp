@@ -99,11 +99,9 @@ WorkPtr work_of(Service& service, const Request& request, Response& response) {
   return work;
 }
 
-const std::vector<std::pair<std::string, std::string>> kResultFiles{{"program", "program.ngc"},
-                                                                    {"certificate", "certificate.json"},
-                                                                    {"report", "report.html"},
-                                                                    {"picture", "picture.svg"},
-                                                                    {"text", "text.txt"}};
+const std::vector<std::pair<std::string, std::string>> kResultFiles{
+    {"program", "program.ngc"}, {"certificate", "certificate.json"}, {"report", "report.html"},
+    {"picture", "picture.svg"}, {"setup-sheet", "setup-sheet.html"}, {"text", "text.txt"}};
 
 std::string file_of_result(const std::string& path) {
   const std::string name = path.substr(path.rfind('/') + 1);
@@ -147,7 +145,8 @@ void post_plan(Service& service, const Request& request, Response& response, con
     work->words.insert(work->words.end(), options.begin(), options.end());
     work->words.insert(work->words.end(),
                        {"--output=results/program.ngc", "--certificate=results/certificate.json",
-                        "--svg=results/picture.svg", "--report=results/report.html"});
+                        "--svg=results/picture.svg", "--report=results/report.html",
+                        "--setup-sheet=results/setup-sheet.html"});
     service.works.add(work, true);
     answer_json(response, 202,
                 {{"id", id},
@@ -201,7 +200,7 @@ void get_result(Service& service, const Request& request, Response& response) {
     return std::string("text/plain");
   }();
   // A page of its own origin that may run its scripts and fetch nothing.
-  if (file == "report.html" || file == "picture.svg")
+  if (file == "report.html" || file == "picture.svg" || file == "setup-sheet.html")
     response.set_header(
         "Content-Security-Policy",
         "sandbox allow-scripts allow-downloads; default-src 'none'; script-src 'unsafe-inline'; "
@@ -237,6 +236,51 @@ void post_check(Service& service, const Request& request, Response& response, co
     if (fs::exists(text)) json["text"] = read_file(text.string());
     answer_json(response, 200, json);
   });
+}
+
+namespace {
+
+/// Runs a command about a part that prints JSON, and answers with the state and that JSON under the command's name.
+void answer_with_json(Service& service, const std::string& command, const Request& request,
+                      Response& response, const ContentReader& content) {
+  refusing(response, [&] {
+    const Place place(service.checks);
+    if (place.number() > service.settings.most_waiting / 2)
+      throw Refusal{503, "too many questions are asked; try again later"};
+    const std::string id = new_id();
+    Upload upload(service.folder / id / "work", service.settings.upload);
+    read_form(request, response, content, upload);
+    const std::string part = upload.file_of("part");
+    if (part.empty()) throw Refusal{400, "the part is missing; send its file as the field 'part'"};
+    const auto options = option_words(upload, known_options(service.options, command));
+    const WorkPtr work = new_work(service, upload, id);
+    work->words = {command, part};
+    work->words.insert(work->words.end(), options.begin(), options.end());
+    work->words.emplace_back("--json");
+    service.works.add(work, false);
+    service.works.wait(work);
+    Json json = service.works.status(work);
+    for (const char* own : {"id", "results", "verdict"}) json.erase(own);
+    const fs::path text = work->folder / "results/text.txt";
+    Json said = fs::exists(text) ? Json::parse(read_file(text.string()), nullptr, false) : Json();
+    json[command] = said.is_object() ? said : Json();
+    if (said.is_object()) {  // these commands give no verdict, by which plans and checks are known to be done
+      json["state"] = name_of(WorkState::kDone);
+      json.erase("message");
+    }
+    answer_json(response, 200, json);
+  });
+}
+
+}  // namespace
+
+void post_info(Service& service, const Request& request, Response& response, const ContentReader& content) {
+  answer_with_json(service, "info", request, response, content);
+}
+
+void post_compare(Service& service, const Request& request, Response& response,
+                  const ContentReader& content) {
+  answer_with_json(service, "compare", request, response, content);
 }
 
 Service::Service(const Settings& given, fs::path place, std::string options_json)

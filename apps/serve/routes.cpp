@@ -39,6 +39,7 @@ std::vector<Route> result_routes() {
            {"certificate", "The certificate", "application/json"},
            {"report", "The page that plays the machining", "text/html; charset=utf-8"},
            {"picture", "The picture", "image/svg+xml"},
+           {"setup-sheet", "The page for the machine", "text/html; charset=utf-8"},
            {"text", "What the command prints", "text/plain; charset=utf-8"}})
     out.push_back(
         {"GET", std::string("/plan/{id}/") + name, what, {}, {{200, what}, unknown}, type, get_result, {}});
@@ -108,6 +109,19 @@ std::vector<Route> all_routes() {
                  "application/json",
                  {},
                  post_check});
+  for (const auto& [path, what, answer, reader] :
+       {std::tuple{"/info", "What a part holds: outlines and what they are for, features, what was mended",
+                   "state, and the JSON of the command under info", &post_info},
+        std::tuple{"/compare", "All strategies that fit a part, planned and certified",
+                   "state, and the JSON of the command under compare", &post_compare}})
+    out.push_back({"POST",
+                   path,
+                   what,
+                   {"part", "file", "options"},
+                   with_upload({{200, answer}}),
+                   "application/json",
+                   {},
+                   reader});
   return out;
 }
 

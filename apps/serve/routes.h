@@ -57,5 +57,9 @@ void get_events(Service& service, const httplib::Request& request, httplib::Resp
 void get_result(Service& service, const httplib::Request& request, httplib::Response& response);
 void post_check(Service& service, const httplib::Request& request, httplib::Response& response,
                 const httplib::ContentReader& content);
+void post_info(Service& service, const httplib::Request& request, httplib::Response& response,
+               const httplib::ContentReader& content);
+void post_compare(Service& service, const httplib::Request& request, httplib::Response& response,
+                  const httplib::ContentReader& content);
 
 }  // namespace clearcut::serve

@@ -17,8 +17,9 @@ using httplib::Request;
 using httplib::Response;
 using Answered = httplib::Server::HandlerResponse;
 
-constexpr std::size_t kThreads = 160;   // more than those who follow plans and those who wait for a check
-constexpr int kWaiting = 128;           // connections that are not accepted yet
+constexpr std::size_t kThreads = 160;  // more than those who follow plans and those who wait for a check
+constexpr int kWaiting = 128;          // connections that are not accepted yet
+constexpr std::size_t kMostHeaders = 100;
 constexpr time_t kLongestSilence = 10;  // s of a connection in the middle of a request
 
 /// A thread that runs out of memory over a request drops that connection alone.
@@ -80,7 +81,9 @@ void Server::guard() {
                         request.get_header_value("Sec-Fetch-Site"), request.path == "/"};
     const auto refused = refusal_of(caller, service_.settings.hosts, is_open);
     if (refused) answer_refusal(response, 403, *refused);
-    if (!refused && request.has_header("Range"))
+    if (!refused && request.headers.size() > kMostHeaders)
+      answer_refusal(response, 431, "the request has more headers than any browser sends");
+    else if (!refused && request.has_header("Range"))
       answer_refusal(response, 416, "parts of a file are not served");
     return response.status > 0 ? Answered::Handled : Answered::Unhandled;
   });

@@ -38,10 +38,11 @@ WorkEnd broken_end(const ChildEnd& child, const Settings& settings) {
 
 /// Where results are found, of those that there are.
 Json results_of(const Work& work) {
-  static const std::array<std::pair<const char*, const char*>, 5> names{{{"program", "program.ngc"},
+  static const std::array<std::pair<const char*, const char*>, 6> names{{{"program", "program.ngc"},
                                                                          {"certificate", "certificate.json"},
                                                                          {"report", "report.html"},
                                                                          {"picture", "picture.svg"},
+                                                                         {"setup-sheet", "setup-sheet.html"},
                                                                          {"text", "text.txt"}}};
   Json results = Json::object();
   for (const auto& [name, file] : names) {

@@ -1,12 +1,13 @@
-// node serve_browser_test.mjs FOLDER BROWSER ADDRESS: what a person does with the page of `clearcut serve`, and whether it follows.
-// FOLDER holds square.json and large.json; screenshots go to FOLDER/pictures.
-import { readFileSync, writeFileSync } from 'node:fs';
+// node serve_browser_test.mjs FOLDER BROWSER ADDRESS COMMAND: what a person does with the page of `clearcut serve`, and whether it follows.
+// FOLDER holds square.json, large.json, plate.dxf and tools.toml; screenshots go to FOLDER/pictures.
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 
 const [folder, executablePath] = process.argv.slice(2, 4).map(argument => resolve(argument));
-const address = process.argv[4], axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const address = process.argv[4], command = resolve(process.argv[5]), axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 let failed = 0;
 function check(right, what) {
   console.log((right ? 'ok      ' : 'FAILED  ') + what);
@@ -14,7 +15,7 @@ function check(right, what) {
 }
 
 const browser = await chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync'] });
+  '--disable-background-networking', '--disable-component-update', '--disable-sync', '--enable-unsafe-swiftshader'] });
 
 async function open(width, height, colorScheme) {
   // axe is put into the page, which its policy forbids to everybody else.
@@ -50,6 +51,62 @@ async function plans(page) {
   check(download.suggestedFilename() === 'square.ngc' && readFileSync(`${folder}/square.ngc`, 'utf8').includes('G1'), 'the program is downloaded');
 }
 
+async function saved(page, selector, name) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
+  await download.saveAs(`${folder}/drive/${name}`);
+  return readFileSync(`${folder}/drive/${name}`, 'utf8');
+}
+
+/** Everything that a job says: what outlines are for, a library, material, controller; and what comes back. */
+async function drives(page) {
+  rmSync(`${folder}/drive`, { recursive: true, force: true });
+  mkdirSync(`${folder}/drive`);
+  await page.goto(address);
+  await page.setInputFiles('#plan-files', [`${folder}/plate.dxf`, `${folder}/tools.toml`]);
+  await page.waitForSelector('#outlines tbody tr', { timeout: 60000 });
+  const outlines = await page.locator('#outlines tbody tr').count();
+  check(outlines === 10, 'the outlines of the drawing are listed');
+  check((await page.textContent('#found-title')).startsWith('What was found: 9 features'), 'and what was found');
+  await page.selectOption('#plan-list li:last-child select', 'tools');
+  await page.selectOption('[aria-label="What outline 3 is for"]', 'ignore');
+  await page.selectOption('[aria-label="What outline 4 is for"]', 'pocket');
+  await page.fill('[aria-label="Depth of outline 4, mm"]', '4');
+  for (let k = 6; k <= outlines; ++k) await page.selectOption(`[aria-label="What outline ${k} is for"]`, 'ignore');
+  await page.selectOption('#material', 'aluminium');
+  await page.selectOption('#post', 'grbl');
+  await page.fill('#plan-options', '--accept out-of-reach --accept tool-change --stepdown 2 --no-tool-change');
+  const shown = await page.textContent('#plan-command');
+  check(['--tools tools.toml', '--op ignore:3', '--op pocket_d4:4', '--material aluminium', '--post grbl'].every(word => shown.includes(word)), 'the command line says it all: ' + shown);
+  await page.click('#plan-go');
+  await page.waitForFunction(() => /^Done|error/.test(document.getElementById('plan-status').textContent + document.getElementById('plan-status').className), null, { timeout: 240000 });
+  check((await page.textContent('#plan-status')).startsWith('Done'), 'it is planned: ' + await page.textContent('#plan-status'));
+  const program = await saved(page, '#plan-downloads li:first-child a', 'plate.ngc'), sheet = await saved(page, 'a[download="plate-setup.html"]', 'sheet.html');
+  check(sheet.includes('<html') && sheet.includes('plate'), 'the set-up sheet is downloaded');
+  const job = await saved(page, '#plan-job', 'plate.toml');
+  check(!(await page.textContent('#plan-downloads')).includes('without'), 'the job holds everything');
+  for (const file of ['plate.dxf', 'tools.toml']) copyFileSync(`${folder}/${file}`, `${folder}/drive/${file}`);
+  try {
+    execFileSync(command, ['plan', 'plate.toml', '-o', 'again.ngc', '--quiet'], { cwd: `${folder}/drive`, stdio: 'pipe' });
+  } catch (error) {
+    check(error.status === 1, 'the job can be planned: ' + error.stderr + job);
+  }
+  check(readFileSync(`${folder}/drive/again.ngc`, 'utf8') === program, 'the job planned by the command gives the same bytes');
+  await page.screenshot({ path: picture('serve-drive-1366'), fullPage: true });
+}
+
+async function compares(page) {
+  await page.goto(address);
+  await page.setInputFiles('#plan-files', `${folder}/square.json`);
+  await page.fill('#plan-options', '--accept out-of-reach');
+  await page.click('#plan-compare');
+  await page.waitForSelector('#comparison tbody tr', { timeout: 240000 });
+  check(await page.locator('#comparison tr.fastest').count() === 1 && await page.locator('#comparison tbody tr').count() > 2, 'strategies are compared');
+  await page.click('#comparison button[aria-label="Take the strategy zigzag"]');
+  check((await page.textContent('#plan-command')).includes('--strategy zigzag'), 'and one is taken');
+  await page.screenshot({ path: picture('serve-compare-1366') });
+  await isAccessible(page, 'the page with a comparison');
+}
+
 async function cancels(page) {
   await page.setInputFiles('#plan-files', `${folder}/large.json`);
   await page.selectOption('#plan-list li:last-child select', 'part');
@@ -80,6 +137,10 @@ await plans(page);
 await page.screenshot({ path: picture('serve-1366') });
 await isAccessible(page, 'the page with a plan');
 check(await fits(page), 'nothing overflows at 1366');
+await drives(page);
+await isAccessible(page, 'the page with outlines');
+check(await fits(page), 'nothing overflows with outlines');
+await compares(page);
 await cancels(page);
 await checks(page);
 await page.screenshot({ path: picture('serve-check-1366') });

@@ -5,18 +5,19 @@ import { resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 
 const [folder, executablePath] = process.argv.slice(2).map(argument => resolve(argument));
-const file = folder + '/fishhead.html', axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const fishhead = folder + '/fishhead.html', axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 let failed = 0;
 function check(right, what) {
   console.log((right ? 'ok      ' : 'FAILED  ') + what);
   if (!right) ++failed;
 }
 
-const browser = await chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync'] });
+const launch = more => chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync', ...more] });
+const browser = await launch(['--enable-unsafe-swiftshader']);
 
-async function open(width, height, colorScheme, hash = '') {
-  const page = await browser.newPage({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
+async function open(width, height, colorScheme, hash = '', where = browser, file = fishhead) {
+  const page = await where.newPage({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
   page.on('pageerror', error => check(false, 'no error: ' + error.message));
   page.on('console', message => { if (message.type() === 'error') check(false, 'no console error: ' + message.text()); });
   page.on('request', request => { if (!request.url().startsWith('file://')) check(false, 'no network: ' + request.url()); });
@@ -73,19 +74,130 @@ async function chooses(page) {
   check(Math.abs(inches - wanted) < 0.001, 'a distance is measured');
 }
 
-/** Going back gives the heights of a fresh page at that time, but for soft edges where a move was cut in pieces. */
+/** Going back gives the heights of a fresh page at that time, to the bit. */
 async function scrubs(page) {
-  const heights = 'Array.from(heightContext.getImageData(0, 0, width, height).data.filter((v, k) => k % 4 === 0))';
-  await evaluate(page, 'show(total * 0.9); show(total * 0.4)');
-  const back = await evaluate(page, heights), fresh = await open(1366, 768, 'light');
+  await evaluate(page, 'show(total * 0.9); show(total * 0.4); show(total * 0.6); show(total * 0.4)');
+  const back = await evaluate(page, 'Array.from(heights)'), fresh = await open(1366, 768, 'light');
   await evaluate(fresh, 'show(total * 0.4)');
-  const wanted = await evaluate(fresh, heights), off = back.filter((v, k) => Math.abs(v - wanted[k]) > 2).length;
-  check(off <= back.length * 1e-4, `scrubbing back shows what a fresh replay shows (${off} of ${back.length} pixels differ)`);
+  const wanted = await evaluate(fresh, 'Array.from(heights)'), off = back.filter((v, k) => v !== wanted[k]).length;
+  check(off === 0 && back.some(h => h < 0), `scrubbing back gives the heights of a fresh replay (${off} of ${back.length} cells differ)`);
   await fresh.close();
 }
 
+const stagePicture = async page => {
+  await page.waitForFunction('!redrawAsked && detail.settled', null, { timeout: 60000 });
+  return (await page.$('#stage')).screenshot();
+};
+const pixelsApart = (page, a, b) => page.evaluate(`(async () => {
+  const data = async text => {
+    const image = new Image(); image.src = 'data:image/png;base64,' + text; await image.decode();
+    const canvas = document.createElement('canvas'); canvas.width = image.width; canvas.height = image.height;
+    const c = canvas.getContext('2d'); c.drawImage(image, 0, 0);
+    return c.getImageData(0, 0, image.width, image.height).data;
+  };
+  const p = await data('${a.toString('base64')}'), q = await data('${b.toString('base64')}');
+  let n = 0;
+  for (let k = 0; k < p.length; k += 4) if (Math.abs(p[k] - q[k]) + Math.abs(p[k + 1] - q[k + 1]) + Math.abs(p[k + 2] - q[k + 2]) > 0) ++n;
+  return n;
+})()`);
+
+/** Orbit, pan, zoom, standard views, sections, a click, a distance. */
+async function inSpace() {
+  const page = await open(1366, 768, 'light', '#t=5000'), box = await (await page.$('#overlay')).boundingBox(), middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  check(await evaluate(page, 'space.on'), 'the page opens in space');
+  await page.click('[data-view=front]');
+  check(await evaluate(page, 'camera.yaw === 0 && camera.pitch === 0') && await page.getAttribute('[data-view=front]', 'aria-pressed') === 'true', 'the front view');
+  await page.click('[data-view=iso]');
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.down(); await page.mouse.move(middle.x + 50, middle.y - 20, { steps: 4 }); await page.mouse.up();
+  check(await evaluate(page, 'Math.abs(camera.yaw - 25) < 1e-6 && Math.abs(camera.pitch - 27.264) < 1e-6'), 'dragging turns the part');
+  await page.keyboard.press('Shift+ArrowRight');
+  check(await evaluate(page, 'Math.abs(camera.yaw - 40) < 1e-6'), 'so does Shift with an arrow');
+  const before = await evaluate(page, 'camera.k');
+  await page.mouse.wheel(0, -400);
+  await page.waitForFunction(`camera.k > ${before}`);
+  const place = await evaluate(page, 'projected({ x: 0, y: 0, z: 0 })');
+  await page.keyboard.down('Shift');
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.down(); await page.mouse.move(middle.x + 40, middle.y + 30, { steps: 3 }); await page.mouse.up();
+  await page.keyboard.up('Shift');
+  const moved = await evaluate(page, 'projected({ x: 0, y: 0, z: 0 })');
+  check(Math.abs(moved.x - place.x - 40) < 0.01 && Math.abs(moved.y - place.y - 30) < 0.01, 'Shift with dragging moves it');
+  await page.click('[data-view=iso]');
+  await sections(page);
+  await page.selectOption('#path', 'all');
+  const i = await evaluate(page, 'moves.kind.findIndex((kind, i) => kind === 4 && moves.x1[i] - moves.x0[i] > 60)');
+  const point = await evaluate(page, `(() => { const s = toScreen(pointAt(${i}, 0.4)); return { x: s.x + ${box.x}, y: s.y + ${box.y} }; })()`);
+  await page.mouse.click(point.x, point.y);
+  const clicked = await evaluate(page, 'selected');
+  check(clicked >= 0 && await selectedLine(page) === await evaluate(page, `moves.line[${clicked}]`), 'a click on a move in space selects its line');
+  await page.click('[data-view=top]');
+  await page.click('#measure');
+  const [a, b] = await evaluate(page, '[{ x: 40, y: 60 }, { x: 90, y: 60 }].map(p => projected({ ...p, z: 0 }))');
+  await page.mouse.click(box.x + a.x, box.y + a.y);
+  await page.mouse.click(box.x + b.x, box.y + b.y);
+  const words = await page.textContent('#measured');
+  check(/x 50\.0\d\d|x 49\.9\d\d/.test(words) && words.includes('z '), 'a distance in space: ' + words);
+  await page.keyboard.press('Escape');
+  await page.close();
+}
+
+async function sections(page) {
+  const whole = await stagePicture(page);
+  for (const axis of ['x', 'y', 'z']) {
+    await page.selectOption('#section', axis);
+    const cut = await stagePicture(page), apart = await pixelsApart(page, whole, cut);
+    check(apart > 2000, `a section by ${axis} shows (${apart} pixels)`);
+    await page.screenshot({ path: `${folder}/pictures/section-${axis}.png` });
+  }
+  await page.selectOption('#section', 'none');
+  check(await pixelsApart(page, whole, await stagePicture(page)) === 0, 'and without it all is as before');
+}
+
+/** What is seen after going back and forth is what a fresh page shows at that move. */
+async function scrubsInSpace() {
+  const used = await open(1366, 768, 'light'), fresh = await open(1366, 768, 'light');
+  for (const share of [0.35, 0.7]) {
+    await evaluate(used, `show(total * 0.95); show(total * 0.1); show(total * ${share} + 5); show(total * ${share})`);
+    await evaluate(fresh, `show(total * ${share})`);
+    const apart = await pixelsApart(fresh, await stagePicture(used), await stagePicture(fresh));
+    check(apart === 0, `scrubbed both ways to ${share} it looks as a fresh replay does (${apart} pixels differ)`);
+  }
+  await used.close(); await fresh.close();
+}
+
+async function frames() {
+  const page = await open(1280, 720, 'light', '#t=5000');
+  const rate = await evaluate(page, `new Promise(done => { let n = 0; const from = performance.now();
+    const step = now => { orbit(3, 0); if (++n < 90) requestAnimationFrame(step); else done(90000 / (now - from)); }; requestAnimationFrame(step); })`);
+  console.log(`orbits with ${rate.toFixed(1)} frames/s in ${await evaluate(page, 'gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL)')}, detail ${await evaluate(page, 'detail.now')}`);
+  check(rate > 2, 'the part turns');
+  await page.close();
+}
+
+/** A pocket of a part without stock has a floor. */
+async function withoutStock() {
+  const page = await open(1366, 768, 'light', '#t=1e9', browser, folder + '/square.html');
+  await evaluate(page, "by('path').value = 'none'; redraw()");
+  await stagePicture(page);
+  check(await evaluate(page, `(() => { drawScene(DETAILS[1]); const s = projected({ x: 25, y: 25, z: -2 }), pixel = new Uint8Array(4);
+    gl.readPixels(s.x * view.ratio, stageCanvas.height - s.y * view.ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); return pixel[3]; })()`) === 255, 'a pocket without stock has a floor');
+  await page.close();
+}
+
+/** Where there is no WebGL the page says so and stays flat. */
+async function withoutWebGl() {
+  const flat = await launch(['--disable-3d-apis']), page = await open(1366, 768, 'light', '#t=3000', flat);
+  check(!await evaluate(page, 'space.on') && (await page.textContent('#space-note')).startsWith('No view in space: '), 'without WebGL: ' + await page.textContent('#space-note'));
+  check(await page.isVisible('#space-note') && await page.isDisabled('[data-view=top]'), 'it is said on the stage');
+  check(await evaluate(page, 'reliefContext.getImageData(width / 2, height / 2, 1, 1).data[3] === 255'), 'and the part is shown from above');
+  await page.screenshot({ path: `${folder}/pictures/without-webgl.png` });
+  await flat.close();
+}
+
 async function looks(width, height, scheme) {
-  const page = await open(width, height, scheme, '#t=3000'), name = `${width} ${scheme}`;
+  const page = await open(width, height, scheme, '#t=5000'), name = `${width} ${scheme}`;
+  await stagePicture(page);
   await page.screenshot({ path: `${folder}/pictures/${width}-${scheme}.png`, fullPage: width < 500 });
   check(await evaluate(page, 'document.documentElement.scrollWidth <= innerWidth'), name + ': nothing overflows sideways');
   if (width >= 1366) {
@@ -102,10 +214,12 @@ async function looks(width, height, scheme) {
   await page.close();
 }
 
-const page = await open(1366, 768, 'light');
-check(statSync(file).size < 10e6, `the page has ${statSync(file).size} bytes`);
+const page = await open(1366, 768, 'light', '#view=above');
+check(statSync(fishhead).size < 10e6, `the page has ${statSync(fishhead).size} bytes`);
 console.log('opened in', await evaluate(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
+await page.close();
+for (const part of [inSpace, scrubsInSpace, withoutStock, frames, withoutWebGl]) await part();
 for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080]]) for (const scheme of ['light', 'dark']) await looks(width, height, scheme);
 await browser.close();
 console.log(failed === 0 ? 'the page in the browser: all well' : `the page in the browser: ${failed} failed`);

@@ -226,4 +226,12 @@ Regions inset(const Region& region, double d, const Tolerances& tol) {
   return Clearance(region, tol).inset(d);
 }
 
+Regions inset(const Regions& regions, double d, const Tolerances& tol) {
+  Regions out;
+  for (const Region& region : regions) {
+    for (Region& inside : inset(region, d, tol)) out.push_back(std::move(inside));
+  }
+  return out;
+}
+
 }  // namespace clearcut::inline geometry

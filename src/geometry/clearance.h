@@ -73,8 +73,9 @@ class Clearance {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Convenience: inset of one region. Prefer Clearance for several levels.
+/// Convenience: inset of one region, or of each of several. Prefer Clearance for several levels.
 Regions inset(const Region& region, double d, const Tolerances& tol);
+Regions inset(const Regions& regions, double d, const Tolerances& tol);
 /// All points within distance d of the regions (round corners). mm, d >= 0.
 Regions dilate(const Regions& regions, double d, const Tolerances& tol);
 

@@ -3,14 +3,10 @@
 #include "base/error.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/rectangle.h"
 
 namespace clearcut::inline geometry {
 namespace {
-
-Loop rectangle(const Box& box) {
-  const Vec2 points[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(points);
-}
 
 Region dilated(const Region& region, double d, const Tolerances& tol) {
   const Loop frame = rectangle(region.box().grown(3 * d + 1));

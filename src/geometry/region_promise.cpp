@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace clearcut::inline geometry {
 namespace {
 
 /// mm. Loops that cross by less touch: what booleans and offsets round to.
 constexpr double kCrossing = 1e-3;
+/// Sine of the greatest angle between edges that touch where they meet once.
+constexpr double kTangent = 1e-4;
 
 struct Placed {
   Edge edge;
@@ -21,19 +24,25 @@ std::string at(Vec2 p) {
   return fmt::format(" at ({:.6f}, {:.6f})", p.x, p.y);
 }
 
-std::string loop_fault(const Loop& loop) {
+std::string loop_fault(const Loop& loop, bool may_be_flat) {
   if (loop.empty()) return "a loop is empty";
   for (std::size_t i = 0; i < loop.size(); ++i) {
     if (loop[i].to != loop[(i + 1) % loop.size()].from) return "a loop is not closed" + at(loop[i].to);
   }
-  return signed_area(loop) == 0 ? "a loop encloses nothing" + at(loop.front().from) : "";
+  return signed_area(loop) == 0 && !may_be_flat ? "a loop encloses nothing" + at(loop.front().from) : "";
 }
 
-/// Whether the edges go through each other, each with both of its ends clear of the other.
-bool cross(const Edge& a, const Edge& b) {
+/// Whether the edges go through each other, each with both of its ends clear of the other. Where they meet once, they
+/// touch if they are tangent there; where they meet twice, they touch if the piece between stays near.
+bool go_through(const Edge& a, const Edge& b) {
   const auto clear = [](const Edge& edge, Vec2 p) { return distance(edge, p) > kCrossing; };
   if (!clear(a, b.from) || !clear(a, b.to) || !clear(b, a.from) || !clear(b, a.to)) return false;
-  return !intersections(a, b).empty();
+  const std::vector<Vec2> meetings = intersections(a, b);
+  if (meetings.empty()) return false;
+  const double t = nearest(a, meetings.front()).t, last = nearest(a, meetings.back()).t;
+  if (meetings.size() > 1) return clear(b, a.at((t + last) / 2));
+  const Vec2 along_b = b.tangent_at(nearest(b, meetings.front()).t);
+  return std::abs(cross(a.tangent_at(t), along_b)) > kTangent;
 }
 
 std::vector<Placed> placed(const std::vector<const Loop*>& loops) {
@@ -53,7 +62,7 @@ std::string crossing_fault(const std::vector<const Loop*>& loops) {
   for (const Placed& edge : edges) {
     std::erase_if(open, [&](const Placed* other) { return other->box.max.x < edge.box.min.x; });
     for (const Placed* other : open) {
-      if (other->box.overlaps(edge.box) && cross(other->edge, edge.edge))
+      if (other->box.overlaps(edge.box) && go_through(other->edge, edge.edge))
         return "two edges cross" + at(intersections(other->edge, edge.edge).front());
     }
     open.push_back(&edge);
@@ -89,7 +98,7 @@ std::string broken_promise(const Loop& outer, const std::vector<Loop>& islands) 
   std::vector<const Loop*> loops{&outer};
   for (const Loop& island : islands) loops.push_back(&island);
   for (const Loop* loop : loops) {
-    if (std::string fault = loop_fault(*loop); !fault.empty()) return fault;
+    if (std::string fault = loop_fault(*loop, loop != &outer); !fault.empty()) return fault;
   }
   std::string fault = crossing_fault(loops);
   return fault.empty() ? nesting_fault(outer, islands) : fault;

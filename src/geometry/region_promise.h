@@ -7,8 +7,9 @@
 
 namespace clearcut::inline geometry {
 
-/// "" where the loops, whichever way they turn, make a valid region: closed, around an area, without crossings, islands inside
-/// the outer loop and beside each other. Else what is wrong and where. Loops that cross by less than 1 um touch.
+/// "" where the loops, whichever way they turn, make a valid region: closed, the outer one around an area, without crossings,
+/// islands inside the outer loop and beside each other. An island may be a wall of no thickness: a line and back. Else what is
+/// wrong and where. Loops that cross by less than 1 um touch.
 /// Cost O(n log n) for edges that are short against the whole.
 std::string broken_promise(const Loop& outer, const std::vector<Loop>& islands);
 

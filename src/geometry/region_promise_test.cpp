@@ -24,6 +24,23 @@ TEST(RegionPromise, KeptByWhatTouchesInPoints) {
   EXPECT_EQ(broken_promise(square(0, 0, 10), {loop({{-5e-4, 5}, {2, 4}, {2, 6}})}), "");
 }
 
+Loop disc(Vec2 center, double radius) {
+  const Vec2 right = center + Vec2{radius, 0}, left = center - Vec2{radius, 0};
+  return {Edge::arc(left, right, center, Turn::kCounterClockwise),
+          Edge::arc(right, left, center, Turn::kCounterClockwise)};
+}
+
+TEST(RegionPromise, KeptByWhatTouchesAlongItsWay) {
+  EXPECT_EQ(broken_promise(square(0, 0, 50), {disc({25, 10}, 10)}), "");
+  EXPECT_EQ(broken_promise(square(0, 0, 50), {disc({25, 9.9995}, 10)}), "");
+  EXPECT_EQ(broken_promise(disc({0, 0}, 20), {disc({0, -12}, 8)}), "");
+  EXPECT_THAT(broken_promise(square(0, 0, 50), {disc({25, 9.998}, 10)}), HasSubstr("cross"));
+}
+
+TEST(RegionPromise, KeptByAWallOfNoThickness) {
+  EXPECT_EQ(broken_promise(square(0, 0, 10), {loop({{2, 2}, {8, 8}})}), "");
+}
+
 TEST(RegionPromise, BrokenByOpenAndEmptyLoops) {
   Loop open = square(0, 0, 10);
   open.pop_back();

@@ -12,7 +12,7 @@ namespace {
 /// Shares of the size asked for that are tried.
 constexpr double kShares[] = {1, 0.5, 0.25};
 /// Greatest number of edges whose middle is tried.
-constexpr std::size_t kMostPlaces = 48;
+constexpr std::size_t kMostLeadPlaces = 48;
 /// mm. A place nearer than this to the end of an edge is taken to be that end.
 constexpr double kJoint = 1e-6;
 
@@ -40,7 +40,7 @@ std::vector<Place> places_on(const Path& path) {
   const auto apart = [whole](const Place& place) { return std::min(place.along, whole - place.along); };
   std::stable_sort(places.begin(), places.end(),
                    [&](const Place& a, const Place& b) { return apart(a) < apart(b); });
-  if (places.size() > kMostPlaces) places.resize(kMostPlaces);
+  if (places.size() > kMostLeadPlaces) places.resize(kMostLeadPlaces);
   places.insert(places.begin(), {path.front().from, path.front().tangent_at(0), 0});
   return places;
 }

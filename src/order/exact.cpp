@@ -10,7 +10,7 @@ namespace clearcut::order {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoOrder = std::numeric_limits<double>::infinity();
 
 bool has_corners(const Objective& objective) {
   const Objective::Linear l = objective.linear();
@@ -62,7 +62,7 @@ class SubsetProgram {
 
  private:
   void reset(int first, int second) {
-    value_.assign((std::size_t{1} << n_) * static_cast<std::size_t>(width_ * n_), kInfinity);
+    value_.assign((std::size_t{1} << n_) * static_cast<std::size_t>(width_ * n_), kNoOrder);
     first_ = first;
     second_ = second;
   }
@@ -81,7 +81,7 @@ class SubsetProgram {
     for (int previous = 0; previous < width_; ++previous) {
       for (int last = 0; last < n_; ++last) {
         const double value = value_[state(visited, previous, last)];
-        if (value == kInfinity) continue;
+        if (value == kNoOrder) continue;
         for (int next = 0; next < n_; ++next) {
           const unsigned with = visited | 1U << next;
           if (with == visited || (before_[next] & ~visited) != 0) continue;
@@ -94,7 +94,7 @@ class SubsetProgram {
   }
 
   double closing(int previous, int last) const {
-    if (!problem_.closed()) return problem_.end >= 0 && last != problem_.end ? kInfinity : 0;
+    if (!problem_.closed()) return problem_.end >= 0 && last != problem_.end ? kNoOrder : 0;
     if (n_ < 2) return 0;
     const double back = edge_[last * n_ + first_] + corner(previous, last, first_);
     return back + (second_ >= 0 ? corner(last, first_, second_) : 0);
@@ -102,7 +102,7 @@ class SubsetProgram {
 
   ExactResult trace_back() const {
     unsigned visited = (1U << n_) - 1;
-    ExactResult result{{}, kInfinity};
+    ExactResult result{{}, kNoOrder};
     int last = -1, previous = -1;
     for (int p = 0; p < width_; ++p) {
       for (int l = 0; l < n_; ++l) {
@@ -128,7 +128,7 @@ class SubsetProgram {
     if (without == 0) return {0U, -1, -1};
     if (second_ >= 0 && without == (1U << first_)) return {without, first_, first_};
     const double value = value_[state(visited, previous, last)];
-    double best = kInfinity;
+    double best = kNoOrder;
     std::tuple<unsigned, int, int> result{0U, -1, -1};
     for (int p = 0; p < width_; ++p) {
       for (int l = 0; l < n_; ++l) {
@@ -153,7 +153,7 @@ class SubsetProgram {
 ExactResult by_subsets(const Moves& moves, const Objective& objective) {
   const Problem& problem = moves.problem();
   SubsetProgram program(moves, objective);
-  ExactResult best{{}, kInfinity};
+  ExactResult best{{}, kNoOrder};
   if (!problem.closed()) {
     best = program.best_path();
   } else if (!has_corners(objective) || problem.size() < 3) {
@@ -172,7 +172,7 @@ ExactResult by_enumeration(const Moves& moves, const Objective& objective) {
   const Problem& problem = moves.problem();
   Tour tour(problem.points.size());
   std::iota(tour.begin(), tour.end(), 0);
-  ExactResult best{{}, kInfinity};
+  ExactResult best{{}, kNoOrder};
   do {
     if (!is_valid(problem, tour)) continue;
     const double value = evaluate(objective, moves, tour);

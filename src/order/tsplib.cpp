@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text/stripped.h"
 
 namespace clearcut::order {
 
@@ -11,12 +12,6 @@ namespace {
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
-}
-
-std::string_view trimmed_view(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
 }
 
 /// Lines of a text with their numbers, and words of a line.
@@ -28,7 +23,7 @@ class Lines {
   bool next(std::string_view& line) {
     while (!rest_.empty()) {
       const auto end = rest_.find('\n');
-      line = trimmed_view(rest_.substr(0, end));
+      line = stripped(rest_.substr(0, end));
       rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
       ++number_;
       if (!line.empty()) return true;
@@ -46,7 +41,7 @@ class Lines {
 };
 
 std::string_view take_word(std::string_view& line) {
-  line = trimmed_view(line);
+  line = stripped(line);
   std::size_t end = 0;
   while (end < line.size() && !is_blank(line[end])) ++end;
   const std::string_view word = line.substr(0, end);
@@ -74,7 +69,7 @@ struct Keyword {
 Keyword split_keyword(std::string_view line) {
   const auto colon = line.find(':');
   if (colon == std::string_view::npos) return {line, {}};
-  return {trimmed_view(line.substr(0, colon)), trimmed_view(line.substr(colon + 1))};
+  return {stripped(line.substr(0, colon)), stripped(line.substr(colon + 1))};
 }
 
 void expect_value(const Keyword& keyword, std::string_view wanted, const Lines& lines) {
@@ -156,7 +151,7 @@ Tour read_tsplib_tour(std::string_view text, const std::string& name, int size) 
   Tour tour;
   std::vector<bool> seen(static_cast<std::size_t>(size), false);
   while (lines.next(line) && line != "EOF") {
-    while (!trimmed_view(line).empty()) {
+    while (!stripped(line).empty()) {
       const int id = take_number<int>(line, lines, "a node number");
       if (id == -1) break;
       if (id < 1 || id > size)
@@ -165,7 +160,7 @@ Tour read_tsplib_tour(std::string_view text, const std::string& name, int size) 
       seen[static_cast<std::size_t>(id - 1)] = true;
       tour.push_back(id - 1);
     }
-    if (trimmed_view(line).empty() && static_cast<int>(tour.size()) == size) break;
+    if (stripped(line).empty() && static_cast<int>(tour.size()) == size) break;
   }
   if (static_cast<int>(tour.size()) != size) {
     lines.fail("the tour has " + std::to_string(tour.size()) + " of " + std::to_string(size) +

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <string>
 
 #include "base/error.h"
@@ -353,13 +352,11 @@ Part waved_comb() {
   return part;
 }
 
-TEST(OutOfReach, IsFoundInASecondOnOutlinesOfThousandsOfEdges) {
+TEST(OutOfReach, IsFoundOnOutlinesOfThousandsOfEdges) {
   const Part part = waved_comb();
   resolve::PlanOptions options = with_mill("endmill:4");
   options.strategy = "zigzag";
-  const std::clock_t begin = std::clock();
   const auto result = plan_part(part, options);
-  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 4) << "s of the processor";
   ASSERT_EQ(result.findings.conditions.size(), 1u);
   EXPECT_THAT(result.findings.conditions[0].text,
               HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/inch.h"
 #include "base/text/format.h"
 #include "post/block_printer.h"
 #include "post/comment.h"
@@ -16,8 +17,6 @@
 namespace clearcut::post {
 
 namespace {
-
-constexpr double kMmPerInch = 25.4;
 
 /// What the control holds. Modal words are forgotten at a tool change, so that everything is said again.
 struct Held {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/inch.h"
 #include "base/text/format.h"
 #include "post/comment.h"
 #include "post/drill_cycle.h"
@@ -19,7 +20,6 @@ namespace clearcut::post {
 
 namespace {
 
-constexpr double kMmPerInch = 25.4;
 constexpr int kAngleDecimals = 4;
 constexpr double kAngleSteps = 1e4;  // in a degree
 constexpr std::size_t kLineLength = 80;
@@ -39,7 +39,7 @@ std::string program_name(const std::string& wanted) {
   return name.empty() ? "CLEARCUT" : name.substr(0, kNameLength);
 }
 
-struct Held {
+struct ControlState {
   Ticks at;
   bool plan = false;
   bool height = false;
@@ -103,7 +103,7 @@ class KlartextWriter {
   std::string name_;
   std::string out_;
   int number_ = 0;
-  Held held_;
+  ControlState held_;
   std::vector<Step> steps_;
 };
 

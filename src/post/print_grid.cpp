@@ -6,12 +6,11 @@
 #include <iterator>
 
 #include "base/error.h"
+#include "base/inch.h"
 
 namespace clearcut::post {
 
 namespace {
-
-constexpr double kMmPerInch = 25.4;
 
 long long power_of_ten(int exponent) {
   long long power = 1;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "base/inch.h"
+
 namespace clearcut::post {
 
 namespace {
@@ -140,7 +142,7 @@ StepRules step_rules(const PostOptions& options, int decimals, double largest_ra
           .arcs = options.arcs,
           .largest_radius = largest_radius,
           .chord = options.tol.chord,
-          .radius_mismatch = options.inch ? 0.0002 * 25.4 : 0.002};
+          .radius_mismatch = options.inch ? 0.0002 * kMmPerInch : 0.002};
 }
 
 Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::vector<Step>& out) {

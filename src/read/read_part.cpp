@@ -19,7 +19,7 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{256} << 20;
+constexpr std::size_t kLargestPart = std::size_t{256} << 20;
 
 enum class Kind { kStep, kDxf, kSvg, kJson, kEdges, kJob, kUnknown };
 
@@ -152,7 +152,7 @@ Part read_part_text(std::string_view text, const std::string& file_name, const R
 }
 
 Part read_part(const std::filesystem::path& file, const ReadOptions& options) {
-  return read_part_text(read_file(file.string(), kLargestFile), file.string(), options);
+  return read_part_text(read_file(file.string(), kLargestPart), file.string(), options);
 }
 
 }  // namespace clearcut::read

@@ -1,9 +1,9 @@
 #include "report/motion_text.h"
 
+#include "base/text/stripped.h"
+
 namespace clearcut::report {
 namespace {
-
-constexpr std::string_view kBlank = " \t\r";
 
 std::string without_comments(std::string_view line) {
   std::string text;
@@ -22,12 +22,6 @@ std::string_view without_number(std::string_view line) {
   return digits == 0 ? line : line.substr(std::min(digits, line.size()));
 }
 
-std::string_view trimmed_ends(std::string_view line) {
-  const std::size_t first = line.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return line.substr(first, line.find_last_not_of(kBlank) - first + 1);
-}
-
 }  // namespace
 
 std::string motion_text(std::string_view program) {
@@ -35,7 +29,7 @@ std::string motion_text(std::string_view program) {
   while (!program.empty()) {
     const std::size_t end = std::min(program.find('\n'), program.size());
     const std::string line = without_comments(program.substr(0, end));
-    const std::string_view words = trimmed_ends(without_number(trimmed_ends(line)));
+    const std::string_view words = stripped(without_number(stripped(line)));
     if (!words.empty()) text.append(words).append("\n");
     program.remove_prefix(std::min(end + 1, program.size()));
   }

@@ -29,15 +29,6 @@ const Workingstep& step_at(const Part& part, int index) {
   return part.workplan.at(static_cast<std::size_t>(index));
 }
 
-Regions inset_all(const Regions& regions, double distance, const Tolerances& tol) {
-  Regions out;
-  for (const Region& region : regions) {
-    const Regions inside = inset(region, distance, tol);
-    out.insert(out.end(), inside.begin(), inside.end());
-  }
-  return out;
-}
-
 /// Outline of what a disc sweeps along a line.
 Loop capsule(Vec2 a, Vec2 b, double radius) {
   const Vec2 across = left_of(a == b ? Vec2{1, 0} : (b - a) / distance(a, b)) * radius;
@@ -103,7 +94,7 @@ bool reaches(const Part& part, const Workingstep& step, double z) {
 }  // namespace
 
 Regions swept(const Regions& allowed, double radius, double stock, double more, const Tolerances& tol) {
-  const Regions legal = inset_all(allowed, radius + stock, tol);
+  const Regions legal = inset(allowed, radius + stock, tol);
   return legal.empty() ? legal : dilate(legal, radius + more, tol);
 }
 
@@ -125,9 +116,9 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer,
     if (!left.empty())
       left = intersect(left, within_reach(layer, radius, own_stock + layer.reserve, tol), tol);
   }
-  if (own_stock > 0 && !left.empty()) left = intersect(left, inset_all(layer.allowed, own_stock, tol), tol);
+  if (own_stock > 0 && !left.empty()) left = intersect(left, inset(layer.allowed, own_stock, tol), tol);
   const double sliver = earlier ? kFilmSliver : kSliver;
-  const Regions thick = inset_all(left, sliver, tol);
+  const Regions thick = inset(left, sliver, tol);
   if (thick.empty()) return thick;
   // Up to the wall over the stock that stays there: targets are bounded by walls or by what is cut.
   const double grow = sliver + (earlier ? kFilm : 0) + kOverlap + 1.5 * own_stock;

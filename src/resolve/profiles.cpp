@@ -16,7 +16,7 @@ namespace {
 /// mm2. What a mill may leave in corners before a smaller one is taken.
 constexpr double kCorners = 1;
 /// mm. The same for cutters of any size.
-constexpr double kSpare = 0.01;
+constexpr double kToolSpare = 0.01;
 /// mm. Stock on walls for finishing where nobody says how much.
 constexpr double kFinishStock = 0.3;
 /// mm2. What a boolean leaves of areas that only touch.
@@ -87,7 +87,7 @@ void shape(Feature& feature, const Part& part, double radius, double stock, cons
   }
   const Regions solid = solid_around(part, cut, kBand * radius, tol);
   feature.target = stock::kerf_of(cut, 2 * radius, tol);
-  feature.allowed = stock::kerf_of(cut, (2 + kBeyondKerf) * radius + kSpare + 2 * stock, tol);
+  feature.allowed = stock::kerf_of(cut, (2 + kBeyondKerf) * radius + kToolSpare + 2 * stock, tol);
   // Without others in the way it stays exact as it is.
   if (solid.empty() || area(intersect(feature.allowed, solid, tol)) < kSpeck) return;
   feature.target = subtract(feature.target, solid, tol);

@@ -9,10 +9,7 @@ namespace clearcut::stock {
 Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol) {
   const double draft = below_top * std::tan(wall_slope.radians());
   if (draft <= 0) return regions;
-  Regions result;
-  for (const Region& region : regions)
-    for (Region& piece : inset(region, draft, tol)) result.push_back(std::move(piece));
-  return result;
+  return inset(regions, draft, tol);
 }
 
 }  // namespace clearcut::stock

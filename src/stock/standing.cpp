@@ -39,12 +39,7 @@ bool clears(const Part& part, const Workingstep& step, const Tolerances& tol) {
 Regions off_the_walls(const Regions& regions, const Regions& allowed, double distance,
                       const Tolerances& tol) {
   if (distance <= 0) return regions;
-  Regions off;
-  for (const Region& region : allowed) {
-    const Regions inside = inset(region, distance, tol);
-    off.insert(off.end(), inside.begin(), inside.end());
-  }
-  return intersect(regions, off, tol);
+  return intersect(regions, inset(allowed, distance, tol), tol);
 }
 
 Cleared cleared_by(const Feature& feature, const StockLeft& stock, const Tolerances& tol) {

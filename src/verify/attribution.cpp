@@ -8,7 +8,7 @@ namespace {
 /// mm. A move belongs to a feature's range of heights when it leaves it by no more than this.
 constexpr double kHeightSlack = 0.05;
 /// mm. Rounding of a path that just touches an outline.
-constexpr double kTouch = 1e-3;
+constexpr double kJustTouches = 1e-3;
 
 Vec2 middle_of(const Move& move) {
   return move.is_vertical() ? move.path.from : move.path.at(0.5);
@@ -72,7 +72,7 @@ bool Attribution::fits(const JudgedMove& judged, Vec2 p, int workingstep, double
   if (z < feature.floor_z - kHeightSlack || z >= feature.top_z - 1e-6) return false;
   const EdgeTree& outline = outlines_[index];
   // Over open sides and at thin ends the centre runs beside the target.
-  return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + beside + kTouch).edge >= 0;
+  return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + beside + kJustTouches).edge >= 0;
 }
 
 }  // namespace clearcut::verify

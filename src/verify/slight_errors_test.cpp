@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "verify/test_findings.h"
 #include "verify/test_program.h"
 #include "verify/verify.h"
 
@@ -13,22 +14,13 @@ namespace {
 
 using testing::circle_loop;
 using testing::cut_square_rings;
+using testing::has;
 using testing::pocket_part;
 using testing::rectangle;
+using testing::report_of;
 using testing::Writer;
 
 const Vec2 kCenter{30, 30};
-
-std::string report_of(const Findings& findings) {
-  std::string text;
-  for (const Fault& fault : findings.faults) text += fault.text + "\n";
-  return text;
-}
-
-bool has(const Findings& findings, FaultKind kind) {
-  return std::any_of(findings.faults.begin(), findings.faults.end(),
-                     [&](const Fault& fault) { return fault.kind == kind; });
-}
 
 Writer& circle(Writer& writer, double radius, Turn turn = Turn::kCounterClockwise) {
   writer.feed(kCenter + Vec2{radius, 0}).arc(kCenter - Vec2{radius, 0}, kCenter, turn);

@@ -19,27 +19,27 @@ namespace {
 constexpr std::array<int, 9> kAngles{10, 30, 50, 70, 90, 110, 130, 150, 170};
 using Printed = std::array<double, 9>;
 
-struct PrintedRow {
+struct PrintedOverlaps {
   double radius;  ///< mm
   Printed printed;
 };
 
 /// CPO-rho table 1.
-constexpr std::array<PrintedRow, 6> kOverlaps{{{5, {.09, .26, .42, .57, .71, .82, .91, .96, 1.00}},
-                                               {10, {.08, .26, .42, .56, .70, .82, .92, .96, 1.00}},
-                                               {20, {.08, .28, .44, .56, .72, .80, .92, .96, 1.00}},
-                                               {30, {.06, .24, .42, .54, .72, .84, .90, .96, 1.02}},
-                                               {40, {.08, .24, .40, .56, .72, .80, .96, .96, 1.04}},
-                                               {50, {.10, .30, .40, .50, .70, .80, .90, .90, 1.00}}}};
+constexpr std::array<PrintedOverlaps, 6> kOverlaps{{{5, {.09, .26, .42, .57, .71, .82, .91, .96, 1.00}},
+                                                    {10, {.08, .26, .42, .56, .70, .82, .92, .96, 1.00}},
+                                                    {20, {.08, .28, .44, .56, .72, .80, .92, .96, 1.00}},
+                                                    {30, {.06, .24, .42, .54, .72, .84, .90, .96, 1.02}},
+                                                    {40, {.08, .24, .40, .56, .72, .80, .96, .96, 1.04}},
+                                                    {50, {.10, .30, .40, .50, .70, .80, .90, .90, 1.00}}}};
 
 /// CPO-rho table 2.
 constexpr Printed kLom{.543, .629, .711, .786, .853, .909, .953, .982, .998};
-constexpr std::array<PrintedRow, 6> kRho{{{5, {.534, .603, .669, .729, .782, .827, .862, .886, .898}},
-                                          {10, {.539, .616, .690, .758, .818, .868, .907, .934, .948}},
-                                          {20, {.541, .622, .700, .772, .835, .889, .930, .958, .973}},
-                                          {30, {.542, .625, .704, .777, .841, .895, .938, .966, .981}},
-                                          {40, {.542, .626, .706, .779, .844, .899, .941, .970, .985}},
-                                          {50, {.542, .626, .707, .781, .846, .901, .944, .973, .988}}}};
+constexpr std::array<PrintedOverlaps, 6> kRho{{{5, {.534, .603, .669, .729, .782, .827, .862, .886, .898}},
+                                               {10, {.539, .616, .690, .758, .818, .868, .907, .934, .948}},
+                                               {20, {.541, .622, .700, .772, .835, .889, .930, .958, .973}},
+                                               {30, {.542, .625, .704, .777, .841, .895, .938, .966, .981}},
+                                               {40, {.542, .626, .706, .779, .844, .899, .941, .970, .985}},
+                                               {50, {.542, .626, .707, .781, .846, .901, .944, .973, .988}}}};
 
 double radians(int degrees) {
   return Radians::of_degrees(degrees).radians();
@@ -106,7 +106,7 @@ Region star(int tip) {
 Reproduction coefficient_table() {
   Reproduction result = angle_table("CPO-rho table 2: recovery coefficients");
   add_rows(result, "LOM", kLom, 3, plan::contour::kappa);
-  for (const PrintedRow& row : kRho) {
+  for (const PrintedOverlaps& row : kRho) {
     add_rows(result, fmt::format("rho, R = {} mm", row.radius), row.printed, 3,
              [r = row.radius](double alpha) { return plan::contour::rho(alpha, r); });
   }
@@ -116,7 +116,7 @@ Reproduction coefficient_table() {
 
 Reproduction overlap_table() {
   Reproduction result = angle_table("CPO-rho table 1: overlap in the corner, mm");
-  for (const PrintedRow& row : kOverlaps) {
+  for (const PrintedOverlaps& row : kOverlaps) {
     add_rows(result, fmt::format("R = {} mm", row.radius), row.printed, 2, [r = row.radius](double alpha) {
       return 2 * r * (cut_to(plan::contour::kappa(alpha), 3) - cut_to(plan::contour::rho(alpha, r), 3));
     });

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/units.h"
 #include "pipeline/tour/engagement_model.h"
 #include "pipeline/tour/tour_solver.h"
@@ -20,7 +21,7 @@
 namespace clearcut::studies {
 namespace {
 
-constexpr double kEndMill = 10;  // mm
+constexpr double kObjectivesMill = 10;  // mm
 constexpr double kPitch = 5;
 constexpr double kFeed = 1000;  // mm/min
 constexpr double kEngagementShare = 0.5;
@@ -40,7 +41,7 @@ std::vector<NamedLayer> fishhead_layers() {
   std::vector<NamedLayer> layers;
   for (const auto& step : part.workplan) {
     const auto& feature = feature_of(part, step);
-    const auto of_feature = plan::layers_of(feature, step.operation, kEndMill / 2, {});
+    const auto of_feature = plan::layers_of(feature, step.operation, kObjectivesMill / 2, {});
     if (of_feature.empty()) continue;
     layers.push_back({feature.name, of_feature.front()});
   }
@@ -75,7 +76,7 @@ std::vector<NamedLayer> all_layers() {
   for (NamedLayer& plate : plates()) layers.push_back(std::move(plate));
   for (NamedLayer& named : layers) {
     named.layer.allowed = named.layer.target;
-    named.layer.tool_radius = kEndMill / 2;
+    named.layer.tool_radius = kObjectivesMill / 2;
   }
   return layers;
 }
@@ -137,14 +138,16 @@ void add_solution(report::TextTable& table, const std::string& name, const plan:
 void add_objectives(report::TextTable& table, const std::string& name, const plan::tour::TourTask& task) {
   const auto problem = pipeline::grid_problem(task);
   const auto asked = objectives_for(task);
-  std::vector<order::Solution> solutions;
+  std::vector<order::Solution> solutions(asked.size());
+  parallel_for(std::size_t{0}, asked.size(), [&](std::size_t i) {
+    const long long rounds = asked[i].objective->path_dependent() ? kPathRounds : kLocalRounds;
+    solutions[i] = solved(problem, *asked[i].objective, 1, rounds);
+  });
   double least_length = std::numeric_limits<double>::infinity();
   int least_turns = std::numeric_limits<int>::max();
-  for (const Asked& one : asked) {
-    const long long rounds = one.objective->path_dependent() ? kPathRounds : kLocalRounds;
-    solutions.push_back(solved(problem, *one.objective, 1, rounds));
-    least_length = std::min(least_length, solutions.back().length);
-    least_turns = std::min(least_turns, solutions.back().turns);
+  for (const order::Solution& solution : solutions) {
+    least_length = std::min(least_length, solution.length);
+    least_turns = std::min(least_turns, solution.turns);
   }
   for (std::size_t i = 0; i < asked.size(); ++i)
     add_solution(table, name, task, asked[i].name, solutions[i], least_length, least_turns);
@@ -178,7 +181,7 @@ void add_histogram(report::TextTable& table, const plan::tour::TourTask& task, i
 
 /// A row beside a row at this distance has the target's share of the leading half in material.
 double matching_pitch(int target) {
-  return kEndMill * (1 - std::cos(kPi * target / 100)) / 2;
+  return kObjectivesMill * (1 - std::cos(kPi * target / 100)) / 2;
 }
 
 void add_engagement(report::TextTable& table, const plan::tour::TourTask& task, int target) {
@@ -292,7 +295,7 @@ Reproduction engagement_table() {
     if (name != kFeature) continue;
     for (const bool is_matched : {false, true}) {
       for (int target = 20; target <= 100; target += 20) {
-        const double pitch = is_matched ? matching_pitch(target) : kEndMill * target / 100;
+        const double pitch = is_matched ? matching_pitch(target) : kObjectivesMill * target / 100;
         with_largest_grid(layer, pitch,
                           [&](const plan::tour::TourTask& task) { add_engagement(table, task, target); });
       }

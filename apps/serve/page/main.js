@@ -26,13 +26,14 @@ function setUpTabs() {
   for (const kind of ['dragover', 'drop']) document.addEventListener(kind, event => event.preventDefault());
 }
 
-const toolKinds = ['endmill', 'facemill', 'bullnose', 'ball', 'drill', 'reamer'];
+const toolKinds = ['endmill', 'facemill', 'bullnose', 'ball', 'drill', 'reamer'];  // others need an angle: see the options
 
 async function setUpOptions() {
   const options = await asked('/options');
   const values = (command, name) => options[command].find(one => one.names.includes(name))?.values ?? [];
   fillSelect(element('unit'), values('plan', '--unit'), 'as the file says');
   fillSelect(element('strategy'), values('plan', '--strategy').filter(name => name !== 'auto'), 'the fastest');
+  fillSelect(element('material'), values('plan', '--material'), 'not said');
   fillSelect(element('post'), values('plan', '--post').filter(name => name !== 'linuxcnc'), 'linuxcnc');
   fillSelect(element('dialect'), values('verify', '--dialect'), 'recognise it');
   for (const [list, command] of [['plan-names', 'plan'], ['check-names', 'verify']]) {

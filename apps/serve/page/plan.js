@@ -1,18 +1,22 @@
 // The tab that plans.
 
-const plan = { files: null, id: '', events: null };
+const plan = { files: null, id: '', events: null, read: null };
 
 /** Files that say their tools themselves. */
 const saysTools = name => ['toml', 'p21', 'stpnc', '238'].includes(kindOf(name));
 
-function planOptions() {
+/** The options as on the command line, with the strategy or without. */
+function planOptions({ strategy } = { strategy: true }) {
   const words = [];
   const add = (name, value) => { if (value.trim()) words.push(`${name} ${quoted(value.trim())}`); };
+  for (const role of ['tools', 'machine']) add(`--${role}`, plan.files.of(role)?.name ?? '');
   const diameter = element('tool-diameter').value.trim();
   if (diameter) add('--tool', `${element('tool-kind').value}:${diameter}`);
   add('--depth', element('depth').value);
   add('--unit', element('unit').value);
-  add('--strategy', element('strategy').value);
+  words.push(...outlineOptions());
+  add('--material', element('material').value);
+  if (strategy) add('--strategy', element('strategy').value);
   add('--post', element('post').value);
   words.push(element('plan-options').value.trim());
   return words.filter(word => word).join(' ');
@@ -21,15 +25,17 @@ function planOptions() {
 function showPlanCommand() {
   const part = plan.files.of('part');
   element('plan-command').textContent = part ? `clearcut plan ${quoted(part.name)} ${planOptions()} -o program.ngc` : '';
-  element('plan-go').disabled = !part;
+  element('plan-go').disabled = element('plan-compare').disabled = !part;
 }
 
 function planFilesChanged() {
   const part = plan.files.of('part');
   const diameter = element('tool-diameter');
-  if (part && !diameter.dataset.typed) diameter.value = saysTools(part.name) ? '' : '6';
+  if (part && !diameter.dataset.typed) diameter.value = saysTools(part.name) || plan.files.of('tools') ? '' : '6';
   if (part && !plan.id) say(element('plan-status'), `${part.name} is ready to be planned.`);
   showPlanCommand();
+  if (part !== plan.read) readPart();
+  plan.read = part;
 }
 
 function progressText(state) {
@@ -54,7 +60,7 @@ function showProgress(state) {
   say(element('plan-status'), progressText(state));
 }
 
-const downloads = [['program', 'Program', '.ngc'], ['certificate', 'Certificate', '.json'], ['report', 'Report', '.html'], ['picture', 'Picture', '.svg'], ['text', 'Figures', '.txt']];
+const downloads = [['program', 'Program', '.ngc'], ['certificate', 'Certificate', '.json'], ['report', 'Report', '.html'], ['picture', 'Picture', '.svg'], ['setup-sheet', 'Set-up sheet', '-setup.html'], ['text', 'Figures', '.txt']];
 
 function showDownloads(results, stem) {
   const there = downloads.filter(([name]) => results[name]);
@@ -62,7 +68,18 @@ function showDownloads(results, stem) {
     const line = made('li');
     line.append(made('a', title, { href: results[name], download: stem + ending }));
     return line;
-  }));
+  }), ...jobDownload(stem));
+}
+
+/** The job file of what was planned; where the part is a job, it is there already. */
+function jobDownload(stem) {
+  URL.revokeObjectURL(plan.jobAddress ?? '');
+  if (!plan.job) return [];
+  plan.jobAddress = URL.createObjectURL(new Blob([plan.job.text], { type: 'application/toml' }));
+  const line = made('li');
+  line.append(made('a', 'Job file', { href: plan.jobAddress, download: stem + '.toml', id: 'plan-job' }));
+  if (plan.job.left.length > 0) line.append(made('span', ` (without ${plan.job.left.join(' ')})`));
+  return [line];
 }
 
 function showPlan(state) {
@@ -70,7 +87,7 @@ function showPlan(state) {
   verdict.textContent = state.verdict;
   verdict.className = `verdict ${state.verdict}`;
   element('plan-summary').textContent = `planned and certified in ${state.seconds.toFixed(1)} s`;
-  showDownloads(state.results, plan.files.of('part')?.name.replace(/\.[^.]*$/, '') ?? 'program');
+  showDownloads(state.results, stemOf(plan.part));
   fillList(element('plan-messages'), state.messages);
   element('plan-notes').hidden = state.messages.length === 0;
   element('plan-report').src = state.results.report;
@@ -83,7 +100,7 @@ function endPlan() {
   plan.events = null;
   element('plan-progress').hidden = true;
   element('plan-cancel').hidden = true;
-  element('plan-go').disabled = !plan.files.of('part');
+  showPlanCommand();
 }
 
 function hearPlan(state) {
@@ -117,8 +134,11 @@ async function startPlan(event) {
   element('plan-report').removeAttribute('src');
   element('plan-go').disabled = true;
   say(element('plan-status'), 'Sending the files …');
+  const options = planOptions();
+  plan.part = plan.files.of('part').name;
+  plan.job = kindOf(plan.part) === 'toml' ? null : jobOf(plan.part, options);
   try {
-    const answer = await asked('/plan', { method: 'POST', body: plan.files.form(planOptions()) });
+    const answer = await asked('/plan', { method: 'POST', body: plan.files.form(options) });
     plan.id = answer.id;
     element('plan-cancel').hidden = false;
     followPlan(answer.id);
@@ -137,10 +157,12 @@ async function cancelPlan() {
 }
 
 function setUpPlan() {
-  plan.files = new ChosenFiles(document.querySelector('[data-files=plan]'), element('plan-files'), element('plan-list'), ['part', 'file'], planFilesChanged);
+  plan.files = new ChosenFiles(document.querySelector('[data-files=plan]'), element('plan-files'), element('plan-list'), ['part', 'tools', 'machine', 'file'], planFilesChanged);
   element('plan-form').addEventListener('submit', startPlan);
   element('plan-form').addEventListener('input', showPlanCommand);
   element('tool-diameter').addEventListener('input', event => { event.target.dataset.typed = '1'; });
   element('plan-cancel').addEventListener('click', cancelPlan);
+  element('plan-compare').addEventListener('click', startComparison);
+  element('unit').addEventListener('change', readPart);
   showPlanCommand();
 }

@@ -5,16 +5,25 @@
 #include <cmath>
 #include <utility>
 
+#include "base/inch.h"
+
 namespace clearcut::inline base {
 namespace {
 
-constexpr double kInch = 25.4;
-
 using Unit = std::pair<std::string_view, double>;
-constexpr std::array<Unit, 7> kLengths{
-    {{"mm", 1}, {"cm", 10}, {"inches", kInch}, {"inch", kInch}, {"in", kInch}, {"\"", kInch}, {"m", 1000}}};
-constexpr std::array<Unit, 6> kFeeds{
-    {{"mm/min", 1}, {"in/min", kInch}, {"inch/min", kInch}, {"ipm", kInch}, {"mm/s", 60}, {"m/min", 1000}}};
+constexpr std::array<Unit, 7> kLengths{{{"mm", 1},
+                                        {"cm", 10},
+                                        {"inches", kMmPerInch},
+                                        {"inch", kMmPerInch},
+                                        {"in", kMmPerInch},
+                                        {"\"", kMmPerInch},
+                                        {"m", 1000}}};
+constexpr std::array<Unit, 6> kFeeds{{{"mm/min", 1},
+                                      {"in/min", kMmPerInch},
+                                      {"inch/min", kMmPerInch},
+                                      {"ipm", kMmPerInch},
+                                      {"mm/s", 60},
+                                      {"m/min", 1000}}};
 
 std::string_view without_blanks_before(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);

@@ -79,42 +79,74 @@ struct CellGrid {
   }
 };
 
-/// Numbers by the box they lie in. Cells exist only where something lies; cost of a look-up: cells of its
+/// Numbers by the box or the place they lie in. Cells exist only where something lies; cost of a look-up: cells of its
 /// box.
 class BoxIndex {
  public:
   explicit BoxIndex(double cell) : cell_(cell) {}
 
   void add(const Box& box, std::uint32_t number) {
-    for_cells(box, [&](std::uint64_t key) { cells_[key].push_back(number); });
+    for_cells(box, [&](const Cell& cell) { cells_[cell].push_back(number); });
   }
+  void add(Vec2 p, std::uint32_t number) { add(Box{p, p}, number); }
 
   /// All numbers whose cells `box` touches, ascending, each once; some of them lie a cell away.
   std::vector<std::uint32_t> near(const Box& box) const {
     std::vector<std::uint32_t> found;
-    for_cells(box, [&](std::uint64_t key) {
-      if (const auto at = cells_.find(key); at != cells_.end()) {
+    for_cells(box, [&](const Cell& cell) {
+      if (const auto at = cells_.find(cell); at != cells_.end())
         found.insert(found.end(), at->second.begin(), at->second.end());
-      }
     });
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
+  /// All numbers that lie within a cell's side of p, and some farther.
+  std::vector<std::uint32_t> near(Vec2 p) const { return near(Box{p, p}.grown(cell_)); }
+
+  /// The numbers whose boxes touch the cell in which p lies, in the order in which they came.
+  std::span<const std::uint32_t> at(Vec2 p) const {
+    const auto found = cells_.find({index(p.x), index(p.y)});
+    if (found == cells_.end()) return {};
+    return found->second;
+  }
+
+  /// The numbers of the fullest cell; of several such, of the one that got the least number first.
+  std::span<const std::uint32_t> fullest() const {
+    std::span<const std::uint32_t> most;
+    for (const auto& [cell, numbers] : cells_) {
+      if (numbers.size() > most.size() || (numbers.size() == most.size() && numbers.front() < most.front()))
+        most = numbers;
+    }
+    return most;
+  }
 
  private:
+  struct Cell {
+    std::int64_t column = 0;
+    std::int64_t row = 0;
+    friend bool operator==(const Cell&, const Cell&) = default;
+  };
+  /// Multiplies by odd numbers without pattern (the golden ratio's and a prime) and takes the mixed upper half.
+  struct CellHash {
+    std::size_t operator()(const Cell& cell) const {
+      const std::uint64_t mixed = static_cast<std::uint64_t>(cell.column) * 0x9E3779B97F4A7C15ULL +
+                                  static_cast<std::uint64_t>(cell.row) * 0xC2B2AE3D27D4EB4FULL;
+      return mixed ^ (mixed >> 32U);
+    }
+  };
+
+  std::int64_t index(double v) const { return static_cast<std::int64_t>(std::floor(v / cell_)); }
   template <typename F>
   void for_cells(const Box& box, F&& f) const {
-    const auto index = [&](double v) { return static_cast<std::int32_t>(std::floor(v / cell_)); };
-    for (std::int32_t r = index(box.min.y); r <= index(box.max.y); ++r) {
-      for (std::int32_t c = index(box.min.x); c <= index(box.max.x); ++c) {
-        f(static_cast<std::uint64_t>(static_cast<std::uint32_t>(r)) << 32 | static_cast<std::uint32_t>(c));
-      }
+    const std::int64_t last_column = index(box.max.x), last_row = index(box.max.y);
+    for (std::int64_t row = index(box.min.y); row <= last_row; ++row) {
+      for (std::int64_t column = index(box.min.x); column <= last_column; ++column) f(Cell{column, row});
     }
   }
 
   double cell_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  std::unordered_map<Cell, std::vector<std::uint32_t>, CellHash> cells_;
 };
 
 }  // namespace clearcut::inline geometry

@@ -5,39 +5,24 @@
 #include <numeric>
 #include <queue>
 
+#include "base/disjoint_sets.h"
+#include "geometry/voronoi/index.h"
+
 namespace clearcut::inline geometry::voronoi {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// mm. Nodes nearer than this are one point of the axis.
 constexpr double kCoincident = 1e-6;
 /// Radians. Walls that meet at a smaller turn go on as one.
 constexpr double kSmoothTurn = 1e-3;
 
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[index(i)] != i) i = parent_[index(i)] = parent_[index(parent_[index(i)])];
-    return i;
-  }
-  /// `a` stays the representative.
-  void join(int a, int b) { parent_[index(find(b))] = find(a); }
-
- private:
-  std::vector<int> parent_;
-};
-
 class AxisMaker {
  public:
-  explicit AxisMaker(const Diagram& diagram) : d_(diagram), sets_(diagram.nodes.size()) {}
+  explicit AxisMaker(const Diagram& diagram) : d_(diagram), sets_(static_cast<int>(diagram.nodes.size())) {}
 
   Axis run() {
     for_each_stretch([this](int, int a, int b) {
-      if (inside(a) && inside(b) && norm(node(a).point - node(b).point) <= kCoincident) sets_.join(a, b);
+      if (inside(a) && inside(b) && norm(node(a).point - node(b).point) <= kCoincident) sets_.join(b, a);
     });
     mark_peaks();
     point_of_.assign(d_.nodes.size(), -1);
@@ -175,7 +160,7 @@ class PeakFinder {
       if (high == low) continue;
       if (clearance(high) < clearance(low)) std::swap(high, low);
       if (clearance(low) - clearance(p) > prominence_) peaks_.push_back(low);
-      sets_.join(high, low);
+      sets_.join(low, high);
     }
   }
 

@@ -6,16 +6,13 @@
 
 #include "geometry/voronoi/builder.h"
 #include "geometry/voronoi/exact_nodes.h"
+#include "geometry/voronoi/index.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {
 
 using BoostDiagram = boost::polygon::voronoi_diagram<double>;
 using boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Nodes nearer to the boundary than this many grid units have no trustworthy side; they count as on it.
 constexpr double kOnBoundaryUnits = 2;

@@ -5,12 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/voronoi/index.h"
+
 namespace clearcut::inline geometry::voronoi {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Grid units by which a node may be off.
 constexpr double kMostUnitsMoved = 20;

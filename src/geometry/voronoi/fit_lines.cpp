@@ -5,13 +5,10 @@
 #include <map>
 
 #include "base/units.h"
+#include "geometry/voronoi/index.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// mm. Curves that part by less are merged.
 constexpr double kSameCurve = 1e-6;

@@ -6,13 +6,10 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "geometry/voronoi/index.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 class Tracer {
  public:

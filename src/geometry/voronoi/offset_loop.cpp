@@ -14,7 +14,7 @@ double fast_norm(Vec2 a) {
 
 /// mm. Below this a turn of the boundary leaves no arc worth writing: the two offset curves meet in one
 /// point.
-constexpr double kSmooth = 2e-4;
+constexpr double kLeastArc = 2e-4;
 /// mm. Joints nearer than this are one.
 constexpr double kCoincident = 1e-7;
 /// mm. Ends this near to an offset curve are on it.
@@ -173,7 +173,7 @@ class Assembler {
 
   /// Whether a joint opens by less than an arc worth writing, or closes, by a small angle: rounding hides no
   /// wide one. (A turn by half a round is the tip of a wall of no thickness.)
-  bool is_closed(double wide) const { return wide <= kSmooth && wide > -d_ * kPi / 2; }
+  bool is_closed(double wide) const { return wide <= kLeastArc && wide > -d_ * kPi / 2; }
 
   /// Sites are rounded and may turn a vertex the wrong way: decided here by the exact tangents.
   void drop_false_vertices() {
@@ -205,7 +205,7 @@ class Assembler {
     const Element &a = before(i), &b = after(i);
     if (!are_neighbours(a, b)) return false;
     const double wide = opening(a.edge, b.edge);
-    return wide > kSmooth && wide < d_ * kPi / 2 && starts_beside_vertex(i);
+    return wide > kLeastArc && wide < d_ * kPi / 2 && starts_beside_vertex(i);
   }
 
   /// Whether the joint before piece i lies beside the common vertex and not where the two edges meet again.
@@ -238,7 +238,7 @@ class Assembler {
     const Element &a = before(i), &b = after(i);
     if (b.is_point() && !a.is_point() && a.edge.to == b.edge.from) return end_of(a, d_);
     if (a.is_point() && !b.is_point() && b.edge.from == a.edge.from) return start_of(b, d_);
-    if (are_neighbours(a, b) && std::abs(opening(a.edge, b.edge)) <= kSmooth && starts_beside_vertex(i)) {
+    if (are_neighbours(a, b) && std::abs(opening(a.edge, b.edge)) <= kLeastArc && starts_beside_vertex(i)) {
       return beside_vertex(a, b);
     }
     const auto met = meeting_near(offset_curve(a, d_), offset_curve(b, d_), here.guess, slack_);

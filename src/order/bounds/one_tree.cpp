@@ -12,7 +12,7 @@ namespace clearcut::order {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoEdge = std::numeric_limits<double>::infinity();
 
 using Penalties = std::vector<double>;
 
@@ -23,7 +23,7 @@ int special_node(const LengthModel& model) {
 
 /// The two cheapest edges at the special node.
 struct TwoEdges {
-  double cost[2] = {kInfinity, kInfinity};
+  double cost[2] = {kNoEdge, kNoEdge};
   int other[2] = {-1, -1};
   void offer(double c, int v) {
     if (c < cost[0]) {
@@ -86,7 +86,7 @@ SparseGraph sparse_graph(const LengthModel& model, std::span<const int> tour) {
 double sparse_tree(const SparseGraph& graph, const Penalties& penalty, int special,
                    std::vector<int>& degree) {
   const int n = static_cast<int>(penalty.size());
-  std::vector<double> key(static_cast<std::size_t>(n), kInfinity);
+  std::vector<double> key(static_cast<std::size_t>(n), kNoEdge);
   std::vector<int> parent(static_cast<std::size_t>(n), -1);
   std::vector<char> done(static_cast<std::size_t>(n), 0);
   using Entry = std::pair<double, int>;
@@ -119,7 +119,7 @@ Penalties ascend(const LengthModel& model, const SparseGraph& graph, int iterati
   const int n = model.size(), special = special_node(model);
   Penalties penalty(static_cast<std::size_t>(n), 0.0), best = penalty;
   std::vector<int> degree(static_cast<std::size_t>(n)), old_degree(static_cast<std::size_t>(n), 2);
-  double best_value = -kInfinity, first_step = 0;
+  double best_value = -kNoEdge, first_step = 0;
   for (int k = 0; k < iterations && !watch.over(); ++k) {
     std::fill(degree.begin(), degree.end(), 0);
     double value = sparse_tree(graph, penalty, special, degree);
@@ -160,7 +160,7 @@ class CompleteTree {
     owner_.resize(tree_.nodes().size());
     for (std::size_t i = tree_.nodes().size(); i-- > 0;) {
       const KdTree::Node& node = tree_.nodes()[i];
-      least_penalty_[i] = kInfinity;
+      least_penalty_[i] = kNoEdge;
       for (int j = node.first; node.left < 0 && j < node.last; ++j) {
         least_penalty_[i] = std::min(least_penalty_[i], penalty_[node_at(j)]);
       }
@@ -189,7 +189,7 @@ class CompleteTree {
 
  private:
   struct Way {
-    double cost = kInfinity;
+    double cost = kNoEdge;
     int from = -1, to = -1;
     /// Ties by index, so that rounds cannot close a circle.
     bool better_than(const Way& other) const {

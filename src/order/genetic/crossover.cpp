@@ -6,7 +6,7 @@ namespace clearcut::order {
 
 namespace {
 
-const NamedMakers<std::unique_ptr<Crossover> (*)(const Ground&)>& makers() {
+const NamedMakers<std::unique_ptr<Crossover> (*)(const Ground&)>& crossover_makers() {
   static const NamedMakers<std::unique_ptr<Crossover> (*)(const Ground&)> all{
       "crossover", {{"pmx", pmx}, {"ox", ox}, {"erx", erx}, {"cx", cx}, {"eax", eax}}};
   return all;
@@ -15,12 +15,12 @@ const NamedMakers<std::unique_ptr<Crossover> (*)(const Ground&)>& makers() {
 }  // namespace
 
 const std::vector<std::string>& crossover_names() {
-  static const std::vector<std::string> names = makers().names();
+  static const std::vector<std::string> names = crossover_makers().names();
   return names;
 }
 
 std::unique_ptr<Crossover> crossover_named(const std::string& name, const Ground& ground) {
-  return makers().at(name)(ground);
+  return crossover_makers().at(name)(ground);
 }
 
 }  // namespace clearcut::order

@@ -46,7 +46,7 @@ class Nearest final : public Mutation {
   const Ground& ground_;
 };
 
-const NamedMakers<std::unique_ptr<Mutation> (*)(const Ground&)>& makers() {
+const NamedMakers<std::unique_ptr<Mutation> (*)(const Ground&)>& mutation_makers() {
   static const NamedMakers<std::unique_ptr<Mutation> (*)(const Ground&)> all{
       "mutation",
       {{"exchange", exchange_mutation}, {"inversion", inversion_mutation}, {"nearest", nearest_mutation}}};
@@ -66,12 +66,12 @@ std::unique_ptr<Mutation> nearest_mutation(const Ground& ground) {
 }
 
 const std::vector<std::string>& mutation_names() {
-  static const std::vector<std::string> names = makers().names();
+  static const std::vector<std::string> names = mutation_makers().names();
   return names;
 }
 
 std::unique_ptr<Mutation> mutation_named(const std::string& name, const Ground& ground) {
-  return makers().at(name)(ground);
+  return mutation_makers().at(name)(ground);
 }
 
 }  // namespace clearcut::order

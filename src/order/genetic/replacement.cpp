@@ -72,7 +72,7 @@ class WholeGeneration final : public Replacement {
   std::vector<Individual> children_;
 };
 
-const NamedMakers<std::unique_ptr<Replacement> (*)()>& makers() {
+const NamedMakers<std::unique_ptr<Replacement> (*)()>& replacement_makers() {
   static const NamedMakers<std::unique_ptr<Replacement> (*)()> all{"replacement",
                                                                    {{"distinct", replace_distinct},
                                                                     {"worst", replace_worst},
@@ -97,12 +97,12 @@ std::unique_ptr<Replacement> replace_generation() {
 }
 
 const std::vector<std::string>& replacement_names() {
-  static const std::vector<std::string> names = makers().names();
+  static const std::vector<std::string> names = replacement_makers().names();
   return names;
 }
 
 std::unique_ptr<Replacement> replacement_named(const std::string& name) {
-  return makers().at(name)();
+  return replacement_makers().at(name)();
 }
 
 }  // namespace clearcut::order

@@ -75,7 +75,7 @@ class Truncation final : public Selection {
   double share_;
 };
 
-const NamedMakers<std::unique_ptr<Selection> (*)()>& makers() {
+const NamedMakers<std::unique_ptr<Selection> (*)()>& selection_makers() {
   static const NamedMakers<std::unique_ptr<Selection> (*)()> all{
       "selection",
       {{"random", random_selection},
@@ -105,12 +105,12 @@ std::unique_ptr<Selection> truncation_selection(double share) {
 }
 
 const std::vector<std::string>& selection_names() {
-  static const std::vector<std::string> names = makers().names();
+  static const std::vector<std::string> names = selection_makers().names();
   return names;
 }
 
 std::unique_ptr<Selection> selection_named(const std::string& name) {
-  return makers().at(name)();
+  return selection_makers().at(name)();
 }
 
 }  // namespace clearcut::order

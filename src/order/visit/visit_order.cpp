@@ -9,7 +9,7 @@
 namespace clearcut::order {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNotReached = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostExact = 9;
 /// Of the table of sets and ways; beyond it even few visits are improved only.
 constexpr std::size_t kMostEntries = 60000;
@@ -102,9 +102,9 @@ class Costs {
 };
 
 /// What has to come before and after each visit.
-class Precedence {
+class VisitPrecedence {
  public:
-  explicit Precedence(const VisitQuestion& question)
+  explicit VisitPrecedence(const VisitQuestion& question)
       : before_(question.visits.size()), after_(question.visits.size()) {
     for (const auto& [first, second] : question.precedence) add(first, second);
     for (std::size_t v = 1; question.fixed_first && v < before_.size(); ++v) add(0, v);
@@ -133,13 +133,13 @@ std::vector<VisitStep> steps_of(const States& states, const Costs& costs) {
 }
 
 /// Held and Karp's dynamic programme over sets of visits.
-States exact_order(Costs& costs, const Precedence& precedence) {
+States exact_order(Costs& costs, const VisitPrecedence& precedence) {
   const std::size_t n = costs.visits(), states = costs.states(), sets = std::size_t{1} << n;
   std::vector<std::size_t> needed(n, 0);
   for (std::size_t v = 0; v < n; ++v) {
     for (const std::size_t b : precedence.before(v)) needed[v] |= std::size_t{1} << b;
   }
-  std::vector<double> best(sets * states, kInfinity);
+  std::vector<double> best(sets * states, kNotReached);
   std::vector<std::size_t> came_from(sets * states, states);
   for (std::size_t s = 0; s < states; ++s) {
     const std::size_t visit = costs.step(s).visit;
@@ -148,7 +148,7 @@ States exact_order(Costs& costs, const Precedence& precedence) {
   for (std::size_t set = 1; set < sets; ++set) {
     for (std::size_t s = 0; s < states; ++s) {
       const double so_far = best[set * states + s];
-      if (so_far == kInfinity) continue;
+      if (so_far == kNotReached) continue;
       for (std::size_t next = 0; next < states; ++next) {
         const std::size_t visit = costs.step(next).visit, bit = std::size_t{1} << visit;
         if ((set & bit) || (needed[visit] & ~set)) continue;
@@ -176,20 +176,20 @@ States exact_order(Costs& costs, const Precedence& precedence) {
 }
 
 struct Choice {
-  double cost = kInfinity;
+  double cost = kNotReached;
   States states;
 };
 
 /// The best ways for a given order of visits.
 Choice best_ways(const Order& order, Costs& costs) {
-  std::vector<double> cost(costs.states(), kInfinity);
+  std::vector<double> cost(costs.states(), kNotReached);
   std::vector<std::size_t> from(costs.states(), costs.states());
   const auto each_way = [&](std::size_t visit, const auto& work) {
     for (std::size_t s = costs.first(visit); s < costs.first(visit) + costs.ways(visit); ++s) work(s);
   };
   for (std::size_t i = 0; i < order.size(); ++i) {
     each_way(order[i], [&](std::size_t s) {
-      double best = i == 0 ? 0 : kInfinity;
+      double best = i == 0 ? 0 : kNotReached;
       if (i > 0) {
         each_way(order[i - 1], [&](std::size_t u) {
           const double c = cost[u] + costs.travel(u, s);
@@ -213,7 +213,7 @@ Choice best_ways(const Order& order, Costs& costs) {
   return result;
 }
 
-Order nearest_first(Costs& costs, const Precedence& precedence) {
+Order nearest_first(Costs& costs, const VisitPrecedence& precedence) {
   const std::size_t n = costs.visits();
   std::vector<std::size_t> waiting(n);
   for (std::size_t v = 0; v < n; ++v) waiting[v] = precedence.before(v).size();
@@ -233,7 +233,7 @@ Order nearest_first(Costs& costs, const Precedence& precedence) {
   take(costs.first(first));
   while (order.size() < n) {
     std::size_t best = 0;
-    double best_cost = kInfinity;
+    double best_cost = kNotReached;
     for (std::size_t s = 0; s < costs.states(); ++s) {
       const std::size_t visit = costs.step(s).visit;
       if (done[visit] || waiting[visit] > 0) continue;
@@ -242,7 +242,7 @@ Order nearest_first(Costs& costs, const Precedence& precedence) {
       best_cost = cost;
       best = s;
     }
-    CLEARCUT_ASSERT(best_cost < kInfinity);
+    CLEARCUT_ASSERT(best_cost < kNotReached);
     take(best);
   }
   return order;
@@ -260,7 +260,7 @@ Order moved(const Order& order, std::size_t from, std::size_t count, std::size_t
 /// Looks for better orders near one that it keeps. Places are those of visits in the order.
 class Improver {
  public:
-  Improver(Costs& costs, const Precedence& precedence, Order order)
+  Improver(Costs& costs, const VisitPrecedence& precedence, Order order)
       : costs_(costs), precedence_(precedence), order_(std::move(order)), best_(best_ways(order_, costs)) {}
 
   States improved() {
@@ -364,7 +364,7 @@ class Improver {
   }
 
   Costs& costs_;
-  const Precedence& precedence_;
+  const VisitPrecedence& precedence_;
   Order order_;
   Choice best_;
   std::vector<std::size_t> place_;
@@ -380,7 +380,7 @@ bool few_enough(const Costs& costs) {
 std::vector<VisitStep> order_visits(const VisitQuestion& question) {
   if (question.visits.empty()) return {};
   Costs costs(question);
-  const Precedence precedence(question);
+  const VisitPrecedence precedence(question);
   if (few_enough(costs)) return steps_of(exact_order(costs, precedence), costs);
   Order order(costs.visits());
   std::iota(order.begin(), order.end(), 0u);

@@ -6,6 +6,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/rectangle.h"
 #include "link/tracks/tracks.h"
 #include "pipeline/certify.h"
 #include "plan/carve/carve.h"
@@ -21,11 +22,6 @@ constexpr double kCusp = 0.03;
 constexpr double kChords = 0.0004;
 /// mm. What offsets and booleans take of the distance from a wall.
 constexpr double kOffsets = 0.001;
-
-Loop corners_of(const Box& box) {
-  const Vec2 points[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(points);
-}
 
 /// What the mills of earlier steps clear of the floor of a V-carving.
 Regions cleared_before(int workingstep, const Region& region, const ResolvedPlan& plan) {
@@ -61,7 +57,7 @@ std::vector<plan::carve::StandingUpTo> standing_above(const Feature& feature, co
     Regions free;
     if (part.stock) {
       const Box& block = part.stock->plan;
-      free = {Region::from_valid_loops(corners_of(block.grown(kOpenReach)), {corners_of(block)})};
+      free = {frame_around(block, kOpenReach)};
     }
     for (const Feature& other : part.features) {
       if (other.floor_z < z && !other.allowed.empty())

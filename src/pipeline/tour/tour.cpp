@@ -12,6 +12,7 @@
 #include "base/progress.h"
 #include "base/text/format.h"
 #include "geometry/box.h"
+#include "geometry/rectangle.h"
 #include "order/lattice.h"
 #include "order/near/neighbours.h"
 #include "order/tsplib.h"
@@ -99,8 +100,7 @@ EngagementTask engagement_task(const order::Problem& problem, const TourOptions&
                     trimmed(2 * task.radius, 4), trimmed(std::max(block.width(), block.height()), 3),
                     trimmed(2 * std::max(block.width(), block.height()) / kMostRadii, 4)));
   }
-  const Vec2 corners[] = {block.min, {block.max.x, block.min.y}, block.max, {block.min.x, block.max.y}};
-  task.target = {Region::from_valid_loops(loop_from_points(corners), {})};
+  task.target = {rectangular_region(block)};
   return task;
 }
 

@@ -15,8 +15,8 @@ namespace clearcut::pipeline {
 namespace {
 
 /// Seconds of one core for a population, and rounds, where nobody says how long to search.
-constexpr double kEffort = 0.1, kBriefEffort = 0.02;
-constexpr long long kRounds = 2;
+constexpr double kTourEffort = 0.1, kBriefEffort = 0.02;
+constexpr long long kTourRounds = 2;
 /// Tour 4.3.3: "1000 generations without any improvement".
 constexpr long long kPublishedPatience = 1000;
 /// Fewer points make no population.
@@ -169,9 +169,9 @@ plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep&
     order::SolveOptions solve;
     solve.seed = search.seed;
     solve.threads = search.threads;
-    solve.stop.effort = search.seconds.value_or(briefly ? kBriefEffort : kEffort);
+    solve.stop.effort = search.seconds.value_or(briefly ? kBriefEffort : kTourEffort);
     solve.stop.seconds = search.seconds.value_or(std::numeric_limits<double>::infinity());
-    if (!search.seconds) solve.stop.rounds = kRounds;
+    if (!search.seconds) solve.stop.rounds = kTourRounds;
     std::atomic<bool> stop = false;
     const std::stop_callback on_cancel(search.cancel, [&stop] { stop = true; });
     solve.stop.cancel = &stop;

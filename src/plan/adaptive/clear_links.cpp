@@ -10,9 +10,9 @@ namespace {
 
 /// Number of axis points near each end of a link that are tried as the first and last of its path.
 constexpr int kMostAccessNodes = 3;
-constexpr double kInfinity = 1e300;
+constexpr double kNoLink = 1e300;
 /// Number of bisections that move a corner of a link towards the straight line past it.
-constexpr int kHalvings = 4;
+constexpr int kCornerHalvings = 4;
 
 /// Bulges of arcs that are tried, and number of bisections towards a flatter one.
 constexpr double kBulges[] = {0.2, 0.5, 0.9};
@@ -116,7 +116,7 @@ void ClearLinks::straighten(std::vector<Vec2>& link, Vec2 from, const RemainingS
     const Vec2 before = i == 0 ? from : link[i - 1], after = link[i + 1];
     const Vec2 straight = nearest(Edge::line(before, after), link[i]).point;
     double good = 1, bad = 0;
-    for (int k = 0; k < kHalvings; ++k) {
+    for (int k = 0; k < kCornerHalvings; ++k) {
       const double share = (good + bad) / 2;
       const Vec2 corner = lerp(straight, link[i], share);
       const bool free =
@@ -161,7 +161,7 @@ std::vector<Vec2> ClearLinks::shortest(const std::vector<int>& sources, const st
                                        Vec2 from, Vec2 to, const RemainingStock& remaining,
                                        double residual) const {
   const auto at = [&](int node) { return nodes_[static_cast<std::size_t>(node)]; };
-  std::vector<double> cost(nodes_.size(), kInfinity);
+  std::vector<double> cost(nodes_.size(), kNoLink);
   std::vector<int> before(nodes_.size(), -1);
   using Item = std::pair<double, int>;
   std::priority_queue<Item, std::vector<Item>, std::greater<>> open;
@@ -170,7 +170,7 @@ std::vector<Vec2> ClearLinks::shortest(const std::vector<int>& sources, const st
     open.push({cost[static_cast<std::size_t>(node)], node});
   }
   int end = -1;
-  double best = kInfinity;
+  double best = kNoLink;
   while (!open.empty() && open.top().first < best) {
     const auto [spent, node] = open.top();
     open.pop();

@@ -7,7 +7,7 @@ namespace clearcut::plan::adaptive {
 namespace {
 
 constexpr double kMostCells = 3e7;
-constexpr double kInfinity = 1e300;
+constexpr double kFar = 1e300;
 constexpr int kWord = 64;
 /// mm, against rounding: a cell is marked only if the cut reaches this far beyond it, and asked for if the
 /// disc comes this near.
@@ -154,7 +154,7 @@ void ClearedCells::mark_line(const Edge& line, double radius) const {
                             {-aside, -dot(aside, line.from) + radius}};
   const Box reach = line.box().grown(radius);
   for_rows(reach.min.y, reach.max.y, [&](long row, double low, double high) {
-    Span span{-kInfinity, kInfinity};
+    Span span{-kFar, kFar};
     for (const Border& border : borders) clip(span, border, low, high);
     if (span.from < span.to) mark_span(row, span);
   });

@@ -12,7 +12,7 @@ namespace clearcut::plan::adaptive {
 namespace {
 
 /// mm. Moves shorter than this are left out.
-constexpr double kShortest = 1e-6;
+constexpr double kShortestKept = 1e-6;
 /// mm. Two moves are joined if one move stays this near to both.
 constexpr double kSame = 1e-4;
 /// Share of the tool radius: the same where no wall is near.
@@ -34,7 +34,7 @@ void ClearingPath::open(const Disc& disc, double entry_radius, double engagement
   const bool in_hole = within > kLeastHole * tool;
   const double first = std::min({entry_radius, disc.radius - tool, in_hole ? within : entry_radius});
   at_ = disc.center + Vec2{first, 0};
-  if (first <= kShortest) return;
+  if (first <= kShortestKept) return;
   spiral_ = {first, first};
   pass_.starts_clear = in_hole;
   if (!in_hole) pass_.entry_center = disc.center;
@@ -115,7 +115,7 @@ void ClearingPath::cut_arc(Vec2 center, Vec2 to) {
 }
 
 void ClearingPath::append_link(const LinkMove& move) {
-  if (distance(at_, move.to) < kShortest) return;
+  if (distance(at_, move.to) < kShortestKept) return;
   pass_.path.push_back(move.edge(at_));
   pass_.kinds.push_back(MoveKind::kLink);
   at_ = move.to;

@@ -12,7 +12,7 @@ namespace {
 /// mm. Points of the axis' curves lie no farther from it.
 constexpr double kChord = 0.0002;
 /// mm. Stretches of a ring that are looked at as one: whether a mill has cleared them.
-constexpr double kPiece = 0.1;
+constexpr double kRingPiece = 0.1;
 /// mm. Of what a mill clears, the rim is cut again.
 constexpr double kRim = 0.02;
 
@@ -136,7 +136,7 @@ class RegionCarver {
     Track run;
     bool whole = true;
     for (const Edge& edge : loop) {
-      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.length() / kPiece)));
+      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.length() / kRingPiece)));
       for (int i = 0; i < pieces; ++i) {
         const double a = static_cast<double>(i) / pieces, b = (i + 1.0) / pieces;
         if (is_cleared(edge.at((a + b) / 2))) {
@@ -156,7 +156,7 @@ class RegionCarver {
     Chain run;
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
       const double length = distance(chain[i].point, chain[i + 1].point);
-      const int pieces = std::max(1, static_cast<int>(std::ceil(length / kPiece)));
+      const int pieces = std::max(1, static_cast<int>(std::ceil(length / kRingPiece)));
       for (int k = 0; k < pieces; ++k) {
         const AxisPoint a = part_way(chain[i], chain[i + 1], static_cast<double>(k) / pieces);
         const AxisPoint b = part_way(chain[i], chain[i + 1], (k + 1.0) / pieces);

@@ -14,9 +14,9 @@ namespace clearcut::plan::contour {
 namespace {
 
 /// Corners whose angles differ by less, radians, are equally sharp: the first of them leads on.
-constexpr double kSameAngle = 1e-6;
+constexpr double kEquallySharp = 1e-6;
 /// Interior angles outside of these limits, radians, are no corners of a contour: tips of loops, and smooth joints.
-constexpr double kSharpest = 0.01, kSmooth = kPi - 1e-6;
+constexpr double kSharpest = 0.01, kBluntest = kPi - 1e-6;
 /// mm. Ends of passages that are nearer than this are the same.
 constexpr double kSamePlace = 1e-6;
 
@@ -46,10 +46,10 @@ double angle_before(const Path& ring, std::size_t edge) {
 /// The corner with the smallest interior angle; where the ring begins if it has none.
 Place sharpest_corner(const Path& ring) {
   std::size_t best = 0;
-  double least = kSmooth;
+  double least = kBluntest;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const double angle = angle_before(ring, i);
-    if (angle < kSharpest || angle > least - kSameAngle) continue;
+    if (angle < kSharpest || angle > least - kEquallySharp) continue;
     least = angle;
     best = i;
   }

@@ -8,7 +8,7 @@
 namespace clearcut::plan::grid {
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kSquareRounding = 1e-9;
 
 double squared(double v) {
   return v * v;
@@ -33,7 +33,7 @@ std::optional<std::size_t> at_periphery(const std::vector<Square>& squares, std:
   std::optional<std::size_t> best;
   for (std::size_t i = low + 1; i < high; ++i) {
     const double d = apart(squares[corner], squares[i]);
-    if (d < radius - kRounding) continue;
+    if (d < radius - kSquareRounding) continue;
     if (!best || d < apart(squares[corner], squares[*best])) best = i;
   }
   return best;
@@ -56,7 +56,7 @@ class Kept {
       for (auto it = squares_.lower_bound({row, s.column - reach_});
            it != squares_.end() && it->first == row && it->second <= s.column + reach_; ++it) {
         const double d2 = squared(row - s.row) + squared(it->second - s.column);
-        if (d2 < squared(radius_) - kRounding) return true;
+        if (d2 < squared(radius_) - kSquareRounding) return true;
       }
     }
     return false;
@@ -103,7 +103,7 @@ Places reduce_curve(const std::vector<Square>& squares, double radius) {
 }
 
 int edge_step(double radius) {
-  return std::max(1, static_cast<int>(std::ceil(radius - kRounding)));
+  return std::max(1, static_cast<int>(std::ceil(radius - kSquareRounding)));
 }
 
 std::vector<int> kept_rows(int low, int high, int step, MiddleRow rule) {

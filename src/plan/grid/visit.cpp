@@ -13,7 +13,7 @@
 namespace clearcut::plan::grid {
 namespace {
 
-constexpr double kRounding = 1e-9;  // mm
+constexpr double kVisitRounding = 1e-9;  // mm
 
 /// The squares of one element, which of them are kept by the reduction, and the point where the tool goes for
 /// each.
@@ -56,7 +56,7 @@ Discrete discrete_area(const DesignElement& element, double tool_radius, const S
     const Vec2 p = result.at[i];
     const double away =
         element.from == to ? distance(element.from, p) : distance(Edge::line(element.from, to), p);
-    if (away > room + kRounding) continue;
+    if (away > room + kVisitRounding) continue;
     legal.push_back(i);
     legal_squares.push_back(result.squares[i]);
   }
@@ -91,7 +91,7 @@ Discrete discrete_of(const DesignElement& element, const ElementJob& job, const 
   }
   Discrete result = discrete_area(element, radius, grid);
   const bool any = std::find(result.reduced.begin(), result.reduced.end(), true) != result.reduced.end();
-  const bool wider = element.width > 2 * radius + kRounding;
+  const bool wider = element.width > 2 * radius + kVisitRounding;
   return any && wider ? result : discrete_axis(element, radius, grid);
 }
 
@@ -106,7 +106,7 @@ Path path_through(const std::vector<Vec2>& points, const std::optional<Edge>& co
   Path path;
   Vec2 at = points.front();
   for (const Vec2 p : points) {
-    if (distance(at, p) < kRounding) continue;
+    if (distance(at, p) < kVisitRounding) continue;
     path.push_back(step_between(at, p, core));
     at = p;
   }

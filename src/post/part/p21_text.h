@@ -9,6 +9,9 @@
 
 namespace clearcut::post {
 
+/// Stands for an attribute without a value.
+inline const std::string kUnset = "$";
+
 /// Shortest text that reads back to the same double, with the point that a real needs: "5.0", "1.5E-7".
 /// Throws InputError for what is not finite.
 std::string p21_real(double value);

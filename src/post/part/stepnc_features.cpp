@@ -10,7 +10,6 @@ namespace clearcut::post {
 namespace {
 
 constexpr double kSame = 1e-6;  // mm; vertices nearer than this to the stock's edge lie on it
-const std::string kUnset = "$";
 
 bool near(double a, double b) {
   return std::abs(a - b) <= kSame;

@@ -10,7 +10,6 @@ namespace clearcut::post {
 
 namespace {
 
-const std::string kUnset = "$";
 constexpr double kMmPerMinPerMPerS = 60000;
 
 std::string optional_real(std::optional<double> value) {

@@ -8,7 +8,7 @@
 namespace clearcut::read {
 namespace {
 
-constexpr int kDeepest = 14;
+constexpr int kMostHalvings = 14;
 constexpr int kSamples = 7;
 /// Part of the tolerance that the samples may use: what is left covers the places between them.
 constexpr double kBetweenSamples = 0.9;
@@ -71,7 +71,7 @@ class Fitter {
       push(second);
       return;
     }
-    if (depth >= kDeepest) return push(Edge::line(p0, p1));
+    if (depth >= kMostHalvings) return push(Edge::line(p0, p1));
     const double middle = (t0 + t1) / 2;
     fit(t0, middle, depth + 1);
     fit(middle, t1, depth + 1);

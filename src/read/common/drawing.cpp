@@ -9,13 +9,13 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/rectangle.h"
 #include "read/common/holes/drawn_holes.h"
 #include "read/common/outline_roles.h"
 #include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/repair/crossings/nesting.h"
 #include "read/repair/mends.h"
-#include "read/step_solid/face_curves.h"
 #include "stock/kerf.h"
 #include "stock/stacking.h"
 
@@ -185,7 +185,7 @@ Feature face_of(const DrawnGroup& group, const Region& region, double depth, con
   Feature feature = blank_feature(group, depth, options);
   feature.kind = FeatureKind::kPlanarFace;
   feature.target = {Region::from_valid_loops(region.outer(), {})};
-  feature.allowed = {Region::from_valid_loops(box_loop(region.box().grown(kOpenReach)), {})};
+  feature.allowed = {rectangular_region(region.box().grown(kOpenReach))};
   return feature;
 }
 

@@ -8,7 +8,7 @@
 namespace clearcut::read {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestValue = 64;
 
 /// Where the parser stands in the text. The parser looks one character ahead after a number, so the line is
 /// that of the last character that is not white space.
@@ -130,7 +130,7 @@ class Builder {
     return true;
   }
   bool open(DataValue::Kind kind) {
-    if (open_.size() >= kDeepest) fail("nested deeper than 64 levels; this is not an outline");
+    if (open_.size() >= kDeepestValue) fail("nested deeper than 64 levels; this is not an outline");
     DataValue made;
     made.kind = kind;
     made.line = position_.line;

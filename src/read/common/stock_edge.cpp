@@ -1,7 +1,7 @@
 #include "read/common/stock_edge.h"
 
 #include "geometry/boolean.h"
-#include "read/step_solid/face_curves.h"
+#include "geometry/rectangle.h"
 
 namespace clearcut::read {
 namespace {
@@ -22,8 +22,8 @@ bool is_walled(const Feature& feature) {
 void open_at_stock_edge(Part& part, const Tolerances& tol) {
   if (!part.stock) return;
   const Box& plan = part.stock->plan;
-  const Region stock = Region::from_valid_loops(box_loop(plan), {});
-  const Region beside = Region::from_valid_loops(box_loop(plan.grown(kOpenReach)), {box_loop(plan)});
+  const Region stock = rectangular_region(plan);
+  const Region beside = frame_around(plan, kOpenReach);
   for (Feature& feature : part.features) {
     const bool is_area = !feature.profile && !feature.chamfer && !feature.hole_diameter && is_walled(feature);
     if (!is_area || !reaches_edge(feature, plan, tol)) continue;

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/inch.h"
 #include "read/common/text.h"
 
 namespace clearcut::read {
 namespace {
 
-constexpr double kInch = 25.4;
 constexpr std::array<std::pair<std::string_view, double>, 16> kUnits{{
     {"mm", 1},
     {"millimeter", 1},
@@ -17,15 +17,15 @@ constexpr std::array<std::pair<std::string_view, double>, 16> kUnits{{
     {"cm", 10},
     {"m", 1000},
     {"um", 0.001},
-    {"in", kInch},
-    {"inch", kInch},
-    {"inches", kInch},
-    {"ft", 12 * kInch},
-    {"mil", kInch / 1000},
-    {"thou", kInch / 1000},
-    {"pt", kInch / 72},
-    {"pc", kInch / 6},
-    {"px", kInch / 96},
+    {"in", kMmPerInch},
+    {"inch", kMmPerInch},
+    {"inches", kMmPerInch},
+    {"ft", 12 * kMmPerInch},
+    {"mil", kMmPerInch / 1000},
+    {"thou", kMmPerInch / 1000},
+    {"pt", kMmPerInch / 72},
+    {"pc", kMmPerInch / 6},
+    {"px", kMmPerInch / 96},
     {"q", 0.25},
 }};
 

@@ -4,17 +4,11 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text/stripped.h"
 #include "read/common/text.h"
 
 namespace clearcut::read {
 namespace {
-
-std::string_view stripped(std::string_view text) {
-  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 /// Takes groups off the text one by one.
 class Groups {

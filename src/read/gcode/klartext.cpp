@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/inch.h"
 #include "base/text/format.h"
 #include "read/gcode/marker.h"
 #include "read/gcode/motion/arc.h"
@@ -17,7 +18,6 @@ namespace clearcut::read::gcode {
 
 namespace {
 
-constexpr double kMmPerInch = 25.4;
 constexpr double kLargestNumber = 1e6;
 constexpr double kMostTurns = 10000;
 

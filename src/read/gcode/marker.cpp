@@ -3,6 +3,7 @@
 #include <charconv>
 #include <string>
 
+#include "base/text/stripped.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

@@ -15,7 +15,7 @@ namespace clearcut::read {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr std::size_t kLargestFile = std::size_t{16} << 20;
+constexpr std::size_t kLargestJob = std::size_t{16} << 20;
 
 fs::path beside(const std::string& job_file, const std::string& name) {
   return fs::path(job_file).parent_path() / name;
@@ -323,7 +323,7 @@ JobFile read_job_text(std::string_view text, const std::string& file_name) {
 }
 
 JobFile read_job(const std::filesystem::path& file) {
-  return read_job_text(read_file(file.string(), kLargestFile), file.string());
+  return read_job_text(read_file(file.string(), kLargestJob), file.string());
 }
 
 }  // namespace clearcut::read

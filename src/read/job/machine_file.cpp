@@ -7,7 +7,7 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{1} << 20;
+constexpr std::size_t kLargestMachineFile = std::size_t{1} << 20;
 
 std::array<std::array<double, 2>, 3> travel_of(DataSection section) {
   std::array<std::array<double, 2>, 3> travel{};
@@ -83,7 +83,7 @@ Sources machine_sources_of(const DataValue& table, const std::string& file_name,
 }
 
 Sources machine_sources(const std::filesystem::path& file) {
-  const std::string text = read_file(file.string(), kLargestFile);
+  const std::string text = read_file(file.string(), kLargestMachineFile);
   return machine_sources_of(parse_toml(text, file.string()), file.string(), Origin::kMachineFile);
 }
 
@@ -93,7 +93,7 @@ Machine read_machine_text(std::string_view text, const std::string& file_name) {
 }
 
 Machine read_machine(const std::filesystem::path& file) {
-  return read_machine_text(read_file(file.string(), kLargestFile), file.string());
+  return read_machine_text(read_file(file.string(), kLargestMachineFile), file.string());
 }
 
 }  // namespace clearcut::read

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/spatial/cell_grid.h"
 #include "read/repair/clean.h"
 #include "read/repair/crossings/edge_index.h"
 #include "read/repair/mends.h"
-#include "read/repair/near_grid.h"
 
 namespace clearcut::read {
 namespace {
@@ -97,8 +97,8 @@ class OverlapRound {
   bool run() {
     looks_ -= static_cast<long long>(edges_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      ends_.add(at(i).from, static_cast<int>(2 * i));
-      ends_.add(at(i).to, static_cast<int>(2 * i + 1));
+      ends_.add(at(i).from, static_cast<std::uint32_t>(2 * i));
+      ends_.add(at(i).to, static_cast<std::uint32_t>(2 * i + 1));
     }
     const std::vector<Loop> loops = edges_as_loops(edges_);
     const EdgeIndex index(loops);
@@ -122,10 +122,10 @@ class OverlapRound {
 
   bool dangles(Vec2 end) const {
     int count = 0;
-    ends_.for_near(end, [&](int other) {
-      const Edge& edge = at(static_cast<std::size_t>(other / 2));
+    for (const std::uint32_t other : ends_.near(end)) {
+      const Edge& edge = at(other / 2);
       count += distance(other % 2 == 0 ? edge.from : edge.to, end) <= gap_ ? 1 : 0;
-    });
+    }
     return count % 2 == 1;
   }
 
@@ -174,7 +174,7 @@ class OverlapRound {
   double gap_;
   Mends& mends_;
   long long& looks_;
-  NearGrid ends_;
+  BoxIndex ends_;
   std::vector<bool> used_;
   std::vector<std::size_t> dropped_;
   std::vector<std::pair<std::size_t, Edge>> replaced_;
@@ -201,22 +201,21 @@ std::optional<std::vector<RawCurve>> without_overlaps(const std::vector<RawCurve
 std::vector<RawCurve> without_double_curves(std::vector<RawCurve> curves, double gap,
                                             const std::string& where, Diagnostics& diagnostics) {
   Mends doubles("a curve drawn twice counts once: length");
-  NearGrid grid(gap);
+  BoxIndex index(gap);
   std::vector<RawCurve> kept;
   for (RawCurve& curve : curves) {
     const Edge& edge = curve.edges.front();
     const bool single = curve.edges.size() == 1 && edge.length() > 3 * gap;
     bool doubled = false;
     if (single) {
-      grid.for_near(edge.at(0.5), [&](int i) {
-        doubled = doubled || same_edge(edge, kept[static_cast<std::size_t>(i)].edges.front(), gap);
-      });
+      for (const std::uint32_t i : index.near(edge.at(0.5)))
+        doubled = doubled || same_edge(edge, kept[i].edges.front(), gap);
     }
     if (doubled) {
       doubles.add(edge.from, edge.length());
       continue;
     }
-    if (single) grid.add(edge.at(0.5), static_cast<int>(kept.size()));
+    if (single) index.add(edge.at(0.5), static_cast<std::uint32_t>(kept.size()));
     kept.push_back(std::move(curve));
   }
   doubles.report(where, diagnostics);
@@ -226,19 +225,18 @@ std::vector<RawCurve> without_double_curves(std::vector<RawCurve> curves, double
 std::vector<RawLoop> without_double_loops(std::vector<RawLoop> loops, double gap, const std::string& where,
                                           Diagnostics& diagnostics) {
   Mends doubles("an outline drawn twice counts once: length");
-  NearGrid grid(2 * gap);
+  BoxIndex index(2 * gap);
   std::vector<RawLoop> kept;
   for (RawLoop& raw : loops) {
     const Vec2 corner = box(raw.loop).min;
     bool doubled = false;
-    grid.for_near(corner, [&](int i) {
-      doubled = doubled || same_loop(raw.loop, kept[static_cast<std::size_t>(i)].loop, gap);
-    });
+    for (const std::uint32_t i : index.near(corner))
+      doubled = doubled || same_loop(raw.loop, kept[i].loop, gap);
     if (doubled) {
       doubles.add(raw.loop.front().from, length(raw.loop));
       continue;
     }
-    grid.add(corner, static_cast<int>(kept.size()));
+    index.add(corner, static_cast<std::uint32_t>(kept.size()));
     kept.push_back(std::move(raw));
   }
   doubles.report(where, diagnostics);

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geometry/spatial/cell_grid.h"
 #include "read/repair/clean.h"
 #include "read/repair/duplicates.h"
 #include "read/repair/mends.h"
-#include "read/repair/near_grid.h"
 
 namespace clearcut::read {
 namespace {
@@ -46,14 +46,15 @@ class Matching {
         gap_(gap),
         where_(where),
         mate_(static_cast<std::size_t>(ends.count()), kUnmatched),
-        grid_(gap) {}
+        index_(gap) {}
 
   std::vector<int> run() {
-    for (int end = 0; end < ends_.count(); ++end) grid_.add(ends_.at(end), end);
-    const auto* fullest = grid_.fullest();
-    if (fullest && fullest->size() > kMostEndsInAPlace) {
+    for (int end = 0; end < ends_.count(); ++end) index_.add(ends_.at(end), static_cast<std::uint32_t>(end));
+    const auto fullest = index_.fullest();
+    if (fullest.size() > kMostEndsInAPlace) {
       throw InputError(where_, "more than " + std::to_string(kMostEndsInAPlace) + " curve ends meet at " +
-                                   place_text(ends_.at(fullest->front())) + "; this is not an outline");
+                                   place_text(ends_.at(static_cast<int>(fullest.front()))) +
+                                   "; this is not an outline");
     }
     pair_coincident();
     pair_nearest();
@@ -75,11 +76,10 @@ class Matching {
     for (int end = 0; end < ends_.count(); ++end) {
       if (seen[static_cast<std::size_t>(end)]) continue;
       std::vector<int> together;
-      grid_.for_near(ends_.at(end), [&](int other) {
-        if (seen[static_cast<std::size_t>(other)] || distance(ends_.at(end), ends_.at(other)) > kSamePoint)
-          return;
-        together.push_back(other);
-      });
+      for (const std::uint32_t near : index_.near(ends_.at(end))) {
+        const int other = static_cast<int>(near);
+        if (!seen[near] && distance(ends_.at(end), ends_.at(other)) <= kSamePoint) together.push_back(other);
+      }
       for (const int one : together) seen[static_cast<std::size_t>(one)] = true;
       pair_around(together);
     }
@@ -100,10 +100,11 @@ class Matching {
     std::vector<Pair> pairs;
     for (int a = 0; a < ends_.count(); ++a) {
       if (mate(a) != kUnmatched) continue;
-      grid_.for_near(ends_.at(a), [&](int b) {
+      for (const std::uint32_t near : index_.near(ends_.at(a))) {
+        const int b = static_cast<int>(near);
         const double gap = distance(ends_.at(a), ends_.at(b));
         if (b > a && mate(b) == kUnmatched && gap <= gap_ && may_meet(a, b)) pairs.push_back({gap, a, b});
-      });
+      }
     }
     std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) {
       return std::tie(p.gap, p.a, p.b) < std::tie(q.gap, q.a, q.b);
@@ -118,7 +119,7 @@ class Matching {
   const double gap_;
   const std::string& where_;
   std::vector<int> mate_;
-  NearGrid grid_;
+  BoxIndex index_;
 };
 
 class Joiner {

@@ -66,9 +66,4 @@ std::vector<RawCurve> chained(const std::vector<Path>& curves, const std::string
   return loops;
 }
 
-Loop box_loop(const Box& box) {
-  const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(corners);
-}
-
 }  // namespace clearcut::read

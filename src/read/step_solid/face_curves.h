@@ -19,7 +19,4 @@ std::vector<std::size_t> unpaired(const std::vector<const Path*>& curves);
 /// Joins curves end to start into closed ones as far as they go; the repair sees to the rest. O(n log n).
 std::vector<RawCurve> chained(const std::vector<Path>& curves, const std::string& source);
 
-/// A box as a counter-clockwise loop.
-Loop box_loop(const Box& box);
-
 }  // namespace clearcut::read

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
+#include "geometry/rectangle.h"
 #include "geometry/unite_all.h"
 #include "read/repair/repair.h"
 #include "read/step_solid/face_curves.h"
@@ -92,7 +93,7 @@ Regions FloorSweep::exact_free(double z) const {
   std::vector<Path> paths;
   for (const Curve& curve : boundary_) paths.push_back(*curve.path);
   std::vector<RawCurve> loops = chained(paths, "the solid");
-  loops.push_back({box_loop(map_.reach()), true, "the surroundings"});
+  loops.push_back({rectangle(map_.reach()), true, "the surroundings"});
   RepairOptions how;
   how.tol = tol_;
   how.where = "the solid at z " + std::to_string(z);
@@ -113,7 +114,7 @@ Regions FloorSweep::overlaid_free() {
   if (!fresh.empty())
     standing_ =
         united(std::move(standing_), united_cells(map_.cells(), fresh.begin(), fresh.end(), tol_), tol_);
-  const Regions around{Region::from_valid_loops(box_loop(map_.reach()), {})};
+  const Regions around{rectangular_region(map_.reach())};
   return standing_.empty() ? around : subtract(around, standing_, tol_);
 }
 

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/rectangle.h"
+#include "geometry/spatial/cell_grid.h"
 #include "model/part.h"
-#include "read/repair/near_grid.h"
 #include "read/repair/repair.h"
 #include "read/step_solid/face_curves.h"
 
@@ -16,18 +17,16 @@ namespace {
 class Places {
  public:
   Vec2 of(Vec2 p) {
-    int found = -1;
-    grid_.for_near(p, [&](int i) {
-      if (found < 0 && distance(points_[static_cast<std::size_t>(i)], p) < kSamePlace) found = i;
-    });
-    if (found >= 0) return points_[static_cast<std::size_t>(found)];
-    grid_.add(p, static_cast<int>(points_.size()));
+    for (const std::uint32_t i : index_.near(p)) {
+      if (distance(points_[i], p) < kSamePlace) return points_[i];
+    }
+    index_.add(p, static_cast<std::uint32_t>(points_.size()));
     points_.push_back(p);
     return p;
   }
 
  private:
-  NearGrid grid_{kSamePlace};
+  BoxIndex index_{kSamePlace};
   std::vector<Vec2> points_;
 };
 
@@ -89,7 +88,7 @@ Cell cell_of(const SolidFace& face, const Box& solid, Places& places, const Repa
   cell.face = face.number - 1;
   cell.z = face.z_high;
   if (face.facing == Facing::kMixed) {
-    cell.curves = {box_loop(within(face.plan, solid))};
+    cell.curves = {rectangle(within(face.plan, solid))};
   } else {
     // A seam is there both ways.
     const std::vector<Path> all = snapped(face.outline, places);

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
+#include "geometry/rectangle.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/step_solid/face_curves.h"
@@ -228,7 +229,7 @@ void Finder::refuse_too_much(std::size_t levels) const {
 }
 
 void Finder::add_level(double z, const Regions& free) {
-  const Region stock = Region::from_valid_loops(box_loop(stock_.plan), {});
+  const Region stock = rectangular_region(stock_.plan);
   const Box inside = solid_.plan.grown(kOpenReach / 2);
   for (const Region& area : free) {
     const bool open = !inside.contains(area.box().min);

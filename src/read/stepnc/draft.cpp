@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text/format.h"
+#include "read/stepnc/refusal.h"
 
 namespace clearcut::read::stepnc {
 
@@ -252,11 +253,7 @@ void read_outside_profile(const Node& feature, const Frame& frame, std::size_t a
   context.note("everything of the stock outside the profile is removed", feature);
 }
 
-struct Refusal {
-  std::string_view keyword;
-  const char* reason;
-};
-constexpr Refusal kRefusals[] = {
+constexpr Refusal kRefusedFeatures[] = {
     {"CHAMFER",
      "an edge is broken with a chamfering cutter along it, which is not planned; deburr it by hand or add a "
      "V-cutter pass"},
@@ -273,8 +270,7 @@ constexpr Refusal kRefusals[] = {
     {"GENERAL_FREEFORM", "it is a free-form surface; write flat parts of it as pockets or faces"}};
 
 [[noreturn]] void refuse(const Node& feature) {
-  for (const Refusal& refusal : kRefusals)
-    if (feature.is(refusal.keyword)) feature.fail(refusal.reason);
+  refuse_listed(feature, kRefusedFeatures);
   feature.fail(
       "features of this kind cannot be machined yet; write it as pockets, faces, slots, steps or round "
       "holes");

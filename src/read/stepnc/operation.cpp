@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "read/stepnc/parts.h"
+#include "read/stepnc/refusal.h"
 
 namespace clearcut::read::stepnc {
 
@@ -153,11 +154,7 @@ constexpr OperationEntity kOperations[] = {{"PLANE_MILLING", OperationKind::kRou
                                            {"MULTISTEP_DRILLING", OperationKind::kDrilling},
                                            {"REAMING", OperationKind::kReaming}};
 
-struct Refusal {
-  std::string_view keyword;
-  const char* reason;
-};
-constexpr Refusal kRefusals[] = {
+constexpr Refusal kRefusedOperations[] = {
     {"FREEFORM_OPERATION", "free-form milling cannot be machined yet; mill flat parts as pockets or faces"},
     {"CENTER_DRILLING", "centre drilling is not planned; run it before, or leave it out"},
     {"COUNTER_SINKING", "countersinking is not planned; run it after the drilling"},
@@ -169,8 +166,7 @@ constexpr Refusal kRefusals[] = {
 OperationKind operation_kind(const Node& node) {
   for (const OperationEntity& entry : kOperations)
     if (node.is(entry.keyword)) return entry.kind;
-  for (const Refusal& refusal : kRefusals)
-    if (node.is(refusal.keyword)) node.fail(refusal.reason);
+  refuse_listed(node, kRefusedOperations);
   node.fail(
       "operations of this kind cannot be machined yet; give plane, side or bottom-and-side milling, or "
       "drilling");

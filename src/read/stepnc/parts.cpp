@@ -8,7 +8,7 @@ namespace clearcut::read::stepnc {
 
 namespace {
 
-constexpr double kSameDiameter = 0.05;  // mm
+constexpr double kSameHole = 0.05;  // mm
 
 template <class Wanted>
 std::vector<std::size_t> those(const std::vector<const Draft*>& parts, const Wanted& wanted) {
@@ -38,12 +38,12 @@ std::vector<std::size_t> parts_for(const std::vector<const Draft*>& parts, const
   if (!chosen.empty()) return chosen;
   if (goes_straight_down(operation))
     chosen = those(parts, [&](const Draft& part) {
-      return part.hole_diameter && std::abs(*part.hole_diameter - tool.diameter) < kSameDiameter;
+      return part.hole_diameter && std::abs(*part.hole_diameter - tool.diameter) < kSameHole;
     });
   if (!chosen.empty()) return chosen;
   chosen = those(parts, [&](const Draft& part) {
     if (!part.hole_diameter) return !goes_straight_down(operation);
-    return *part.hole_diameter > tool.diameter - kSameDiameter;
+    return *part.hole_diameter > tool.diameter - kSameHole;
   });
   return chosen.empty() ? all : chosen;
 }

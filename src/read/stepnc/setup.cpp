@@ -11,7 +11,7 @@ namespace clearcut::read::stepnc {
 
 namespace {
 
-constexpr int kDeepest = 64;                    // nesting of workplans
+constexpr int kDeepestPlan = 64;                // nesting of workplans
 constexpr std::size_t kMostElements = 100'000;  // workplan elements after expansion
 
 class Collector {
@@ -19,7 +19,7 @@ class Collector {
   Collector(Program& program, Context& context) : program_(program), context_(context) {}
 
   void collect(const Node& element, int depth) {
-    if (depth > kDeepest)
+    if (depth > kDeepestPlan)
       element.fail("workplans are nested more than 64 deep (or in a circle); flatten them");
     if (++elements_ > kMostElements) element.fail("more than 100000 workplan elements; split the program");
     if (element.is("WORKPLAN")) {

@@ -5,17 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "base/text/stripped.h"
 #include "read/svg/svg_numbers.h"
 
 namespace clearcut::read {
 namespace {
-
-std::string_view stripped(std::string_view text) {
-  const char* const kSpace = " \t\r\n\f";
-  const std::size_t first = text.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
 
 std::string small(std::string_view text) {
   std::string out(text);

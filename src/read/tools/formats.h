@@ -8,6 +8,9 @@
 
 namespace clearcut::read {
 
+/// A text among the values of `object`; empty where it has none of that name.
+std::string text_of(const DataValue& object, const char* key);
+
 /// A FreeCAD tool bit. Nothing, and a report, when it is no cutter for pockets.
 std::optional<LibraryTool> read_freecad_bit(std::string_view text, const std::string& file_name,
                                             Diagnostics& diagnostics);

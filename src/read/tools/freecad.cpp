@@ -46,7 +46,7 @@ std::string shape_of(const DataValue& root) {
   return "";
 }
 
-std::optional<ToolKind> kind_of(const std::string& shape) {
+std::optional<ToolKind> kind_of_shape(const std::string& shape) {
   static const std::map<std::string, ToolKind> kinds{
       {"ENDMILL", ToolKind::kEndMill},         {"BALLEND", ToolKind::kBallEndMill},
       {"BALLENDMILL", ToolKind::kBallEndMill}, {"BULLNOSE", ToolKind::kBullNoseEndMill},
@@ -64,11 +64,6 @@ const DataValue* value_of(const DataValue& root, const char* key) {
     if (value) return value;
   }
   return nullptr;
-}
-
-std::string text_of(const DataValue& root, const char* key) {
-  const DataValue* value = root.find(key);
-  return value && value->is_string() ? value->text : "";
 }
 
 Tool tool_of(const DataValue& root, ToolKind kind) {
@@ -105,7 +100,7 @@ std::optional<LibraryTool> read_freecad_bit(std::string_view text, const std::st
   const DataValue root = parse_json(text, file_name);
   if (!root.is_object()) throw InputError(file_name + ":1", "this is not a FreeCAD tool bit");
   const std::string shape = shape_of(root);
-  const auto kind = kind_of(shape);
+  const auto kind = kind_of_shape(shape);
   if (!kind) {
     diagnostics.skip(file_name, "tool '" + printable(text_of(root, "name")) + "' of shape '" +
                                     printable(shape) + "' was dropped: it is no cutter for pockets");

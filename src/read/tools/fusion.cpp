@@ -4,13 +4,14 @@
 #include <map>
 
 #include "base/error.h"
+#include "base/inch.h"
 #include "read/common/text.h"
 #include "read/tools/formats.h"
 
 namespace clearcut::read {
 namespace {
 
-std::optional<ToolKind> kind_of(const std::string& type) {
+std::optional<ToolKind> kind_of_type(const std::string& type) {
   static const std::map<std::string, ToolKind> kinds{{"flat end mill", ToolKind::kEndMill},
                                                      {"ball end mill", ToolKind::kBallEndMill},
                                                      {"bull nose end mill", ToolKind::kBullNoseEndMill},
@@ -24,11 +25,6 @@ std::optional<ToolKind> kind_of(const std::string& type) {
                                                      {"counter bore", ToolKind::kCounterbore}};
   const auto found = kinds.find(type);
   return found == kinds.end() ? std::nullopt : std::optional(found->second);
-}
-
-std::string text_of(const DataValue& value, const char* key) {
-  const DataValue* found = value.is_object() ? value.find(key) : nullptr;
-  return found && found->is_string() ? found->text : "";
 }
 
 std::optional<double> number_of(const DataValue* value, const char* key) {
@@ -107,7 +103,7 @@ ToolLibrary read_fusion_library(std::string_view text, const std::string& file_n
     const std::string place = file_name + ":" + std::to_string(entry.line);
     const std::string type = text_of(entry, "type"), unit_name = text_of(entry, "unit");
     if (type == "holder") continue;
-    const auto kind = kind_of(type);
+    const auto kind = kind_of_type(type);
     if (!kind) {
       library.diagnostics.skip(place, "tool '" + printable(text_of(entry, "description")) + "' of type '" +
                                           printable(type) + "' was dropped: it is no cutter for pockets");
@@ -116,7 +112,7 @@ ToolLibrary read_fusion_library(std::string_view text, const std::string& file_n
     if (unit_name != "inches" && unit_name != "millimeters") {
       library.diagnostics.warn(place, "unit '" + printable(unit_name) + "' is unknown: millimetres assumed");
     }
-    const double unit = unit_name == "inches" ? 25.4 : 1;
+    const double unit = unit_name == "inches" ? kMmPerInch : 1;
     LibraryTool tool{tool_of(entry, *kind, unit), {}};
     if (*kind == ToolKind::kTap && !(tool.tool.pitch > 0)) {
       library.diagnostics.skip(place,

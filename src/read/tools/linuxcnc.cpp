@@ -3,19 +3,13 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text/stripped.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/tools/formats.h"
 
 namespace clearcut::read {
 namespace {
-
-std::string_view stripped(std::string_view text) {
-  const char* const kSpace = " \t\r";
-  const std::size_t first = text.find_first_not_of(kSpace);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
 
 /// What the comment calls the tool; an end mill otherwise.
 ToolKind kind_in(const std::string& comment) {

@@ -14,7 +14,7 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{64} << 20;
+constexpr std::size_t kLargestLibrary = std::size_t{64} << 20;
 /// mm. No cutter is wider.
 constexpr double kWidest = 1000;
 
@@ -97,6 +97,11 @@ std::optional<Thread> thread_of(DataSection& section, ToolKind kind) {
 }
 
 }  // namespace
+
+std::string text_of(const DataValue& object, const char* key) {
+  const DataValue* value = object.is_object() ? object.find(key) : nullptr;
+  return value && value->is_string() ? value->text : "";
+}
 
 LibraryTool tool_of_section(DataSection section) {
   LibraryTool out;
@@ -184,7 +189,7 @@ ToolLibrary read_tool_library_text(std::string_view text, const std::string& fil
 }
 
 ToolLibrary read_tool_library(const std::filesystem::path& file, const ToolOptions& options) {
-  return read_tool_library_text(read_file(file.string(), kLargestFile), file.string(), options);
+  return read_tool_library_text(read_file(file.string(), kLargestLibrary), file.string(), options);
 }
 
 ToolLibrary read_own_library(std::string_view text, const std::string& file_name) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/rectangle.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
 #include "report/picture/plan_lines.h"
@@ -42,11 +43,6 @@ std::string path_of(const Regions& regions) {
   PathData data;
   data.add(regions);
   return data.text();
-}
-
-Loop rectangle(const Box& box) {
-  const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(corners);
 }
 
 /// Opens two groups: clipped to the view's rectangle, then in mm with y up.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/inch.h"
 #include "base/text/format.h"
 #include "base/text/xml_text.h"
 #include "report/picture/palette.h"
@@ -13,7 +14,6 @@
 namespace clearcut::report {
 namespace {
 
-constexpr double kMmPerInch = 25.4;
 /// Page units of the picture.
 constexpr double kPictureWidth = 900, kPictureHeight = 460;
 /// Page units: half the length of the cross that marks X0 Y0.

@@ -152,6 +152,9 @@ Json tool_json(const Tool& tool) {
   json["n"] = tool.number;
   json["d"] = number(tool.diameter);
   json["r"] = number(tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius);
+  json["f"] = tool.flute_length ? number(*tool.flute_length) : Json(nullptr);
+  json["a"] = is_conical(tool) ? number(flank_slope(tool)) : Json(nullptr);
+  json["t"] = number(tool.tip_diameter);
   json["w"] = description_of(tool);
   return json;
 }
@@ -184,6 +187,7 @@ Json feature_json(const Job& job, int feature) {
   Json json;
   json["name"] = f.name;
   json["floor"] = number(f.floor_z);
+  json["top"] = number(f.top_z);
   json["path"] = path.text();
   json["time"] = number(time);
   json["left"] = number(left);
@@ -269,6 +273,7 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   json["bottom"] = number(bottom);
   json["shades"] = shades(part, bottom);
   json["stock"] = part.stock ? corners(part.stock->plan) : Json(nullptr);
+  json["stock_z"] = part.stock ? number(part.stock->z_bottom) : Json(nullptr);
   json["world"] = corners(stage_of(job));
   json["tools"] = Json::array();
   for (const Tool& tool : part.tools) json["tools"].push_back(tool_json(tool));

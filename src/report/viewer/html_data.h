@@ -10,8 +10,9 @@ namespace clearcut::report {
 /// JSON in ASCII without '<', '>' and '&', so that it can stand in a page as it is.
 ///
 /// Fields  name, clean, verdict, bad (colour of what is left), top, bottom (mm), shades (colours of 256 heights from bottom to top), stock
-///         [x0,y0,x1,y1] or null, world [x0,y0,x1,y1]; tools [{n, d, r, w}]: number, diameter, radius of the
-///         rounded edge, words; features [{name, floor, path, time, left, gouge, clean}]; sections [{label,
+///         [x0,y0,x1,y1] or null, stock_z (its bottom) or null, world [x0,y0,x1,y1]; tools [{n, d, r, f, a, t, w}]: number,
+///         diameter, radius of the rounded edge, length of the flutes or null, of a cone mm sideways for each mm of
+///         height or null, and diameter of its tip, words; features [{name, floor, top, path, time, left, gouge, clean}]; sections [{label,
 ///         feature, tool, first}]: index of the first move; faults [{kind, feature, x, y, z, head, line,
 ///         text}]; conditions [{name, text, line, met_by}]; figures of the whole; program: array of lines.
 /// Moves   kinds: one digit each (MoveKind); x, y, z: ends in um as differences from the move before; t:

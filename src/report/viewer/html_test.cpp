@@ -172,6 +172,8 @@ TEST(Html, SectionsFeaturesFaultsAndFiguresAreThere) {
   EXPECT_EQ(job["sections"][1]["feature"], 1);
   EXPECT_EQ(job["features"][1]["name"], "SLOT <2>");
   EXPECT_EQ(job["features"][0]["floor"], -4);
+  EXPECT_TRUE(job["features"][0]["top"].is_number());
+  EXPECT_TRUE(job["tools"][0]["a"].is_null()) << "no cone";
   EXPECT_EQ(job["features"][0]["left"], 0.25);
   EXPECT_EQ(job["faults"][0]["kind"], "uncut");
   EXPECT_EQ(job["faults"][0]["head"], "uncut 0.250 mm");
@@ -197,6 +199,22 @@ TEST(Html, EngagementOfEachMoveIsThereWhereItWasMeasured) {
   EXPECT_EQ(degrees[4], 180) << "a move that is left out shifts no other's";
   findings.move_engagement_deg.pop_back();
   EXPECT_TRUE(Json::parse(html_data(sample::part(), toolpath, findings, {}))["engagement"].is_null());
+}
+
+TEST(Html, WhatTheViewInSpaceDrawsOfStockAndToolsIsThere) {
+  Part part = sample::part();
+  part.stock = Stock{{{0, 0}, {100, 80}}, -20, 0};
+  part.tools[0].kind = ToolKind::kVBit;
+  part.tools[0].tip_angle = Radians::of_degrees(90);
+  part.tools[0].tip_diameter = 0.2;
+  part.tools[0].flute_length = 12;
+  const Json job = Json::parse(html_data(part, sample::toolpath(), sample::findings(), {}));
+  EXPECT_EQ(job["stock_z"], -20);
+  EXPECT_EQ(job["tools"][0]["a"], 1) << "mm sideways for each mm of height";
+  EXPECT_EQ(job["tools"][0]["t"], 0.2);
+  EXPECT_EQ(job["tools"][0]["f"], 12);
+  part.stock.reset();
+  EXPECT_TRUE(Json::parse(html_data(part, {}, {}, {}))["stock_z"].is_null());
 }
 
 TEST(Html, ConditionsAreThere) {
@@ -248,7 +266,9 @@ TEST(Html, StaysSmall) {
   for (int i = 0; i < 20000; ++i)
     m.to(MoveKind::kCut, {50 + 40 * std::cos(0.1 * i), 40 + 30 * std::sin(0.1 * i)}, -1);
   section.moves = m.moves;
-  EXPECT_LT(html(sample::part(), {{section}}, {}, {}).size(), 20000 * 32 + 90000);
+  EXPECT_LT(html(sample::part(), {{section}}, {}, {}).size(),
+            html(sample::part(), {}, {}, {}).size() + 20000 * 32);
+  EXPECT_LT(html({}, {}, {}, {}).size(), 150000);
 }
 
 }  // namespace

@@ -1,35 +1,31 @@
 // ---- Pictures.
 const shades = job.shades.map(color => [1, 3, 5].map(k => parseInt(color.slice(k, k + 2), 16)));
 
+/** Index of a height's colour. */
+const shadeAt = h => Math.max(0, Math.min(255, Math.round(255 * (h - job.bottom) / depth)));
+
 /** Colours the dirty part of the relief: shade of the depth, light from the upper left, shadow at the foot of walls. */
 function shade() {
-  const x0 = Math.max(0, Math.floor(dirty.x0)), y0 = Math.max(0, Math.floor(dirty.y0));
-  const w = Math.min(width, Math.ceil(dirty.x1)) - x0, h = Math.min(height, Math.ceil(dirty.y1)) - y0;
-  dirty.x0 = dirty.y0 = Infinity; dirty.x1 = dirty.y1 = -Infinity;
-  if (!(w > 0 && h > 0)) return;
-  const REACH = 8;
-  const gx = Math.max(0, x0 - REACH), gy = Math.max(0, y0 - REACH);
-  const gw = Math.min(width, x0 + w + 1) - gx, gh = Math.min(height, y0 + h + 1) - gy;
-  const source = heightContext.getImageData(gx, gy, gw, gh).data, picture = reliefContext.createImageData(w, h), out = picture.data;
-  const z = (x, y) => source[4 * (Math.max(0, Math.min(gh - 1, y - gy)) * gw + Math.max(0, Math.min(gw - 1, x - gx)))];
-  const mmPerLevel = depth / 255, slope = mmPerLevel * scale;
-  for (let y = y0; y < y0 + h; ++y) {
-    for (let x = x0; x < x0 + w; ++x) {
-      const k = 4 * ((y - y0) * w + x - x0);
-      out[k + 3] = source[4 * ((y - gy) * gw + x - gx) + 3];
-      if (out[k + 3] === 0) continue;
+  const box = taken(dirty);
+  if (!box) return;
+  const picture = reliefContext.createImageData(box.w, box.h), out = picture.data;
+  const z = (x, y) => heights[Math.max(0, Math.min(height - 1, y)) * width + Math.max(0, Math.min(width - 1, x))];
+  for (let y = box.y0; y < box.y0 + box.h; ++y) {
+    for (let x = box.x0; x < box.x0 + box.w; ++x) {
       const here = z(x, y);
-      let light = 1 + Math.max(-0.25, Math.min(0.25, 0.03 * slope * (z(x + 1, y) - z(x - 1, y) + z(x, y + 1) - z(x, y - 1))));
+      if (here === NOTHING) continue;
+      const k = 4 * ((y - box.y0) * box.w + x - box.x0);
+      let light = 1 + Math.max(-0.25, Math.min(0.25, 0.03 * scale * (z(x + 1, y) - z(x - 1, y) + z(x, y + 1) - z(x, y - 1))));
       let shadow = 0;
       for (const step of [2, 4, 7]) {
-        shadow = Math.max(shadow, Math.min(1, Math.max(0, (z(x - step, y - step) - here) * mmPerLevel - step * 0.25 / scale) / 3) * (1 - step / 10));
+        shadow = Math.max(shadow, Math.min(1, Math.max(0, z(x - step, y - step) - here - step * 0.25 / scale) / 3) * (1 - step / 10));
       }
       light *= 1 - 0.4 * shadow;
-      const color = shades[here];
-      out[k] = color[0] * light; out[k + 1] = color[1] * light; out[k + 2] = color[2] * light;
+      const color = shades[shadeAt(here)];
+      out[k] = color[0] * light; out[k + 1] = color[1] * light; out[k + 2] = color[2] * light; out[k + 3] = 255;
     }
   }
-  reliefContext.putImageData(picture, x0, y0);
+  reliefContext.putImageData(picture, box.x0, box.y0);
 }
 
 const outlines = job.features.map(feature => new Path2D(feature.path));
@@ -52,19 +48,18 @@ let rests = null;
 function restsAtTheEnd() {
   if (rests) return rests;
   rests = newCanvas();
-  const c = rests.getContext('2d'), left = heightContext.getImageData(0, 0, width, height).data;
-  let pixels = 0;
-  const picture = c.createImageData(width, height), red = [1, 3, 5].map(k => parseInt(job.bad.slice(k, k + 2), 16));
+  const c = rests.getContext('2d'), picture = c.createImageData(width, height), red = [1, 3, 5].map(k => parseInt(job.bad.slice(k, k + 2), 16));
+  let cells = 0;
   for (const feature of job.features.filter(feature => feature.reach)) {
-    const reach = reachOf(feature), floor = Math.round(255 * (feature.floor - job.bottom) / depth) + 1;
-    for (let k = 0; k < left.length; k += 4) {
-      if (reach[k + 3] < 255 || left[k + 3] < 255 || left[k] <= floor) continue;
-      picture.data.set([...red, 255], k);
-      ++pixels;
+    const reach = reachOf(feature), floor = feature.floor + 1.5 * depth / 255;
+    for (let k = 0; k < heights.length; ++k) {
+      if (reach[4 * k + 3] < 255 || heights[k] <= floor) continue;
+      picture.data.set([...red, 255], 4 * k);
+      ++cells;
     }
   }
   c.putImageData(picture, 0, 0);
-  overlay.dataset.leftMm2 = fixed(pixels / scale / scale, 1);
+  overlay.dataset.leftMm2 = fixed(cells / scale / scale, 1);
   return rests;
 }
 
@@ -211,9 +206,9 @@ function drawMark(c, px, place) {
 function drawMeasure(c, px) {
   if (!measure.from) return;
   c.strokeStyle = c.fillStyle = css('ink'); c.lineWidth = 1.5 * px;
-  const ends = [measure.from, measure.to].filter(p => p !== null);
+  const ends_ = [measure.from, measure.to].filter(p => p !== null).map(p => space.on ? projected(p) : p);
   c.beginPath();
-  ends.forEach((p, k) => k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y));
+  ends_.forEach((p, k) => k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y));
   c.stroke();
-  for (const p of ends) { c.beginPath(); c.arc(p.x, p.y, 3 * px, 0, 2 * Math.PI); c.fill(); }
+  for (const p of ends_) { c.beginPath(); c.arc(p.x, p.y, 3 * px, 0, 2 * Math.PI); c.fill(); }
 }

@@ -31,7 +31,10 @@ function unmark() {
   marked = null;
   for (const button of by('faults').querySelectorAll('.chosen')) button.classList.remove('chosen');
 }
-function redraw() { shade(); drawOverlay(); updateNow(); drawPlot(); }
+function redraw() {
+  if (space.on) { drawSpace(); drawSpaceOverlay(); } else { shade(); drawOverlay(); }
+  updateNow(); drawPlot();
+}
 function redrawSoon() {
   if (redrawAsked) return;
   redrawAsked = true;
@@ -65,6 +68,8 @@ function stepMove(by_) {
   if (next < 0) { play(false); show(0); } else selectMove(Math.min(count - 1, next));
 }
 
+const TURN = 15;  // degrees
+const TURNS = { ArrowRight: [TURN, 0], ArrowLeft: [-TURN, 0], ArrowUp: [0, TURN], ArrowDown: [0, -TURN] };
 const KEYS = { ' ': () => play(!playing), ArrowRight: () => stepMove(1), ArrowLeft: () => stepMove(-1), Home: () => show(0), End: () => show(total),
   '+': () => zoom(1.5), '=': () => zoom(1.5), '-': () => zoom(1 / 1.5), '0': () => by('fit').click(), 'm': () => setMeasuring(!measure.on),
   'Escape': () => setMeasuring(false) };
@@ -72,9 +77,11 @@ function keyPressed(event) {
   const on = event.target.tagName;
   if (event.ctrlKey || event.metaKey || event.altKey || on === 'SELECT' || count === 0) return;
   if (on === 'INPUT' && (event.target.type !== 'range' || event.key !== ' ')) return;
-  if (on === 'BUTTON' && event.key === ' ' || !KEYS[event.key]) return;
+  if (on === 'BUTTON' && event.key === ' ') return;
+  const turn = event.shiftKey && space.on ? TURNS[event.key] : undefined, action = turn ? () => orbit(...turn) : KEYS[event.key];
+  if (!action) return;
   event.preventDefault();
-  KEYS[event.key]();
+  action();
 }
 
 function listen() {
@@ -91,7 +98,7 @@ function listen() {
   by('rapids').onchange = filter(() => { filters.rapids = by('rapids').checked; });
   by('operation').onchange = filter(() => { filters.operation = Number(by('operation').value); });
   by('layer').onchange = filter(() => { filters.layer = Number(by('layer').value); });
-  by('unit').onchange = () => { unit = UNITS[by('unit').value]; writeHeader(); writeFeatures(); writeLayers(); writeMeasured(); colorMoves(); redraw(); };
+  by('unit').onchange = () => { unit = UNITS[by('unit').value]; writeHeader(); writeFeatures(); writeLayers(); writeMeasured(); colorMoves(); chooseSection(true); redraw(); };
   window.onresize = () => { drawProgram(); redraw(); };
   window.onhashchange = openAtHash;
   dark.onchange = () => { colorMoves(); redraw(); };
@@ -126,9 +133,17 @@ function openAtHash() {
   return true;
 }
 
+/** The view that the address names ("#view=above"), else the whole part in space. */
+function openView() {
+  const name = new URLSearchParams(location.hash.slice(1)).get('view');
+  chooseView(name === 'above' || STANDPOINTS[name] ? name : 'iso');
+}
+
 fullStock();
 listenToProgram(); writeChoices(); writeHeader(); writeVerdict(); writeFeatures(); writeTimeline(); writeNow();
 listen(); listenToStage(); seekBy(by('timeline')); seekBy(by('plot'));
+listenToSpace();
 colorMoves();
+openView();
 show(0);
 if (!openAtHash() && !matchMedia('(prefers-reduced-motion: reduce)').matches) play(true);

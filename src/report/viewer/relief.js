@@ -1,10 +1,11 @@
-// ---- The heights.
+// ---- What remains of the stock: a height for each cell of a grid, mm, the same for the flat picture and the view in space.
 const [wx0, wy0, wx1, wy1] = job.world;
-const PIXELS = 1000;
-const scale = PIXELS / Math.max(wx1 - wx0, wy1 - wy0);
+const CELLS = 1000;  // along the longer side
+const scale = CELLS / Math.max(wx1 - wx0, wy1 - wy0);  // cells per mm
 const width = Math.max(1, Math.ceil((wx1 - wx0) * scale)), height = Math.max(1, Math.ceil((wy1 - wy0) * scale));
 const depth = Math.max(job.top - job.bottom, 1e-6);
-const heights = newCanvas(), heightContext = heights.getContext('2d', { willReadFrequently: true });
+const NOTHING = -1e30;  // the height where there is no stock
+const heights = new Float32Array(width * height);  // row by row from the greatest y; at the middles of the cells
 const relief = newCanvas(), overlay = by('overlay');
 const reliefContext = relief.getContext('2d');
 
@@ -16,80 +17,173 @@ function newCanvas() {
 
 function toWorld(context, k) { context.setTransform(scale * k, 0, 0, -scale * k, -wx0 * scale * k, wy1 * scale * k); }
 
-function grey(z) {
-  const level = Math.max(0, Math.min(255, Math.round(255 * (z - job.bottom) / depth)));
-  return 'rgb(' + level + ',' + level + ',' + level + ')';
-}
+/** Columns and rows of the stock in the grid: from, up to and not with. */
+const [sx0, sy0, sx1, sy1] = job.stock || job.world;
+const block = { x0: Math.max(0, Math.round((sx0 - wx0) * scale)), x1: Math.min(width, Math.round((sx1 - wx0) * scale)),
+  y0: Math.max(0, Math.round((wy1 - sy1) * scale)), y1: Math.min(height, Math.round((wy1 - sy0) * scale)) };
 
 function fullStock() {
-  const c = heightContext;
-  c.restore(); c.save();
-  c.setTransform(1, 0, 0, 1, 0, 0);
-  c.globalCompositeOperation = 'source-over';
-  c.clearRect(0, 0, width, height);
-  toWorld(c, 1);
-  c.beginPath();
-  if (job.stock) c.rect(job.stock[0], job.stock[1], job.stock[2] - job.stock[0], job.stock[3] - job.stock[1]);
-  else c.rect(wx0, wy0, wx1 - wx0, wy1 - wy0);
-  c.fillStyle = '#fff';
-  c.fill();
-  c.clip();
-  c.globalCompositeOperation = 'darken';
-  c.lineCap = c.lineJoin = 'round';
+  heights.fill(NOTHING);
+  for (let y = block.y0; y < block.y1; ++y) heights.fill(job.top, y * width + block.x0, y * width + block.x1);
+  under.move = -1;
 }
 
-/** Discs that make up the end of a tool: radius and height above the tip, largest first. */
-const endsOfTools = job.tools.map(tool => {
-  const r = Math.min(tool.r || 0, tool.d / 2), steps = r > 0 ? 8 : 0, discs = [];
-  for (let k = steps; k >= 0; --k) {
-    const a = steps ? k / steps * Math.PI / 2 : 0;
-    discs.push([tool.d / 2 - r + r * Math.sin(a), r - r * Math.cos(a)]);
-  }
-  return discs.filter(disc => disc[0] > 0);
+/** How far a cutter's end lies above its tip, by the distance from its axis in sixteenths of a cell; its reach in cells. */
+const FINE = 16;
+const ends = job.tools.map(tool => {
+  const radius = tool.d / 2, full = Math.ceil((radius * scale + 0.5) * FINE), above = new Float32Array(full + 1);
+  for (let k = 0; k <= full; ++k) above[k] = endAt(tool, Math.min(radius, k / FINE / scale));
+  return { above, full: radius * scale + 0.5, lip: above[full] };
 });
 
-const dirty = { x0: 0, y0: 0, x1: width, y1: height };
-function soil(x0, y0, x1, y1) {
-  dirty.x0 = Math.min(dirty.x0, x0); dirty.y0 = Math.min(dirty.y0, y0);
-  dirty.x1 = Math.max(dirty.x1, x1); dirty.y1 = Math.max(dirty.y1, y1);
+function endAt(tool, r) {
+  if (tool.a > 0) return Math.max(0, r - tool.t / 2) / tool.a;
+  const round = Math.min(tool.r || 0, tool.d / 2), out = r - (tool.d / 2 - round);
+  return out > 0 ? round - Math.sqrt(Math.max(0, round * round - out * out)) : 0;
 }
-function soilAll() { soil(0, 0, width, height); }
 
-function soilMove(i, radius) {
-  let x0 = Math.min(moves.x0[i], moves.x1[i]), x1 = Math.max(moves.x0[i], moves.x1[i]);
-  let y0 = Math.min(moves.y0[i], moves.y1[i]), y1 = Math.max(moves.y0[i], moves.y1[i]);
+// Cells that have changed since the flat picture and since the view in space were drawn last.
+const everything = () => ({ x0: 0, y0: 0, x1: width, y1: height });
+const dirty = everything(), soiled = everything();
+function grow(box, x0, y0, x1, y1) {
+  box.x0 = Math.min(box.x0, x0); box.y0 = Math.min(box.y0, y0);
+  box.x1 = Math.max(box.x1, x1); box.y1 = Math.max(box.y1, y1);
+}
+/** Marks what lies within a box in cells, and what a shadow of it may reach. */
+function soil(box) {
+  grow(dirty, box.x0 - 9, box.y0 - 9, box.x1 + 9, box.y1 + 9);
+  grow(soiled, box.x0, box.y0, box.x1, box.y1);
+}
+function soilAll() { soil(everything()); }
+/** The changed cells as whole numbers within the grid, or null; from then on nothing is changed. */
+function taken(box) {
+  const x0 = Math.max(0, Math.floor(box.x0)), y0 = Math.max(0, Math.floor(box.y0));
+  const w = Math.min(width, Math.ceil(box.x1)) - x0, h = Math.min(height, Math.ceil(box.y1)) - y0;
+  box.x0 = box.y0 = Infinity; box.x1 = box.y1 = -Infinity;
+  return w > 0 && h > 0 ? { x0, y0, w, h } : null;
+}
+
+/** Plan of move i between fractions f and g in cells; rows grow downwards, which turns arcs the other way. */
+function stripOf(i, f, g) {
+  const p = pointAt(i, f), q = pointAt(i, g), column = x => (x - wx0) * scale - 0.5, row = y => (wy1 - y) * scale - 0.5;
+  const strip = { ax: column(p.x), ay: row(p.y), bx: column(q.x), by: row(q.y), arc: null };
   if (moves.turn[i] !== 0) {
-    const r = arcOf(i).r;
-    x0 = moves.cx[i] - r; x1 = moves.cx[i] + r; y0 = moves.cy[i] - r; y1 = moves.cy[i] + r;
+    const arc = arcOf(i), from = -(arc.a + arc.sweep * f), to = -(arc.a + arc.sweep * g), back = to < from;
+    strip.arc = { x: column(moves.cx[i]), y: row(moves.cy[i]), r: arc.r * scale, from: back ? to : from, sweep: Math.abs(to - from) };
   }
-  soil((x0 - radius - wx0) * scale - 9, (wy1 - y1 - radius) * scale - 9, (x1 + radius - wx0) * scale + 9, (wy1 - y0 + radius) * scale + 9);
+  return strip;
+}
+
+/** The smallest box around a strip's middle line. */
+function boxOf(strip) {
+  const box = { x0: Math.min(strip.ax, strip.bx), x1: Math.max(strip.ax, strip.bx), y0: Math.min(strip.ay, strip.by), y1: Math.max(strip.ay, strip.by) };
+  const arc = strip.arc, full = 2 * Math.PI;
+  for (let quarter = 0; arc && quarter < 4; ++quarter) {
+    const angle = quarter * Math.PI / 2, turned = ((angle - arc.from) % full + full) % full;
+    if (turned > arc.sweep) continue;
+    const x = arc.x + arc.r * Math.cos(angle), y = arc.y + arc.r * Math.sin(angle);
+    grow(box, x, y, x, y);
+  }
+  return box;
 }
 
 /**
- * Takes away what move i cuts between fractions f and g. Ramps go down in steps of a quarter of a millimetre. Strips are
- * a pixel wider than the cutter, so that the soft edges of two strips that meet leave no ridge that is not there.
+ * Lowers a cell to the cutter's end, whose tip is at z and whose axis passes at a distance in cells. Cutters are half a cell wider
+ * than they are, and their flank rises over one cell: what two strips leave that touch is no ridge, and walls are no staircases.
  */
+function lower(k, distance, z, end) {
+  let h = z;
+  if (distance <= end.full) h += end.above[Math.round(distance * FINE)];
+  else if (distance < end.full + 1) h += end.lip + (job.top - z - end.lip) * (distance - end.full);
+  else return;
+  if (h < heights[k]) heights[k] = h;
+}
+
+const rowsOf = (box, reach) => [Math.max(block.y0, Math.ceil(box.y0 - reach)), Math.min(block.y1 - 1, Math.floor(box.y1 + reach))];
+const columnsIn = (from, to) => [Math.max(block.x0, Math.ceil(from)), Math.min(block.x1 - 1, Math.floor(to))];
+
+function cutLine(strip, z, end) {
+  const { ax, ay } = strip, reach = end.full + 1, length = Math.hypot(strip.bx - ax, strip.by - ay);
+  const ux = length > 0 ? (strip.bx - ax) / length : 1, uy = length > 0 ? (strip.by - ay) / length : 0;
+  const box = boxOf(strip), [first, last] = rowsOf(box, reach);
+  for (let y = first; y <= last; ++y) {
+    // Within reach of the infinite line: between two columns.
+    const middle = Math.abs(uy) > 1e-9 ? ax + (y - ay) * ux / uy : ax, half = Math.abs(uy) > 1e-9 ? reach / Math.abs(uy) : Infinity;
+    const [from, to] = columnsIn(Math.max(box.x0 - reach, middle - half), Math.min(box.x1 + reach, middle + half));
+    for (let x = from, k = y * width + from; x <= to; ++x, ++k) {
+      if (heights[k] <= z) continue;
+      const along = Math.max(0, Math.min(length, (x - ax) * ux + (y - ay) * uy)), dx = x - ax - along * ux, dy = y - ay - along * uy;
+      lower(k, Math.sqrt(dx * dx + dy * dy), z, end);
+    }
+  }
+}
+
+function cutArc(strip, z, end) {
+  const arc = strip.arc, reach = end.full + 1, box = boxOf(strip), [first, last] = rowsOf(box, reach);
+  const fx = Math.cos(arc.from), fy = Math.sin(arc.from), tx = Math.cos(arc.from + arc.sweep), ty = Math.sin(arc.from + arc.sweep);
+  const wide = arc.sweep >= Math.PI, whole = arc.sweep >= 2 * Math.PI - 1e-9, hole = arc.r - reach;
+  for (let y = first; y <= last; ++y) {
+    const dy = y - arc.y, outer = (arc.r + reach) ** 2 - dy * dy, inner = hole > 0 ? hole * hole - dy * dy : 0;
+    if (outer < 0) continue;
+    const span = Math.sqrt(outer), gap = inner > 0 ? Math.sqrt(inner) : 0;
+    const [from, to] = columnsIn(Math.max(box.x0 - reach, arc.x - span), Math.min(box.x1 + reach, arc.x + span));
+    for (let x = from, k = y * width + from; x <= to; ++x, ++k) {
+      const dx = x - arc.x;
+      if (heights[k] <= z || Math.abs(dx) < gap) continue;
+      const after = fx * dy - fy * dx >= 0, before = dx * ty - dy * tx >= 0;
+      const d = whole || (wide ? after || before : after && before) ? Math.abs(Math.sqrt(dx * dx + dy * dy) - arc.r)
+        : Math.min(Math.hypot(x - strip.ax, y - strip.ay), Math.hypot(x - strip.bx, y - strip.by));
+      lower(k, d, z, end);
+    }
+  }
+}
+
+/** Takes away what move i cuts between fractions f and g. Slopes go down in steps, each as deep as its lower end. */
 function cut(i, f, g) {
   const tool = job.sections[moves.section[i]].tool;
   if (tool < 0 || Math.min(moves.z0[i], moves.z1[i]) >= job.top || g <= f) return;
-  const c = heightContext, drop = Math.abs(moves.z1[i] - moves.z0[i]) * (g - f);
+  const end = ends[tool], drop = Math.abs(moves.z1[i] - moves.z0[i]);
   const vertical = moves.x0[i] === moves.x1[i] && moves.y0[i] === moves.y1[i] && moves.turn[i] === 0;
-  const pieces = vertical ? 1 : Math.min(80, Math.max(1, Math.ceil(drop / 0.25)));
-  for (const [radius, above] of endsOfTools[tool]) {
-    for (let k = 0; k < pieces; ++k) {
-      const a = f + (g - f) * k / pieces, b = f + (g - f) * (k + 1) / pieces;
-      c.beginPath();
-      if (vertical) {
-        c.arc(moves.x0[i], moves.y0[i], radius + 0.5 / scale, 0, 2 * Math.PI);
-        c.fillStyle = grey(Math.min(pointAt(i, a).z, pointAt(i, b).z) + above);
-        c.fill();
-      } else {
-        trace(c, i, a, b);
-        c.lineWidth = 2 * radius + 1 / scale;
-        c.strokeStyle = grey((pointAt(i, a).z + pointAt(i, b).z) / 2 + above);
-        c.stroke();
-      }
-    }
+  const pieces = vertical ? 1 : Math.min(100, Math.max(1, Math.ceil(drop / 0.05)));
+  for (let k = 0; k < pieces; ++k) {
+    const a = Math.max(f, k / pieces), b = Math.min(g, (k + 1) / pieces);
+    if (b <= a) continue;
+    const strip = stripOf(i, a, b), z = Math.min(pointAt(i, a).z, pointAt(i, b).z);
+    if (z >= job.top) continue;
+    if (strip.arc) cutArc(strip, z, end);
+    else cutLine(strip, z, end);
   }
-  soilMove(i, job.tools[tool].d / 2);
+  soil(reachOfMove(i));
+}
+
+/** The cells that move i may change. */
+function reachOfMove(i) {
+  const box = boxOf(stripOf(i, 0, 1)), reach = ends[job.sections[moves.section[i]].tool].full + 2;
+  return { x0: box.x0 - reach, y0: box.y0 - reach, x1: box.x1 + reach, y1: box.y1 + reach };
+}
+
+// What lay under the move that is under way. It is put back before that move goes on, so that the heights depend on the
+// moment alone, not on the way there.
+const under = { move: -1, box: null, heights: null };
+
+function cutPart(i, f) {
+  putBack();
+  if (job.sections[moves.section[i]].tool < 0 || f <= 0) return;
+  const changed = { ...reachOfMove(i) }, box = taken(changed);
+  if (!box) return;
+  under.move = i; under.box = box;
+  if (!under.heights || under.heights.length < box.w * box.h) under.heights = new Float32Array(box.w * box.h);
+  for (let y = 0; y < box.h; ++y) {
+    const from = (box.y0 + y) * width + box.x0;
+    under.heights.set(heights.subarray(from, from + box.w), y * box.w);
+  }
+  cut(i, 0, f);
+}
+
+function putBack() {
+  if (under.move < 0) return;
+  const box = under.box;
+  for (let y = 0; y < box.h; ++y) heights.set(under.heights.subarray(y * box.w, (y + 1) * box.w), (box.y0 + y) * width + box.x0);
+  soil(reachOfMove(under.move));
+  under.move = -1;
 }

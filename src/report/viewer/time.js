@@ -6,32 +6,33 @@ const snapshots = [];
 function takeSnapshot() {
   const due = total * (snapshots.length + 1) / (SNAPSHOTS + 1);
   if (snapshots.length >= SNAPSHOTS || moves.t[at.move] < due) return;
-  snapshots.push({ move: at.move, heights: heightContext.getImageData(0, 0, width, height) });
+  snapshots.push({ move: at.move, heights: heights.slice() });
 }
 
 function rewind(time) {
+  const snapshot = snapshots.findLast(one => moves.t[one.move] <= time && one.move > 0);
   fullStock();
   at.move = 0; at.fraction = 0;
-  for (const snapshot of snapshots) {
-    if (moves.t[snapshot.move] > time || snapshot.move === 0) continue;
+  if (snapshot) {
     at.move = snapshot.move;
-    heightContext.putImageData(snapshot.heights, 0, 0);
+    heights.set(snapshot.heights);
   }
   soilAll();
 }
 
+/** The heights are those of all whole moves up to then and of the part of the one under way: the same from either side. */
 function goTo(time) {
   time = Math.max(0, Math.min(total, time));
   if (time < at.time) rewind(time);
+  if (at.move < count && moves.t[at.move + 1] <= time) putBack();
   while (at.move < count && moves.t[at.move + 1] <= time) {
-    cut(at.move, at.fraction, 1);
+    cut(at.move, 0, 1);
     ++at.move; at.fraction = 0;
     takeSnapshot();
   }
   if (at.move < count) {
-    const f = (time - moves.t[at.move]) / (moves.t[at.move + 1] - moves.t[at.move]);
-    cut(at.move, at.fraction, f);
-    at.fraction = f;
+    at.fraction = (time - moves.t[at.move]) / (moves.t[at.move + 1] - moves.t[at.move]);
+    cutPart(at.move, at.fraction);
   }
   at.time = time;
 }

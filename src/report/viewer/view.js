@@ -5,7 +5,7 @@ const pointers = new Map();
 let dragged = 0, fitted = true;
 const measure = { on: false, from: null, to: null };
 
-const toScreen = p => ({ x: view.w / 2 + (p.x - view.x) * view.k, y: view.h / 2 - (p.y - view.y) * view.k });
+const toScreen = p => space.on ? projected(p) : ({ x: view.w / 2 + (p.x - view.x) * view.k, y: view.h / 2 - (p.y - view.y) * view.k });
 const toPlan = p => ({ x: view.x + (p.x - view.w / 2) / view.k, y: view.y - (p.y - view.h / 2) / view.k });
 function setPlan(c) {
   const k = view.k * view.ratio;
@@ -24,9 +24,11 @@ function measureStage() {
   const w = Math.round(view.w * view.ratio), h = Math.round(view.h * view.ratio);
   if (overlay.width !== w || overlay.height !== h) { overlay.width = w; overlay.height = h; }
   if (fitted) fit();
+  if (space.on && camera.fitted) fitSpace();
 }
 
 function zoom(factor, at_ = { x: view.w / 2, y: view.h / 2 }) {
+  if (space.on) { zoomSpace(factor, at_); return; }
   const fixedPoint = toPlan(at_);
   view.k = Math.max(wholeScale() / 4, Math.min(MOST, view.k * factor));
   const now = toPlan(at_);
@@ -39,6 +41,7 @@ function zoom(factor, at_ = { x: view.w / 2, y: view.h / 2 }) {
 function bringIntoView(p) {
   const s = toScreen(p);
   if (s.x > 20 && s.y > 20 && s.x < view.w - 20 && s.y < view.h - 20) return;
+  if (space.on) { camera.x = p.x; camera.y = p.y; camera.z = p.z || 0; camera.fitted = false; return; }
   view.x = p.x; view.y = p.y;
   fitted = false;
 }
@@ -81,22 +84,24 @@ function setMeasuring(on) {
 
 function writeMeasured() {
   by('measured').hidden = !measure.on;
-  if (!measure.from) by('measured').textContent = 'click on two points';
+  if (!measure.from) by('measured').textContent = space.on ? 'click on two points of the material' : 'click on two points';
   else if (!measure.to) by('measured').textContent = 'x ' + bare(measure.from.x, 3) + '  y ' + lengthText(measure.from.y, 3) + ', click on the second point';
   else {
-    const dx = measure.to.x - measure.from.x, dy = measure.to.y - measure.from.y;
-    by('measured').textContent = lengthText(Math.hypot(dx, dy), 3) + ' (x ' + bare(dx, 3) + ', y ' + bare(dy, 3) + ')';
+    const dx = measure.to.x - measure.from.x, dy = measure.to.y - measure.from.y, dz = space.on ? measure.to.z - measure.from.z : 0;
+    by('measured').textContent = lengthText(Math.hypot(dx, dy, dz), 3) + ' (x ' + bare(dx, 3) + ', y ' + bare(dy, 3) + (space.on ? ', z ' + bare(dz, 3) : '') + ')';
   }
 }
 
-function clickAt(p) {
+function clickAt(s) {
+  const p = space.on ? measure.on && surfaceAt(s) : toPlan(s);
   if (measure.on) {
+    if (!p) return;
     if (!measure.from || measure.to) { measure.from = p; measure.to = null; } else measure.to = p;
     writeMeasured();
     redrawSoon();
     return;
   }
-  const i = moveNear(p);
+  const i = space.on ? moveNearInSpace(s) : moveNear(p);
   if (i >= 0) selectMove(i);
 }
 
@@ -117,9 +122,16 @@ function pointerMoved(event) {
     if (before > 1) zoom(after / before, { x: (now.x + q.x) / 2, y: (now.y + q.y) / 2 });
   }
   const share = other ? 2 : 1;
+  if (space.on) { dragInSpace(event, (now.x - was.x) / share, (now.y - was.y) / share, Boolean(other)); return; }
   view.x -= (now.x - was.x) / view.k / share; view.y += (now.y - was.y) / view.k / share;
   fitted = false;
   redrawSoon();
+}
+
+/** One pointer turns the part; two, Shift, or another button than the first move it. */
+function dragInSpace(event, dx, dy, moves_) {
+  if (moves_ || event.shiftKey || (event.buttons & 6)) panSpace(dx, dy);
+  else orbit(-0.4 * dx, 0.4 * dy);
 }
 
 function listenToStage() {
@@ -132,10 +144,10 @@ function listenToStage() {
   overlay.onpointermove = pointerMoved;
   overlay.onpointercancel = event => pointers.delete(event.pointerId);
   overlay.onpointerup = event => {
-    if (pointers.delete(event.pointerId) && pointers.size === 0 && dragged < 4) clickAt(toPlan(placeOf(event)));
+    if (pointers.delete(event.pointerId) && pointers.size === 0 && dragged < 4) clickAt(placeOf(event));
   };
   by('zoom-in').onclick = () => zoom(1.5);
   by('zoom-out').onclick = () => zoom(1 / 1.5);
-  by('fit').onclick = () => { fit(); redrawSoon(); };
+  by('fit').onclick = () => { if (space.on) fitSpace(); else fit(); redrawSoon(); };
   by('measure').onclick = () => setMeasuring(!measure.on);
 }

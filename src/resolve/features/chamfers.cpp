@@ -9,6 +9,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/rectangle.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::resolve {
@@ -19,7 +20,7 @@ constexpr double kBeside = 0.02;
 /// mm. Slots may be no wider than their mill.
 constexpr double kFits = 0.002;
 /// mm. Half the width of what offsets and booleans leave between areas that touch.
-constexpr double kSliver = 0.003;
+constexpr double kSeam = 0.003;
 /// mm. A wall of the stock has room for any cutter beside it.
 constexpr double kBesideStock = 50;
 /// mm of a wall that has to stand below a chamfer.
@@ -29,19 +30,6 @@ constexpr double kLook = 2;
 
 Regions joined(const Regions& a, const Regions& b, const Tolerances& tol) {
   return a.empty() ? b : b.empty() ? a : unite(a, b, tol);
-}
-
-Regions inset_all(const Regions& regions, double d, const Tolerances& tol) {
-  Regions out;
-  for (const Region& region : regions) {
-    for (Region& one : inset(region, d, tol)) out.push_back(std::move(one));
-  }
-  return out;
-}
-
-Loop corners_of(const Box& box) {
-  const Vec2 points[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(points);
 }
 
 /// Radius of the narrowest mill that works on a feature, stock that it leaves included; nothing for drilled holes.
@@ -59,13 +47,13 @@ std::optional<double> corner_radius_of(const Part& part, int feature) {
 Regions cleared_of(const Feature& feature, double mill_radius, const Tolerances& tol) {
   const double radius = mill_radius - kFits;
   if (!feature.profile) {
-    const Regions centers = inset_all(feature.allowed, radius, tol);
+    const Regions centers = inset(feature.allowed, radius, tol);
     return centers.empty() ? Regions{} : intersect(feature.target, dilate(centers, radius, tol), tol);
   }
   const Regions within{Region::from_valid_loops(feature.profile->line, {})};
   if (feature.profile->side == ProfileSide::kOutside)
-    return subtract(feature.target, inset_all(dilate(within, radius, tol), radius, tol), tol);
-  const Regions centers = inset_all(within, radius, tol);
+    return subtract(feature.target, inset(dilate(within, radius, tol), radius, tol), tol);
+  const Regions centers = inset(within, radius, tol);
   return centers.empty() ? Regions{} : intersect(feature.target, dilate(centers, radius, tol), tol);
 }
 
@@ -170,7 +158,7 @@ class WallFinder {
   void add_stock_side() {
     Chamfer& chamfer = *feature_.chamfer;
     const Box& plan = part_.stock->plan;
-    const Region beside = Region::from_valid_loops(corners_of(plan.grown(kBesideStock)), {corners_of(plan)});
+    const Region beside = frame_around(plan, kBesideStock);
     chamfer.room = joined(chamfer.room, {beside}, tol_);
     chamfer.room_floor = std::max(chamfer.room_floor, part_.stock->z_bottom);
   }
@@ -212,7 +200,7 @@ void refuse_thin_top(const Part& part, int index, const Tolerances& tol) {
     const Feature& other = part.features[i];
     if (static_cast<int>(i) == index || other.floor_z >= feature.top_z - kLeastWall) continue;
     if (!box(other.target).overlaps(box(feature.target))) continue;
-    const Regions met = inset_all(intersect(feature.target, other.target, tol), kSliver, tol);
+    const Regions met = inset(intersect(feature.target, other.target, tol), kSeam, tol);
     if (met.empty()) continue;
     const Vec2 at = box(met).center();
     throw InputError(feature.name,

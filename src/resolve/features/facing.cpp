@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text/format.h"
+#include "geometry/rectangle.h"
 #include "resolve/tool_cutting.h"
 
 namespace clearcut::resolve {
@@ -12,11 +13,6 @@ namespace {
 
 /// mm. Less is how a height was rounded.
 constexpr double kFlush = 1e-4;
-
-Region rectangle(const Box& box) {
-  const Vec2 points[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return Region::from_valid_loops(loop_from_points(points), {});
-}
 
 std::string free_name(const Part& part) {
   const auto taken = [&](const std::string& name) {
@@ -49,8 +45,8 @@ void add_facing(Part& part, const PlanOptions& options) {
   Feature face;
   face.name = free_name(part);
   face.kind = FeatureKind::kPlanarFace;
-  face.target = {rectangle(part.stock->plan)};
-  face.allowed = {rectangle(part.stock->plan.grown(kOpenReach))};
+  face.target = {rectangular_region(part.stock->plan)};
+  face.allowed = {rectangular_region(part.stock->plan.grown(kOpenReach))};
   face.top_z = part.stock->z_top;
   face.floor_z = top;
   Workingstep step;

@@ -93,9 +93,9 @@ class LevelJudge {
   const Wall* worst_wall_ = nullptr;
 };
 
-class MoveJudge {
+class GougeJudge {
  public:
-  MoveJudge(const FinishedPart& part, double radius, double slack)
+  GougeJudge(const FinishedPart& part, double radius, double slack)
       : part_(part), level_(part, radius, slack) {}
 
   void judge(const Edge& path, double z_from, double z_to, bool free_start) {
@@ -144,7 +144,7 @@ std::vector<double> cuts_at_heights(const FinishedPart& part, const Move& move, 
 
 std::optional<Gouge> gouge_of(const FinishedPart& part, const Move& move, double radius, double slack,
                               bool free_start) {
-  MoveJudge judge(part, radius, slack);
+  GougeJudge judge(part, radius, slack);
   if (move.is_vertical() || move.z_from == move.z_to) {
     judge.judge(move.path, move.z_from, move.z_to, free_start && move.z_from == move.z_to);
     return judge.worst();

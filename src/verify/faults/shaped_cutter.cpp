@@ -12,9 +12,6 @@ namespace {
 constexpr double kShortest = 2e-4;
 constexpr int kSections = 40;
 constexpr double kGolden = 0.6180339887498949;
-/// mm. Side of a square of the grid that moves are found by, and how many buckets it is folded into.
-constexpr double kCell = 1;
-constexpr std::size_t kBuckets = 1U << 14U;
 
 /// Of the heights between `low` and `high`, that at which a cutter with its tip at z comes nearest to a wall that leans.
 double nearest_height(const Wall& wall, const Tool& tool, double z, double low, double high) {
@@ -173,32 +170,16 @@ std::optional<double> height_at(const Tool& tool, double distance) {
   return round - std::sqrt(std::max(0.0, round * round - out * out));
 }
 
-CutHeights::CutHeights() : cells_(kBuckets) {}
-
-std::size_t CutHeights::cell_of(double x, double y) {
-  const auto column = static_cast<std::int64_t>(std::floor(x / kCell));
-  const auto row = static_cast<std::int64_t>(std::floor(y / kCell));
-  const auto mixed = static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15ULL +
-                     static_cast<std::uint64_t>(row) * 0xC2B2AE3D27D4EB4FULL;
-  return static_cast<std::size_t>(mixed >> 50U) % kBuckets;
-}
-
 void CutHeights::add(const Move& move, const Tool& tool) {
-  const std::size_t index = entries_.size();
-  entries_.push_back({&move, &tool});
   const Box box =
       (move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box()).grown(tool.radius());
-  for (double x = std::floor(box.min.x / kCell) * kCell; x <= box.max.x; x += kCell) {
-    for (double y = std::floor(box.min.y / kCell) * kCell; y <= box.max.y; y += kCell) {
-      auto& cell = cells_[cell_of(x + kCell / 2, y + kCell / 2)];
-      if (cell.empty() || cell.back() != index) cell.push_back(index);
-    }
-  }
+  index_.add(box, static_cast<std::uint32_t>(entries_.size()));
+  entries_.push_back({&move, &tool});
 }
 
 double CutHeights::at(Vec2 p) const {
   double lowest = std::numeric_limits<double>::infinity();
-  for (const std::size_t i : cells_[cell_of(p.x, p.y)]) {
+  for (const std::uint32_t i : index_.at(p)) {
     const Move& move = *entries_[i].move;
     const Tool& tool = *entries_[i].tool;
     if (std::min(move.z_from, move.z_to) >= lowest) continue;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/spatial/cell_grid.h"
 #include "model/move.h"
 #include "model/tool.h"
 #include "verify/faults/gouge.h"
@@ -27,8 +28,6 @@ std::optional<double> height_at(const Tool& tool, double distance);
 /// What cutters have cut so far, asked for at places. Every answer is a height that was really reached.
 class CutHeights {
  public:
-  CutHeights();
-
   /// A feed move. Pointers are kept.
   void add(const Move& move, const Tool& tool);
 
@@ -40,10 +39,9 @@ class CutHeights {
     const Move* move;
     const Tool* tool;
   };
-  static std::size_t cell_of(double x, double y);
 
   std::vector<Entry> entries_;
-  std::vector<std::vector<std::size_t>> cells_;
+  BoxIndex index_{1};  ///< 1 mm: a fraction of most cutters
 };
 
 }  // namespace clearcut::verify

@@ -13,7 +13,7 @@ namespace clearcut::verify {
 namespace {
 
 /// Share by which a feed or speed may exceed its limit, for rounding to whole rpm and to printed feeds.
-constexpr double kRounding = 1e-3;
+constexpr double kSpeedRounding = 1e-3;
 /// mm, for heights rounded by the coarsest controller (0.0001 inch).
 constexpr double kHeightSlack = 5.5e-3;
 /// Tangent of 45 degrees: steeper moves count as plunges.
@@ -81,7 +81,7 @@ class StateJudge {
   std::optional<Fault> speed(const JudgedMove& judged) const {
     if (!judged.control || !judged.cuts() || !options_.machine.max_spindle_rpm) return std::nullopt;
     const double rpm = judged.control->spindle_rpm, most = *options_.machine.max_spindle_rpm;
-    if (rpm <= most * (1 + kRounding)) return std::nullopt;
+    if (rpm <= most * (1 + kSpeedRounding)) return std::nullopt;
     return fault(
         FaultKind::kSpindleSpeed, judged, 0,
         "The spindle is asked for " + trimmed(rpm, 0) + " rpm where the machine has " + trimmed(most, 0));
@@ -93,7 +93,7 @@ class StateJudge {
       return fault_of(part_, FaultKind::kPlungeTooFast, judged, *load.plunge_contact, judged.move->length(),
                       "A cutter that may not plunge goes straight down into material");
     if (!judged.cuts() || !judged.tool || judged.slope() <= 0) return std::nullopt;
-    if (!judged.tool->center_cutting && judged.slope() > steepest_of(judged) * (1 + kRounding)) {
+    if (!judged.tool->center_cutting && judged.slope() > steepest_of(judged) * (1 + kSpeedRounding)) {
       return fault(FaultKind::kPlungeTooFast, judged, judged.move->length(),
                    "A cutter that may not plunge enters material at " +
                        trimmed(std::atan(judged.slope()) * 180 / kPi, 2) + " degrees");
@@ -186,7 +186,7 @@ class StateJudge {
         const bool before = events[k].before_move <= static_cast<std::size_t>(cut - own);
         if (before && events[k].kind == ControlEventKind::kDwell) waited += events[k].seconds;
       }
-      if (waited < needed * (1 - kRounding)) short_waits_.insert(&*cut);
+      if (waited < needed * (1 - kSpeedRounding)) short_waits_.insert(&*cut);
     }
   }
 
@@ -239,7 +239,7 @@ class StateJudge {
     const auto most = plunge_feed_of(judged);
     const double slope = judged.slope(), feed = judged.move->feed.mm_per_min();
     const double down = std::isinf(slope) ? feed : feed * slope / std::hypot(1, slope);
-    if (!most || down <= *most * (1 + kRounding) + 0.01) return std::nullopt;
+    if (!most || down <= *most * (1 + kSpeedRounding) + 0.01) return std::nullopt;
     return fault(FaultKind::kPlungeTooFast, judged, judged.move->length(),
                  "Goes down into material at " + trimmed(down, 1) +
                      " mm/min where the tool's plunge feed is " + trimmed(*most, 1));

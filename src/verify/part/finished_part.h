@@ -36,8 +36,9 @@ struct Wall {
 /// touching pockets vanish.
 ///
 /// Cost    build O(n log n + crossings); a query O(features * log n).
-/// Error   Walls thinner than 2 * kProbe are not found, nor pieces shorter than kProbe that crossings cut off. Where a deeper feature cuts into a wall with draft of
-///         another feature, that wall is taken to stand there, too.
+/// Error   Walls thinner than 2 * kProbe are not found, nor pieces shorter than kProbe that crossings cut off.
+///         Where a deeper feature cuts into a wall with draft of another feature, that wall is taken to stand
+///         there, too.
 class FinishedPart {
  public:
   explicit FinishedPart(const Part& part);

@@ -26,7 +26,7 @@ constexpr double kRightTurn = 0.5;
 constexpr double kShortest = 4e-4;
 /// mm. Error of places on the wall, and of the arcs that are fitted to the moves.
 constexpr double kPlace = 1e-4;
-constexpr double kTolerance = 2e-4;
+constexpr double kFitTolerance = 2e-4;
 /// Radians. Greatest turn within a move; greatest turn where the cutter leaves the wall, and within the
 /// shortest moves.
 constexpr double kTurn = 0.16;
@@ -146,7 +146,7 @@ void TrochoidalSteps::take(Vec2 p) {
 
 void TrochoidalSteps::end_run() {
   if (run_.size() > 1) {
-    for (const Edge& edge : fit_arcs(run_, kTolerance)) path_.push_back(edge);
+    for (const Edge& edge : fit_arcs(run_, kFitTolerance)) path_.push_back(edge);
   }
   run_.clear();
 }

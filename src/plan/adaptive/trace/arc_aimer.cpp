@@ -12,7 +12,7 @@ namespace {
 /// Shares of the tool radius: distance between samples of the engagement along a candidate, and between
 /// samples of its position, which are also at most kAsideTurn radians apart.
 constexpr double kSamplePitch = 0.4;
-constexpr double kAside = 0.1;
+constexpr double kAsideSpan = 0.1;
 constexpr double kAsideTurn = 0.25;
 /// Shares of the tool radius: length of the candidate that is tried first, of the shortest and of the
 /// longest.
@@ -316,7 +316,7 @@ std::optional<CandidateArc> ArcAimer::surely_within(const CutterState& from, Can
 double ArcAimer::length_inside(const CutterState& from, const CandidateArc& candidate) const {
   // So close that no wall between two samples is missed: walls that bend into the area have at least the
   // cutter's radius.
-  const double by_length = candidate.length / (kAside * radius_),
+  const double by_length = candidate.length / (kAsideSpan * radius_),
                by_turn = std::abs(candidate.curvature) * candidate.length / kAsideTurn;
   const int samples = static_cast<int>(std::max(by_length, by_turn)) + 1;
   const double off = length_off(from, candidate);
@@ -346,7 +346,7 @@ bool ArcAimer::leaves_wall(const CutterState& from, const CandidateArc& candidat
   for (const double share : {0.15, 0.5, 1.0}) {
     if (!remaining_.legal().contains(after(from, candidate, share * off).point)) return false;
   }
-  const int samples = static_cast<int>((candidate.length - off) / (kAside * radius_)) + 1;
+  const int samples = static_cast<int>((candidate.length - off) / (kAsideSpan * radius_)) + 1;
   for (int i = 0; i <= samples; ++i) {
     if (!area_.contains(after(from, candidate, off + (candidate.length - off) * i / samples).point))
       return false;

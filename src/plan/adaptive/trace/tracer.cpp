@@ -33,7 +33,7 @@ constexpr int kMostHalvings = 4;
 /// Number of changes between wall and open without cutting, after which a cut ends.
 constexpr int kMostIdle = 4;
 /// mm along a wall: stands for no place.
-constexpr double kNowhere = -1e300;
+constexpr double kNoPlaceOnWall = -1e300;
 
 /// One line or arc from the first edge's beginning to the last edge's end; an arc if the last edge is one,
 /// with the same heading at its end.
@@ -61,7 +61,7 @@ Path Tracer::cut_from(const WallPlace& start, double material_s, const CanBegin&
   place_ = start;
   material_s_ = material_s;
   can_begin_ = can_begin;
-  first_departure_ = kNowhere;
+  first_departure_ = kNoPlaceOnWall;
   return run(Next::kWall);
 }
 
@@ -177,13 +177,13 @@ double Tracer::last_within(double s_clear, double s_over) const {
 }
 
 /// mm along the wall: the last place up to `s_over` from which an arc of `radius` mm leaves the wall within
-/// the limit; kNowhere if there is none after `least`.
+/// the limit; kNoPlaceOnWall if there is none after `least`.
 double Tracer::latest_departure(double s_clear, double s_over, double radius, double least) {
   double good = s_over, bad = s_over;
   while (!can_leave(good, radius)) {
     bad = good;
     good = good > s_clear && s_clear > place_.s ? s_clear : good - step_ / 2;
-    if (good <= least) return kNowhere;
+    if (good <= least) return kNoPlaceOnWall;
   }
   for (int i = 0; i < kMostHalvings && good < bad; ++i) {
     const double middle = (good + bad) / 2;
@@ -223,7 +223,7 @@ bool Tracer::can_leave(double s, double radius) {
 
 /// Leaves the wall at s, from where an arc of `radius` mm keeps the limit: on an aimed arc, else on that arc.
 Tracer::Next Tracer::leave(double s, double radius) {
-  if (first_departure_ == kNowhere) first_departure_ = s;
+  if (first_departure_ == kNoPlaceOnWall) first_departure_ = s;
   std::optional<DepartureArc> off;
   if (path_.empty() && can_begin_) {
     off = arcs().departure_arc(s, radius, 0);

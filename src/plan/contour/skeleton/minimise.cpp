@@ -45,24 +45,24 @@ Vec2 nearest_on_ring(const Path& ring, Vec2 p, Vec2* tangent = nullptr) {
   return best;
 }
 
-/// A band at its present place, with what distances to it are computed from.
-struct Segment {
-  Vec2 a;
-  Vec2 d;
-  double inverse = 0;  ///< 1 / squared length, 1 / mm^2; 0 if it has none
-};
-
-/// A witness near the limit, and its part of the list of bands that may become its nearest until the next
-/// listing.
-struct Active {
-  std::uint32_t witness = 0;
-  std::uint32_t first = 0;
-  std::uint32_t end = 0;
-};
-
 }  // namespace
 
 struct BandMinimiser::Impl {
+  /// A band at its present place, with what distances to it are computed from.
+  struct Segment {
+    Vec2 a;
+    Vec2 d;
+    double inverse = 0;  ///< 1 / squared length, 1 / mm^2; 0 if it has none
+  };
+
+  /// A witness near the limit, and its part of the list of bands that may become its nearest until the next
+  /// listing.
+  struct Active {
+    std::uint32_t witness = 0;
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+  };
+
   Impl(Bands& paths, const TightenJob& job) : paths_(paths), job_(job), grid_(job.where, job.radius) {
     for (std::uint32_t i = 0; i < paths_.fixed.size(); ++i) {
       grid_.for_cells(paths_.fixed[i].box().grown(1.5 * job_.radius),

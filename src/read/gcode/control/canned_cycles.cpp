@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/inch.h"
 #include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
 
 namespace {
 
-constexpr double kMmPerInch = 25.4;
 constexpr double kMostRepeats = 10000;
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/inch.h"
 #include "base/text/format.h"
 #include "read/gcode/control/place_words.h"
 #include "read/gcode/words/g_words.h"
@@ -11,7 +12,6 @@ namespace clearcut::read::gcode {
 
 namespace {
 
-constexpr double kMmPerInch = 25.4;
 /// M words in tenths that move nothing on a three-axis mill: stops, spindle, coolant, overrides, clamps, doors, chips,
 /// signals.
 constexpr int kStillWords[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  100,  110, 130,

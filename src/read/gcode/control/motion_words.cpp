@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/inch.h"
 #include "read/gcode/control/canned_cycles.h"
 #include "read/gcode/control/place_words.h"
 #include "read/gcode/words/g_words.h"
@@ -11,7 +12,6 @@ namespace clearcut::read::gcode {
 
 namespace {
 
-constexpr double kMmPerInch = 25.4;
 constexpr double kMostTurns = 10000;
 /// Arcs standing upright (G18, G19) become chords: a Move is an arc in plan only. mm.
 constexpr double kUprightChord = 0.0005;

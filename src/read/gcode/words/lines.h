@@ -8,8 +8,6 @@ namespace clearcut::read::gcode {
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
-/// Without blanks at either end.
-std::string_view stripped(std::string_view text);
 
 /// Ends may be LF, CR LF or CR; a byte order mark is skipped.
 class Lines {

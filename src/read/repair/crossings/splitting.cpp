@@ -8,7 +8,7 @@ namespace clearcut::read {
 namespace {
 
 /// mm. Places nearer to a vertex than this are the vertex.
-constexpr double kSamePlace = 4e-9;
+constexpr double kAtVertex = 4e-9;
 
 using Key = std::pair<double, double>;
 
@@ -16,7 +16,7 @@ using Key = std::pair<double, double>;
 void append_divided(const Edge& edge, std::vector<Vec2> places, Loop& out) {
   std::vector<std::pair<double, Vec2>> cuts;
   for (const Vec2 place : places) {
-    if (distance(place, edge.from) > kSamePlace && distance(place, edge.to) > kSamePlace) {
+    if (distance(place, edge.from) > kAtVertex && distance(place, edge.to) > kAtVertex) {
       cuts.emplace_back(nearest(edge, place).t, place);
     }
   }
@@ -36,11 +36,11 @@ void snap(Loop& loop, const std::vector<Meeting>& touches) {
     for (const EdgeId id : {touch.a, touch.b}) {
       const auto i = static_cast<std::size_t>(id.edge);
       Edge& edge = loop[i];
-      if (distance(edge.from, touch.at) <= kSamePlace) {
+      if (distance(edge.from, touch.at) <= kAtVertex) {
         edge.from = touch.at;
         loop[(i + loop.size() - 1) % loop.size()].to = touch.at;
       }
-      if (distance(edge.to, touch.at) <= kSamePlace) {
+      if (distance(edge.to, touch.at) <= kAtVertex) {
         edge.to = touch.at;
         loop[(i + 1) % loop.size()].from = touch.at;
       }

@@ -15,6 +15,7 @@
 
 #include "base/text/format.h"
 #include "geometry/boolean.h"
+#include "geometry/rectangle.h"
 #include "read/repair/crossings/edge_index.h"
 #include "read/repair/repair.h"
 
@@ -23,15 +24,6 @@ namespace clearcut::read::stepnc {
 namespace {
 
 constexpr double kTouch = 1e-6;  // mm; loops nearer than this touch
-
-Loop box_loop(const Box& box) {
-  const Vec2 corners[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
-  return loop_from_points(corners);
-}
-
-Region region_of(const Box& box) {
-  return Region::from_valid_loops(box_loop(box), {});
-}
 
 bool within(const Box& inner, const Box& outer) {
   return outer.contains(inner.min) && outer.contains(inner.max);
@@ -318,8 +310,8 @@ Regions boundary_regions(const Draft& draft, const Box& stock, Context& context)
 
 FeatureRegions whole_stock_regions(const Draft& draft, const Box& stock, Context& context) {
   FeatureRegions result;
-  result.target = without_bosses({region_of(stock)}, draft, context);
-  result.allowed = without_bosses({region_of(stock.grown(kOpenReach))}, draft, context);
+  result.target = without_bosses({rectangular_region(stock)}, draft, context);
+  result.allowed = without_bosses({rectangular_region(stock.grown(kOpenReach))}, draft, context);
   return result;
 }
 
@@ -330,14 +322,14 @@ FeatureRegions open_regions(const Draft& draft, const Box& stock, Context& conte
   const Box reach = box(cut);
   FeatureRegions result;
   const bool inside_stock = within(reach, stock);
-  result.target = inside_stock ? cut : intersect(cut, {region_of(stock)}, context.tol);
+  result.target = inside_stock ? cut : intersect(cut, {rectangular_region(stock)}, context.tol);
   const bool open = !within(reach, stock.grown(-context.tol.join_gap / 2));
   if (!open) {
     context.note("it does not reach the edge of the stock; all its sides are walls", draft.node);
     result.allowed = result.target;
     return result;
   }
-  const Region air = Region::from_valid_loops(box_loop(stock.grown(kOpenReach)), {box_loop(stock)});
+  const Region air = frame_around(stock, kOpenReach);
   result.allowed = unite(cut, {air}, context.tol);
   return result;
 }

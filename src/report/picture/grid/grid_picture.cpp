@@ -11,9 +11,9 @@
 namespace clearcut::report {
 namespace {
 
-constexpr double kPanel = 480;   // longer side of a panel, page units
-constexpr double kMargin = 24;   // around and between panels
-constexpr double kCaption = 40;  // above each panel
+constexpr double kGridPanel = 480;  // longer side of a panel, page units
+constexpr double kMargin = 24;      // around and between panels
+constexpr double kCaption = 40;     // above each panel
 
 /// Page and scale of the three panels.
 struct Layout {
@@ -26,7 +26,7 @@ struct Layout {
 Layout layout_of(const ElementJob& job) {
   Layout layout;
   layout.shown = job.stock.plan.grown(job.resolution);
-  layout.scale = kPanel / std::max(layout.shown.width(), layout.shown.height());
+  layout.scale = kGridPanel / std::max(layout.shown.width(), layout.shown.height());
   return layout;
 }
 

@@ -1,0 +1,53 @@
+// All strategies that fit the part, planned and certified side by side.
+
+const compareColumns = [['strategy', one => one.strategy], ['clean', one => one.clean ? 'yes' : 'no'], ['time', one => minutes(one.time_s)], ['feed mm', one => one.feed_mm.toFixed(0)],
+  ['retracts', one => String(one.retracts)], ['engagement', one => `${one.engagement_max_deg.toFixed(0)}°`], ['left mm', one => one.uncut_thickness_mm.toFixed(4)]];
+
+function minutes(seconds) {
+  const whole = Math.round(seconds);
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;
+}
+
+function compareRow(one) {
+  const row = made('tr', '', one.fastest ? { class: 'fastest' } : {});
+  if (!one.planned) {
+    row.append(made('td', one.strategy), made('td', one.refusal ?? 'does not fit', { colspan: String(compareColumns.length) }));
+    return row;
+  }
+  const take = made('button', 'Take', { type: 'button', 'aria-label': `Take the strategy ${one.strategy}` });
+  take.addEventListener('click', () => {
+    element('strategy').value = one.strategy === 'auto' ? '' : one.strategy;
+    showPlanCommand();
+    say(element('plan-status'), `The next plan takes ${one.strategy}.`);
+  });
+  const last = made('td');
+  last.append(take);
+  row.append(...compareColumns.map(([, text]) => made('td', text(one))), last);
+  return row;
+}
+
+function showComparison(compared) {
+  const head = made('tr');
+  head.append(...[...compareColumns.map(([title]) => title), ''].map(title => title ? made('th', title, { scope: 'col' }) : made('td')));
+  element('comparison').querySelector('thead').replaceChildren(head);
+  element('comparison').querySelector('tbody').replaceChildren(...compared.strategies.map(compareRow));
+  element('comparison-box').hidden = false;
+}
+
+async function startComparison() {
+  element('comparison-box').hidden = true;
+  element('plan-compare').disabled = true;
+  say(element('plan-status'), 'Planning and certifying every strategy that fits …');
+  try {
+    const answer = await asked('/compare', { method: 'POST', body: plan.files.form(planOptions({ strategy: false })) });
+    if (answer.compare) {
+      showComparison(answer.compare);
+      say(element('plan-status'), 'Compared.');
+    } else {
+      say(element('plan-status'), answer.message ?? 'There is nothing to compare.', true);
+    }
+  } catch (error) {
+    say(element('plan-status'), error.message, true);
+  }
+  showPlanCommand();
+}

@@ -1,0 +1,75 @@
+// What a part holds: what was found and mended, what has to be said, and what each outline of a drawing is for.
+
+const part = { asked: 0, outlines: [], said: '' };
+const outlineKinds = ['pocket', 'profile', 'inside', 'drill', 'engrave', 'vcarve', 'chamfer', 'face', 'island', 'ignore'];
+const mostOutlines = 300;  // that are listed
+const round = (value, digits) => Number(value.toFixed(digits));
+
+/** The options that say what outlines are for, where that was changed. */
+function outlineOptions() {
+  const words = [];
+  for (const row of element('outlines').querySelectorAll('tbody tr')) {
+    const outline = part.outlines[Number(row.dataset.index)];
+    const kind = row.querySelector('select').value, depth = row.querySelector('input').value.trim();
+    if (kind || depth) words.push(`--op ${kind || outline.role}${depth ? `_d${depth}` : ''}:${outline.number}`);
+  }
+  return words;
+}
+
+function sizeOf(outline) {
+  if (outline.diameter_mm) return `Ø ${round(outline.diameter_mm, 2)}`;
+  const { x, y } = outline.extent_mm;
+  return `${round(x[1] - x[0], 2)} × ${round(y[1] - y[0], 2)}`;
+}
+
+function outlineRow(outline, index) {
+  const row = made('tr', '', { 'data-index': index });
+  const kind = made('select', '', { 'aria-label': `What outline ${outline.number} is for` });
+  fillSelect(kind, outlineKinds, outline.role ? `${outline.role}, as read` : 'as read');
+  const depth = made('input', '', { 'aria-label': `Depth of outline ${outline.number}, mm`, inputmode: 'decimal', size: '4', placeholder: outline.depth_mm === null ? '' : String(round(outline.depth_mm, 3)) });
+  const layer = made('td', outline.layer, { title: outline.within ? `within outline ${outline.within}` : 'within no other' });
+  row.append(made('td', String(outline.number)), layer, made('td', sizeOf(outline)), made('td'), made('td'));
+  row.children[3].append(kind);
+  row.children[4].append(depth);
+  return row;
+}
+
+function showOutlines(outlines) {
+  part.outlines = outlines;
+  element('outlines-box').hidden = outlines.length === 0;
+  element('outlines').querySelector('tbody').replaceChildren(...outlines.slice(0, mostOutlines).map(outlineRow));
+  element('outlines-title').textContent = `Outlines of the drawing: ${outlines.length}${outlines.length > mostOutlines ? `, the first ${mostOutlines} listed` : ''}`;
+}
+
+function featureText(feature) {
+  const { x, y } = feature.extent_mm ?? { x: [0, 0], y: [0, 0] };
+  return `${feature.name}: ${feature.kind.replaceAll('_', ' ')}, ${round(x[1] - x[0], 1)} × ${round(y[1] - y[0], 1)} mm, z ${round(feature.top_z, 3)} to ${round(feature.floor_z, 3)}`;
+}
+
+function showPart(answer) {
+  const info = answer.info;
+  const texts = info ? [...info.asks.map(text => `To say: ${text}`), ...info.found.map(one => `${one.kind}: ${one.where ? `${one.where}: ` : ''}${one.what}`), ...info.features.map(featureText)]
+    : [answer.message ?? 'The part cannot be read.'];
+  fillList(element('found'), texts.slice(0, mostOutlines));
+  element('found-box').hidden = texts.length === 0;
+  element('found-title').textContent = !info ? 'The part cannot be read as it is' : info.asks.length > 0 ? 'What was found, and what has to be said' : `What was found: ${info.features.length} ${info.features.length === 1 ? 'feature' : 'features'}`;
+  element('found-box').open = !info || info.asks.length > 0 || info.found.length > 0;
+  showOutlines(info?.outlines ?? []);
+}
+
+/** Asks the server what the part holds; a later question makes an earlier one void. */
+async function readPart() {
+  const mine = ++part.asked, unit = element('unit').value;
+  element('found-box').hidden = element('outlines-box').hidden = true;
+  showOutlines([]);
+  if (!plan.files.of('part')) return;
+  try {
+    const answer = await asked('/info', { method: 'POST', body: plan.files.form(unit ? `--unit ${unit}` : '') });
+    if (mine !== part.asked) return;
+    showPart(answer);
+  } catch (error) {
+    if (mine !== part.asked) return;
+    showPart({ message: error.message });
+  }
+  showPlanCommand();
+}

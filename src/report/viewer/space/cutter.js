@@ -1,0 +1,56 @@
+// ---- The cutter in space: its end, its flutes as long as they are known to be, and above them its shank. Holders are in no library.
+const cutters = { program: null, made: [] };
+const AROUND = 40;
+
+function makeCutters() {
+  cutters.program = programOf(CUTTER_VERTEX, CUTTER_FRAGMENT, ['position', 'outward', 'kind']);
+  cutters.made = job.tools.map(cutterOf);
+}
+
+/** Rows of radius, height above the tip and kind (0: cuts, 1: shank), from the tip up. */
+function profileOf(tool) {
+  const rows = [[0, 0, 0]], radius = tool.d / 2, steps = tool.a > 0 || !tool.r ? 1 : 10;
+  const flat = tool.a > 0 ? tool.t / 2 : radius - Math.min(tool.r || 0, radius);
+  for (let k = 0; k <= steps; ++k) {
+    const r = tool.r > 0 && !(tool.a > 0) ? flat + (radius - flat) * Math.sin(k / steps * Math.PI / 2) : flat + (radius - flat) * k / steps;
+    rows.push([r, endAt(tool, r), 0]);
+  }
+  const end = rows[rows.length - 1][1], flutes = Math.max(tool.f || 0, end), length = Math.max(flutes + 1.5 * tool.d, job.top - job.bottom + 2 * tool.d);
+  if (tool.f > 0) rows.push([radius, flutes, 0], [radius * 0.96, flutes, 1], [radius * 0.96, length, 1]);
+  else rows.push([radius, length, 0]);
+  rows.push([0, length, tool.f > 0 ? 1 : 0]);
+  return rows;
+}
+
+function cutterOf(tool) {
+  const rows = profileOf(tool), corners = [];
+  const corner = (row, k, out) => {
+    const angle = 2 * Math.PI * k / AROUND;
+    corners.push(row[0] * Math.cos(angle), row[0] * Math.sin(angle), row[1], out[0] * Math.cos(angle), out[0] * Math.sin(angle), out[1], row[2]);
+  };
+  for (let n = 1; n < rows.length; ++n) {
+    const a = rows[n - 1], b = rows[n], dr = b[0] - a[0], dz = b[1] - a[1], length = Math.hypot(dr, dz);
+    if (length === 0) continue;
+    const out = [dz / length, -dr / length];
+    for (let k = 0; k < AROUND; ++k) for (const [row, turn] of [[a, 0], [a, 1], [b, 0], [b, 0], [a, 1], [b, 1]]) corner(row, k + turn, out);
+  }
+  const made = { array: gl.createVertexArray(), count: corners.length / 7 };
+  gl.bindVertexArray(made.array);
+  bufferOf(gl.ARRAY_BUFFER, new Float32Array(corners));
+  [[3, 0], [3, 12], [1, 24]].forEach(([size, offset], k) => { gl.enableVertexAttribArray(k); gl.vertexAttribPointer(k, size, gl.FLOAT, false, 28, offset); });
+  gl.bindVertexArray(null);
+  return made;
+}
+
+function drawCutter(values) {
+  if (count === 0) return;
+  const i = Math.max(0, shownMove()), tool = job.sections[moves.section[i]].tool, p = pointAt(i, shownFraction());
+  if (tool < 0) return;
+  const cuts = p.z < job.top && moves.kind[i] !== 0;
+  gl.bindVertexArray(cutters.made[tool].array);
+  use(cutters.program, { ...values, tip: [p.x, p.y, p.z], edgeColor: rgb(css(cuts ? 'entry' : 'rapid')), strength: 0.55 });
+  gl.enable(gl.CULL_FACE);
+  gl.drawArrays(gl.TRIANGLES, 0, cutters.made[tool].count);
+  gl.disable(gl.CULL_FACE);
+  gl.bindVertexArray(null);
+}

@@ -1,0 +1,197 @@
+// ---- The view in space: when it can be had, what it draws, and in which detail.
+const section = { axis: 'none', at: 0 };
+const stageCanvas = by('space');
+// Detail: cells of a step of the surface, and whether edges are smoothed. While something moves, as much as the machine can draw
+// in time; at rest always the first.
+const DETAILS = [{ step: 1, smooth: true }, { step: 1, smooth: false }, { step: 2, smooth: false }, { step: 4, smooth: false }];
+const detail = { now: 1, most: 0, restAt: 0, lastFrame: 0, interval: 22, settled: true };
+let smoothTarget = null;
+
+/** The half of the section that is taken away has a scalar product above the last number. */
+function sectionPlane() {
+  if (section.axis === 'x') return [1, 0, 0, section.at];
+  if (section.axis === 'y') return [0, -1, 0, -section.at];
+  return [0, 0, 0, 1];
+}
+function isCutOff(p) {
+  const plane = sectionPlane();
+  return plane[0] * p.x + plane[1] * p.y > plane[3];
+}
+
+function startSpace() {
+  try {
+    gl = stageCanvas.getContext('webgl2', { alpha: true, antialias: false, depth: true, powerPreference: 'high-performance' });
+    if (!gl) return noSpace('this browser or this machine has no WebGL 2');
+    if (gl.getParameter(gl.MAX_TEXTURE_SIZE) < Math.max(width, height)) return noSpace('the graphics processor takes no picture of this size');
+    makeSurface(); makeLines(); makeCutters();
+    smoothTarget = null;
+    space.supported = true;
+  } catch (error) {
+    return noSpace(error.message);
+  }
+  return true;
+}
+
+function noSpace(why) {
+  space.supported = false; space.why = why;
+  by('space-note').textContent = 'No view in space: ' + why + '. The part is shown from above.';
+  by('space-note').hidden = false;
+  for (const button of by('views').querySelectorAll('button[data-view]')) if (button.dataset.view !== 'above') button.disabled = true;
+  return false;
+}
+
+/** 'above': the flat picture; or one of the standpoints in space. */
+function chooseView(name) {
+  const on = name !== 'above' && (space.supported ?? startSpace());
+  space.on = on;
+  stageCanvas.hidden = !on;
+  by('section-box').hidden = !on;
+  measureStage();
+  if (on) standAt(name);
+  markStandpoint();
+  if (measure.on) setMeasuring(true);
+  overlay.setAttribute('aria-label', on ? 'the part in space, the path and the cutter; dragging or Shift with arrows turns, Shift with dragging moves, wheel or plus and minus zoom, a click on the path shows its line'
+    : 'the part from above, the path and the cutter; wheel or plus and minus zoom, dragging moves, a click on the path shows its line');
+  soilAll();
+  redrawSoon();
+}
+
+function markStandpoint() {
+  for (const button of by('views').querySelectorAll('button[data-view]')) {
+    const stand = STANDPOINTS[button.dataset.view];
+    const here = space.on ? stand && camera.yaw === stand[0] && camera.pitch === stand[1] : button.dataset.view === 'above';
+    button.setAttribute('aria-pressed', String(Boolean(here)));
+  }
+}
+
+/** The frame buffer with four samples a pixel, of the canvas's size. */
+function smoothBuffer() {
+  const w = stageCanvas.width, h = stageCanvas.height;
+  if (smoothTarget && smoothTarget.w === w && smoothTarget.h === h) return smoothTarget.frame;
+  if (smoothTarget) { gl.deleteFramebuffer(smoothTarget.frame); smoothTarget.parts.forEach(part => gl.deleteRenderbuffer(part)); }
+  smoothTarget = { w, h, frame: gl.createFramebuffer(), parts: [] };
+  gl.bindFramebuffer(gl.FRAMEBUFFER, smoothTarget.frame);
+  for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
+    const part = gl.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, part);
+    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, Math.min(4, gl.getParameter(gl.MAX_SAMPLES)), format, w, h);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, part);
+    smoothTarget.parts.push(part);
+  }
+  return smoothTarget.frame;
+}
+
+function drawScene(one) {
+  const w = stageCanvas.width, h = stageCanvas.height;
+  gl.bindFramebuffer(gl.FRAMEBUFFER, one.smooth ? smoothBuffer() : null);
+  gl.viewport(0, 0, w, h);
+  gl.clearColor(0, 0, 0, 0);
+  gl.disable(gl.BLEND);
+  gl.enable(gl.DEPTH_TEST);
+  gl.depthFunc(gl.LEQUAL);
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  drawSurface(one.step);
+  gl.enable(gl.BLEND);
+  gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+  const values = valuesOfSurface();
+  gl.depthMask(false);
+  drawPart(values);
+  drawPathInSpace(values);
+  gl.depthMask(true);
+  drawCutter(values);
+  if (!one.smooth) return;
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, smoothTarget.frame);
+  gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+  gl.blitFramebuffer(0, 0, w, h, 0, 0, w, h, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+}
+
+/** Less detail where frames take long, more where they are quick; not again what was too slow once. */
+function adaptDetail(since) {
+  if (since > 1000) return;
+  detail.interval = 0.8 * detail.interval + 0.2 * Math.min(since, 100);
+  if (detail.interval > 30 && detail.now < DETAILS.length - 1) { ++detail.now; detail.most = detail.now; detail.interval = 22; }
+  else if (detail.interval < 18 && detail.now > detail.most) { --detail.now; detail.interval = 22; }
+}
+
+/** Draws at once in the detail that is fast enough, and soon after the last change in full. */
+function drawSpace(now = performance.now()) {
+  measureStage();
+  if (stageCanvas.width !== overlay.width || stageCanvas.height !== overlay.height) { stageCanvas.width = overlay.width; stageCanvas.height = overlay.height; }
+  adaptDetail(now - detail.lastFrame);
+  detail.lastFrame = now;
+  drawScene(DETAILS[detail.now]);
+  detail.settled = detail.now === 0;
+  clearTimeout(detail.restAt);
+  if (!detail.settled) detail.restAt = setTimeout(drawAtRest, 150);
+}
+
+function drawAtRest() {
+  if (!space.on || playing) return;
+  drawScene(DETAILS[0]);
+  detail.settled = true;
+}
+
+/** Marks over the picture: the move under way, faults, what is measured, the axes. */
+function drawSpaceOverlay() {
+  measureStage();
+  const c = overlay.getContext('2d');
+  c.setTransform(1, 0, 0, 1, 0, 0);
+  c.clearRect(0, 0, overlay.width, overlay.height);
+  c.scale(view.ratio, view.ratio);
+  const i = shownMove();
+  if (i >= 0 && by('path').value !== 'none') drawMoveInSpace(c, i);
+  if (at.time >= total && !job.clean) for (const fault of job.faults) if (fault.x !== null && fault.y !== null) drawMark(c, 1, projected(fault));
+  if (marked) drawMark(c, 1, projected(marked));
+  drawMeasure(c, 1);
+  drawAxes(c);
+}
+
+function drawMoveInSpace(c, i) {
+  const done = shownFraction(), chords = chordsOf(i);
+  c.beginPath();
+  for (let k = 0; k <= chords; ++k) {
+    const s = projected(pointAt(i, done * k / chords));
+    if (k === 0) c.moveTo(s.x, s.y); else c.lineTo(s.x, s.y);
+  }
+  c.lineWidth = 3; c.lineCap = 'round';
+  c.strokeStyle = by('path').value === 'all' ? css('ink') : colorOf(i);
+  c.stroke();
+}
+
+function drawAxes(c) {
+  const axes = cameraAxes(), x = view.w - 38, y = view.h - 88;
+  c.font = '12px system-ui, sans-serif'; c.lineWidth = 1.5; c.textAlign = 'center'; c.textBaseline = 'middle';
+  c.strokeStyle = c.fillStyle = css('ink');
+  ['x', 'y', 'z'].forEach((name, k) => {
+    const dx = axes.right[k], dy = -axes.up[k];
+    if (Math.hypot(dx, dy) < 0.05) return;
+    c.beginPath(); c.moveTo(x, y); c.lineTo(x + 20 * dx, y + 20 * dy); c.stroke();
+    c.fillText(name, x + 29 * dx, y + 29 * dy);
+  });
+  c.textAlign = 'start'; c.textBaseline = 'alphabetic';
+}
+
+const SECTION_RANGE = { x: () => [sx0, sx1], y: () => [sy0, sy1], z: () => [bottomZ, job.top] };
+/** Reads the choice of a section and where its slider stands. */
+function chooseSection(moved) {
+  section.axis = by('section').value;
+  const slider = by('section-at'), range = SECTION_RANGE[section.axis];
+  slider.hidden = !range;
+  if (range) {
+    const [from, to] = range();
+    if (!moved) slider.value = 500;
+    section.at = from + (to - from) * slider.value / 1000;
+    slider.setAttribute('aria-valuetext', section.axis + ' ' + lengthText(section.at, 2));
+    slider.title = section.axis + ' ' + lengthText(section.at, 2);
+  }
+  redrawSoon();
+}
+
+function listenToSpace() {
+  for (const button of by('views').querySelectorAll('button[data-view]')) button.onclick = () => chooseView(button.dataset.view);
+  by('section').onchange = () => chooseSection(false);
+  by('section-at').oninput = () => chooseSection(true);
+  stageCanvas.addEventListener('webglcontextlost', event => { event.preventDefault(); space.supported = null; });
+  stageCanvas.addEventListener('webglcontextrestored', () => { if (startSpace()) redrawSoon(); else chooseView('above'); });
+  overlay.oncontextmenu = event => { if (space.on) event.preventDefault(); };
+}
