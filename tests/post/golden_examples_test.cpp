@@ -12,7 +12,6 @@
 #include "base/files/file.h"
 #include "pipeline/check.h"
 #include "pipeline/elements.h"
-#include "pipeline/job_options.h"
 #include "pipeline/run.h"
 #include "post/post.h"
 #include "read/elements/read_elements.h"
@@ -44,8 +43,7 @@ constexpr Example kExamples[] = {kBracket,
                                  {"nested.step", "nested", "endmill:6", 8},
                                  {"awkward.step", "awkward", "endmill:4", 8},
                                  {"sign.dxf", "sign", "vbit:60deg:10", std::nullopt},
-                                 {"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3},
-                                 {"flange.toml", "flange", std::nullopt, std::nullopt}};
+                                 {"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3}};
 constexpr Example kFivePockets{"five_pockets.toml", "five_pockets", std::nullopt, std::nullopt};
 
 struct Case {
@@ -69,9 +67,6 @@ resolve::PlanOptions options_of(const Case& c, bool inch) {
   resolve::PlanOptions options;
   if (c.example.file == std::string("bracket.toml"))
     options.machine = read::read_job(file_of(c.example)).machine;
-  // Holes before taps and reamers are made by tools that no operation of the job names.
-  if (c.example.file == std::string("flange.toml"))
-    options.tool_cutting = pipeline::options_of_job(read::read_job(file_of(c.example))).tool_cutting;
   std::istringstream tools(c.example.tool.value_or(""));
   for (std::string tool; tools >> tool;) options.tools.push_back(resolve::parse_tool(tool));
   options.stepdown = c.example.stepdown;
