@@ -1,5 +1,5 @@
 // node viewer_browser_test.mjs FOLDER BROWSER: what a person does with FOLDER/fishhead.html, and whether the page follows.
-import { readFileSync, statSync } from 'node:fs';
+import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { chromium } from 'playwright-core';
@@ -185,6 +185,38 @@ async function withoutStock() {
   await page.close();
 }
 
+/** A program of a million lines, a spiral in chords: the page of the fishhead with other moves. */
+function millionPage() {
+  const n = 1e6, text = readFileSync(fishhead, 'utf8'), [whole, json] = /id="job">(.*?)<\/script>/s.exec(text), job = JSON.parse(json), x = [], y = [], program = [];
+  let px = 67000, py = 92000;
+  for (let i = 0; i < n; ++i) {
+    const a = 0.01 * i, r = 10000 + 0.4 * (i % 1e5), qx = Math.round(67000 + r * Math.cos(a)), qy = Math.round(92000 + r * Math.sin(a));
+    x.push(qx - px); y.push(qy - py); program.push(`X${qx / 1000} Y${qy / 1000}`);
+    px = qx; py = qy;
+  }
+  Object.assign(job, { kinds: '4'.repeat(n), x, y, z: [-5000, ...Array(n - 1).fill(0)], t: Array(n).fill(100), line: Array(n).fill(1), starts: [[0, 67000, 92000, 0]], arcs: [], feeds: [[0, 800]],
+    engagement: null, program, sections: [{ label: 'spiral', feature: 0, tool: 1, first: 0 }], faults: [] });
+  writeFileSync(`${folder}/million.html`, text.replace(whole, () => `id="job">${JSON.stringify(job)}</script>`));
+}
+
+async function aMillionLines() {
+  millionPage();
+  const page = await open(1280, 720, 'light', '#t=1', browser, folder + '/million.html');
+  console.log('a million lines: opened in', await evaluate(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
+  await page.$eval('#program', box => { box.scrollTop = box.scrollHeight; });
+  await page.waitForSelector('#program [data-line="1000000"]');
+  check(await page.locator('#program [role=option]').count() < 60, 'only the lines in sight are elements');
+  await page.click('#program [data-line="1000000"]', { timeout: 120000 });
+  check(await evaluate(page, 'at.time === total') && await selectedLine(page) === 1e6, 'the last line is reached by a click');
+  await page.keyboard.press('ArrowUp');
+  check(await selectedLine(page) === 999999, 'and the one before it by an arrow');
+  await page.selectOption('#path', 'all');
+  await stagePicture(page);
+  check(await evaluate(page, 'pathLines.count > 1e5 && pathLines.count <= 3e5') && await page.isVisible('#path-note'), 'the whole path is drawn in fewer lines, which is said: ' + await page.textContent('#path-note'));
+  await page.screenshot({ path: `${folder}/pictures/million.png` });
+  await page.close();
+}
+
 /** Where there is no WebGL the page says so and stays flat. */
 async function withoutWebGl() {
   const flat = await launch(['--disable-3d-apis']), page = await open(1366, 768, 'light', '#t=3000', flat);
@@ -219,7 +251,7 @@ check(statSync(fishhead).size < 10e6, `the page has ${statSync(fishhead).size} b
 console.log('opened in', await evaluate(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
 await page.close();
-for (const part of [inSpace, scrubsInSpace, withoutStock, frames, withoutWebGl]) await part();
+for (const part of [inSpace, scrubsInSpace, withoutStock, frames, aMillionLines, withoutWebGl]) await part();
 for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080]]) for (const scheme of ['light', 'dark']) await looks(width, height, scheme);
 await browser.close();
 console.log(failed === 0 ? 'the page in the browser: all well' : `the page in the browser: ${failed} failed`);

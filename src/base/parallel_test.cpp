@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <string>
 
 namespace clearcut::inline base {
 namespace {
@@ -35,6 +36,25 @@ TEST(Parallel, ALoopThatFailsAroundItDoesNotCutItShort) {
       },
       around);
   EXPECT_EQ(done, 1000);
+}
+
+TEST(ParallelInOrder, ThrowsWhatTheFirstOfThoseThatThrowHasThrown) {
+  std::atomic<int> run{0};
+  const auto work = [&](std::size_t i) {
+    ++run;
+    if (i % 7 == 3) throw std::runtime_error(std::to_string(i));
+  };
+  for (const int threads : {1, 4}) {
+    on_threads(threads, [&] {
+      try {
+        parallel_in_order(100, work);
+        FAIL() << "nothing was thrown";
+      } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "3");
+      }
+    });
+  }
+  EXPECT_EQ(run, 200);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "pipeline/steps/out_of_reach.h"
 #include "pipeline/steps/section_order.h"
 #include "pipeline/steps/step_work.h"
+#include "pipeline/steps/work_share.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "plan/common/walls.h"
@@ -79,19 +80,11 @@ class Sizes {
   double reached_mm2_ = 0;
 };
 
-/// Steps of work that a strategy may take for one workingstep, about 20 s of them; and one that is asked for by name, which
-/// there is nothing else for.
-constexpr std::uint64_t kMostWork = 2'000'000;
-constexpr std::uint64_t kMostWorkAlone = 4 * kMostWork;
-
-std::uint64_t most_work(const ResolvedStep& step) {
-  return step.strategy == nullptr ? kMostWork : kMostWorkAlone;
-}
-
-/// What a strategy makes of one workingstep. Throws OutOfWork where that is too much.
-StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedPlan& job) {
+/// What a strategy makes of one workingstep in so many steps of work. Throws OutOfWork where that is too much.
+StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedPlan& job,
+                   std::uint64_t most_work) {
   const ResolvedStep& step = job.steps[static_cast<std::size_t>(work.workingstep)];
-  const WorkBudget budget(most_work(step));
+  const WorkBudget budget(most_work);
   const auto strategy = strategy_for(attempt, step, job);
   StepPlan plan;
   const auto& feature = feature_of(job.part, job.part.workplan[static_cast<std::size_t>(work.workingstep)]);
@@ -147,9 +140,9 @@ constexpr std::size_t kMostEdgesForRivals = 400;
 
 /// The plan of an attempt, or of a rival that is faster.
 StepPlan fastest_plan(const StepWork& work, const Attempt& attempt, const ResolvedPlan& job,
-                      const StrategyTable& strategies) {
+                      const StrategyTable& strategies, std::uint64_t most_work) {
   const Part& part = job.part;
-  StepPlan best = plan_step(work, attempt, job);
+  StepPlan best = plan_step(work, attempt, job, most_work);
   const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
   const bool alone = !attempt.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
@@ -157,7 +150,7 @@ StepPlan fastest_plan(const StepWork& work, const Attempt& attempt, const Resolv
     const StrategyEntry* rival = strategies.find(name);
     if (!rival) continue;
     try {
-      StepPlan plan = plan_step(work, {rival, {}}, job);
+      StepPlan plan = plan_step(work, {rival, {}}, job, most_work);
       if (plan.section.moves.empty() || plan.time_s >= best.time_s) continue;
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
@@ -206,8 +199,14 @@ Toolpath toolpath_of(const Choice& choice, const ResolvedPlan& plan) {
   return toolpath;
 }
 
+/// As text, in thousands.
+std::string thousands(std::uint64_t steps) {
+  return fmt::format("{} thousand steps of work", steps / 1000);
+}
+
 void report_notes(const Choice& choice, const std::vector<StepWork>& works, const ResolvedPlan& plan,
                   Part& part) {
+  const auto shares = work_shares(works, plan);
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (works[i].done_before) {
       part.diagnostics.note(feature_of(part, part.workplan[i]).name,
@@ -216,8 +215,8 @@ void report_notes(const Choice& choice, const std::vector<StepWork>& works, cons
     }
     for (const auto& name : choice.left_out(i)) {
       part.diagnostics.note(feature_of(part, part.workplan[i]).name,
-                            fmt::format("{} is left out: planning it took more than {} million steps of work",
-                                        name, most_work(plan.steps[i]) / 1'000'000));
+                            fmt::format("{} is left out: planning it took more than its share of {}", name,
+                                        thousands(shares[i])));
     }
     const Section& section = choice.section(i);
     for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
@@ -225,15 +224,16 @@ void report_notes(const Choice& choice, const std::vector<StepWork>& works, cons
 }
 
 /// Why there are no passes for a workingstep.
-std::string no_passes(std::size_t i, const Choice& choice, const ResolvedPlan& plan) {
+std::string no_passes(std::size_t i, const Choice& choice, const std::vector<StepWork>& works,
+                      const ResolvedPlan& plan) {
   const Part& part = plan.part;
   const auto& step = part.workplan[i];
   const std::string& name = feature_of(part, step).name;
   if (!choice.left_out(i).empty()) {
     return fmt::format(
-        "planning {} by {} took more than {} million steps of work; use another --strategy (zigzag takes "
-        "the least) or a larger cutter",
-        name, fmt::join(choice.left_out(i), " and "), most_work(plan.steps[i]) / 1'000'000);
+        "planning {} by {} took more than {}; use another --strategy (zigzag takes the least) or a larger "
+        "cutter",
+        name, fmt::join(choice.left_out(i), " and "), thousands(work_shares(works, plan)[i]));
   }
   const bool fits =
       tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
@@ -249,7 +249,7 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
   const bool done_before =
       std::any_of(works.begin(), works.end(), [](const StepWork& work) { return work.done_before; });
   if (nothing && !done_before) {
-    throw InputError(part.source_file, "nothing can be cut: " + no_passes(0, choice, plan));
+    throw InputError(part.source_file, "nothing can be cut: " + no_passes(0, choice, works, plan));
   }
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
@@ -257,7 +257,7 @@ void report_what_does_not_fit(Part& part, const Choice& choice, const std::vecto
     const bool fits =
         tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;
-    part.diagnostics.skip(feature_of(part, step).name, no_passes(i, choice, plan));
+    part.diagnostics.skip(feature_of(part, step).name, no_passes(i, choice, works, plan));
   }
 }
 
@@ -334,8 +334,10 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   refuse_what_means_nothing(plan, result.part.diagnostics);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
+  const auto shares = work_shares(works, plan);
   const auto planner = [&](int step, const Attempt& attempt) {
-    StepPlan planned = fastest_plan(works[static_cast<std::size_t>(step)], attempt, plan, strategies);
+    const auto i = static_cast<std::size_t>(step);
+    StepPlan planned = fastest_plan(works[i], attempt, plan, strategies, shares[i]);
     meter.add();
     return planned;
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "verify/blend.h"
 #include "verify/checked_move.h"
 #include "verify/coverage/carving.h"
@@ -252,11 +253,9 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   std::vector<FeatureWork> works = works_of(part);
   std::vector<CarvingWork> carvings = carvings_of(part);
 
-  std::vector<std::function<void()>> tasks;
-  tasks.push_back([&] {
-    measure_load(part, program.moves,
-                 {options.tol, options.engagement_limit_deg, options.material, options.cancel});
-  });
+  const LoadOptions load{options.tol, options.engagement_limit_deg, options.material, options.cancel};
+  const int threads = options.threads > 0 ? options.threads : available_threads();
+  std::vector<std::function<void()>> tasks = load_tasks(part, program.moves, load, threads);
   for (std::size_t i = 0; i < program.moves.size(); i += kChunk) {
     const std::span<JudgedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
     tasks.push_back([&finished, &options, &program, chunk] {

@@ -319,10 +319,19 @@ TEST(Serve, TakesNoLargeAndNoBrokenRequests) {
 TEST(Serve, StandsNoise) {
   const ServerProcess server;
   std::mt19937 random(7);
+  std::string many;
+  for (int i = 0; i < 300; ++i) many += "X-Of-No-Use: 1\r\n";
   const std::vector<std::string> starts{
-      "", "GET ", "GET / HTTP/1.1\r\n", "POST /plan HTTP/1.1\r\nHost: localhost\r\n",
+      "",
+      "GET ",
+      "GET / HTTP/1.1\r\n",
+      "POST /plan HTTP/1.1\r\nHost: localhost\r\n",
       "POST /plan HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; "
-      "boundary=b\r\nContent-Length: 300\r\n\r\n--b\r\n"};
+      "boundary=b\r\nContent-Length: 300\r\n\r\n--b\r\n",
+      "POST /info HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; "
+      "boundary=b\r\nContent-Length: 260\r\n\r\n--b\r\nContent-Disposition: form-data; name=\"part\"; "
+      "filename=\"a.json\"\r\n\r\n",
+      "GET / HTTP/1.1\r\nHost: localhost\r\n" + many};
   for (int i = 0; i < 1000; ++i) {
     std::string bytes = starts[random() % starts.size()];
     const std::size_t size = random() % 300;

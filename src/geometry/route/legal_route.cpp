@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "base/units.h"
+#include "base/work_budget.h"
 
 namespace clearcut::inline geometry {
 namespace {
@@ -15,6 +17,8 @@ constexpr double kNoLength = 1e-7;
 constexpr double kArcPiece = kPi / 18;
 /// Paths with more vertices than this are shortened in one pass over windows of so many.
 constexpr std::size_t kWindow = 120;
+/// Straight lines whose check costs as much as one step of work.
+constexpr std::uint64_t kLinesPerStep = 8;
 
 void append(Path& path, const Edge& edge) {
   if (edge.is_arc() ? edge.length() > kNoLength : distance(edge.from, edge.to) > kNoLength)
@@ -124,10 +128,11 @@ Path LegalRoutes::around(const Crossing& out, const Crossing& in) const {
 Path LegalRoutes::taut(Vec2 a, const Path& path) const {
   const Path pieces = in_pieces(path);
   Path short_path;
+  std::uint64_t tried = 0;
   Vec2 at = a;
   for (std::size_t i = 0; i < pieces.size();) {
     std::size_t far = std::min(pieces.size() - 1, i + kWindow);
-    while (far > i && !area_.holds_line(at, pieces[far].to)) --far;
+    while (far > i && !area_.holds_line(at, pieces[far].to)) --far, ++tried;
     Edge edge = pieces[i];
     if (far > i || !edge.is_arc() || area_.holds_line(at, edge.to)) edge = Edge::line(at, pieces[far].to);
     edge.from = at;
@@ -135,6 +140,7 @@ Path LegalRoutes::taut(Vec2 a, const Path& path) const {
     if (!short_path.empty()) at = short_path.back().to;
     i = far + 1;
   }
+  WorkBudget::spend(1 + tried / kLinesPerStep);
   return short_path;
 }
 

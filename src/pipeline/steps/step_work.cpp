@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
@@ -147,28 +148,32 @@ std::optional<double> top_of_flush_walls(const Part& part, const Feature& featur
   return top;
 }
 
+StepWork step_work(int index, const ResolvedPlan& plan) {
+  const Part& part = plan.part;
+  StepWork work;
+  work.workingstep = index;
+  const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
+  work.wall_top = top_of_flush_walls(part, feature, plan.tol);
+  work.hole = carve_step(index, plan);
+  if (!work.hole) work.hole = formed_hole_step(index, plan);
+  if (work.hole) return work;
+  const auto standing = standing_layers(index, plan);
+  work.hole = hole_step(standing, index, plan);
+  work.layers = layers_left(standing, index, plan);
+  work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
+  return work;
+}
+
 }  // namespace
 
 std::vector<StepWork> step_works(const ResolvedPlan& plan) {
-  const Part& part = plan.part;
-  std::vector<StepWork> works;
-  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    throw_if_cancelled(plan.cancel);
-    StepWork work;
-    work.workingstep = static_cast<int>(i);
-    work.wall_top = top_of_flush_walls(part, feature_of(part, part.workplan[i]), plan.tol);
-    work.hole = carve_step(work.workingstep, plan);
-    if (!work.hole) work.hole = formed_hole_step(work.workingstep, plan);
-    if (work.hole) {
-      works.push_back(std::move(work));
-      continue;
-    }
-    const auto standing = standing_layers(work.workingstep, plan);
-    work.hole = hole_step(standing, work.workingstep, plan);
-    work.layers = layers_left(standing, work.workingstep, plan);
-    work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
-    works.push_back(std::move(work));
-  }
+  std::vector<StepWork> works(plan.part.workplan.size());
+  on_threads(plan.threads, [&] {
+    parallel_in_order(works.size(), [&](std::size_t i) {
+      throw_if_cancelled(plan.cancel);
+      works[i] = step_work(static_cast<int>(i), plan);
+    });
+  });
   return works;
 }
 

@@ -16,8 +16,16 @@ constexpr double kHalfDiagonal = 0.7072;
 constexpr std::size_t kFewCurves = 24;
 constexpr int kMostQuarterings = 5;
 
+/// Pairs of curves whose meeting costs as much as one step of work.
+constexpr std::uint64_t kPairsPerStep = 64;
+
 bool is_between(double v, double least, double most) {
   return v >= least && v <= most;
+}
+
+/// Whether two circles surely do not meet, by the square of their centres' distance and the sum of their radii.
+bool is_apart(double squared, double reach) {
+  return squared > reach * reach * (1 + 1e-6) + 1e-6;
 }
 
 }  // namespace
@@ -228,6 +236,7 @@ class Cover::Search {
         add_curves(base_->own_rims_, i, own_curves_, place);
       }
     }
+    WorkBudget::spend((strokes_.size() + curves_.size()) / kPairsPerStep);
     search_inside(square, {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
   }
 
@@ -314,6 +323,7 @@ class Cover::Search {
   }
 
   void meet_all(const Square& square, const Near& near) {
+    WorkBudget::spend(near.curves.size() * near.curves.size() / kPairsPerStep);
     for (std::size_t i = near.curves.from; i < near.curves.to && curves_[i] < own_curves_; ++i) {
       for (std::size_t j = i + 1; j < near.curves.to && !has_ended(); ++j)
         meet(curves_[i], curves_[j], square, near.strokes);
@@ -350,6 +360,7 @@ class Cover::Search {
       side = line.direction * std::sqrt(std::max(0.0, h2));
     } else {
       const Vec2 between = q.a - p.a;
+      if (is_apart(norm_squared(between), p.radius + q.radius)) return 0;
       const double d = norm(between);
       if (d < 1e-9) return 0;
       const double x = 0.5 * (d + (p.radius - q.radius) * (p.radius + q.radius) / d);

@@ -27,8 +27,10 @@ constexpr Variant kVariants[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 
 /// more stay as they are, and only links and what lies inside is shortened.
 constexpr double kMostVerticesInAll = 800;
 constexpr double kMostFlexible = 800;
-/// Number of edges of rings above which there is no search.
+/// Number of edges of rings above which there is no search, and of vertices that all passes but those at walls would have:
+/// about 5 s.
 constexpr std::size_t kMostEdges = 60000;
+constexpr double kMostVertices = 40000;
 /// Step of the rings where only inner ones are flexible, as a share of the diameter.
 constexpr double kLargeStep = 0.98;
 /// mm by which passes that are not shortened clear with an overlap: more than the margin of the proof.
@@ -216,7 +218,7 @@ void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer
   const double vertices = vertices_of(result.passes, job.radius);
   std::size_t edges = 0;
   for (const auto& pass : result.passes) edges += pass.path.size();
-  if (edges > kMostEdges || options.effort <= 0) return;
+  if (edges > kMostEdges || vertices > kMostVertices || options.effort <= 0) return;
   const bool large = vertices > kMostFlexible * options.effort;
   if (large) job.margin = kSpareMargin;
   const auto count = std::clamp<std::size_t>(

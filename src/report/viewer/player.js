@@ -1,6 +1,6 @@
 // ---- Playing.
 const SPEEDS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
-let playing = false, lastFrame = 0, selected = -1, redrawAsked = false;
+let figuresKey = '', playing = false, lastFrame = 0, selected = -1, redrawAsked = false;
 
 /** The move under way, or the one selected, which has just ended; -1 before the first. */
 function shownMove() {
@@ -33,6 +33,10 @@ function unmark() {
 }
 function redraw() {
   if (space.on) { drawSpace(); drawSpaceOverlay(); } else { shade(); drawOverlay(); }
+  // Turning and zooming change no figure, and writing the same ones again costs as much as the picture.
+  const key = [at.time, selected, playing, unit.name, dark.matches, by('plot').clientWidth, by('plot').clientHeight, window.devicePixelRatio].join();
+  if (key === figuresKey) return;
+  figuresKey = key;
   updateNow(); drawPlot();
 }
 function redrawSoon() {

@@ -55,11 +55,25 @@ class LoadMeter {
         measure_feed(judged);
       }
     }
-    if (radius > 0 && judged.feeds()) material_.add(move, radius);
-    before_ = judged.feeds() ? &move : nullptr;
+    take_away(judged);
+  }
+
+  /// Runs a move that is measured elsewhere: the same state as after measuring it.
+  void pass_over(const JudgedMove& judged) {
+    follow_entry(judged);
+    if (judged.feeds() && judged.tool && is_conical(*judged.tool)) {
+      before_ = judged.move;
+      return cones_.add(*judged.move, *judged.tool);
+    }
+    take_away(judged);
   }
 
  private:
+  void take_away(const JudgedMove& judged) {
+    if (judged.radius() > 0 && judged.feeds()) material_.add(*judged.move, judged.radius());
+    before_ = judged.feeds() ? judged.move : nullptr;
+  }
+
   /// Depth under what stands over the tip. What cones take away counts for cones alone: other cutters are judged as if it stood.
   void measure_cone(JudgedMove& judged) {
     const Move& move = *judged.move;
@@ -266,9 +280,22 @@ double bottom_of(const Part& part) {
   return bottom - 1;
 }
 
-}  // namespace
+/// Number of samples below which a part of the program is not worth running all before it once more.
+constexpr double kLeastSamples = 20000;
+/// Most parts, and most radii of path over all of them: each part keeps the material that it runs through, about half a kB for
+/// each radius.
+constexpr int kMostParts = 4;
+constexpr double kMostRadii = 6e5;
 
-void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options) {
+/// About how many samples a move is measured at.
+double samples_of(const JudgedMove& judged, double top_z) {
+  const bool sampled = judged.feeds() && judged.radius() > kFilm && judged.low_z() < top_z;
+  return 1 + (sampled ? judged.move->length() / std::min(judged.radius() / 10, kLongestStep) : 0);
+}
+
+/// Measures the moves from `first` to before `last`, after running all before them.
+void measure_moves(const Part& part, std::vector<JudgedMove>& moves, std::size_t first, std::size_t last,
+                   const LoadOptions& options) {
   std::vector<double> radii;
   for (const JudgedMove& judged : moves) {
     if (judged.radius() > 0) radii.push_back(judged.radius());
@@ -283,10 +310,43 @@ void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOp
     material.add({down, part.top_z(), bottom_of(part), MoveKind::kPlunge, {}, 0}, hole.diameter / 2);
   }
   LoadMeter meter(material, options);
-  for (JudgedMove& judged : moves) {
+  for (std::size_t i = 0; i < last; ++i) {
     throw_if_cancelled(options.cancel);
-    meter.measure(judged);
+    if (i < first) {
+      meter.pass_over(moves[i]);
+    } else {
+      meter.measure(moves[i]);
+    }
   }
+}
+
+}  // namespace
+
+void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options) {
+  measure_moves(part, moves, 0, moves.size(), options);
+}
+
+std::vector<std::function<void()>> load_tasks(const Part& part, std::vector<JudgedMove>& moves,
+                                              const LoadOptions& options, int threads) {
+  double all = 0, radii = 0;
+  for (const JudgedMove& judged : moves) {
+    all += samples_of(judged, part.top_z());
+    if (judged.feeds() && judged.radius() > kFilm) radii += judged.move->length() / judged.radius();
+  }
+  const double room = std::clamp(kMostRadii / std::max(radii, 1.0), 1.0, double{kMostParts});
+  const int most = std::clamp(threads, 1, static_cast<int>(room));
+  const int parts = std::clamp(static_cast<int>(all / kLeastSamples), 1, most);
+  std::vector<std::function<void()>> tasks;
+  double before = 0;
+  for (std::size_t first = 0, last = 0; last < moves.size(); first = last) {
+    const double until = all * (static_cast<double>(tasks.size()) + 1) / parts;
+    while (last < moves.size() && (last == first || before < until))
+      before += samples_of(moves[last++], part.top_z());
+    if (static_cast<int>(tasks.size()) + 1 == parts) last = moves.size();
+    tasks.push_back(
+        [&part, &moves, options, first, last] { measure_moves(part, moves, first, last, options); });
+  }
+  return tasks;
 }
 
 }  // namespace clearcut::verify

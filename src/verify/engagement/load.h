@@ -1,8 +1,10 @@
 // What the cutter meets along the program: engagement, depth of cut, rapids through material.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "base/tolerances.h"
 #include "model/part.h"
@@ -28,5 +30,10 @@ struct LoadOptions {
 ///
 /// Cost    O(length / step * moves near).
 void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options);
+
+/// The same as tasks for up to `threads` threads, which together fill what measure_load fills: each runs the program as far
+/// as its part of the moves, which alone it measures. The load does not depend on how many there are. References are kept.
+std::vector<std::function<void()>> load_tasks(const Part& part, std::vector<JudgedMove>& moves,
+                                              const LoadOptions& options, int threads);
 
 }  // namespace clearcut::verify

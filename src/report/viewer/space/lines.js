@@ -1,6 +1,6 @@
 // ---- Lines in space: the path in its colours, the outlines of the part, the edges of the stock.
 const STRIDE = 20;  // bytes of a corner: three floats, a colour, the move that it belongs to
-const pathLines = { program: null, array: null, buffer: null, first: null, version: -1, places: null };
+const pathLines = { program: null, array: null, buffer: null, first: null, places: null, count: 0, key: '' };
 const partLines = { array: null, buffer: null, count: 0, key: '' };
 
 function makeLines() {
@@ -15,7 +15,7 @@ function makeLines() {
     gl.vertexAttribIPointer(2, 1, gl.INT, STRIDE, 16);
   }
   gl.bindVertexArray(null);
-  pathLines.version = -1; partLines.key = '';
+  pathLines.key = partLines.key = '';
 }
 
 /** Chords that stand for move i: an arc deviates from them by less than a third of a cell. */
@@ -40,30 +40,59 @@ function placesOfPath() {
   }
 }
 
-/** Corners for lines of two each, of the moves that are shown. */
-function writePath() {
-  placesOfPath();
-  pathLines.version = pictureVersion;
-  const most = 2 * (pathLines.first[count] - count), bytes = new ArrayBuffer(STRIDE * most), floats = new Float32Array(bytes), words = new Int32Array(bytes), tints = new Uint8Array(bytes);
-  const inks = classColors.map(color => rgb(color).map(v => 255 * v)), none = rgb(noColor).map(v => 255 * v);
-  pathLines.start = new Uint32Array(count + 1);
-  let n = 0;
-  for (let i = 0; i < count; ++i) {
-    pathLines.start[i] = n;
+// Lines that are drawn at once: a processor draws a million in ten seconds, a graphics processor in no time.
+const MANY_LINES = { software: 150000, hardware: 2000000 };
+const isSoftware = () => /swiftshader|llvmpipe|software/i.test(gl.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+
+/** Colours of the classes as bytes; the last is that of moves without a value. */
+function inksOfClasses() {
+  const inks = classColors.map(color => rgb(color).map(v => 255 * v));
+  inks[NO_VALUE] = rgb(noColor).map(v => 255 * v);
+  return inks;
+}
+
+/**
+ * Lines of two corners each of the moves that are shown, from the first to the last. Lines of one colour that go on into each other
+ * become one as long as it is shorter than the tolerance.
+ */
+function linesOf(first, last, tolerance) {
+  const most = 2 * (pathLines.first[last + 1] - pathLines.first[first]), bytes = new ArrayBuffer(STRIDE * most), floats = new Float32Array(bytes), words = new Int32Array(bytes), tints = new Uint8Array(bytes);
+  const places = pathLines.places, inks = inksOfClasses();
+  let n = 0, from = -1, to = -1, owner = -1;  // of the line that may still grow
+  const corner = k => {
+    floats[5 * n] = places[3 * k]; floats[5 * n + 1] = places[3 * k + 1]; floats[5 * n + 2] = places[3 * k + 2];
+    tints.set(inks[classOf[owner]] || inks[NO_VALUE], STRIDE * n + 12);
+    tints[STRIDE * n + 15] = moves.kind[owner] === 0 ? 150 : 255;
+    words[5 * n++ + 4] = owner;
+  };
+  const end = () => { if (from >= 0) { corner(from); corner(to); } from = -1; };
+  const apart = (k, m) => Math.hypot(places[3 * k] - places[3 * m], places[3 * k + 1] - places[3 * m + 1], places[3 * k + 2] - places[3 * m + 2]);
+  for (let i = first; i <= last; ++i) {
     if (!shown(i)) continue;
-    const ink = classOf[i] === NO_VALUE ? none : inks[classOf[i]] || none;
     for (let k = pathLines.first[i]; k < pathLines.first[i + 1] - 1; ++k) {
-      for (let end = 0; end < 2; ++end, ++n) {
-        floats.set(pathLines.places.subarray(3 * (k + end), 3 * (k + end) + 3), 5 * n);
-        tints.set(ink, STRIDE * n + 12);
-        tints[STRIDE * n + 15] = moves.kind[i] === 0 ? 150 : 255;
-        words[5 * n + 4] = i;
-      }
+      const goesOn = from >= 0 && tolerance > 0 && classOf[owner] === classOf[i] && apart(to, k) < 1e-4 && apart(from, k + 1) < tolerance;
+      if (!goesOn) { end(); from = k; }
+      to = k + 1; owner = i;
     }
   }
-  pathLines.start[count] = n;
+  end();
+  return new Uint8Array(bytes, 0, STRIDE * n);
+}
+
+/** Hands over the lines that the choice of the path asks for, as many as the machine can draw. */
+function writePath(first, last) {
+  placesOfPath();
+  const chords = pathLines.first[last + 1] - pathLines.first[first], most = isSoftware() ? MANY_LINES.software : MANY_LINES.hardware;
+  const finest = chords > most ? 2 ** Math.round(Math.log2(0.5 / camera.k)) : 0, key = [pictureVersion, first, last, finest, dark.matches].join();
+  if (key === pathLines.key) return;
+  pathLines.key = key;
+  let tolerance = finest, lines = linesOf(first, last, tolerance);
+  for (; tolerance > 0 && lines.length > 2 * STRIDE * most; tolerance *= 1.5) lines = linesOf(first, last, 1.5 * tolerance);
+  pathLines.count = lines.length / STRIDE;
+  by('path-note').hidden = tolerance === 0;
+  by('path-note').textContent = tolerance > 0 ? 'path drawn to ' + lengthText(tolerance, 2) : '';
   gl.bindBuffer(gl.ARRAY_BUFFER, pathLines.buffer);
-  gl.bufferData(gl.ARRAY_BUFFER, new Uint8Array(bytes, 0, STRIDE * n), gl.DYNAMIC_DRAW);
+  gl.bufferData(gl.ARRAY_BUFFER, lines, gl.DYNAMIC_DRAW);
 }
 
 /** What is in front of the material is drawn in full, what lies behind or under it faintly. */
@@ -80,15 +109,17 @@ function drawLines(lines, from, to, values, hidden) {
   gl.bindVertexArray(null);
 }
 
-function drawPathInSpace(values) {
-  const mode = by('path').value;
-  if (mode === 'none' || count === 0) return;
-  if (pathLines.version !== pictureVersion) writePath();
-  const last = mode === 'all' ? count - 1 : shownMove(), first = mode === 'all' ? 0 : Math.max(0, last - TRAIL);
-  if (last < 0) return;
+/** `rough`: something moves and the machine is slow; then a long path waits until all is at rest. */
+function drawPathInSpace(values, rough) {
+  const mode = by('path').value, last = mode === 'all' ? count - 1 : shownMove();
+  if (mode !== 'all') by('path-note').hidden = true;
+  if (mode === 'none' || last < 0) return;
   // Of the move under way only the part that is done is drawn, with the marks.
-  const to = mode === 'all' ? count : last;
-  drawLines(pathLines, pathLines.start[first], pathLines.start[Math.max(first, to)], { ...values, last: { i: last }, trail: { i: mode === 'all' ? 0 : TRAIL } }, mode === 'all' ? 0.45 : 0.3);
+  const first = mode === 'all' ? 0 : Math.max(0, last - TRAIL), to = mode === 'all' ? last : last - 1;
+  if (to < first) return;
+  writePath(first, to);
+  if (rough && pathLines.count > 40000) return;
+  drawLines(pathLines, 0, pathLines.count, { ...values, last: { i: last }, trail: { i: mode === 'all' ? 0 : TRAIL } }, rough && mode !== 'all' ? 0 : mode === 'all' ? 0.45 : 0.3);
 }
 
 /** Polygons of an outline's path data: M, L, A with equal radii, Z, in the part's mm. */
@@ -137,10 +168,10 @@ function writePart() {
   gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.STATIC_DRAW);
 }
 
-function drawPart(values) {
+function drawPart(values, rough) {
   const key = String(dark.matches);
   if (key !== partLines.key) { partLines.key = key; writePart(); }
-  drawLines(partLines, 0, partLines.count, { ...values, last: { i: 0 }, trail: { i: 0 } }, 0.12);
+  drawLines(partLines, 0, partLines.count, { ...values, last: { i: 0 }, trail: { i: 0 } }, rough ? 0 : 0.12);
 }
 
 /** The move that passes nearest to a point of the stage; of several on each other the one nearest in time. -1: none is near. */

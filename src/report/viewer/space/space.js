@@ -1,11 +1,11 @@
 // ---- The view in space: when it can be had, what it draws, and in which detail.
 const section = { axis: 'none', at: 0 };
 const stageCanvas = by('space');
-// Detail: cells of a step of the surface, and whether edges are smoothed. While something moves, as much as the machine can draw
-// in time; at rest always the first.
-const DETAILS = [{ step: 1, smooth: true }, { step: 1, smooth: false }, { step: 2, smooth: false }, { step: 4, smooth: false }];
+// Detail: cells of a step of the surface, samples of a pixel, and pixels for each of the stage's. While something moves, as much as
+// the machine can draw in time; at rest always the first.
+const DETAILS = [{ step: 1, samples: 4, share: 1 }, { step: 1, samples: 0, share: 1 }, { step: 2, samples: 0, share: 1 }, { step: 4, samples: 0, share: 1 }, { step: 4, samples: 0, share: 0.5 }];
 const detail = { now: 1, most: 0, restAt: 0, lastFrame: 0, interval: 22, settled: true };
-let smoothTarget = null;
+let buffers = {};  // by samples and size
 
 /** The half of the section that is taken away has a scalar product above the last number. */
 function sectionPlane() {
@@ -24,7 +24,7 @@ function startSpace() {
     if (!gl) return noSpace('this browser or this machine has no WebGL 2');
     if (gl.getParameter(gl.MAX_TEXTURE_SIZE) < Math.max(width, height)) return noSpace('the graphics processor takes no picture of this size');
     makeSurface(); makeLines(); makeCutters();
-    smoothTarget = null;
+    buffers = {};
     space.supported = true;
   } catch (error) {
     return noSpace(error.message);
@@ -46,6 +46,7 @@ function chooseView(name) {
   space.on = on;
   stageCanvas.hidden = !on;
   by('section-box').hidden = !on;
+  by('path-note').hidden = true;
   measureStage();
   if (on) standAt(name);
   markStandpoint();
@@ -64,26 +65,27 @@ function markStandpoint() {
   }
 }
 
-/** The frame buffer with four samples a pixel, of the canvas's size. */
-function smoothBuffer() {
-  const w = stageCanvas.width, h = stageCanvas.height;
-  if (smoothTarget && smoothTarget.w === w && smoothTarget.h === h) return smoothTarget.frame;
-  if (smoothTarget) { gl.deleteFramebuffer(smoothTarget.frame); smoothTarget.parts.forEach(part => gl.deleteRenderbuffer(part)); }
-  smoothTarget = { w, h, frame: gl.createFramebuffer(), parts: [] };
-  gl.bindFramebuffer(gl.FRAMEBUFFER, smoothTarget.frame);
+/** A frame buffer to be copied to the stage; those of another size are given back. */
+function bufferFor(w, h, samples) {
+  const key = [w, h, samples].join();
+  if (buffers[samples]?.key === key) return buffers[samples].frame;
+  if (buffers[samples]) { gl.deleteFramebuffer(buffers[samples].frame); buffers[samples].parts.forEach(part => gl.deleteRenderbuffer(part)); }
+  const made = buffers[samples] = { key, frame: gl.createFramebuffer(), parts: [] };
+  gl.bindFramebuffer(gl.FRAMEBUFFER, made.frame);
   for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
     const part = gl.createRenderbuffer();
     gl.bindRenderbuffer(gl.RENDERBUFFER, part);
-    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, Math.min(4, gl.getParameter(gl.MAX_SAMPLES)), format, w, h);
+    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, Math.min(samples, gl.getParameter(gl.MAX_SAMPLES)), format, w, h);
     gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, part);
-    smoothTarget.parts.push(part);
+    made.parts.push(part);
   }
-  return smoothTarget.frame;
+  return made.frame;
 }
 
 function drawScene(one) {
-  const w = stageCanvas.width, h = stageCanvas.height;
-  gl.bindFramebuffer(gl.FRAMEBUFFER, one.smooth ? smoothBuffer() : null);
+  const w = Math.round(stageCanvas.width * one.share), h = Math.round(stageCanvas.height * one.share), direct = one.samples === 0 && one.share === 1, rough = one.step > 1;
+  const frame = direct ? null : bufferFor(w, h, one.samples);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
   gl.viewport(0, 0, w, h);
   gl.clearColor(0, 0, 0, 0);
   gl.disable(gl.BLEND);
@@ -95,14 +97,14 @@ function drawScene(one) {
   gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   const values = valuesOfSurface();
   gl.depthMask(false);
-  drawPart(values);
-  drawPathInSpace(values);
+  drawPart(values, rough);
+  drawPathInSpace(values, rough);
   gl.depthMask(true);
   drawCutter(values);
-  if (!one.smooth) return;
-  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, smoothTarget.frame);
+  if (direct) return;
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frame);
   gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-  gl.blitFramebuffer(0, 0, w, h, 0, 0, w, h, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+  gl.blitFramebuffer(0, 0, w, h, 0, 0, stageCanvas.width, stageCanvas.height, gl.COLOR_BUFFER_BIT, one.share === 1 ? gl.NEAREST : gl.LINEAR);
 }
 
 /** Less detail where frames take long, more where they are quick; not again what was too slow once. */
