@@ -23,7 +23,7 @@ endforeach()
 # The bill of materials tells what the built programs load, so it is made after them.
 find_package(Python 3.9 REQUIRED COMPONENTS Interpreter)
 set(built "")
-foreach(target clearcut clearcut-solids clearcut_shared _core)
+foreach(target clearcut clearcut-serve clearcut-solids clearcut_shared _core)
   if(TARGET ${target})
     list(APPEND built $<TARGET_FILE:${target}>)
   endif()

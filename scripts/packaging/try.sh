@@ -45,7 +45,7 @@ step tarball "plans, reads a solid, on a bare Debian, in '/opt/a folder'"
 inside "apt-get update -qq"
 install "python3-minimal"
 install "./clearcut_*.deb"
-inside "clearcut $plan package.ngc && cmp package.ngc tarball.ngc && clearcut info bracket.json > /dev/null"
+inside "clearcut $plan package.ngc && cmp package.ngc tarball.ngc && clearcut info bracket.json > /dev/null && clearcut serve --help > /dev/null"
 step clearcut "plans; the same bytes as the tarball's"
 install "./python3-clearcut_*.deb"
 inside "python3 -c '
