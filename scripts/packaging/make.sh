@@ -7,6 +7,8 @@ build=${1:-build/packages}
 # Every file is as old as the last change; a tree without git takes the time of its change log.
 SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2> /dev/null || stat -c %Y CHANGELOG.md)}
 export SOURCE_DATE_EPOCH LC_ALL=C TZ=UTC
+# ccache's base directory makes paths relative to the build's folder, and what is compiled then names its sources otherwise.
+export CCACHE_BASEDIR=
 umask 022
 log() { "$@" > "$build.log" 2>&1 || { cat "$build.log" >&2; exit 1; }; rm -f "$build.log"; }
 

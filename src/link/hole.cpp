@@ -42,6 +42,31 @@ Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options
   return section_of(list, options);
 }
 
+Section chip_hole(const HoleWork& hole, double peck, const LinkOptions& options) {
+  const double clear = hole.z_top + options.above_material;
+  MoveList list(hole.center, options.safe_z);
+  list.vertical(clear, MoveKind::kRapid, {});
+  const int pecks = std::max(1, static_cast<int>(std::ceil((hole.z_top - hole.z) / peck - 1e-9)));
+  const double step = pecks == 1 ? clear - hole.z : (hole.z_top - hole.z) / pecks;
+  for (double depth = clear - step; depth > hole.z + step / 1000; depth -= step) {
+    list.vertical(depth, MoveKind::kPlunge, options.plunge_feed);
+    list.vertical(std::min(clear, depth + kPeckGap), MoveKind::kRapid, {});
+  }
+  list.vertical(hole.z, MoveKind::kPlunge, options.plunge_feed);
+  list.vertical(options.safe_z, MoveKind::kRapid, {});
+  return section_of(list, options);
+}
+
+Section feed_out_hole(const HoleWork& hole, const LinkOptions& options) {
+  const double clear = hole.z_top + options.above_material;
+  MoveList list(hole.center, options.safe_z);
+  list.vertical(clear, MoveKind::kRapid, {});
+  list.vertical(hole.z, MoveKind::kPlunge, options.plunge_feed);
+  list.vertical(clear, MoveKind::kRetract, options.plunge_feed);
+  list.vertical(options.safe_z, MoveKind::kRapid, {});
+  return section_of(list, options);
+}
+
 bool can_bore(const HoleWork& hole, double tool_radius) {
   const double radius = hole.radius - tool_radius;
   return radius >= kNarrowestBore * tool_radius && radius <= kWidestBore * tool_radius;

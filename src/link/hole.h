@@ -18,6 +18,13 @@ struct HoleWork {
 /// as deep as the hole.
 Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options);
 
+/// The same with the chip broken alone: up by kPeckGap after each peck.
+Section chip_hole(const HoleWork& hole, double peck, const LinkOptions& options);
+
+/// Down at the plunge feed, and out of the hole at the same: reamers, boring bars, taps, whose spindle turns the other way
+/// on the way out.
+Section feed_out_hole(const HoleWork& hole, const LinkOptions& options);
+
 /// mm above the last depth, where a drill begins to feed again after a retract; LinuxCNC's own cycle has the
 /// same value.
 inline constexpr double kPeckGap = 0.254;

@@ -75,7 +75,8 @@ enum class ControlEventKind : unsigned char {
   kPause,             ///< M0, M1
   kDwell,             ///< `seconds`
   kSpindleStart,      ///< M3, M4 from standstill or the other way round
-  kSpindleStop
+  kSpindleStop,
+  kTapTurnsBack  ///< at the bottom of a tapping cycle: the spindle turns the other way until the tap is out
 };
 
 /// Happens before the move with that number begins.

@@ -62,6 +62,13 @@ bool is_carved(const Feature& feature, const Tool& tool) {
   return feature.kind == FeatureKind::kEngraving && (is_conical(tool) || tool.kind == ToolKind::kBallEndMill);
 }
 
+bool is_formed(const Feature& feature) {
+  if (!feature.hole) return false;
+  const HoleKind kind = feature.hole->kind;
+  return kind == HoleKind::kSpotted || kind == HoleKind::kCountersunk || kind == HoleKind::kTapped ||
+         kind == HoleKind::kThreadMilled;
+}
+
 bool closed_all_round(const Feature& feature) {
   return feature.kind == FeatureKind::kClosedPocket || feature.kind == FeatureKind::kRoundHole ||
          feature.kind == FeatureKind::kVCarving;

@@ -8,6 +8,7 @@
 #include "base/diagnostics.h"
 #include "base/tolerances.h"
 #include "geometry/region.h"
+#include "model/hole.h"
 #include "model/tool.h"
 
 namespace clearcut::inline model {
@@ -95,6 +96,8 @@ struct Feature {
   std::optional<VCarving> carving = {};
   /// Chamfers only: their target is the strip that they take of the top, and only its side away from the line leans.
   std::optional<Chamfer> chamfer = {};
+  /// Round holes of which more is asked than a cylinder down to floor_z.
+  std::optional<HoleForm> hole = {};
 };
 
 /// How far beyond the stock an open side's `allowed` region reaches, mm.
@@ -174,6 +177,9 @@ const Feature& feature_of(const Part& part, const Workingstep& step);
 
 /// Whether the cutter makes the feature by its own shape along lines in space, rather than clearing it layer by layer.
 bool is_carved(const Feature& feature, const Tool& tool);
+
+/// Whether the tool makes it along its axis or a helix of its own: spots, countersinks, taps, thread mills.
+bool is_formed(const Feature& feature);
 
 /// Whether walls bound the feature on all sides, so that the cutter can leave it upwards alone.
 bool closed_all_round(const Feature& feature);

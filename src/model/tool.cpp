@@ -11,11 +11,22 @@ struct ToolName {
   ToolKind kind;
   const char* name;
 };
-constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},     {ToolKind::kFaceMill, "facemill"},
-                               {ToolKind::kBallEndMill, "ball"},    {ToolKind::kBullNoseEndMill, "bullnose"},
-                               {ToolKind::kDrill, "drill"},         {ToolKind::kReamer, "reamer"},
-                               {ToolKind::kVBit, "vbit"},           {ToolKind::kChamferMill, "chamfer"},
-                               {ToolKind::kSpotDrill, "spotdrill"}, {ToolKind::kOther, "other"}};
+constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},
+                               {ToolKind::kFaceMill, "facemill"},
+                               {ToolKind::kBallEndMill, "ball"},
+                               {ToolKind::kBullNoseEndMill, "bullnose"},
+                               {ToolKind::kDrill, "drill"},
+                               {ToolKind::kReamer, "reamer"},
+                               {ToolKind::kVBit, "vbit"},
+                               {ToolKind::kChamferMill, "chamfer"},
+                               {ToolKind::kSpotDrill, "spotdrill"},
+                               {ToolKind::kTap, "tap"},
+                               {ToolKind::kThreadMill, "threadmill"},
+                               {ToolKind::kBoringBar, "boringbar"},
+                               {ToolKind::kCounterbore, "counterbore"},
+                               {ToolKind::kOther, "other"}};
+/// Degrees; of common drills.
+constexpr double kUsualPoint = 118;
 
 }  // namespace
 
@@ -54,10 +65,20 @@ double radius_at(const Tool& tool, double height) {
   return flat + std::sqrt(round * round - below * below);
 }
 
+double point_length(const Tool& tool) {
+  if (tool.kind != ToolKind::kDrill) return 0;
+  return tool.radius() / std::tan(tool.tip_angle.value_or(Radians::of_degrees(kUsualPoint)).radians() / 2);
+}
+
+bool makes_holes(const Tool& tool) {
+  return tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer ||
+         tool.kind == ToolKind::kCounterbore || tool.kind == ToolKind::kBoringBar;
+}
+
 bool clears_floors(const Tool& tool) {
-  return tool.kind != ToolKind::kDrill && tool.kind != ToolKind::kReamer &&
-         tool.kind != ToolKind::kSpotDrill && tool.kind != ToolKind::kVBit &&
-         tool.kind != ToolKind::kChamferMill;
+  return !makes_holes(tool) && tool.kind != ToolKind::kSpotDrill && tool.kind != ToolKind::kVBit &&
+         tool.kind != ToolKind::kChamferMill && tool.kind != ToolKind::kTap &&
+         tool.kind != ToolKind::kThreadMill;
 }
 
 }  // namespace clearcut::inline model

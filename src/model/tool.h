@@ -18,10 +18,14 @@ enum class ToolKind {
   kVBit,         ///< a cone down to a point or a small flat
   kChamferMill,  ///< a cone with a flat tip that does not cut
   kSpotDrill,    ///< a cone that goes straight down
+  kTap,          ///< cuts a thread of its own size; its feed is pitch times speed
+  kThreadMill,   ///< cuts a thread along a helix; with a pitch in many rows of teeth, else in one
+  kBoringBar,    ///< one edge that bores to its diameter
+  kCounterbore,  ///< a flat end that goes straight down about a narrower hole
   kOther
 };
-/// "endmill", "facemill", "ball", "bullnose", "drill", "reamer", "vbit", "chamfer", "spotdrill", "other": as on the command
-/// line.
+/// "endmill", "facemill", "ball", "bullnose", "drill", "reamer", "vbit", "chamfer", "spotdrill", "tap", "threadmill",
+/// "boringbar", "counterbore", "other": as on the command line.
 const char* name_of(ToolKind kind);
 std::optional<ToolKind> tool_kind_named(const std::string& name);
 
@@ -35,8 +39,11 @@ struct Tool {
   int teeth = 2;
   std::optional<double> flute_length;
   bool center_cutting = true;             ///< may plunge straight down
-  std::optional<Radians> tip_angle = {};  ///< cones: between opposite flanks
+  std::optional<Radians> tip_angle = {};  ///< cones, points of drills: between opposite flanks
   double tip_diameter = 0;                ///< cones: of the flat at the tip
+  double pitch = 0;                       ///< taps; thread mills with many rows of teeth: between the rows
+  bool left_hand = false;                 ///< taps: of the thread
+  bool floating = false;                  ///< taps: held with play along their axis
   double radius() const { return diameter / 2; }
 };
 
@@ -48,6 +55,11 @@ double flank_slope(const Tool& tool);
 double cone_height(const Tool& tool);
 /// Radius at `height` mm above the tip: there a cutter that runs deeper clears as much. mm.
 double radius_at(const Tool& tool, double height);
+/// mm that a drill's point stands before its full diameter; 118 degrees where its angle is not stated. 0 for other tools.
+double point_length(const Tool& tool);
+/// Whether it only goes straight down along its axis and makes a hole of its own diameter: drills, reamers, counterbores,
+/// boring bars.
+bool makes_holes(const Tool& tool);
 /// Whether it clears areas down to a flat floor: not what only goes straight down, nor cones.
 bool clears_floors(const Tool& tool);
 

@@ -266,7 +266,8 @@ bool depends_on_strategy(FaultKind kind) {
   return kind != FaultKind::kBeyondFlutes && kind != FaultKind::kBeyondStock &&
          kind != FaultKind::kToolLength && kind != FaultKind::kSpindleOff &&
          kind != FaultKind::kSpindleDirection && kind != FaultKind::kSpindleSpeed &&
-         kind != FaultKind::kOutsideTravel && kind != FaultKind::kWrongTool;
+         kind != FaultKind::kOutsideTravel && kind != FaultKind::kWrongTool && kind != FaultKind::kTapping &&
+         kind != FaultKind::kThread;
 }
 
 /// Takes the next best plan of every workingstep that was not certified clean. False when there was nothing to do.

@@ -34,7 +34,9 @@ std::string tool_change_comment(const Part& part, int number) {
   const std::string change = "TOOL CHANGE T" + std::to_string(number);
   for (const Tool& tool : part.tools) {
     if (tool.number == number)
-      return change + ": " + plain_comment(name_of(tool.kind)) + " D" + trimmed(tool.diameter, 4) + " MM";
+      return change + ": " + plain_comment(name_of(tool.kind)) + " D" + trimmed(tool.diameter, 4) + " MM" +
+             (tool.pitch > 0 ? " PITCH " + trimmed(tool.pitch, 4) : "") +
+             (tool.left_hand ? " LEFT HAND" : "") + (tool.floating ? " FLOATING HOLDER" : "");
   }
   return change;
 }

@@ -5,12 +5,23 @@
 #include <span>
 
 #include "model/move.h"
+#include "model/part.h"
+#include "post/iso_dialect.h"
+#include "post/post.h"
 #include "post/print_grid.h"
 
 namespace clearcut::post {
 
-/// A hole as G81 or G83 makes it. Printed heights.
+enum class DrillForm {
+  kAtOnce,   ///< G81
+  kPecks,    ///< G83: up out of the hole after each peck
+  kChips,    ///< G73: up a little after each peck
+  kFeedsOut  ///< G85: out at the feed; of a tap G84, with the spindle turning back
+};
+
+/// A hole as a cycle makes it. Printed heights.
 struct DrillBlock {
+  DrillForm form = DrillForm::kAtOnce;
   Ticks bottom;
   long long clear = 0;  ///< where feeding begins (R word)
   long long above = 0;  ///< height before and after
@@ -19,8 +30,17 @@ struct DrillBlock {
   std::size_t moves = 0;  ///< how many it stands for
 };
 
-/// The hole that `moves` begin with: down at the rapid, down at the feed (with rises to where that began and returns to
-/// just above the last depth, in equal pecks), and back up at the rapid to where it came from.
+/// The hole that `moves` begin with: down at the rapid, down at the feed (with rises to where that began or by the gap, in
+/// equal pecks), and back up at the rapid, or first at the feed, to where it came from.
 std::optional<DrillBlock> drill_block(std::span<const Move> moves, const PrintGrid& grid);
+
+/// The tap that a section works with; null for other tools.
+const Tool* tap_of(const Section& section, const Part& part);
+
+/// "G81", "G83", "G73", "G85"; of a tap "G84", "G74" for left-hand ones, "G33.1" where the control ties it to the spindle so.
+std::string_view cycle_word(const DrillBlock& hole, const Tool* tap, const IsoDialect& dialect);
+
+/// Throws InputError where the control cannot turn this tap: it needs a floating holder.
+void refuse_tap(const Tool& tap, Tapping tapping, std::string_view control);
 
 }  // namespace clearcut::post

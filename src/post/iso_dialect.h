@@ -25,6 +25,14 @@ enum class HomeForm {
   kMachineZero,  ///< G53 G0 Z0.
   kReference     ///< G91 G28 Z0. and G90
 };
+/// How a control taps.
+enum class Tapping {
+  kByWords,      ///< no cycle: down, M4, up; with a floating holder alone
+  kFloating,     ///< G84 does the same
+  kRigid,        ///< G84 ties the feed to the spindle
+  kRigidByM29,   ///< the same after M29
+  kRigidByG33_1  ///< G33.1; G84 with a floating holder
+};
 enum class DwellForm { kPSeconds, kXSeconds, kSSeconds };
 
 struct IsoDialect {
@@ -46,9 +54,10 @@ struct IsoDialect {
   LengthOffset length_offset = LengthOffset::kNone;
   HomeForm home = HomeForm::kSafeHeight;
   DwellForm dwell = DwellForm::kPSeconds;
-  double spindle_wait = 0;        ///< s
-  bool rapid_feed = false;        ///< F rules G0 too
-  bool repeats_motion = false;    ///< every block needs its G word
+  double spindle_wait = 0;      ///< s
+  bool rapid_feed = false;      ///< F rules G0 too
+  bool repeats_motion = false;  ///< every block needs its G word
+  Tapping tapping = Tapping::kByWords;
   bool drill_cycles = false;      ///< G81 and G83
   bool optional_stop = true;      ///< M1, which stops where the operator has asked for it
   bool block_numbers = true;      ///< N words are numbers alone

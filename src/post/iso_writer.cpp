@@ -31,6 +31,14 @@ struct Held {
   bool length_due = false;  ///< the tool's length comes with the next approach
 };
 
+/// With the work offset that is asked for in place of the first.
+std::string safe_start(const IsoDialect& dialect, const PostOptions& options) {
+  std::string words(dialect.safe_start);
+  const std::size_t at = words.find("G54");
+  if (at != std::string::npos) words.replace(at, 3, "G" + std::to_string(options.work_offset));
+  return words;
+}
+
 class IsoWriter {
  public:
   IsoWriter(const Part& part, const PostOptions& options, const IsoDialect& dialect, double safe_z)
@@ -48,7 +56,6 @@ class IsoWriter {
   static StepRules rules_for(const PostOptions& options, const IsoDialect& dialect);
 
   void begin_program();
-  std::string safe_start() const;
   void set_path_control();
   void write_section(const Section& section);
   void end_program();
@@ -68,7 +75,8 @@ class IsoWriter {
   void rapid_to_height(long long z);
   void end_rapid();
 
-  void write_hole(const DrillBlock& hole);
+  void write_hole(const DrillBlock& hole, const Tool* tap);
+  void write_tap_move(const Move& move, const Section& section);
   void write_move(const Move& move);
   void write_rapid(const Ticks& to);
   void write_feed(const Step& step, MmPerMin feed);
@@ -117,16 +125,8 @@ void IsoWriter::begin_program() {
   out_.comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   const std::string_view units = options_.inch ? "G20" : dialect_.metric;
   if (!units.empty()) out_.line(units);
-  out_.line(safe_start());
+  out_.line(safe_start(dialect_, options_));
   set_path_control();
-}
-
-/// With the work offset that is asked for in place of the first.
-std::string IsoWriter::safe_start() const {
-  std::string words(dialect_.safe_start);
-  const std::size_t at = words.find("G54");
-  if (at != std::string::npos) words.replace(at, 3, "G" + std::to_string(options_.work_offset));
-  return words;
 }
 
 /// Blending may use half of the gouge tolerance; rounding the words needs less than the rest. Q0: no merging.
@@ -151,22 +151,40 @@ void IsoWriter::write_section(const Section& section) {
   set_spindle(section);
   set_coolant(section.coolant);
   approach(section.moves.front());
+  const Tool* tap = tap_of(section, part_);
+  if (tap) refuse_tap(*tap, dialect_.tapping, dialect_.name);
   const std::span<const Move> moves(section.moves);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const auto hole = dialect_.drill_cycles ? drill_block(moves.subspan(i), rules_.grid) : std::nullopt;
     if (hole && held_.height && held_.at.z == hole->above) {
-      write_hole(*hole);
+      write_hole(*hole, tap);
       i += hole->moves - 1;
+    } else if (tap) {
+      write_tap_move(moves[i], section);
     } else {
       write_move(moves[i]);
     }
   }
 }
 
-/// G98: back to the height before it, as the moves do.
-void IsoWriter::write_hole(const DrillBlock& hole) {
+/// G98: back to the height before it, as the moves do. G33.1 goes from where feeding begins and back there, tied to the
+/// spindle.
+void IsoWriter::write_hole(const DrillBlock& hole, const Tool* tap) {
+  const std::string_view word = cycle_word(hole, tap, dialect_);
+  if (word == "G33.1") {
+    rapid_to_height(hole.clear);
+    out_.word(word);
+    axis_word('Z', hole.bottom.z);
+    out_.word('K', PrintGrid(options_.inch, 6).ticks(tap->pitch), PrintGrid(options_.inch, 6));
+    out_.end_block();
+    held_.motion = -1;
+    held_.feed = -1;
+    return rapid_to_height(hole.above);
+  }
+  if (tap && !tap->floating && dialect_.tapping == Tapping::kRigidByM29)
+    out_.line(fmt::format("M29 S{}", std::llround(std::abs(held_.spindle))));
   out_.word("G98");
-  out_.word(hole.peck > 0 ? "G83" : "G81");
+  out_.word(word);
   axis_word('X', hole.bottom.x);
   axis_word('Y', hole.bottom.y);
   axis_word('Z', hole.bottom.z);
@@ -179,6 +197,17 @@ void IsoWriter::write_hole(const DrillBlock& hole) {
   held_.at = {hole.bottom.x, hole.bottom.y, hole.above};
   held_.motion = -1;
   held_.feed = -1;
+}
+
+/// With a floating holder: the spindle turns back at the bottom, and forward again once the tap is out.
+void IsoWriter::write_tap_move(const Move& move, const Section& section) {
+  const bool out = !is_rapid(move.kind) && move.z_to > move.z_from;
+  const auto speed = std::llround(section.spindle_rpm);
+  if (out) out_.line(fmt::format("M{} S{}", section.spindle_clockwise ? 4 : 3, speed));
+  write_move(move);
+  if (!out) return;
+  out_.line(fmt::format("M{} S{}", section.spindle_clockwise ? 3 : 4, speed));
+  dwell(options_.spindle_wait ? options_.spindle_wait->seconds() : dialect_.spindle_wait);
 }
 
 void IsoWriter::end_program() {

@@ -12,6 +12,7 @@
 #include "base/inch.h"
 #include "base/text/format.h"
 #include "post/comment.h"
+#include "post/drill_cycle.h"
 #include "post/heights.h"
 #include "post/steps.h"
 
@@ -157,7 +158,17 @@ void KlartextWriter::write_section(const Section& section) {
   set_spindle(section.spindle_rpm <= 0 ? 5 : section.spindle_clockwise ? 3 : 4);
   set_coolant(section.coolant);
   approach(section.moves.front());
-  for (const Move& move : section.moves) write_move(move);
+  const Tool* tap = tap_of(section, part_);
+  if (tap) refuse_tap(*tap, Tapping::kByWords, "heidenhain");
+  for (const Move& move : section.moves) {
+    // With a floating holder the spindle turns back at the bottom, and forward again once the tap is out.
+    const bool out = tap && !is_rapid(move.kind) && move.z_to > move.z_from;
+    if (out) block(section.spindle_clockwise ? "M4" : "M3");
+    write_move(move);
+    if (!out) continue;
+    held_.spindle = section.spindle_clockwise ? 4 : 3;
+    set_spindle(section.spindle_clockwise ? 3 : 4);
+  }
 }
 
 void KlartextWriter::end_program() {

@@ -8,6 +8,7 @@
 
 #include "base/tolerances.h"
 #include "geometry/box.h"
+#include "model/hole.h"
 
 namespace clearcut::read {
 
@@ -41,6 +42,7 @@ struct LayerRule {
   std::optional<double> depth;  ///< mm
   std::optional<double> top;    ///< mm
   bool asked = false;           ///< as an option: has to match, and other rules say what it leaves open
+  std::optional<HoleRequest> hole = {};
 };
 
 /// A closed outline of a drawing as a person sees it.

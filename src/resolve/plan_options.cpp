@@ -42,7 +42,8 @@ std::string kind_names() {
   std::string names;
   for (const auto kind :
        {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill, ToolKind::kBallEndMill,
-        ToolKind::kDrill, ToolKind::kReamer, ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kSpotDrill}) {
+        ToolKind::kDrill, ToolKind::kReamer, ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kSpotDrill,
+        ToolKind::kTap, ToolKind::kThreadMill, ToolKind::kBoringBar, ToolKind::kCounterbore}) {
     names += (names.empty() ? "" : ", ") + std::string(name_of(kind));
   }
   return names;
@@ -86,13 +87,21 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
     tool.tip_angle = required_angle(is_angle(word) ? word : value, place);
   } else if (key == "tip") {
     tool.tip_diameter = required_length(value, place, "a diameter of the tip");
+  } else if (key == "pitch") {
+    tool.pitch = required_length(value, place, "a pitch");
+  } else if (word == "left") {
+    tool.left_hand = true;
+  } else if (word == "floating") {
+    tool.floating = true;
   } else if (key == "name") {
     tool.name = value;
   } else {
     throw InputError(
         place,
-        fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, 60deg, tip=, name=, noplunge",
-                    word));
+        fmt::format(
+            "'{}' is unknown; use T<number>, flutes=, corner=, length=, 60deg, tip=, pitch=, left, floating, "
+            "name=, noplunge",
+            word));
   }
 }
 
@@ -105,10 +114,34 @@ void check_cone(const Tool& tool, const std::string& place) {
         place,
         fmt::format("a {0} needs the angle between its flanks, for example {0}:{1}deg:{2}",
                     name_of(tool.kind), tool.kind == ToolKind::kVBit ? 60 : 90, trimmed(tool.diameter, 4)));
-  if (!cone && (tool.tip_angle || tool.tip_diameter > 0))
+  const bool drill_point = tool.kind == ToolKind::kDrill && tool.tip_diameter == 0;
+  if (!cone && !drill_point && (tool.tip_angle || tool.tip_diameter > 0))
     throw InputError(place, fmt::format("a {} has no tip angle and no tip diameter", name_of(tool.kind)));
   if (tool.tip_diameter < 0 || tool.tip_diameter >= tool.diameter)
     throw InputError(place, "the diameter of the tip must be 0 or more, and less than the tool's");
+}
+
+/// What taps and thread mills need, and no other tool has.
+void check_thread(const Tool& tool, const std::string& place) {
+  const bool tap = tool.kind == ToolKind::kTap, mill = tool.kind == ToolKind::kThreadMill;
+  if (tap && !(tool.pitch > 0 && tool.pitch < tool.radius()))
+    throw InputError(place, "a tap needs its thread, for example tap:M6, tap:M6x0.75, tap:1/4-20, or pitch=");
+  if ((tool.pitch != 0 && !tap && !mill) || tool.pitch < 0 || ((tool.left_hand || tool.floating) && !tap))
+    throw InputError(place, fmt::format("a {} has no pitch, hand or floating holder", name_of(tool.kind)));
+  if (mill && tool.pitch > 0 && !tool.flute_length)
+    throw InputError(place,
+                     "a thread mill with many rows of teeth needs how long they reach, for example "
+                     "threadmill:16:pitch=1.5:length=24");
+}
+
+/// A diameter, or the thread of a tap: "M6".
+void set_size(Tool& tool, const std::string& word, const std::string& place) {
+  const auto thread = tool.kind == ToolKind::kTap ? thread_named(word) : std::nullopt;
+  tool.diameter = thread ? thread->diameter : required_length(word, place, "a diameter");
+  if (!thread) return;
+  tool.pitch = thread->pitch;
+  tool.left_hand = thread->left_hand;
+  tool.name = thread->name;
 }
 
 void require(bool good, const char* option, const char* what) {
@@ -137,7 +170,7 @@ Tool parse_tool(const std::string& text) {
   Tool tool;
   tool.number = 0;
   tool.kind = *kind;
-  tool.diameter = required_length(words[1], place, "a diameter");
+  set_size(tool, words[1], place);
   if (!(tool.diameter > 0) || tool.diameter > 1000)
     throw InputError(place, "the diameter must be above 0 and at most 1000 mm");
   if (tool.kind == ToolKind::kFaceMill) tool.center_cutting = false;
@@ -147,6 +180,7 @@ Tool parse_tool(const std::string& text) {
     throw InputError(place, fmt::format("the corner radius must lie between 0 and {} mm, half the diameter",
                                         trimmed(tool.radius(), 4)));
   check_cone(tool, place);
+  check_thread(tool, place);
   if (tool.flute_length && !(*tool.flute_length > 0))
     throw InputError(place, "the length of the flutes must be above 0 mm");
   return tool;

@@ -13,6 +13,7 @@
 #include "resolve/carvings.h"
 #include "resolve/features/chamfers.h"
 #include "resolve/features/facing.h"
+#include "resolve/features/holes.h"
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
 #include "resolve/tool_cutting.h"
@@ -28,6 +29,12 @@ constexpr double kPlungeShare = 0.3;      // of the cutting feed
 constexpr double kRampShare = 0.5;        // of the cutting feed
 constexpr double kFaceMillStepdown = 2;   // mm
 constexpr double kUnpeckedDiameters = 3;  // depth of a hole / diameter of the drill
+constexpr double kTappingSpeed = 8;       // m/min at the circumference
+
+/// Whether the tool makes its work at once whatever stepdown is asked for.
+bool is_one_pass(const Tool& tool) {
+  return tool.kind == ToolKind::kTap || tool.kind == ToolKind::kThreadMill;
+}
 
 void number_tools(std::vector<Tool>& tools) {
   std::set<int> taken;
@@ -156,7 +163,8 @@ class OptionTaker {
 
 void apply_options(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
   OptionTaker taker(sources, options);
-  if (!stock::only_plunges(tool)) taker.take(operation.stepdown, options.stepdown, "stepdown");
+  if (!stock::only_plunges(tool) && !is_one_pass(tool))
+    taker.take(operation.stepdown, options.stepdown, "stepdown");
   taker.take(operation.allowance_side, options.allowance, "allowance");
   taker.take(operation.allowance_floor, options.allowance_floor, "allowance-floor");
   taker.take(operation.entry, options.entry, "entry");
@@ -182,12 +190,36 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   }
 }
 
+/// Cones, taps, thread mills, reamers and boring bars make their hole at once, whatever stepdown is asked for all work.
+void make_at_once(Operation& operation, const Tool& tool, const Feature& feature) {
+  if (!feature.hole || tool.kind == ToolKind::kDrill || clears_floors(tool)) return;
+  operation.stepdown = std::max(feature.top_z - feature.floor_z, 1e-3);
+}
+
+/// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than the
+/// machine.
+void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
+  if (tool.kind != ToolKind::kTap) return;
+  CuttingData& cutting = operation.cutting;
+  double rpm =
+      cutting.spindle_rpm.value_or(std::max(10.0, std::round(kTappingSpeed * 1000 / (kPi * tool.diameter))));
+  if (!cutting.spindle_rpm) sources.set("spindle", {Origin::kDefault, "default: 8 m/min for taps"});
+  if (options.machine.max_spindle_rpm) rpm = std::min(rpm, *options.machine.max_spindle_rpm);
+  if (options.machine.max_feed)
+    rpm = std::min(rpm, std::floor(options.machine.max_feed->mm_per_min() / tool.pitch));
+  cutting.spindle_rpm = std::max(1.0, std::round(rpm));
+  cutting.feed = cutting.plunge_feed = cutting.ramp_feed = MmPerMin::of(*cutting.spindle_rpm * tool.pitch);
+  for (const char* name : {"feed", "plunge-feed", "ramp-feed"})
+    sources.set(name, {Origin::kDerived, "the tap's pitch times the speed"});
+}
+
 /// mm. Half the diameter; face mills less; drills go down at once as far as their flutes clear the chips by
 /// themselves, deeper holes are pecked.
 double default_stepdown(const Tool& tool, const Feature& feature) {
   const double depth = feature.top_z - feature.floor_z;
   if (tool.kind == ToolKind::kFaceMill) return kFaceMillStepdown;
-  if (tool.kind == ToolKind::kReamer) return depth;
+  if (tool.kind != ToolKind::kDrill && (stock::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)))
+    return std::max(depth, 1e-3);
   if (tool.kind == ToolKind::kDrill)
     return depth <= kUnpeckedDiameters * tool.diameter ? depth : tool.diameter;
   return tool.diameter / 2;
@@ -195,8 +227,8 @@ double default_stepdown(const Tool& tool, const Feature& feature) {
 
 std::string default_stepdown_rule(const Tool& tool) {
   if (tool.kind == ToolKind::kFaceMill) return "default: 2 mm for face mills";
-  if (tool.kind == ToolKind::kReamer) return "default: at once";
   if (tool.kind == ToolKind::kDrill) return "default: at once to 3 diameters, else one diameter a peck";
+  if (stock::only_plunges(tool) || is_one_pass(tool)) return "default: at once";
   return "default: half the diameter";
 }
 
@@ -233,7 +265,9 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
   auto& cutting = operation.cutting;
   const double stepdown = default_stepdown(tool, feature);
   defaults.fill(operation.stepdown, stepdown, "stepdown", {Origin::kDefault, default_stepdown_rule(tool)},
-                stock::only_plunges(tool) ? "" : "stepdown " + trimmed(stepdown, 3) + " mm");
+                stock::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)
+                    ? ""
+                    : "stepdown " + trimmed(stepdown, 3) + " mm");
   const std::string feed = trimmed(kDefaultFeed, 0) + " mm/min";
   defaults.fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed", {Origin::kDefault, "default: " + feed},
                 "feed " + feed);
@@ -293,9 +327,14 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   sources = options.step_sources;
   add_facing(part, options);
   choose_tools(part, options, sources);
+  shape_holes(part, options, sources);
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
+  for (auto& step : part.workplan) {
+    make_at_once(step.operation, tool_of(part, step), feature_of(part, step));
+    tie_tap(step.operation, tool_of(part, step), options, sources[step_key(step)]);
+  }
   shape_profiles(part, options, sources);
   shape_carvings(part, options, sources);
   if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options, sources);

@@ -54,7 +54,8 @@ void refuse_beside_stock(const Part& part, const Feature& feature) {
 void refuse_wrong_kind(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
-  if (clears_floors(tool) || stock::only_plunges(tool) || is_carved(feature, tool)) return;
+  if (clears_floors(tool) || stock::only_plunges(tool) || is_carved(feature, tool) || is_formed(feature))
+    return;
   throw InputError(feature.name,
                    fmt::format("T{} ({} {} mm) clears no floors; give an end mill for it, for example --tool "
                                "endmill:6",
@@ -64,6 +65,8 @@ void refuse_wrong_kind(const Part& part, const Workingstep& step) {
 void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
+  // Rows of teeth cut a thread in several passes; their shank is narrower.
+  if (tool.kind == ToolKind::kThreadMill) return;
   const double depth = feature.top_z - feature.floor_z;
   if (tool.flute_length) {
     if (depth <= *tool.flute_length + kLevel) return;
@@ -72,7 +75,7 @@ void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
                                  "longer tool or less depth",
                                  trimmed(depth, 3), tool.number, trimmed(*tool.flute_length, 3)));
   }
-  const bool drills = stock::only_plunges(tool);
+  const bool drills = stock::only_plunges(tool) || tool.kind == ToolKind::kTap;
   if (depth <= (drills ? kReachOfDrill : kReachOfMill) * tool.diameter + kLevel) return;
   throw InputError(feature.name,
                    fmt::format("it is {} mm deep, {} diameters of T{}; if the flutes reach that far say so "

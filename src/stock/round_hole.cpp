@@ -21,7 +21,7 @@ std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances&
 }
 
 bool only_plunges(const Tool& tool) {
-  return tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
+  return makes_holes(tool);
 }
 
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) {
@@ -42,6 +42,7 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
     const Feature& feature = feature_of(part, step);
     if (lowest(step) > deep || !box(feature.target).overlaps(here)) continue;
+    if (is_formed(feature)) continue;  // narrower than its outline, or no deeper than its cone
     const Tool& tool = tool_of(part, step);
     const auto hole = round_hole_of(feature, tol);
     if (!hole || tool.radius() > hole->radius + tol.fit) continue;

@@ -13,6 +13,7 @@
 #include "verify/engagement/load.h"
 #include "verify/faults/faults.h"
 #include "verify/faults/gouge.h"
+#include "verify/faults/holes.h"
 #include "verify/faults/shaped_cutter.h"
 #include "verify/faults/tabs.h"
 #include "verify/figures.h"
@@ -144,6 +145,8 @@ class FindingsBuilder {
     }
     findings_.faults = faults_of_moves(part_, program_, options_);
     for (Fault& fault : faults_of_tabs(part_, program_, options_.tol))
+      findings_.faults.push_back(std::move(fault));
+    for (Fault& fault : faults_of_holes(part_, program_, options_))
       findings_.faults.push_back(std::move(fault));
     findings_.all = figures_of(all, part_.top_z());
     for (std::size_t i = 0; i < by_step.size(); ++i) add_feature(static_cast<int>(i), by_step[i]);

@@ -6,6 +6,7 @@ a right twin beside it. Run it again after a change: `python3 tests/wrong_progra
 """
 import json
 
+from holes import holes, write_holes
 from limits import cycles, limits, worst, write_limits
 from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
 
@@ -352,7 +353,8 @@ def main():
     for name, part in PARTS.items():
         (HERE / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
     write_limits()
-    classes = (motion, comments, dialects, conditions, state, blending, small, cycles, limits, worst)
+    write_holes()
+    classes = (motion, comments, dialects, conditions, state, blending, small, cycles, limits, worst, holes)
     count = sum(make() for make in classes)
     print(count, "cases")
 

@@ -68,7 +68,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
       "--tool", tools_,
       "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :name=N :noplunge; "
       "kinds: "
-      "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill (repeatable)");
+      "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill, tap, threadmill, "
+      "boringbar, counterbore (repeatable)");
   command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml")
       ->type_name("FILE");
 }

@@ -16,8 +16,11 @@ namespace {
 /// Neither format has words for what follows from a cutter's shape.
 void refuse_shaped(const Part& part, const std::string& output) {
   for (const Feature& feature : part.features) {
-    if (!feature.carving && !feature.chamfer) continue;
-    throw InputError(output, feature.name + ": " + (feature.carving ? "V-carvings" : "chamfers") +
+    if (!feature.carving && !feature.chamfer && !feature.hole) continue;
+    const char* what = feature.carving   ? "V-carvings"
+                       : feature.chamfer ? "chamfers"
+                                         : "threads and the other words of holes";
+    throw InputError(output, feature.name + ": " + what +
                                  " cannot be written to this kind of file; leave them out with --op ignore:" +
                                  feature.source);
   }

@@ -42,6 +42,10 @@ const char* name_of(FaultKind kind) {
       return "missing tab";
     case FaultKind::kTabHeight:
       return "tab height";
+    case FaultKind::kThread:
+      return "thread";
+    case FaultKind::kTapping:
+      return "tapping";
   }
   return "unknown";
 }

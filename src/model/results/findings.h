@@ -36,7 +36,9 @@ enum class FaultKind {
   kBeyondStock,     ///< below the bottom of the stock, farther than a way through needs
   kOverEngagement,  ///< more of the cutter's circle in material than the limit asked for
   kMissingTab,      ///< a tab that was asked for is cut away
-  kTabHeight        ///< a tab stands, but not as high as asked, or higher
+  kTabHeight,       ///< a tab stands, but not as high as asked, or higher
+  kThread,          ///< a milled thread of another pitch, hand or size, or cut across on the way in or out
+  kTapping  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
 };
 const char* name_of(FaultKind kind);
 

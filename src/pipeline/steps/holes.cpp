@@ -37,7 +37,12 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
     const link::HoleWork work = work_of(*hole, layers);
     const link::LinkOptions link = link_options(plan, workingstep, step.entry_at_limit);
     if (is_drilled(*hole, step, tool, plan.tol)) {
-      section = link::drill_hole(work, step.stepdown, link);
+      const bool chips = feature.hole && feature.hole->chip_break;
+      const bool feeds_out =
+          feature.hole && (feature.hole->kind == HoleKind::kReamed || tool.kind == ToolKind::kBoringBar);
+      section = feeds_out ? link::feed_out_hole(work, link)
+                : chips   ? link::chip_hole(work, step.stepdown, link)
+                          : link::drill_hole(work, step.stepdown, link);
     } else if (is_bored(work, feature, step, tool)) {
       section = link::bore_hole(work, step.stepdown, link);
     }

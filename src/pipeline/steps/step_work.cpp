@@ -8,6 +8,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "pipeline/steps/carve_step.h"
+#include "pipeline/steps/formed_holes.h"
 #include "pipeline/steps/holes.h"
 #include "pipeline/steps/meeting_pockets.h"
 #include "plan/common/layers.h"
@@ -154,6 +155,7 @@ StepWork step_work(int index, const ResolvedPlan& plan) {
   const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
   work.wall_top = top_of_flush_walls(part, feature, plan.tol);
   work.hole = carve_step(index, plan);
+  if (!work.hole) work.hole = formed_hole_step(index, plan);
   if (work.hole) return work;
   const auto standing = standing_layers(index, plan);
   work.hole = hole_step(standing, index, plan);

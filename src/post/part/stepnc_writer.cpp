@@ -37,6 +37,10 @@ const char* body_keyword(ToolKind kind) {
       return "CENTER_DRILL";
     case ToolKind::kVBit:
     case ToolKind::kChamferMill:
+    case ToolKind::kTap:
+    case ToolKind::kThreadMill:
+    case ToolKind::kBoringBar:
+    case ToolKind::kCounterbore:
     case ToolKind::kOther:
       break;
   }

@@ -10,6 +10,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/rectangle.h"
+#include "read/common/holes/drawn_holes.h"
 #include "read/common/outline_roles.h"
 #include "read/common/stock_edge.h"
 #include "read/common/text.h"
@@ -59,17 +60,9 @@ Feature blank_feature(const DrawnGroup& group, double depth, const ReadOptions& 
 
 Feature feature_of(const DrawnGroup& group, Region region, double depth, const ReadOptions& options) {
   Feature feature = blank_feature(group, depth, options);
-  if (group.role == LayerRole::kHole) {
-    feature.hole_diameter = circle_diameter(region, options.tol);
-    if (!feature.hole_diameter) {
-      throw InputError(group.where,
-                       "the outline at " + place_text(region.outer().front().from) +
-                           " is on a layer of holes and is no circle; draw a circle or rename the layer");
-    }
-    feature.kind = FeatureKind::kRoundHole;
-  }
   feature.target = {std::move(region)};
   feature.allowed = feature.target;
+  if (group.role == LayerRole::kHole) make_hole(feature, group, options.tol);
   return feature;
 }
 
@@ -238,7 +231,8 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
     return;
   }
   if (shaped.group.role == LayerRole::kChamfer) return add_chamfers(shaped, options, diagnostics, out);
-  const double depth = depth_of(shaped.group, options, diagnostics);
+  const bool cone = shaped.group.hole && needs_no_depth(*shaped.group.hole);
+  const double depth = cone ? shaped.group.depth.value_or(1) : depth_of(shaped.group, options, diagnostics);
   switch (shaped.group.role) {
     case LayerRole::kInside:
       return add_inside_profiles(shaped, depth, options, out);
@@ -263,7 +257,7 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
 /// Faces first, then pockets and holes, engraving, edges, and what frees the part last: inner cut-outs before outer ones.
 int turn_of(const Feature& feature) {
   if (feature.kind == FeatureKind::kPlanarFace) return 0;
-  if (feature.carving || feature.chamfer) return 2;
+  if (feature.carving || feature.chamfer || comes_after_pilot(feature)) return 2;
   if (!feature.profile) return 1;
   return feature.profile->side == ProfileSide::kOn ? 2 : 3;
 }
@@ -354,6 +348,7 @@ void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, D
     }
     if (rule.role && !role) {
       group.role = *rule.role;
+      group.hole = rule.hole;
       group.says_role = role = true;
     }
     if (rule.depth && !depth) group.depth = rule.depth, depth = true;
@@ -421,6 +416,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
   assign_outline_roles(shaped, layers, options, part.source_file);
   if (options.overview) return;
+  give_through_depths(shaped, options);
   unite_overlapping_layers(shaped, options, part.diagnostics);
   std::vector<Feature> features;
   for (ShapedGroup& one : shaped) {

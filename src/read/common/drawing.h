@@ -19,9 +19,10 @@ struct LayerMeaning {
   bool says_role = false;       ///< a word of the name does
   std::optional<double> depth;  ///< in units of the drawing
   std::optional<double> top;    ///< in units of the drawing
+  std::optional<HoleRequest> hole;
 };
 /// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
-/// holes, "PROFILE", "CUTOUT" or "OUTSIDE" what is cut out along its outside, "INSIDE" along its inside, "ENGRAVE" or "ON" a
+/// holes (see hole_words.h), "PROFILE", "CUTOUT" or "OUTSIDE" what is cut out along its outside, "INSIDE" along its inside, "ENGRAVE" or "ON" a
 /// line to follow, "VCARVE" what a V-bit carves (its depth is a limit), "CHAMFER" or "DEBURR" edges to break, "FACE", "STOCK", "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
 /// anything but letters.
 LayerMeaning meaning_of_layer(std::string_view name);
@@ -37,6 +38,7 @@ struct DrawnGroup {
   std::optional<double> depth;                 ///< mm
   std::optional<double> top;                   ///< mm
   std::optional<LayerRule> broken_edges = {};  ///< its outlines get a chamfer besides
+  std::optional<HoleRequest> hole = {};
   std::vector<RawCurve> curves;
 };
 

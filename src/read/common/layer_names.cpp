@@ -46,9 +46,56 @@ void for_words(std::string_view text, Visit visit) {
   }
 }
 
+std::optional<HoleKind> hole_kind_of_word(std::string_view word) {
+  constexpr std::pair<std::string_view, HoleKind> kWords[] = {{"SPOT", HoleKind::kSpotted},
+                                                              {"REAM", HoleKind::kReamed},
+                                                              {"BORE", HoleKind::kBored},
+                                                              {"CBORE", HoleKind::kCounterbored},
+                                                              {"COUNTERBORE", HoleKind::kCounterbored},
+                                                              {"CSK", HoleKind::kCountersunk},
+                                                              {"COUNTERSINK", HoleKind::kCountersunk},
+                                                              {"TAP", HoleKind::kTapped},
+                                                              {"THREAD", HoleKind::kThreadMilled}};
+  for (const auto& [name, kind] : kWords) {
+    if (name == word) return kind;
+  }
+  return std::nullopt;
+}
+
+/// The thread that begins with the word `begin`, up to the next underscore or blank.
+std::optional<Thread> thread_at(std::string_view text, std::size_t begin) {
+  const std::size_t end = text.find_first_of("_ ", begin);
+  return thread_named(text.substr(begin, end == std::string_view::npos ? end : end - begin));
+}
+
+/// What the words of a layer say of its holes; nothing where they are plain.
+std::optional<HoleRequest> holes_of(std::string_view text) {
+  HoleRequest request;
+  bool any = false, left = false;
+  for_words(text, [&](std::string_view word, std::string_view rest) {
+    const auto begin = static_cast<std::size_t>(word.data() - text.data());
+    if (const auto kind = hole_kind_of_word(word)) request.kind = *kind, any = true;
+    if (word == "THRU" || word == "THROUGH") request.through = any = true;
+    if (word == "LH") left = true;
+    if (word == "DIA") request.diameter = leading_number(rest), any = true;
+    if (word == "PECK" || word == "CHIP") {
+      request.chip_break = word == "CHIP";
+      request.peck = leading_number(rest);
+      any = true;
+    }
+    if (word == "M" || word == "UNC" || word == "UNF") {
+      if (const auto thread = thread_at(text, begin)) request.thread = thread;
+    }
+  });
+  if (left && request.thread && !request.thread->left_hand)
+    request.thread = thread_named(request.thread->name + "LH");
+  return any ? std::optional(request) : std::nullopt;
+}
+
 std::optional<LayerRole> role_of_word(std::string_view word) {
   if (word == "ISLAND" || word == "ISLANDS" || word == "BOSS" || word == "BOSSES") return LayerRole::kIsland;
-  if (word == "HOLE" || word == "HOLES" || word == "DRILL") return LayerRole::kHole;
+  if (word == "HOLE" || word == "HOLES" || word == "DRILL" || hole_kind_of_word(word))
+    return LayerRole::kHole;
   if (word == "POCKET" || word == "POCKETS") return LayerRole::kPocket;
   for (const std::string_view profile :
        {"PROFILE", "PROFILES", "CUTOUT", "CUTOUTS", "OUTSIDE", "PERIMETER"}) {
@@ -86,6 +133,7 @@ LayerMeaning meaning_of_layer(std::string_view name) {
       if (const auto top = leading_number(rest)) meaning.top = top;
     }
   });
+  if (meaning.role == LayerRole::kHole) meaning.hole = holes_of(text);
   return meaning;
 }
 

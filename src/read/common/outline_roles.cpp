@@ -121,6 +121,7 @@ void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::v
   moved.group.says_role = true;
   moved.group.depth = rule.depth || *rule.role == LayerRole::kChamfer ? rule.depth : first.depth;
   moved.group.top = rule.top ? rule.top : first.top;
+  moved.group.hole = rule.hole;
   std::vector<Loop> loops;
   for (const std::size_t i : chosen) {
     loops.push_back(outlines[i].loop);
@@ -269,6 +270,7 @@ LayerRule rule_named(const std::string& kind, const std::string& place) {
   rule.role = meaning.role;
   rule.depth = meaning.depth;
   rule.top = meaning.top;
+  rule.hole = meaning.hole;
   rule.asked = true;
   return rule;
 }

@@ -9,6 +9,7 @@
 #include "base/text/format.h"
 #include "base/units.h"
 #include "read/common/drawing.h"
+#include "read/common/holes/drawn_holes.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/dxf/dxf_curves.h"
@@ -200,6 +201,7 @@ class Collector {
     group.says_role = meaning.says_role;
     if (meaning.depth) group.depth = *meaning.depth * unit_;
     if (meaning.top) group.top = *meaning.top * unit_;
+    group.hole = scaled(meaning.hole, unit_);
     apply_rules(options_.layer_rules, layer, group);
     return group;
   }

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "base/text/format.h"
+#include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/job/machine_file.h"
@@ -149,7 +150,16 @@ LayerRule layer_rule(DataSection section) {
   const auto role = section.choice("role", {"pocket", "island", "hole", "ignore", "profile", "inside",
                                             "engrave", "chamfer", "face", "stock", "vcarve"});
   if (role) rule.role = static_cast<LayerRole>(*role);
-  rule.depth = section.positive("depth");
+  if (const auto hole = section.text("hole")) {
+    // In the words of layers: "tap_m6_thru".
+    const LayerMeaning meaning = meaning_of_layer(*hole);
+    if (!meaning.hole || (role && rule.role != LayerRole::kHole))
+      section.fail_at("hole", "says no kind of hole; write for example hole = \"tap_m6_thru\"");
+    rule.role = LayerRole::kHole;
+    rule.hole = meaning.hole;
+    rule.depth = meaning.depth;
+  }
+  if (const auto depth = section.positive("depth")) rule.depth = depth;
   rule.top = coordinate(section, "top");
   section.refuse_unknown();
   return rule;

@@ -32,6 +32,7 @@ struct Inherited {
   std::string layer;    ///< name of the nearest named group
   bool chosen = false;  ///< a group around it is among the chosen layers
   std::optional<LayerRole> role;
+  std::optional<HoleRequest> hole;
   std::optional<double> depth, top;  ///< mm
 };
 
@@ -267,7 +268,7 @@ class SvgCollector {
     // Every shape has an id; only one that says a role is more than a number.
     if (name != "g" && !meaning.says_role) return;
     own.layer = label;
-    if (meaning.says_role) own.role = meaning.role;
+    if (meaning.says_role) own.role = meaning.role, own.hole = meaning.hole;
     if (meaning.depth) own.depth = meaning.depth;
     if (meaning.top) own.top = meaning.top;
     own.chosen =
@@ -336,6 +337,7 @@ class SvgCollector {
     group.says_role = own.role.has_value();
     group.depth = own.depth;
     group.top = own.top;
+    group.hole = own.hole;
     apply_rules(options_.layer_rules, own.layer, group);
     apply_rules(options_.layer_rules, normal_color(color), group);
     const auto key = std::make_tuple(group.name, group.role, group.depth, group.top);

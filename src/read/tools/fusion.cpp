@@ -17,7 +17,12 @@ std::optional<ToolKind> kind_of_type(const std::string& type) {
                                                      {"bull nose end mill", ToolKind::kBullNoseEndMill},
                                                      {"face mill", ToolKind::kFaceMill},
                                                      {"drill", ToolKind::kDrill},
-                                                     {"reamer", ToolKind::kReamer}};
+                                                     {"reamer", ToolKind::kReamer},
+                                                     {"tap right hand", ToolKind::kTap},
+                                                     {"tap left hand", ToolKind::kTap},
+                                                     {"thread mill", ToolKind::kThreadMill},
+                                                     {"boring bar", ToolKind::kBoringBar},
+                                                     {"counter bore", ToolKind::kCounterbore}};
   const auto found = kinds.find(type);
   return found == kinds.end() ? std::nullopt : std::optional(found->second);
 }
@@ -67,6 +72,9 @@ Tool tool_of(const DataValue& entry, ToolKind kind, double unit) {
   if (const auto length = number_of(geometry, "LCF"); length && *length > 0)
     tool.flute_length = unit * *length;
   tool.corner_radius = unit * number_of(geometry, "RE").value_or(0);
+  if (kind == ToolKind::kTap || kind == ToolKind::kThreadMill)
+    tool.pitch = unit * std::max(0.0, number_of(geometry, "TP").value_or(0));
+  tool.left_hand = kind == ToolKind::kTap && text_of(entry, "type") == "tap left hand";
   if (kind == ToolKind::kBallEndMill) tool.corner_radius = tool.diameter / 2;
   tool.corner_radius = std::clamp(tool.corner_radius, 0.0, std::max(tool.diameter / 2, 0.0));
   return tool;
@@ -106,6 +114,11 @@ ToolLibrary read_fusion_library(std::string_view text, const std::string& file_n
     }
     const double unit = unit_name == "inches" ? kMmPerInch : 1;
     LibraryTool tool{tool_of(entry, *kind, unit), {}};
+    if (*kind == ToolKind::kTap && !(tool.tool.pitch > 0)) {
+      library.diagnostics.skip(place,
+                               "tap '" + printable(tool.tool.name) + "' was dropped: it states no pitch");
+      continue;
+    }
     append_presets(entry, unit, tool);
     library.tools.push_back(std::move(tool));
   }

@@ -19,8 +19,9 @@ constexpr std::size_t kLargestLibrary = std::size_t{64} << 20;
 constexpr double kWidest = 1000;
 
 const std::vector<std::string>& kind_names() {
-  static const std::vector<std::string> names{"endmill", "facemill", "ball",    "bullnose", "drill",
-                                              "reamer",  "vbit",     "chamfer", "spotdrill"};
+  static const std::vector<std::string> names{"endmill",    "facemill",  "ball",       "bullnose",  "drill",
+                                              "reamer",     "vbit",      "chamfer",    "spotdrill", "tap",
+                                              "threadmill", "boringbar", "counterbore"};
   return names;
 }
 
@@ -56,15 +57,43 @@ void read_cone(DataSection& section, Tool& tool) {
   const auto tip = section.not_negative("tip_diameter");
   const bool cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
                     tool.kind == ToolKind::kSpotDrill;
-  if (!cone && (angle || tip))
+  const bool drill = tool.kind == ToolKind::kDrill && !tip;
+  if (!cone && !drill && (angle || tip))
     section.fail_at(angle ? "tip_angle" : "tip_diameter", "is not of this kind of tool");
-  if (!cone) return;
+  if (!cone && !angle) return;
   if (!angle) section.fail("tip_angle is missing; add tip_angle = 60 (degrees between the flanks)");
   if (*angle < kSharpest || *angle > kBluntest)
     section.fail_at("tip_angle", "must lie between 5 and 170 degrees");
   tool.tip_angle = Radians::of_degrees(*angle);
   tool.tip_diameter = tip.value_or(0);
   if (tool.tip_diameter >= tool.diameter) section.fail_at("tip_diameter", "is not less than the diameter");
+}
+
+/// Taps: thread = "M6", or pitch in mm. Thread mills with many rows of teeth: pitch and flute_length.
+void read_thread(DataSection& section, Tool& tool, const std::optional<Thread>& thread) {
+  const auto pitch = section.positive("pitch");
+  const auto floating = section.flag("floating"), left = section.flag("left_hand");
+  const bool tap = tool.kind == ToolKind::kTap, mill = tool.kind == ToolKind::kThreadMill;
+  if (pitch && !tap && !mill) section.fail_at("pitch", "is not of this kind of tool");
+  if ((floating || left) && !tap)
+    section.fail_at(floating ? "floating" : "left_hand", "is not of this kind of tool");
+  tool.pitch = thread ? thread->pitch : pitch.value_or(0);
+  tool.left_hand = (thread && thread->left_hand) || left.value_or(false);
+  tool.floating = floating.value_or(false);
+  if (thread && tool.name.empty()) tool.name = thread->name;
+  if (tap && !(tool.pitch > 0)) section.fail("thread is missing; add thread = \"M6\", or diameter and pitch");
+  if (mill && tool.pitch > 0 && !tool.flute_length)
+    section.fail("flute_length is missing: how far its rows of teeth reach");
+}
+
+/// Nothing where no thread is stated.
+std::optional<Thread> thread_of(DataSection& section, ToolKind kind) {
+  const auto text = section.text("thread");
+  if (!text) return std::nullopt;
+  const auto thread = thread_named(*text);
+  if (kind != ToolKind::kTap) section.fail_at("thread", "is not of this kind of tool");
+  if (!thread) section.fail_at("thread", "is unknown; write \"M6\", \"M6x0.75\", \"1/4-20\" or \"#10-24\"");
+  return thread;
 }
 
 }  // namespace
@@ -77,9 +106,11 @@ std::string text_of(const DataValue& object, const char* key) {
 LibraryTool tool_of_section(DataSection section) {
   LibraryTool out;
   const auto kind = section.choice("kind", kind_names());
-  const auto diameter = section.positive("diameter");
-  if (!diameter) section.fail("diameter is missing; add diameter = 6");
   out.tool.kind = *tool_kind_named(kind_names()[kind.value_or(0)]);
+  const auto thread = thread_of(section, out.tool.kind);
+  auto diameter = section.positive("diameter");
+  if (!diameter && thread) diameter = thread->diameter;
+  if (!diameter) section.fail("diameter is missing; add diameter = 6");
   out.tool.diameter = *diameter;
   out.tool.number = static_cast<int>(std::clamp(section.number("number").value_or(0), 0.0, 1e6));
   out.tool.name = section.text("name").value_or("");
@@ -90,6 +121,7 @@ LibraryTool tool_of_section(DataSection section) {
   read_cone(section, out.tool);
   out.tool.teeth = static_cast<int>(std::clamp(section.positive("teeth").value_or(2), 1.0, 100.0));
   out.tool.flute_length = section.positive("flute_length");
+  read_thread(section, out.tool, thread);
   out.tool.center_cutting = section.flag("center_cutting").value_or(true);
   out.presets = presets_of(section);
   section.refuse_unknown();

@@ -42,7 +42,7 @@ struct ToolOptions {
 ///
 /// Units   mm, mm/min and rpm, whatever the file has.
 /// Throws  InputError, one line, for files that cannot be read and for libraries without a single usable
-///         tool. Tools that are no rotating cutters for pockets (taps, thread mills, probes, V-bits, ...)
+///         tool. Tools that are no rotating cutters (probes, taps without a pitch, V-bits of other programs, ...)
 ///         are dropped and reported.
 ToolLibrary read_tool_library(const std::filesystem::path& file, const ToolOptions& options);
 /// The same for text already read. A .fctl has its tools looked for beside `file_name`.

@@ -52,6 +52,14 @@ const char* words_for(ToolKind kind) {
       return "chamfer mill";
     case ToolKind::kSpotDrill:
       return "spot drill";
+    case ToolKind::kTap:
+      return "tap";
+    case ToolKind::kThreadMill:
+      return "thread mill";
+    case ToolKind::kBoringBar:
+      return "boring bar";
+    case ToolKind::kCounterbore:
+      return "counterbore";
     case ToolKind::kOther:
       return "tool";
   }

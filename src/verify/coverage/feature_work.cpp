@@ -225,7 +225,8 @@ std::vector<FeatureWork> works_of(const Part& part) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const Workingstep& step = part.workplan[i];
     const Operation& operation = step.operation;
-    if (part.features[static_cast<std::size_t>(step.feature)].carving ||
+    if (is_formed(part.features[static_cast<std::size_t>(step.feature)]) ||
+        part.features[static_cast<std::size_t>(step.feature)].carving ||
         part.features[static_cast<std::size_t>(step.feature)].chamfer)
       continue;
     const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());

@@ -160,12 +160,13 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
 
 /// The order of faults by severity: what breaks things first comes first.
 constexpr FaultKind kBySeverity[] = {
-    FaultKind::kRapidInMaterial,  FaultKind::kGouge,          FaultKind::kMissingTab,
-    FaultKind::kTabHeight,        FaultKind::kToolLength,     FaultKind::kSpindleOff,
-    FaultKind::kBeyondStock,      FaultKind::kBeyondFlutes,   FaultKind::kPlungeTooFast,
-    FaultKind::kTooDeep,          FaultKind::kOverEngagement, FaultKind::kSpindleSpeed,
-    FaultKind::kSpindleDirection, FaultKind::kOutsideTravel,  FaultKind::kWrongTool,
-    FaultKind::kNoFeed,           FaultKind::kNothingCut,     FaultKind::kUncut};
+    FaultKind::kRapidInMaterial, FaultKind::kGouge,         FaultKind::kTapping,
+    FaultKind::kThread,          FaultKind::kMissingTab,    FaultKind::kTabHeight,
+    FaultKind::kToolLength,      FaultKind::kSpindleOff,    FaultKind::kBeyondStock,
+    FaultKind::kBeyondFlutes,    FaultKind::kPlungeTooFast, FaultKind::kTooDeep,
+    FaultKind::kOverEngagement,  FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection,
+    FaultKind::kOutsideTravel,   FaultKind::kWrongTool,     FaultKind::kNoFeed,
+    FaultKind::kNothingCut,      FaultKind::kUncut};
 
 std::ptrdiff_t severity(FaultKind kind) {
   return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);

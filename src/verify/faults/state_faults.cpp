@@ -26,11 +26,6 @@ Place end_of(const JudgedMove& judged) {
   return {judged.move->path.to, judged.move->z_to, judged.move->line};
 }
 
-/// Whether the tool is a drill or reamer, which goes down at its cutting feed.
-bool makes_holes(const Tool& tool) {
-  return tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
-}
-
 class StateJudge {
  public:
   StateJudge(const Part& part, const JudgedProgram& program, const VerifyOptions& options)
@@ -108,6 +103,8 @@ class StateJudge {
 
   std::optional<Fault> flutes(const JudgedMove& judged) const {
     if (!judged.cuts() || !judged.tool || !judged.tool->flute_length) return std::nullopt;
+    if (judged.tool->kind == ToolKind::kThreadMill)
+      return std::nullopt;  // its neck is narrower than its teeth
     const double depth = std::max(judged.load.axial_mm, part_.top_z() - judged.low_z());
     if (depth <= *judged.tool->flute_length + kHeightSlack) return std::nullopt;
     return fault(FaultKind::kBeyondFlutes, judged, depth,
@@ -236,7 +233,9 @@ class StateJudge {
   }
 
   std::optional<Fault> plunge_feed(const JudgedMove& judged) const {
-    if (makes_holes(*judged.tool) || judged.slope() < kPlungeSlope) return std::nullopt;
+    // Holes are made at the cutting feed; a tap's is judged with its speed.
+    if (makes_holes(*judged.tool) || judged.tool->kind == ToolKind::kTap || judged.slope() < kPlungeSlope)
+      return std::nullopt;
     const auto most = plunge_feed_of(judged);
     const double slope = judged.slope(), feed = judged.move->feed.mm_per_min();
     const double down = std::isinf(slope) ? feed : feed * slope / std::hypot(1, slope);

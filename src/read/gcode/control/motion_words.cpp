@@ -38,8 +38,25 @@ void MotionWords::move(const Block& block) {
   if (control_.motion == 0 || control_.motion == 10) return straight(block, control_.motion == 0);
   if (arc_motion) return arc(block);
   if (cycle) return CannedCycles(control_).execute(block);
+  if (control_.motion == 331) return rigid_tap(block);
   if (control_.motion == 800) control_.refuse("axis words after G80 without a motion word; add G0 or G1");
   control_.refuse(g_word(control_.motion) + " is not read; post the program without it");
+}
+
+/// G33.1 of LinuxCNC: to the place at the feed that K says for each turn, back to where it began with the spindle turning
+/// the other way, which then turns as before.
+void MotionWords::rigid_tap(const Block& block) {
+  if (!block.has('K') || !(std::abs(block.value('K')) > 0))
+    control_.refuse("G33.1 needs its K word; add the pitch");
+  if (control_.modes.spindle == 5 || control_.modes.speed <= 0)
+    control_.refuse("G33.1 waits for a spindle that does not turn; start it before");
+  const Target to = control_.target(block);
+  Target back;
+  for (std::size_t axis = 0; axis < 3; ++axis) back[axis] = control_.builder.known(axis, control_.line);
+  const auto feed = MmPerMin::of(std::abs(control_.mm(block.value('K'))) * control_.modes.speed);
+  control_.builder.feed(to, feed, control_.line);
+  control_.builder.add_event(ControlEventKind::kTapTurnsBack, control_.line);
+  control_.builder.feed(back, feed, control_.line);
 }
 
 /// What the program leaves to the state in which the control was left.

@@ -46,6 +46,7 @@ void drill(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) 
     builder.feed(place_along(hole, hole.bottom), feed, line);
   }
   if (hole.dwell > 0) builder.add_event(ControlEventKind::kDwell, line, hole.dwell);
+  if (hole.code == 740 || hole.code == 840) builder.add_event(ControlEventKind::kTapTurnsBack, line);
   const bool feeds_out = hole.code == 740 || hole.code == 840 || hole.code == 890;
   if (feeds_out || hole.code == 850) {
     const bool all = feeds_out && hole.feeds_out_to_clear;

@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t kCodes = 2000;  // up to G199.9
 
 // The drilling cycles, and those motions that are refused when used: threading, probing, boring, back boring.
-constexpr int kMotionWords[] = {0,   10,  20,  30,  330, 382, 383, 384, 385, 730, 740,
-                                760, 810, 820, 830, 840, 850, 860, 870, 880, 890};
+constexpr int kMotionWords[] = {0,   10,  20,  30,  330, 331, 382, 383, 384, 385, 730,
+                                740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890};
 constexpr int kPlaneWords[] = {170, 180, 190};
 constexpr int kDistanceWords[] = {900, 910};
 constexpr int kCenterWords[] = {901, 911};

@@ -1,0 +1,63 @@
+// Holes beside plain drilling: what is asked for, and what a finished one has to be.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "geometry/vec2.h"
+
+namespace clearcut::inline model {
+
+enum class HoleKind {
+  kDrilled,
+  kSpotted,  ///< a cone that leads the drill
+  kReamed,
+  kBored,         ///< by a boring bar of its size; by a mill where there is none
+  kCounterbored,  ///< a flat seat about a narrower hole
+  kCountersunk,   ///< a cone about a narrower hole
+  kTapped,
+  kThreadMilled
+};
+/// "drill", "spot", "ream", "bore", "counterbore", "countersink", "tap", "thread".
+const char* name_of(HoleKind kind);
+
+/// An internal thread of 60 degrees: ISO metric or unified. mm.
+struct Thread {
+  std::string name;     ///< "M6", "M20x1.5", "UNC1/4"
+  double diameter = 0;  ///< major
+  double pitch = 0;
+  bool left_hand = false;
+};
+
+/// "M6" (coarse), "M6x0.75", "UNC1/4", "UNF1-4" (for 1/4), "UNC#10", "1/4-20", "#10-24", in any case; "LH" at the end: left
+/// hand. Nothing for other texts and for sizes the tables have not.
+std::optional<Thread> thread_named(std::string_view text);
+
+/// mm; what the hole before the thread is wide at least: D1 = d - 1.0825 P.
+double minor_diameter(const Thread& thread);
+/// mm; by how much it may be wider: tolerance 6H of ISO 965-1, 2B of unified threads is near it.
+double minor_tolerance(const Thread& thread);
+
+/// What a layer or an option says of its circles.
+struct HoleRequest {
+  HoleKind kind = HoleKind::kDrilled;
+  std::optional<Thread> thread;
+  std::optional<double> diameter;  ///< finished, instead of the circle's; units of the drawing
+  bool through = false;
+  bool chip_break = false;     ///< pecks break the chip instead of clearing it
+  std::optional<double> peck;  ///< units of the drawing
+};
+
+/// What one hole has to be; its feature's floor_z is where the tool's end goes down to. mm.
+struct HoleForm {
+  HoleKind kind = HoleKind::kDrilled;
+  Vec2 center;
+  double diameter = 0;  ///< finished; of countersinks at the top, of threads the major one
+  double full_z = 0;    ///< down to here it has its diameter, or its thread
+  std::optional<Thread> thread;
+  bool chip_break = false;
+  std::optional<double> peck;
+};
+
+}  // namespace clearcut::inline model

@@ -1,0 +1,309 @@
+// Holes from drawings to certificates: spotted, pecked, reamed, bored, counterbored, countersunk, tapped, thread milled.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/random.h"
+#include "pipeline/test_drawings.h"
+#include "post/post.h"
+#include "read/gcode/gcode.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string kBlock = box("STOCK_D12", -30, -30, 30, 30);
+constexpr Vec2 kCenter{5, -3};
+
+Part with_circle(const std::string& layer, double diameter, const std::string& more = "") {
+  return drawn(kBlock + circle(layer, kCenter, diameter / 2) + more);
+}
+
+void expect_clean(const PlanResult& result) {
+  EXPECT_TRUE(result.findings.all.clean) << faults_of(result.findings) << result.program;
+}
+
+/// The verdict on a program of a part in which one text is replaced.
+Findings changed(const Part& part, const PlanResult& planned, const std::string& what, const std::string& by,
+                 const resolve::PlanOptions& options) {
+  std::string program = planned.program;
+  const auto at = program.find(what);
+  EXPECT_NE(at, std::string::npos) << what << "\n" << program;
+  if (at != std::string::npos) program.replace(at, what.size(), by);
+  return check_program(part, program, "changed", options, read::gcode::Dialect::kLinuxCnc).findings;
+}
+
+TEST(HolePlan, AThroughHoleIsDrilledByItsPointBelowTheStock) {
+  const Part part = with_circle("DRILL_D12", 6);
+  const auto options = with({"drill:6"});
+  const PlanResult result = plan_part(part, options);
+  expect_clean(result);
+  // 12 mm, 0.5 mm more, and 3 / tan 59 degrees.
+  EXPECT_THAT(result.program, HasSubstr("Z-14.3026 R1 "));
+  const Findings shallow = changed(part, result, "Z-14.3026", "Z-13", options);
+  EXPECT_TRUE(has(shallow, FaultKind::kUncut)) << faults_of(shallow);
+}
+
+TEST(HolePlan, ABlindHoleHasItsWidthToItsDepthWhereThePointIsKnown) {
+  EXPECT_THAT(plan_part(with_circle("DRILL_D6", 6), with({"drill:6:90deg"})).program, HasSubstr("Z-9 R1 "));
+  EXPECT_THAT(plan_part(with_circle("DRILL_D6", 6), with({"drill:6"})).program, HasSubstr("Z-6 R1 "));
+}
+
+TEST(HolePlan, PecksBreakOrClearTheChip) {
+  const PlanResult chips = plan_part(with_circle("DRILL_D10_CHIP2.5", 4), with({"drill:4"}));
+  expect_clean(chips);
+  EXPECT_THAT(chips.program, HasSubstr("G98 G73 "));
+  EXPECT_THAT(chips.program, HasSubstr("Q2.5 "));
+  const PlanResult pecks = plan_part(with_circle("DRILL_D10_PECK2.5", 4), with({"drill:4"}));
+  expect_clean(pecks);
+  EXPECT_THAT(pecks.program, HasSubstr("G98 G83 "));
+}
+
+TEST(HolePlan, ASpotDrillAmongTheToolsLeadsTheDrill) {
+  const PlanResult result = plan_part(with_circle("DRILL_D8", 6), with({"drill:6", "spotdrill:90deg:10"}));
+  expect_clean(result);
+  EXPECT_THAT(result.program, HasSubstr("DRILL_D8_SPOT"));
+  EXPECT_THAT(result.program, HasSubstr("Z-2.7 R1 "));
+}
+
+TEST(HolePlan, AReamedHoleIsDrilledFirstAndLeftAtTheFeed) {
+  const Part part = with_circle("REAM_DIA6_THRU", 5);
+  const PlanResult result = plan_part(part, with({"drill:5.8", "reamer:6"}));
+  expect_clean(result);
+  EXPECT_THAT(result.program, HasSubstr("G98 G85 "));
+  EXPECT_THAT(refusal(part, {"drill:5.8"}),
+              HasSubstr("it needs a reamer of its width; give one, for example --tool reamer:6"));
+  EXPECT_THAT(refusal(part, {"drill:5", "reamer:6"}), HasSubstr("before it comes a hole of 5.5 to 5.95 mm"));
+}
+
+TEST(HolePlan, BoringBarsAndMillsBore) {
+  const Part part = with_circle("BORE_D8", 20);
+  const PlanResult bar = plan_part(part, with({"endmill:12", "boringbar:20"}));
+  expect_clean(bar);
+  EXPECT_THAT(bar.program, HasSubstr("G98 G85 "));
+  expect_clean(plan_part(part, with({"endmill:12"})));
+}
+
+TEST(HolePlan, CounterboresAreMilledOrMadeByTheirTool) {
+  const std::string seat = circle("CBORE_D5", kCenter, 5.5), through = circle("DRILL_THRU", kCenter, 3.3);
+  for (const char* tool : {"endmill:6", "counterbore:11"}) {
+    const PlanResult result = plan_part(drawn(kBlock + seat + through), with({tool, "drill:6.6"}));
+    expect_clean(result);
+  }
+}
+
+TEST(HolePlan, ACountersinkHasItsDiameterAtTheTop) {
+  const Part part = drawn(kBlock + circle("CSK_DIA9", kCenter, 4.5) + circle("DRILL_THRU", kCenter, 2.25));
+  const auto options = with({"drill:4.5", "chamfer:90deg:10:tip=0.4"});
+  const PlanResult result = plan_part(part, options);
+  expect_clean(result);
+  EXPECT_THAT(result.program, HasSubstr("Z-4.3 R1 "));
+  const Findings deep = changed(part, result, "Z-4.3 R1", "Z-4.35 R1", options);
+  EXPECT_TRUE(has(deep, FaultKind::kGouge)) << faults_of(deep);
+  const Findings shallow = changed(part, result, "Z-4.3 R1", "Z-4.25 R1", options);
+  EXPECT_TRUE(has(shallow, FaultKind::kUncut)) << faults_of(shallow);
+  EXPECT_THAT(refusal(part, {"drill:4.5", "chamfer:90deg:8"}),
+              HasSubstr("it needs a cone at least 9 mm wide"));
+}
+
+TEST(HolePlan, TapsFeedTheirPitchAndComeBackTurningTheOtherWay) {
+  const Part part = with_circle("TAP_M6_D7", 6);
+  const auto options = with({"drill:5", "tap:M6:floating"});
+  const PlanResult result = plan_part(part, options);
+  expect_clean(result);
+  EXPECT_THAT(result.program, HasSubstr("TAP D6 MM PITCH 1 FLOATING HOLDER"));
+  EXPECT_THAT(result.program, HasSubstr("M3 S424"));
+  EXPECT_THAT(result.program, HasSubstr("G98 G84 X5 Y-3 Z-9.5 R3 F424"));
+  const auto faulty = [&](const std::string& what, const std::string& by, FaultKind kind) {
+    const Findings found = changed(part, result, what, by, options);
+    EXPECT_TRUE(has(found, kind)) << what << " -> " << by << "\n" << faults_of(found);
+  };
+  faulty("R3 F424", "R3 F500", FaultKind::kTapping);
+  faulty("M3 S424", "M3 S500", FaultKind::kTapping);
+  faulty("M3 S424", "M4 S424", FaultKind::kTapping);
+  faulty("G98 G84", "G98 G85", FaultKind::kTapping);
+  faulty("G98 G84", "G98 G81", FaultKind::kTapping);
+  faulty("Z-9.5 R3", "Z-9 R3", FaultKind::kUncut);
+  faulty("G98 G84 X5 Y-3 Z-9.5 R3 F424", "", FaultKind::kNothingCut);
+}
+
+TEST(HolePlan, LeftHandTapsTurnTheOtherWay) {
+  const PlanResult result = plan_part(with_circle("TAP_M6_LH_D7", 6), with({"drill:5", "tap:M6LH:floating"}));
+  expect_clean(result);
+  EXPECT_THAT(result.program, HasSubstr("M4 S424"));
+  EXPECT_THAT(result.program, HasSubstr("G98 G74 "));
+}
+
+TEST(HolePlan, EachControlTapsInItsWordsOrSaysWhyNot) {
+  const Part part = with_circle("TAP_M6_D7", 6);
+  for (const std::string& dialect : post::post_dialects()) {
+    SCOPED_TRACE(dialect);
+    auto options = with({"drill:5", "tap:M6:floating"});
+    options.post.dialect = dialect;
+    if (dialect == "marlin") options.accept = {"tool-by-hand"};
+    expect_clean(plan_part(part, options));
+    options.tools[1].floating = false;
+    const bool rigid = dialect == "linuxcnc" || dialect == "fanuc" || dialect == "haas";
+    if (rigid) {
+      const PlanResult result = plan_part(part, options);
+      expect_clean(result);
+      EXPECT_THAT(result.program, HasSubstr(dialect == "linuxcnc" ? "G33.1 Z-9.5 K1"
+                                            : dialect == "fanuc"  ? "M29 S424\nG98 G84 "
+                                                                  : "G98 G84 "));
+    } else {
+      EXPECT_THROW(plan_part(part, options), InputError);
+    }
+  }
+}
+
+TEST(HolePlan, TapsAskForTheirDrill) {
+  EXPECT_THAT(
+      refusal(with_circle("TAP_M6_D7", 6), {"drill:5.5", "tap:M6"}),
+      HasSubstr(
+          "before it comes a hole of 4.917 to 5.147 mm; give a drill for it, for example --tool drill:5,"));
+  EXPECT_THAT(refusal(with_circle("TAP_M8_D7", 6), {"drill:6.8", "tap:M6"}),
+              HasSubstr("it is to be tapped M8; give the tap, for example --tool tap:M8"));
+  EXPECT_THROW(with_circle("TAP_D7", 6), InputError);
+  EXPECT_THROW(with_circle("TAP_M6.3_D7", 6), InputError);
+}
+
+TEST(HolePlan, ThreadsAreMilledAlongTheirHelix) {
+  const Part part = with_circle("THREAD_M20x1.5_THRU", 20);
+  const auto options = with({"endmill:10", "threadmill:12"});
+  const PlanResult result = plan_part(part, options);
+  expect_clean(result);
+  EXPECT_THAT(refusal(part, {"endmill:10"}), HasSubstr("its thread M20X1.5 is to be milled"));
+}
+
+/// Dense places of a program against the surface of the thread, without the verifier's formulas: how far the mill cuts beside it.
+double worst_beside(const PlanResult& result, const Thread& thread, double z_top, int mill) {
+  std::vector<std::array<double, 3>> full;  // angle, z, reach of whole turns
+  double worst = 0;
+  std::optional<double> phase;
+  for (const Section& section : result.toolpath.sections) {
+    if (section.tool_number != mill) continue;
+    for (const Move& move : section.moves) {
+      if (is_rapid(move.kind) || move.is_vertical()) continue;
+      for (int i = 0; i <= 100; ++i) {
+        const Vec2 p = move.path.at(i / 100.0) - kCenter;
+        const double z = move.z_from + (move.z_to - move.z_from) * i / 100.0;
+        const double reach = norm(p) + result.part.tools[static_cast<std::size_t>(mill) - 1].radius();
+        if (z > z_top || reach < minor_diameter(thread) / 2 + 0.3) continue;
+        double turns = z / thread.pitch - (thread.left_hand ? -1 : 1) * std::atan2(p.y, p.x) / (2 * kPi);
+        turns -= std::floor(turns);
+        if (!phase) phase = turns;
+        const double off = std::abs(turns - *phase);
+        worst = std::max(worst, std::min(off, 1 - off) * thread.pitch);
+        EXPECT_LE(reach, thread.diameter / 2 + 0.001);
+      }
+    }
+  }
+  EXPECT_TRUE(phase.has_value());
+  return worst;
+}
+
+TEST(HolePlan, ManyThreadsLieOnTheirHelix) {
+  Random random(31);
+  const char* const kNames[] = {"M8", "M10x1", "M12", "M16x1.5", "M20", "UNC1-2", "UNF3-8", "M24x2"};
+  for (int i = 0; i < 60; ++i) {
+    Thread thread = *thread_named(kNames[random.below(8)]);
+    const bool left = random.below(2) == 1, rows = random.below(2) == 1;
+    thread = *thread_named(thread.name + (left ? "LH" : ""));
+    const double depth = random.between(4, 9);
+    const std::string layer =
+        fmt::format("THREAD_{}{}_D{:.2f}", thread.name.substr(0, thread.name.size() - (left ? 2 : 0)),
+                    left ? "_LH" : "", depth);
+    SCOPED_TRACE(layer);
+    const std::string mill =
+        fmt::format("threadmill:{:.2f}{}", minor_diameter(thread) * random.between(0.5, 0.8),
+                    rows ? fmt::format(":pitch={}:length={}", thread.pitch, 4 * thread.pitch) : "");
+    auto options = with({fmt::format("endmill:{:.2f}", minor_diameter(thread) * 0.6), mill});
+    if (random.below(2) == 1) options.direction = CutDirection::kConventional;
+    const std::string stock = box("STOCK_D40", -30, -30, 30, 30);
+    const PlanResult result = plan_part(drawn(stock + circle(layer, kCenter, thread.diameter / 2)), options);
+    expect_clean(result);
+    EXPECT_LT(worst_beside(result, thread, 0, 2), 0.003);
+  }
+}
+
+TEST(HolePlan, WrongThreadsAreFound) {
+  const Part part = with_circle("THREAD_M20x1.5_D8", 20);
+  const auto options = with({"endmill:10", "threadmill:12"});
+  const PlanResult result = plan_part(part, options);
+  Toolpath path = result.toolpath;
+  const auto verdict = [&](const auto& change) {
+    Toolpath wrong = result.toolpath;
+    for (Section& section : wrong.sections) {
+      if (section.tool_number == 2) change(section);
+    }
+    PostOptions post = options.post;
+    const std::string program = post::write_program(wrong, result.part, post);
+    return check_program(part, program, "wrong", options, read::gcode::Dialect::kLinuxCnc).findings;
+  };
+  const auto stretch = [](double by) {
+    return [by](Section& section) {
+      for (Move& move : section.moves) {
+        if (is_rapid(move.kind)) continue;
+        if (move.z_from < 0) move.z_from *= by;
+        if (move.z_to < 0) move.z_to *= by;
+      }
+    };
+  };
+  EXPECT_TRUE(has(verdict(stretch(0.9)), FaultKind::kThread)) << "pitch of 1.35";
+  const auto narrower = [](Section& section) {
+    for (Move& move : section.moves) {
+      for (Vec2* p : {&move.path.from, &move.path.to, &move.path.center})
+        *p = kCenter + (*p - kCenter) * 0.98;
+    }
+  };
+  EXPECT_TRUE(has(verdict(narrower), FaultKind::kUncut));
+  const auto wider = [](Section& section) {
+    for (Move& move : section.moves) {
+      for (Vec2* p : {&move.path.from, &move.path.to, &move.path.center})
+        *p = kCenter + (*p - kCenter) * 1.01;
+    }
+  };
+  EXPECT_TRUE(has(verdict(wider), FaultKind::kGouge));
+  const auto missing = [](Section& section) { section.moves.resize(1); };
+  EXPECT_TRUE(has(verdict(missing), FaultKind::kNothingCut));
+  const auto mirrored = [](Section& section) {
+    for (Move& move : section.moves) {
+      for (Vec2* p : {&move.path.from, &move.path.to, &move.path.center}) p->y = 2 * kCenter.y - p->y;
+      if (move.path.is_arc())
+        move.path.turn = move.path.turn == Turn::kClockwise ? Turn::kCounterClockwise : Turn::kClockwise;
+    }
+  };
+  EXPECT_TRUE(has(verdict(mirrored), FaultKind::kThread)) << "left hand";
+}
+
+TEST(Threads, HaveTheSizesOfTheirTables) {
+  EXPECT_EQ(thread_named("M6")->pitch, 1);
+  EXPECT_EQ(thread_named("m20x1.5")->pitch, 1.5);
+  EXPECT_NEAR(thread_named("1/4-20")->pitch, 1.27, 1e-12);
+  EXPECT_NEAR(thread_named("UNC1-4")->diameter, 6.35, 1e-12);
+  EXPECT_NEAR(thread_named("UNF#10")->pitch, 25.4 / 32, 1e-12);
+  EXPECT_NEAR(thread_named("#10-24")->diameter, 4.826, 1e-12);
+  EXPECT_TRUE(thread_named("M8LH")->left_hand);
+  for (const char* wrong : {"", "M", "M6.1", "M6x", "M6x5", "UNC", "UNC9", "1/4", "1/4-", "6", "X"})
+    EXPECT_FALSE(thread_named(wrong)) << wrong;
+  EXPECT_NEAR(minor_diameter(*thread_named("M6")), 4.917, 0.001);
+  EXPECT_NEAR(minor_diameter(*thread_named("M20")), 17.294, 0.001);
+  EXPECT_NEAR(minor_tolerance(*thread_named("M3")), 0.14, 0.01);
+  EXPECT_NEAR(minor_tolerance(*thread_named("M20")), 0.45, 0.02);
+}
+
+TEST(Threads, ToolsSayTheirs) {
+  const Tool tap = resolve::parse_tool("tap:M6x0.75:floating");
+  EXPECT_EQ(tap.diameter, 6);
+  EXPECT_EQ(tap.pitch, 0.75);
+  EXPECT_TRUE(tap.floating);
+  EXPECT_EQ(resolve::parse_tool("tap:6:pitch=1:left").left_hand, true);
+  for (const char* wrong :
+       {"tap:6", "endmill:6:pitch=1", "drill:5:floating", "threadmill:10:pitch=1", "tap:M6:pitch=9"})
+    EXPECT_THROW(resolve::parse_tool(wrong), InputError) << wrong;
+}
+
+}  // namespace
+}  // namespace clearcut::pipeline

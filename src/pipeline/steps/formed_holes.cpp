@@ -1,0 +1,61 @@
+#include "pipeline/steps/formed_holes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "link/hole.h"
+#include "link/tracks/thread.h"
+#include "pipeline/certify.h"
+#include "post/post.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// Pitches above the material where a tap begins to feed, and no less than 2 mm: the spindle has its speed by then.
+constexpr double kPitchesAbove = 3;
+constexpr double kLeastAboveTap = 2;
+/// mm that a mill stays off a thread's own diameter besides what coarse digits may move it.
+constexpr double kOffThread = 0.0005;
+
+double tip_of_cone(const Feature& feature, const Tool& tool) {
+  return feature.top_z - (feature.hole->diameter / 2 - tool.tip_diameter / 2) / flank_slope(tool);
+}
+
+link::ThreadWork thread_work(const Feature& feature, const Tool& tool, double off) {
+  const HoleForm& hole = *feature.hole;
+  link::ThreadWork work;
+  work.center = hole.center;
+  work.radius = hole.diameter / 2 - off;
+  work.pitch = hole.thread->pitch;
+  work.left_hand = hole.thread->left_hand;
+  work.z_top = feature.top_z;
+  work.full_z = hole.full_z;
+  if (tool.pitch > 0 && tool.flute_length)
+    work.rows = std::max(1.0, std::floor(*tool.flute_length / tool.pitch + 1e-9)) * hole.thread->pitch;
+  return work;
+}
+
+}  // namespace
+
+std::optional<Section> formed_hole_step(int workingstep, const ResolvedPlan& plan) {
+  const Workingstep& step = plan.part.workplan.at(static_cast<std::size_t>(workingstep));
+  const Feature& feature = feature_of(plan.part, step);
+  if (!is_formed(feature)) return std::nullopt;
+  const Tool& tool = tool_of(plan.part, step);
+  link::LinkOptions link = link_options(plan, workingstep, EntryKind::kPlunge);
+  const HoleForm& hole = *feature.hole;
+  Section section;
+  if (hole.kind == HoleKind::kTapped) {
+    link.above_material = std::max(kLeastAboveTap, kPitchesAbove * tool.pitch);
+    section = link::feed_out_hole({hole.center, tool.radius(), feature.top_z, feature.floor_z}, link);
+  } else if (hole.kind == HoleKind::kThreadMilled) {
+    section = link::mill_thread(thread_work(feature, tool, kOffThread + post::rounding_of(plan.post)), link);
+  } else {
+    const double tip = tip_of_cone(feature, tool);
+    section = link::drill_hole({hole.center, tool.radius(), feature.top_z, tip}, feature.top_z - tip, link);
+  }
+  describe(section, workingstep, plan);
+  return section;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,109 @@
+#include "resolve/features/hole_tools.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm. Tools of this width make a hole of that.
+constexpr double kSameWidth = 0.005;
+/// mm. Pitches of one thread, also where inches are rounded.
+constexpr double kSamePitch = 0.002;
+/// mm that a thread mill is narrower than the hole that it goes down in.
+constexpr double kBesideThreadMill = 0.2;
+/// Of its own width: the helix of a mill in a narrower hole has too many turns.
+constexpr double kLeastBore = 1.1;
+
+bool is(const Tool& tool, ToolKind kind, double width) {
+  return tool.kind == kind && std::abs(tool.diameter - width) < kSameWidth;
+}
+
+/// Index of the tool that does and has the least `cost`; -1 for none.
+int best_tool(const std::vector<Tool>& tools, const std::function<bool(const Tool&)>& does,
+              const std::function<double(const Tool&)>& cost) {
+  int best = -1;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    if (!does(tools[i])) continue;
+    if (best < 0 || cost(tools[i]) < cost(tools[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
+  }
+  return best;
+}
+
+}  // namespace
+
+Pilot pilot_before(const Thread& thread) {
+  const double least = minor_diameter(thread), most = least + minor_tolerance(thread);
+  return {least, std::clamp(thread.diameter - thread.pitch, least, most), most};
+}
+
+/// Reamers take 0.05 to 0.5 mm, 0.2 at best; boring bars 0.1 to 1 mm.
+Pilot pilot_before(const HoleForm& hole, const Tool& tool) {
+  const double d = hole.diameter;
+  if (tool.kind == ToolKind::kReamer) return {d - 0.5, d - 0.2, d - 0.05};
+  return {d - 1, d - 0.5, d - 0.1};
+}
+
+int tool_where(const std::vector<Tool>& tools, const std::function<bool(const Tool&)>& does) {
+  return best_tool(tools, does, [](const Tool&) { return 0.0; });
+}
+
+int tool_of_kind(const std::vector<Tool>& tools, const HoleForm& hole) {
+  const ToolKind kind = hole.kind == HoleKind::kReamed         ? ToolKind::kReamer
+                        : hole.kind == HoleKind::kBored        ? ToolKind::kBoringBar
+                        : hole.kind == HoleKind::kCounterbored ? ToolKind::kCounterbore
+                                                               : ToolKind::kDrill;
+  const int own = tool_where(tools, [&](const Tool& tool) { return is(tool, kind, hole.diameter); });
+  if (own >= 0 || hole.kind == HoleKind::kReamed || hole.kind == HoleKind::kDrilled) return own;
+  // A mill that bores it along a helix, or clears it.
+  return best_tool(
+      tools,
+      [&](const Tool& tool) { return clears_floors(tool) && tool.diameter < hole.diameter + kSameWidth; },
+      [](const Tool& tool) { return -tool.diameter; });
+}
+
+int tap_for(const std::vector<Tool>& tools, const Thread& thread) {
+  return tool_where(tools, [&](const Tool& tool) {
+    return is(tool, ToolKind::kTap, thread.diameter) && std::abs(tool.pitch - thread.pitch) < kSamePitch &&
+           tool.left_hand == thread.left_hand;
+  });
+}
+
+int thread_mill_for(const std::vector<Tool>& tools, const Thread& thread) {
+  return best_tool(
+      tools,
+      [&](const Tool& tool) {
+        return tool.kind == ToolKind::kThreadMill &&
+               tool.diameter < minor_diameter(thread) - kBesideThreadMill &&
+               (tool.pitch == 0 || std::abs(tool.pitch - thread.pitch) < kSamePitch);
+      },
+      [](const Tool& tool) { return -tool.diameter; });
+}
+
+int cone_for(const std::vector<Tool>& tools, const HoleForm& hole) {
+  const ToolKind first = hole.kind == HoleKind::kSpotted ? ToolKind::kSpotDrill : ToolKind::kChamferMill;
+  return best_tool(
+      tools, [&](const Tool& tool) { return is_conical(tool) && tool.diameter > hole.diameter - kSameWidth; },
+      [&](const Tool& tool) { return tool.diameter + (tool.kind == first ? 0 : 1000); });
+}
+
+int drill_for(const std::vector<Tool>& tools, const Pilot& pilot) {
+  return best_tool(
+      tools,
+      [&](const Tool& tool) {
+        return tool.kind == ToolKind::kDrill && tool.diameter > pilot.least - kSameWidth &&
+               tool.diameter < pilot.most + kSameWidth;
+      },
+      [&](const Tool& tool) { return std::abs(tool.diameter - pilot.best); });
+}
+
+int mill_for(const std::vector<Tool>& tools, const Pilot& pilot) {
+  return best_tool(
+      tools,
+      [&](const Tool& tool) {
+        return clears_floors(tool) && tool.corner_radius == 0 && tool.diameter * kLeastBore <= pilot.best;
+      },
+      [](const Tool& tool) { return -tool.diameter; });
+}
+
+}  // namespace clearcut::resolve

@@ -1,0 +1,310 @@
+#include "resolve/features/holes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "base/error.h"
+#include "base/text/format.h"
+#include "resolve/features/hole_tools.h"
+#include "resolve/tool_cutting.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm below the stock that what goes through runs on.
+constexpr double kBreakthrough = 0.5;
+/// mm. Heights and centres nearer than this are one.
+constexpr double kSame = 0.01;
+/// Of a hole's width: a spot that the hole takes away whole.
+constexpr double kSpotShare = 0.9;
+/// Pitches that a tap's lead takes before the thread is full (form C: 2 to 3).
+constexpr double kTapLead = 2.5;
+/// Pitches of room under a tap.
+constexpr double kUnderTap = 0.5;
+/// Pitches that a thread mill begins below the thread: one, and a quarter for its way in.
+constexpr double kUnderThread = 1.25;
+
+Region disc_about(Vec2 center, double radius) {
+  const Vec2 a = center + Vec2{radius, 0}, b = center - Vec2{radius, 0};
+  return Region::from_valid_loops(
+      {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)},
+      {});
+}
+
+class HoleShaper {
+ public:
+  HoleShaper(Part& part, const PlanOptions& options, StepSources& sources)
+      : part_(part), options_(options), sources_(sources) {
+    spot_ = tool_where(part.tools, [](const Tool& tool) { return tool.kind == ToolKind::kSpotDrill; });
+  }
+
+  void run() {
+    const std::vector<Workingstep> asked = std::move(part_.workplan);
+    part_.workplan.clear();
+    for (Workingstep step : asked) {
+      shape(step);
+      part_.workplan.push_back(std::move(step));
+    }
+  }
+
+ private:
+  Feature& feature_of(const Workingstep& step) {
+    return part_.features[static_cast<std::size_t>(step.feature)];
+  }
+
+  void shape(Workingstep& step) {
+    if (!feature_of(step).hole) return shape_plain(step);
+    const HoleKind kind = feature_of(step).hole->kind;
+    if (kind == HoleKind::kTapped) {
+      shape_tapped(step);
+    } else if (kind == HoleKind::kThreadMilled) {
+      shape_thread(step);
+    } else if (kind == HoleKind::kCountersunk || kind == HoleKind::kSpotted) {
+      shape_cone(step);
+    } else {
+      shape_cylinder(step);
+    }
+  }
+
+  /// A hole without more words, where a drill makes it.
+  void shape_plain(Workingstep& step) {
+    Feature& feature = feature_of(step);
+    const auto round = stock::round_hole_of(feature, options_.tol);
+    if (!part_.order_free || feature.kind != FeatureKind::kRoundHole || !round) return;
+    take_drill_where_tool_is_wider(step, *round);
+    const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
+    if (tool.kind != ToolKind::kDrill || feature.through || !stock::makes_hole(tool, *round, options_.tol))
+      return;
+    const bool reaches = part_.stock && std::abs(feature.floor_z - part_.stock->z_bottom) < kSame;
+    if (!reaches && !tool.tip_angle && spot_ < 0) return;
+    if (!reaches && !tool.tip_angle) return add_spot(step, feature.floor_z);
+    feature.hole = HoleForm{HoleKind::kDrilled, round->center, 2 * round->radius, feature.floor_z,
+                            std::nullopt,       false,         std::nullopt};
+    feature.through = reaches;
+    shape_cylinder(step);
+  }
+
+  /// In a job every step begins with the first tool.
+  void take_drill_where_tool_is_wider(Workingstep& step, const stock::RoundHole& round) {
+    const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
+    if (tool.radius() <= round.radius + options_.tol.fit) return;
+    const int drill = tool_where(part_.tools, [&](const Tool& one) {
+      return one.kind == ToolKind::kDrill && stock::makes_hole(one, round, options_.tol);
+    });
+    if (drill >= 0) take_tool(step, drill);
+  }
+
+  /// Down to where the finished width reaches, and below it by `beyond` of the tool's end.
+  void set_depth(Feature& feature, double beyond) {
+    HoleForm& hole = *feature.hole;
+    if (feature.through && part_.stock) hole.full_z = part_.stock->z_bottom - kBreakthrough;
+    feature.floor_z = hole.full_z - beyond;
+  }
+
+  void shape_cylinder(Workingstep& step) {
+    HoleForm& hole = *feature_of(step).hole;
+    const int own = tool_of_kind(part_.tools, hole);
+    if (own >= 0) change_tool(step.operation, own, part_, options_);
+    const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
+    if (hole.kind == HoleKind::kReamed && own < 0)
+      refuse(feature_of(step), "a reamer of its width", "reamer", hole.diameter);
+    // A blind hole ends at the drill's tip where nobody says how long its point is.
+    const bool to_tip = hole.kind == HoleKind::kDrilled && !feature_of(step).through && !tool.tip_angle;
+    if (to_tip) hole.full_z = feature_of(step).floor_z + point_length(tool);
+    set_depth(feature_of(step), point_length(tool));
+    if (hole.peck) step.operation.stepdown = *hole.peck;
+    if (tool.kind == ToolKind::kReamer || tool.kind == ToolKind::kBoringBar) {
+      add_pilot(step, pilot_before(hole, tool), hole.full_z);
+    } else if (tool.kind == ToolKind::kDrill) {
+      add_spot(step, hole.full_z);
+    }
+  }
+
+  void shape_tapped(Workingstep& step) {
+    const Thread thread = *feature_of(step).hole->thread;
+    const int tap = tap_for(part_.tools, thread);
+    if (tap < 0)
+      throw InputError(
+          feature_of(step).name,
+          fmt::format("it is to be tapped {0}; give the tap, for example --tool tap:{0}", thread.name));
+    take_tool(step, tap);
+    step.operation.cutting.spindle_clockwise = !thread.left_hand;
+    set_depth(feature_of(step), kTapLead * thread.pitch);
+    const Feature& feature = feature_of(step);
+    const double room = feature.through ? 0 : kUnderTap * thread.pitch;
+    add_pilot(step, pilot_before(thread), feature.floor_z - room);
+  }
+
+  void shape_thread(Workingstep& step) {
+    const Thread thread = *feature_of(step).hole->thread;
+    const int mill = thread_mill_for(part_.tools, thread);
+    if (mill < 0)
+      throw InputError(
+          feature_of(step).name,
+          fmt::format("its thread {} is to be milled; give a thread mill under {} mm, for example "
+                      "--tool threadmill:{}",
+                      thread.name, trimmed(minor_diameter(thread), 2),
+                      trimmed(std::max(0.5, std::floor(minor_diameter(thread) * 0.7)), 1)));
+    take_tool(step, mill);
+    Feature& feature = feature_of(step);
+    set_depth(feature, kUnderThread * thread.pitch);
+    if (feature.through && part_.stock) feature.hole->full_z = part_.stock->z_bottom;
+    add_pilot(step, pilot_before(thread), feature.floor_z);
+  }
+
+  /// The cone ends where the hole begins that it is about, or in its tip.
+  void shape_cone(Workingstep& step) {
+    Feature& feature = feature_of(step);
+    HoleForm& hole = *feature.hole;
+    const int cutter = cone_for(part_.tools, hole);
+    if (cutter < 0)
+      throw InputError(feature.name,
+                       fmt::format("it needs a cone at least {0} mm wide; give one, for example --tool "
+                                   "spotdrill:90deg:{0}",
+                                   trimmed(hole.diameter, 3)));
+    take_tool(step, cutter);
+    const Tool& tool = part_.tools[static_cast<std::size_t>(cutter)];
+    const double slope = flank_slope(tool);
+    hole.full_z = feature.top_z;
+    const double inner = std::max(tool.tip_diameter / 2, widest_hole_in(feature));
+    if (inner >= hole.diameter / 2 - kSame)
+      throw InputError(feature.name,
+                       fmt::format("its hole is {} mm wide: a cone of {} mm leaves nothing of it",
+                                   trimmed(2 * inner, 3), trimmed(hole.diameter, 3)));
+    feature.floor_z = feature.top_z - (hole.diameter / 2 - inner) / slope;
+    // Within a hole it leaves no wall of its own.
+    feature.wall_slope = lies_in_a_hole(feature) ? Radians{} : Radians::of(std::atan(slope));
+  }
+
+  /// mm; radius of the widest hole on the same centre that goes deeper than a cone about it; 0 without one.
+  double widest_hole_in(const Feature& cone) {
+    double widest = 0;
+    for (const Feature& other : part_.features) {
+      const auto round = stock::round_hole_of(other, options_.tol);
+      if (&other == &cone || !round || is_cone(other)) continue;
+      if (distance(round->center, cone.hole->center) < kSame && 2 * round->radius < cone.hole->diameter)
+        widest = std::max(widest, round->radius);
+    }
+    return widest;
+  }
+
+  bool lies_in_a_hole(const Feature& cone) const {
+    return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
+      const auto round = stock::round_hole_of(other, options_.tol);
+      return round && &other != &cone && !is_cone(other) &&
+             distance(round->center, cone.hole->center) < kSame &&
+             round->radius > cone.hole->diameter / 2 - kSame;
+    });
+  }
+
+  static bool is_cone(const Feature& feature) {
+    return feature.hole &&
+           (feature.hole->kind == HoleKind::kCountersunk || feature.hole->kind == HoleKind::kSpotted);
+  }
+
+  void take_tool(Workingstep& step, int tool) { change_tool(step.operation, tool, part_, options_); }
+
+  [[noreturn]] static void refuse(const Feature& feature, const char* what, const char* kind,
+                                  double diameter) {
+    throw InputError(feature.name, fmt::format("it needs {}; give one, for example --tool {}:{}", what, kind,
+                                               trimmed(diameter, 3)));
+  }
+
+  bool has_pilot(const Feature& feature, const Pilot& pilot, double down_to) const {
+    return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
+      const auto round = stock::round_hole_of(other, options_.tol);
+      return round && !is_formed(other) && distance(round->center, feature.hole->center) < kSame &&
+             2 * round->radius > pilot.least - kSame && 2 * round->radius < pilot.most + kSame &&
+             (other.floor_z <= down_to + kSame || other.through);
+    });
+  }
+
+  /// The hole before `step`, whole down to `full_z`.
+  void add_pilot(const Workingstep& step, const Pilot& pilot, double full_z) {
+    if (has_pilot(feature_of(step), pilot, full_z)) return;
+    const int drill = drill_for(part_.tools, pilot);
+    const int mill = drill < 0 ? mill_for(part_.tools, pilot) : -1;
+    if (drill < 0 && mill < 0)
+      throw InputError(
+          feature_of(step).name,
+          fmt::format("before it comes a hole of {} to {} mm; give a drill for it, for example --tool "
+                      "drill:{}, or an end mill that bores it",
+                      trimmed(pilot.least, 3), trimmed(pilot.most, 3), trimmed(pilot.best, 2)));
+    const int tool = std::max(drill, mill);
+    const Tool& cutter = part_.tools[static_cast<std::size_t>(tool)];
+    const double width = drill >= 0 ? cutter.diameter : pilot.best;
+    Feature hole = cylinder(step, "_drill", width, full_z - point_length(cutter));
+    hole.hole = HoleForm{
+        HoleKind::kDrilled,         feature_of(step).hole->center, width, full_z, std::nullopt, false,
+        feature_of(step).hole->peck};
+    hole.hole->chip_break = feature_of(step).hole->chip_break;
+    const std::optional<double> peck = hole.hole->peck;
+    Workingstep before = step_on(std::move(hole), step, tool);
+    if (drill >= 0 && peck) before.operation.stepdown = peck;
+    if (drill >= 0) add_spot(before, full_z);
+    part_.workplan.push_back(std::move(before));
+  }
+
+  void add_spot(const Workingstep& step, double full_z) {
+    if (spot_ < 0) return;
+    const Tool& tool = part_.tools[static_cast<std::size_t>(spot_)];
+    const double width = std::min(kSpotShare * *feature_of(step).hole_diameter, tool.diameter);
+    const double depth = (width / 2 - tool.tip_diameter / 2) / flank_slope(tool);
+    const double top = feature_of(step).top_z;
+    if (depth <= 0 || top - depth < full_z) return;
+    const Vec2 center = stock::round_hole_of(feature_of(step), options_.tol)->center;
+    const bool spotted = std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
+      return is_cone(other) && distance(other.hole->center, center) < kSame;
+    });
+    if (spotted) return;
+    Feature spot = cylinder(step, "_spot", width, top - depth);
+    spot.hole = HoleForm{HoleKind::kSpotted, center, width, top, std::nullopt, false, std::nullopt};
+    part_.workplan.push_back(step_on(std::move(spot), step, spot_));
+  }
+
+  Feature cylinder(const Workingstep& step, const char* suffix, double width, double floor) {
+    const Feature& of = feature_of(step);
+    Feature feature;
+    feature.name = of.name + suffix;
+    feature.source = of.source;
+    feature.kind = FeatureKind::kRoundHole;
+    feature.top_z = of.top_z;
+    feature.floor_z = floor;
+    feature.through = of.through;
+    feature.hole_diameter = width;
+    const auto round = stock::round_hole_of(of, options_.tol);
+    feature.target = feature.allowed = {disc_about(of.hole ? of.hole->center : round->center, width / 2)};
+    return feature;
+  }
+
+  Workingstep step_on(Feature feature, const Workingstep& like, int tool) {
+    Workingstep step;
+    step.name = feature.name;
+    step.source = like.source;
+    step.feature = static_cast<int>(part_.features.size());
+    step.operation.name = feature.name;
+    step.operation.kind = OperationKind::kDrilling;
+    step.operation.tool = like.operation.tool;
+    change_tool(step.operation, tool, part_, options_);
+    sources_[step_key(step)].set("tool", {Origin::kDerived, "what comes before " + like.name});
+    part_.features.push_back(std::move(feature));
+    return step;
+  }
+
+  Part& part_;
+  const PlanOptions& options_;
+  StepSources& sources_;
+  int spot_ = -1;
+};
+
+}  // namespace
+
+void shape_holes(Part& part, const PlanOptions& options, StepSources& sources) {
+  HoleShaper(part, options, sources).run();
+}
+
+}  // namespace clearcut::resolve

@@ -1,0 +1,212 @@
+#include "verify/faults/holes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/text/format.h"
+#include "verify/faults/thread_helix.h"
+
+namespace clearcut::verify {
+namespace {
+
+/// mm. A tool that comes down farther off is on another axis.
+constexpr double kOnAxis = 0.01;
+/// Share by which a tap's feed may miss its pitch times the speed.
+constexpr double kFeedShare = 0.005;
+/// mm. Widths and pitches of tools that are the same.
+constexpr double kSameSize = 0.005;
+
+class HoleJudge {
+ public:
+  HoleJudge(const Feature& feature, const JudgedProgram& program, const VerifyOptions& options)
+      : feature_(feature), hole_(*feature.hole), program_(program), options_(options) {
+    for (std::size_t i = 0; i < program.moves.size(); ++i) {
+      const JudgedMove& judged = program.moves[i];
+      if (!judged.feeds() || !judged.tool || judged.low_z() >= feature.top_z) continue;
+      const Move& move = *judged.move;
+      if (move.is_vertical() && distance(move.path.from, hole_.center) <= kOnAxis) upright_.push_back(i);
+      const bool mills = judged.tool->kind == ToolKind::kThreadMill;
+      if (mills && distance(move.path.from, hole_.center) < hole_.diameter) mills_.push_back(&judged);
+    }
+  }
+
+  std::vector<Fault> judge() {
+    if (hole_.kind == HoleKind::kTapped) {
+      judge_tap();
+    } else if (hole_.kind == HoleKind::kThreadMilled) {
+      judge_thread();
+    } else if (hole_.kind == HoleKind::kSpotted || hole_.kind == HoleKind::kCountersunk) {
+      judge_cone();
+    } else {
+      judge_point();
+    }
+    return std::move(faults_);
+  }
+
+ private:
+  const JudgedMove& at(std::size_t i) const { return program_.moves[i]; }
+
+  void add(FaultKind kind, double size, double z, int line, const std::string& text) {
+    faults_.push_back({kind,
+                       feature_.name,
+                       {hole_.center, z, line},
+                       size,
+                       feature_.name + ": " + text + ", at x " + trimmed(hole_.center.x, 3) + " y " +
+                           trimmed(hole_.center.y, 3) + (line > 0 ? ", line " + std::to_string(line) : "") +
+                           "."});
+  }
+
+  void add_missing(const std::string& text) {
+    add(FaultKind::kNothingCut, feature_.top_z - feature_.floor_z, feature_.floor_z, 0, text);
+  }
+
+  /// A drill's cone stays at the end of a hole; others end flat and are judged by what they cover.
+  void judge_point() {
+    double full = std::numeric_limits<double>::infinity();
+    int line = 0;
+    bool drilled = false;
+    for (const std::size_t i : upright_) {
+      const Tool& tool = *at(i).tool;
+      if (2 * tool.radius() < hole_.diameter - 2 * options_.tol.uncut) continue;
+      drilled = drilled || tool.kind == ToolKind::kDrill;
+      const double down = at(i).low_z() + point_length(tool);
+      if (down < full) full = down, line = at(i).move->line;
+    }
+    if (!drilled || full <= hole_.full_z + options_.tol.uncut) return;
+    add(FaultKind::kUncut, full - hole_.full_z, full, line,
+        "the drill has its full width down to z " + trimmed(full, 3) + " only, and shall to z " +
+            trimmed(hole_.full_z, 3));
+  }
+
+  void judge_cone() {
+    double widest = -1, tip = 0;
+    int line = 0;
+    for (const std::size_t i : upright_) {
+      if (!is_conical(*at(i).tool)) continue;
+      const double width = 2 * radius_at(*at(i).tool, feature_.top_z - at(i).low_z());
+      if (width > widest) widest = width, line = at(i).move->line, tip = at(i).low_z();
+    }
+    if (widest < 0) return add_missing("no cone comes down on its axis");
+    const double left = (hole_.diameter - widest) / 2;
+    if (left > options_.tol.uncut)
+      add(FaultKind::kUncut, left, tip, line,
+          "the cone is " + trimmed(widest, 3) + " mm wide at the top, and shall be " +
+              trimmed(hole_.diameter, 3));
+  }
+
+  bool is_the_tap(const Tool& tool) const {
+    return tool.kind == ToolKind::kTap && std::abs(tool.diameter - hole_.thread->diameter) < kSameSize &&
+           std::abs(tool.pitch - hole_.thread->pitch) < kSameSize &&
+           tool.left_hand == hole_.thread->left_hand;
+  }
+
+  void judge_tap() {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const std::size_t i : upright_) {
+      const JudgedMove& judged = at(i);
+      if (judged.tool->kind != ToolKind::kTap) continue;
+      if (!is_the_tap(*judged.tool)) {
+        add(FaultKind::kTapping, 0, judged.low_z(), judged.move->line,
+            "T" + std::to_string(judged.tool_number) + " is no tap " + hole_.thread->name);
+        continue;
+      }
+      lowest = std::min(lowest, judged.low_z());
+      judge_feed(judged);
+      const bool down = judged.move->z_to < judged.move->z_from;
+      judge_turn(judged, down);
+      if (down) judge_way_out(i);
+    }
+    if (std::isinf(lowest)) return add_missing("no tap " + hole_.thread->name + " comes down on its axis");
+    if (lowest > feature_.floor_z + options_.tol.uncut)
+      add(FaultKind::kUncut, lowest - feature_.floor_z, lowest, 0,
+          "the tap goes down to z " + trimmed(lowest, 3) + " only, and has to reach z " +
+              trimmed(feature_.floor_z, 3) + " for a full thread to z " + trimmed(hole_.full_z, 3));
+  }
+
+  static double rpm_of(const JudgedMove& judged) {
+    return judged.control ? judged.control->spindle_rpm : judged.rpm;
+  }
+
+  void judge_feed(const JudgedMove& judged) {
+    const double wanted = judged.tool->pitch * rpm_of(judged), feed = judged.move->feed.mm_per_min();
+    if (std::abs(feed - wanted) <= kFeedShare * wanted) return;
+    add(FaultKind::kTapping, std::abs(feed - wanted) / std::max(1.0, rpm_of(judged)), judged.move->z_to,
+        judged.move->line,
+        "the tap feeds " + trimmed(feed, 2) + " mm/min where its pitch of " + trimmed(judged.tool->pitch, 4) +
+            " mm at " + trimmed(rpm_of(judged), 0) + " rpm asks for " + trimmed(wanted, 2));
+  }
+
+  /// Into the hole it turns as its hand asks; out of it the other way, said by words or done by a cycle.
+  void judge_turn(const JudgedMove& judged, bool down) {
+    if (!judged.control || (!down && turned_by_cycle(judged))) return;
+    const SpindleState into =
+        hole_.thread->left_hand ? SpindleState::kCounterClockwise : SpindleState::kClockwise;
+    const SpindleState out =
+        hole_.thread->left_hand ? SpindleState::kClockwise : SpindleState::kCounterClockwise;
+    if (judged.control->spindle == (down ? into : out)) return;
+    add(FaultKind::kTapping, 0, judged.move->z_to, judged.move->line,
+        down ? "the spindle does not turn the way that this tap cuts"
+             : "the tap comes out while the spindle still turns as on its way in");
+  }
+
+  bool turned_by_cycle(const JudgedMove& judged) const {
+    if (!options_.control) return true;
+    const auto own = std::find_if(program_.moves.begin(), program_.moves.end(),
+                                  [](const JudgedMove& one) { return !one.earlier; });
+    const auto index = static_cast<std::size_t>(&judged - &*own);
+    return std::any_of(options_.control->events.begin(), options_.control->events.end(),
+                       [&](const ControlEvent& event) {
+                         return event.kind == ControlEventKind::kTapTurnsBack && event.before_move == index;
+                       });
+  }
+
+  /// The move after the one down has to be the feed out.
+  void judge_way_out(std::size_t down) {
+    const bool feeds_out = down + 1 < program_.moves.size() && at(down + 1).feeds() &&
+                           at(down + 1).move->is_vertical() && at(down + 1).move->z_to >= feature_.top_z;
+    if (feeds_out) return;
+    add(FaultKind::kTapping, 0, at(down).move->z_to, at(down).move->line,
+        "the tap does not come out at its feed right after it went in");
+  }
+
+  void judge_thread() {
+    if (mills_.empty()) return add_missing("no thread mill works in it");
+    for (const ThreadDefect& defect : defects_of_thread(feature_, mills_)) {
+      const FaultKind kind = defect.kind == ThreadDefect::Kind::kNothing   ? FaultKind::kNothingCut
+                             : defect.kind == ThreadDefect::Kind::kShallow ? FaultKind::kUncut
+                             : defect.kind == ThreadDefect::Kind::kNarrow  ? FaultKind::kUncut
+                                                                           : FaultKind::kThread;
+      add(kind, defect.size, hole_.full_z, defect.line,
+          "the thread " + hole_.thread->name + " " + defect.text);
+    }
+  }
+
+  const Feature& feature_;
+  const HoleForm& hole_;
+  const JudgedProgram& program_;
+  const VerifyOptions& options_;
+  std::vector<std::size_t> upright_;  ///< feed moves on the axis
+  std::vector<const JudgedMove*> mills_;
+  std::vector<Fault> faults_;
+};
+
+bool is_worked(const Part& part, int feature) {
+  return std::any_of(part.workplan.begin(), part.workplan.end(),
+                     [&](const Workingstep& step) { return step.feature == feature; });
+}
+
+}  // namespace
+
+std::vector<Fault> faults_of_holes(const Part& part, const JudgedProgram& program,
+                                   const VerifyOptions& options) {
+  std::vector<Fault> faults;
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    if (!part.features[i].hole || !is_worked(part, static_cast<int>(i))) continue;
+    for (Fault& fault : HoleJudge(part.features[i], program, options).judge())
+      faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+}  // namespace clearcut::verify

@@ -1,0 +1,149 @@
+// Symbols
+//
+//   P     pitch, mm; d major diameter, d1 = d - 5/8 sqrt(3) P minor diameter of the basic profile (ISO 68-1)
+//   z0    height of the helix at the angle 0; of all whole turns the same, modulo P
+#include "verify/faults/thread_helix.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text/format.h"
+
+namespace clearcut::verify {
+namespace {
+
+/// mm by which the mill's reach may miss the major radius: the finest tolerance of bolts is several times as much.
+constexpr double kRadiusSlack = 0.01;
+/// Of the pitch, and mm: by how much a place may lie off the helix. Rounding to 0.001 mm and 0.0001 inch is less.
+constexpr double kPitchShare = 0.01;
+constexpr double kThreadHeightSlack = 0.006;
+/// Places looked at on each move.
+constexpr int kThreadPlaces = 48;
+
+double whole_turns_off(double height, double pitch) {
+  return height - pitch * std::round(height / pitch);
+}
+
+class ThreadJudge {
+ public:
+  explicit ThreadJudge(const Feature& feature)
+      : hole_(*feature.hole), top_(feature.top_z), pitch_(hole_.thread->pitch) {
+    minor_radius_ = hole_.diameter / 2 - 5 * std::sqrt(3.0) / 16 * pitch_;
+    slack_ = kPitchShare * pitch_ + kThreadHeightSlack;
+  }
+
+  std::vector<ThreadDefect> judge(const std::vector<const JudgedMove*>& moves) {
+    for (const JudgedMove* judged : moves) find_helix(*judged);
+    if (!origin_) return {nothing(moves)};
+    for (const JudgedMove* judged : moves) look_along(*judged);
+    look_at_heights();
+    return std::move(defects_);
+  }
+
+ private:
+  double reach(const JudgedMove& judged, Vec2 at) const {
+    return distance(at, hole_.center) + judged.radius();
+  }
+
+  bool is_about_axis(const Move& move) const {
+    return move.path.is_arc() && distance(move.path.center, hole_.center) <= kRadiusSlack;
+  }
+
+  /// Whole turns (or their halves) at the full radius: they say where the helix is, and which heights have a thread.
+  void find_helix(const JudgedMove& judged) {
+    const Move& move = *judged.move;
+    if (!is_about_axis(move)) return;
+    const double short_of = hole_.diameter / 2 - reach(judged, move.path.from);
+    if (short_of > kRadiusSlack) {
+      narrowest_ = std::max(narrowest_, short_of);
+      return;
+    }
+    const double rise = (move.z_to - move.z_from) / (move.path.sweep() * sign()) * 2 * kPi;
+    if (!origin_) origin_ = on_helix(move.path.from, move.z_from);
+    if (std::abs(rise - pitch_) > slack_) {
+      add(ThreadDefect::Kind::kHelix, std::abs(rise - pitch_), move.line,
+          rise < 0
+              ? "turns the other way round its axis as it rises: the hand is wrong"
+              : "rises " + trimmed(rise, 4) + " mm a turn where the pitch is " + trimmed(pitch_, 4) + " mm");
+      return;
+    }
+    const Tool& tool = *judged.tool;
+    const double rows =
+        tool.pitch > 0 && tool.flute_length ? std::floor(*tool.flute_length / tool.pitch + 1e-9) : 1;
+    cut_.push_back(
+        {std::min(move.z_from, move.z_to), std::max(move.z_from, move.z_to) + (rows - 1) * pitch_});
+  }
+
+  double sign() const { return hole_.thread->left_hand ? -1 : 1; }
+
+  /// What is left of a place's height once its angle is taken off.
+  double on_helix(Vec2 p, double z) const {
+    return z - sign() * pitch_ * angle_of(p - hole_.center) / (2 * kPi);
+  }
+
+  /// No place that reaches into the wall lies off the helix.
+  void look_along(const JudgedMove& judged) {
+    const Move& move = *judged.move;
+    for (int i = 0; i <= kThreadPlaces; ++i) {
+      const double t = static_cast<double>(i) / kThreadPlaces;
+      const Vec2 p = move.is_vertical() ? move.path.from : move.path.at(t);
+      const double z = move.z_from + (move.z_to - move.z_from) * t;
+      const double r = reach(judged, p);
+      if (z >= top_ || r <= minor_radius_ + minor_tolerance(*hole_.thread)) continue;
+      const double off = std::abs(whole_turns_off(on_helix(p, z) - *origin_, pitch_));
+      if (off <= slack_) continue;
+      return add(ThreadDefect::Kind::kHelix, off, move.line,
+                 "is cut " + trimmed(off, 3) + " mm beside its helix, at z " + trimmed(z, 3));
+    }
+  }
+
+  /// Turns that follow each other without a gap of more than rounding, from the lower end of the thread to its top.
+  void look_at_heights() {
+    std::sort(cut_.begin(), cut_.end());
+    double low = hole_.full_z;
+    for (const auto& [from, to] : cut_) {
+      if (from <= low + kThreadHeightSlack) low = std::max(low, to);
+    }
+    const bool begins_low = !cut_.empty() && cut_.front().first <= hole_.full_z + kThreadHeightSlack;
+    if (!begins_low) {
+      const double lowest = cut_.empty() ? top_ : cut_.front().first;
+      return add(
+          ThreadDefect::Kind::kShallow, lowest - hole_.full_z, 0,
+          "is full down to z " + trimmed(lowest, 3) + " only, and shall be to z " + trimmed(hole_.full_z, 3));
+    }
+    if (low < top_ - pitch_ - kThreadHeightSlack)
+      add(ThreadDefect::Kind::kShallow, top_ - low, 0, "is not cut above z " + trimmed(low, 3));
+  }
+
+  ThreadDefect nothing(const std::vector<const JudgedMove*>& moves) const {
+    if (narrowest_ > 0)
+      return {ThreadDefect::Kind::kNarrow, narrowest_,
+              "the mill stays " + trimmed(narrowest_, 3) + " mm short of its diameter of " +
+                  trimmed(hole_.diameter, 3) + " mm",
+              moves.front()->move->line};
+    return {ThreadDefect::Kind::kNothing, top_ - hole_.full_z, "no thread mill turns about its axis", 0};
+  }
+
+  void add(ThreadDefect::Kind kind, double size, int line, const std::string& text) {
+    const bool known = std::any_of(defects_.begin(), defects_.end(),
+                                   [&](const ThreadDefect& one) { return one.kind == kind; });
+    if (!known) defects_.push_back({kind, size, text, line});
+  }
+
+  const HoleForm& hole_;
+  double top_;
+  double pitch_, minor_radius_ = 0, slack_ = 0;
+  double narrowest_ = 0;
+  std::optional<double> origin_;
+  std::vector<std::pair<double, double>> cut_;  ///< heights, lower end first
+  std::vector<ThreadDefect> defects_;
+};
+
+}  // namespace
+
+std::vector<ThreadDefect> defects_of_thread(const Feature& feature,
+                                            const std::vector<const JudgedMove*>& moves) {
+  return ThreadJudge(feature).judge(moves);
+}
+
+}  // namespace clearcut::verify
