@@ -24,10 +24,10 @@ if(CLEARCUT_SANITIZE)
   target_link_options(clearcut_options INTERFACE -fsanitize=${CLEARCUT_SANITIZE})
 endif()
 
-# The standard headers that nearly every source includes and fmt, parsed once, and the sources of a module compiled by
-# eights: a build from nothing takes less than half of the time. Off by default, so that a change compiles one source, a
+# The standard headers that nearly every source includes and fmt, parsed once, and the sources of a folder compiled as
+# one: a build from nothing takes less than half of the time. Off by default, so that a change compiles one source, a
 # source that forgets an include does not compile where the work is done, and clang-tidy is given no header of g++'s.
-# Names in the unnamed namespaces of one module therefore differ.
+# Names in the unnamed namespaces of one folder therefore differ.
 option(CLEARCUT_PRECOMPILED_HEADERS "Parse common headers once" OFF)
 
 find_program(CLEARCUT_CCACHE ccache)

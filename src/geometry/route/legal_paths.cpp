@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "geometry/fast_norm.h"
 
 namespace clearcut::inline geometry {
 namespace {
@@ -30,11 +31,6 @@ bool remembered(std::atomic<signed char>& known, Ask&& ask) {
     known.store(answer, std::memory_order_relaxed);
   }
   return answer > 0;
-}
-
-/// Overflow is no concern here, and std::hypot would take half of all time.
-double fast_norm(Vec2 v) {
-  return std::sqrt(dot(v, v));
 }
 
 bool ordered(Vec2 a, Vec2 b) {

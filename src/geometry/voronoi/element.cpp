@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/fast_norm.h"
+
 namespace clearcut::inline geometry::voronoi {
 namespace {
-
-double fast_norm(Vec2 a) {
-  return std::sqrt(norm_squared(a));
-}
 
 Vec2 left_normal(const Edge& line) {
   const Vec2 d = line.to - line.from;

@@ -4,19 +4,16 @@
 #include <cmath>
 
 #include "base/units.h"
+#include "geometry/fast_norm.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {
-
-double fast_norm(Vec2 a) {
-  return std::sqrt(norm_squared(a));
-}
 
 /// mm. Below this a turn of the boundary leaves no arc worth writing: the two offset curves meet in one
 /// point.
 constexpr double kLeastArc = 2e-4;
 /// mm. Joints nearer than this are one.
-constexpr double kCoincident = 1e-7;
+constexpr double kOneJoint = 1e-7;
 /// mm. Ends this near to an offset curve are on it.
 constexpr double kOnCurve = 1e-9;
 
@@ -51,7 +48,7 @@ Edge fitted(Edge edge, Vec2 to) {
   return edge.is_arc() ? centred(edge) : edge;
 }
 
-/// Moves the end of the last edge by less than kCoincident.
+/// Moves the end of the last edge by less than kOneJoint.
 void close(Loop& loop, Vec2 to) {
   loop.back() = fitted(loop.back(), to);
 }
@@ -147,7 +144,7 @@ class Assembler {
   /// Whether neighbours that go on to meet without the arc stay within the slack of it.
   bool is_shrunken(const Element& arc) const {
     const double left = arc.radius - d_, half = std::abs(arc.edge.sweep()) / 2;
-    if (left <= kCoincident) return true;
+    if (left <= kOneJoint) return true;
     return left < slack_ && half < kPi / 2 && left * (1 / std::cos(half) - 1) < slack_ / 2;
   }
 
@@ -222,7 +219,7 @@ class Assembler {
     const Element& only = element(pieces_[0]);
     if (only.edge.is_arc() && std::abs(only.edge.sweep()) < 1.9 * kPi) return std::nullopt;
     const OffsetCurve circle = offset_curve(only, d_);
-    if (circle.straight || circle.radius <= kCoincident) return std::nullopt;
+    if (circle.straight || circle.radius <= kOneJoint) return std::nullopt;
     const Vec2 a = circle.point - Vec2{circle.radius, 0}, b = circle.point + Vec2{circle.radius, 0};
     return Loop{Edge::arc(a, b, circle.point, circle.turn), Edge::arc(b, a, circle.point, circle.turn)};
   }
@@ -262,7 +259,7 @@ class Assembler {
 
   bool runs_backwards(std::size_t i) const {
     const OffsetCurve curve = offset_curve(after(i), d_);
-    if (curve.straight) return dot(joint(i + 1) - joint(i), curve.direction) < -kCoincident;
+    if (curve.straight) return dot(joint(i + 1) - joint(i), curve.direction) < -kOneJoint;
     // The offset of an arc turns no farther than the arc, that of a vertex no farther than half round. An arc
     // that runs a little backwards seems to go nearly all round instead.
     const Edge& source = after(i).edge;
@@ -279,7 +276,7 @@ class Assembler {
       const bool last = i + 1 == pieces_.size();
       Vec2 to = joint(i + 1);
       if (last && !loop.empty()) to = loop.front().from;
-      if (fast_norm(to - from) <= kCoincident) {
+      if (fast_norm(to - from) <= kOneJoint) {
         if (last && !loop.empty()) close(loop, to);
         continue;
       }

@@ -33,7 +33,7 @@ constexpr Vec2 kNowhere{1e100, 1e100};
 /// Number of samples, each nearer to the peak, that are spent on one peak between two samples.
 constexpr int kMostPeaks = 5;
 /// Number of bisections for the place where the engagement begins to exceed its limit.
-constexpr int kHalvings = 4;
+constexpr int kMeetingHalvings = 4;
 
 Move level_move(const Edge& edge) {
   return {edge, -1, -1, MoveKind::kCut, {}, 0};
@@ -90,7 +90,7 @@ std::optional<RemainingStock::Stretch> RemainingStock::peak_above(const Edge& ed
 }
 
 double RemainingStock::last_within(const Edge& edge, Stretch rise, double limit) const {
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < kMeetingHalvings; ++i) {
     const double middle = (rise.from + rise.to) / 2;
     (engagement(edge.at(middle), edge.tangent_at(middle)) > limit ? rise.to : rise.from) = middle;
   }

@@ -18,7 +18,7 @@
 namespace clearcut::read::stepnc {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 constexpr double kLevel = 0.01;  // mm; heights nearer than this are one
 
 class Reader {
@@ -185,7 +185,7 @@ void Reader::derive_stock() {
         "no bounding geometry of the workpiece; the material is taken as solid around the features");
     return;
   }
-  Stock stock{*plan, kFar, -kFar};
+  Stock stock{*plan, kEverywhere, -kEverywhere};
   for (const Draft& draft : drafts_) {
     stock.z_bottom = std::min(stock.z_bottom, floor_of(draft));
     stock.z_top = std::max(stock.z_top, draft.placement_z);
@@ -318,7 +318,7 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
   const std::vector<std::size_t> chosen =
       parts_for(parts, node, operation, part_.tools[static_cast<std::size_t>(operation.tool)]);
   if (operation.retract_z) {
-    double top = -kFar;
+    double top = -kEverywhere;
     for (const std::size_t draft : drafts) top = std::max(top, feature_of_draft(draft).top_z);
     *operation.retract_z += top;
   }

@@ -9,7 +9,7 @@
 namespace clearcut::verify {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNoSwath = std::numeric_limits<double>::infinity();
 
 double sign_of(const Edge& arc) {
   return arc.turn == Turn::kCounterClockwise ? 1.0 : -1.0;
@@ -39,7 +39,7 @@ double excess_over_arc(const ConvexPolygon& cell, const Edge& arc) {
 ConvexPolygon rest_after_line(const ConvexPolygon& cell, const Edge& line, double radius) {
   const double length = std::sqrt(norm_squared(line.to - line.from));
   const Vec2 d = (line.to - line.from) / length, n = left_of(d);
-  double low = kInfinite, high = -kInfinite;
+  double low = kNoSwath, high = -kNoSwath;
   for (const Vec2 p : cell.points()) {
     const double along = dot(p - line.from, d), aside = dot(p - line.from, n);
     if (along < 0 || along > length) return cell;
@@ -102,7 +102,7 @@ double deviation_from_circle(const Edge& arc, const Edge& circle) {
 
 double deviation_from_arc(const Edge& curve, const Edge& path) {
   const std::array<Vec2, 3> points{curve.from, curve.at(0.5), curve.to};
-  if (!in_sector(points, path)) return kInfinite;
+  if (!in_sector(points, path)) return kNoSwath;
   if (curve.is_arc() && std::abs(curve.sweep()) < kPi &&
       distance(curve.center, path.center) < 0.5 * curve.radius()) {
     return deviation_from_circle(curve, path);

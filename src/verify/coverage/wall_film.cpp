@@ -8,7 +8,7 @@ namespace clearcut::verify {
 namespace {
 
 /// mm.
-constexpr double kRounding = 1e-9;
+constexpr double kFilmRounding = 1e-9;
 
 }  // namespace
 
@@ -41,14 +41,14 @@ bool WallFilm::wall_holds(const Wall& wall, const ConvexPolygon& polygon, Vec2 c
   const double film = question_.allowance + wall.lean(question_.z);
   if (wall.edge.is_arc()) {
     if (distance(wall.edge, center) + reach > film) return false;
-  } else if (excess_over(polygon, {wall.edge, film}) > kRounding) {
+  } else if (excess_over(polygon, {wall.edge, film}) > kFilmRounding) {
     return false;
   }
   const std::vector<Edge> ends = wall.flat_ends(question_.z);
   return std::all_of(ends.begin(), ends.end(), [&](const Edge& end) {
     const Vec2 outward = left_of(end.tangent_at(0));
     return std::all_of(polygon.points().begin(), polygon.points().end(),
-                       [&](Vec2 p) { return dot(p - end.from, outward) <= kRounding; });
+                       [&](Vec2 p) { return dot(p - end.from, outward) <= kFilmRounding; });
   });
 }
 

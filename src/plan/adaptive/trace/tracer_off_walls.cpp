@@ -8,7 +8,7 @@ namespace clearcut::plan::adaptive {
 namespace {
 
 /// Share of the tool radius: arcs shorter than this are not made.
-constexpr double kShortestArc = 0.02;
+constexpr double kShortestOffWalls = 0.02;
 /// Share of the tool radius: the smallest radius of turn that is tried where the engagement rises whatever
 /// the cutter does.
 constexpr double kTightest = 0.1;
@@ -83,11 +83,11 @@ Tracer::Next Tracer::trace() {
                  inside = aimer_.length_inside(state_, {candidate->curvature, beyond, candidate->kink});
     if (inside < beyond || candidate->meets_wall) return meet_wall(*candidate, inside);
     double gone = go(*candidate);
-    if (gone < kShortestArc * radius_ && gone < candidate->length) {
+    if (gone < kShortestOffWalls * radius_ && gone < candidate->length) {
       const auto closely = aimer_.find_candidate_closely(state_, candidate->curvature);
       if (closely && aimer_.length_inside(state_, *closely) == closely->length) gone += go(*closely);
     }
-    if (gone < kShortestArc * radius_ && gone < candidate->length) return Next::kDone;
+    if (gone < kShortestOffWalls * radius_ && gone < candidate->length) return Next::kDone;
     if (state_.engagement > EngagementTolerance::kNone) {
       engaged_ += gone;
       air_ = 0;
@@ -108,7 +108,7 @@ Tracer::Next Tracer::meet_wall(const CandidateArc& candidate, double inside) {
   }
   if (inside > kShortestMove) {
     const double gone = go({candidate.curvature, inside, candidate.kink});
-    if (gone < inside) return gone < kShortestArc * radius_ ? Next::kDone : Next::kTrace;
+    if (gone < inside) return gone < kShortestOffWalls * radius_ ? Next::kDone : Next::kTrace;
   }
   return landing && step_to_wall(landing->place) ? Next::kWall : Next::kDone;
 }
