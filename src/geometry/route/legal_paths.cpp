@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/units.h"
-#include "geometry/fast_norm.h"
+#include "geometry/spatial/fast_norm.h"
 
 namespace clearcut::inline geometry {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/fast_norm.h"
+#include "geometry/spatial/fast_norm.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {

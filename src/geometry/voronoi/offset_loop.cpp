@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "geometry/fast_norm.h"
+#include "geometry/spatial/fast_norm.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {
