@@ -1,6 +1,8 @@
 // See parallel_for.h beside this file.
 #pragma once
 
+#include <thread>
+
 #include "tbb/parallel_for.h"
 
 namespace tbb {
@@ -18,6 +20,9 @@ namespace this_task_arena {
 template <typename Work>
 auto isolate(Work&& work) {
   return work();
+}
+inline int max_concurrency() {
+  return static_cast<int>(std::thread::hardware_concurrency());
 }
 }  // namespace this_task_arena
 

@@ -19,6 +19,10 @@ template <typename Work>
 auto isolate(Work&& work) {
   return work();
 }
+/// The page's worker has one.
+inline int max_concurrency() {
+  return 1;
+}
 }  // namespace this_task_arena
 
 }  // namespace tbb
