@@ -16,7 +16,8 @@ void parallel_for(Index first, Last last, const Work& work) {
 
 template <typename Index, typename Work>
 void parallel_for(Index first, Index last, const Work& work, task_group_context&) {
-  parallel_for(first, last, work);
+  // Qualified: an unqualified call would find the caller's own parallel_for() through the type of the work.
+  tbb::parallel_for(first, last, work);
 }
 
 }  // namespace tbb
