@@ -51,7 +51,7 @@ struct task_group_context {
 
 template <typename Index, typename Work>
 void parallel_for(Index first, Index last, Work&& work, task_group_context&) {
-  parallel_for(first, last, work);
+  tbb::parallel_for(first, last, work);
 }
 
 }  // namespace tbb
