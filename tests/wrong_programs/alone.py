@@ -118,10 +118,11 @@ def open_questions(c):
     def radii(by):
         def change(p):
             n = p.t.n
-            p.after = [p.t.feed(x=5, y=10), f"G2 X{n(15 + by)} Y{n(10)} I{n(5)} J{n(0)} F{n(400)}"]
+            p.after = [p.t.rapid(z=5), p.t.feed(x=0, y=10), f"G2 X{n(40 + by)} Y{n(10)} I{n(20)} J{n(0)} F{n(400)}"]
         return change
-    c.add("two-radii", ["fanuc", "haas", "grbl", "mach3", "mach4"], radii(0.09), "CONDITIONAL", "arc-radii",
-          "ends an arc beside its circle", accepted=["arc-radii"], **STOCK)
+    arcs = ["fanuc", "haas", "grbl", "mach3", "mach4"]
+    c.add("two-radii", arcs, radii(0.015), "CONDITIONAL", "arc-radii", "ends an arc beside its circle", accepted=["arc-radii"], **STOCK)
+    c.add("no-radius", arcs, radii(0.5), "REFUSED", "", "ends an arc so far beside its circle that controls stop", **STOCK)
     c.right("right-one-radius", WORD, radii(0), "ends its arc on its circle", **STOCK)
 
 

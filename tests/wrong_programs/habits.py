@@ -123,7 +123,6 @@ M2
 
 BCNC = """(Bit: 6mm)
 (Block-name: Header)
-$H
 G90 G21 G17 G94
 M3 S10000
 G4 P3
@@ -255,7 +254,7 @@ M5
 
 #: Name, dialect, ending, program, conditions that a machine's owner has to accept, what makes its twin wrong (from, to, kind).
 SYSTEMS = [
-    ("fusion-grbl", "grbl", ".nc", FUSION_GRBL, ["g28-home"], ("G1 X13\n", "G0 X30\n", "rapid-in-material")),
+    ("fusion-grbl", "grbl", ".nc", FUSION_GRBL, ["g28-home"], ("G0 Z15\nM5", "G0 X40\nM5", "rapid-in-material")),
     ("fusion-haas", "haas", ".nc", FUSION_HAAS, [], ("N35 S8000 M3\n", "", "spindle-off")),
     ("mastercam-fanuc", "fanuc", ".nc", MASTERCAM_FANUC, [], ("N108 G43 H1 Z25.", "N108 G43 H2 Z25.", "tool-length")),
     ("freecad-linuxcnc", "linuxcnc", ".ngc", FREECAD, [], ("G0 Z3.000", "G0 Z-1.000", "rapid-in-material")),

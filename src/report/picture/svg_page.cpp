@@ -34,7 +34,7 @@ std::string badge_words(const Findings& findings) {
   };
   switch (verdict_of(findings)) {
     case Verdict::kClean:
-      return findings.without_part ? "no fault; no part was stated" : "certified clean";
+      return findings.without_part ? "no fault, no part" : "certified clean";
     case Verdict::kConditional:
       return "conditional: " + counted(open_conditions(findings).size(), "condition");
     case Verdict::kFaulty:

@@ -145,7 +145,8 @@ class StateJudge {
 
   /// Where nothing says what goes through: a rapid below the stock, or more than a way through needs.
   std::optional<Fault> beyond_any_way_through(const JudgedMove& judged) const {
-    if (!part_.stock) return std::nullopt;
+    const bool rises = !judged.feeds() && judged.move->z_to > judged.move->z_from;
+    if (!part_.stock || rises) return std::nullopt;
     const double below = part_.stock->z_bottom - judged.low_z();
     const double allowed =
         !judged.feeds() ? 0 : kUsualBreakthrough + (judged.tool ? point_length(*judged.tool) : 0);

@@ -1,6 +1,5 @@
 (Bit: 6mm)
 (Block-name: Header)
-$H
 G90 G21 G17 G94
 M3 S10000
 G4 P3
