@@ -79,12 +79,23 @@ class StateJudge {
   }
 
   std::optional<Fault> speed(const JudgedMove& judged) const {
-    if (!judged.control || !judged.cuts() || !options_.machine.max_spindle_rpm) return std::nullopt;
-    const double rpm = judged.control->spindle_rpm, most = *options_.machine.max_spindle_rpm;
-    if (rpm <= most * (1 + kSpeedRounding)) return std::nullopt;
-    return fault(
-        FaultKind::kSpindleSpeed, judged, 0,
-        "The spindle is asked for " + trimmed(rpm, 0) + " rpm where the machine has " + trimmed(most, 0));
+    if (!judged.control || !judged.cuts()) return std::nullopt;
+    const auto& of_machine = options_.machine.max_spindle_rpm;
+    if (of_machine && is_beyond(judged, *of_machine)) return too_fast(judged, "the machine has", *of_machine);
+    if (!judged.tool || !judged.tool->max_spindle_rpm) return std::nullopt;
+    const double of_tool = *judged.tool->max_spindle_rpm;
+    if (!is_beyond(judged, of_tool)) return std::nullopt;
+    return too_fast(judged, "T" + std::to_string(judged.tool->number) + " may have", of_tool);
+  }
+
+  static bool is_beyond(const JudgedMove& judged, double most_rpm) {
+    return judged.control->spindle_rpm > most_rpm * (1 + kSpeedRounding);
+  }
+
+  Fault too_fast(const JudgedMove& judged, const std::string& whose, double most_rpm) const {
+    return fault(FaultKind::kSpindleSpeed, judged, 0,
+                 "The spindle is asked for " + trimmed(judged.control->spindle_rpm, 0) + " rpm where " +
+                     whose + " " + trimmed(most_rpm, 0));
   }
 
   std::optional<Fault> plunge(const JudgedMove& judged) const {
