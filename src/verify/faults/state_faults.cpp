@@ -244,7 +244,7 @@ class StateJudge {
   }
 
   std::optional<Fault> plunge_feed(const JudgedMove& judged) const {
-    // Holes are made at the cutting feed; a tap's is judged with its speed.
+    // Holes are made at the cutting feed; that of a tap is checked in holes.cpp, against its speed.
     if (makes_holes(*judged.tool) || judged.tool->kind == ToolKind::kTap || judged.slope() < kPlungeSlope)
       return std::nullopt;
     const auto most = plunge_feed_of(judged);
