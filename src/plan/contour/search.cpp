@@ -111,7 +111,7 @@ class Search {
 
   struct Fastest {
     std::vector<Path> paths;
-    double residual = 0;  ///< mm
+    double residual = 0;  ///< mm; thickness of what it may leave
     double time = std::numeric_limits<double>::infinity();
   };
 

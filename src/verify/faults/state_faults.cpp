@@ -229,7 +229,7 @@ class StateJudge {
     return steepest;
   }
 
-  /// mm/min; the highest plunge feed that operations of the tool state, or what is stated for the tool itself.
+  /// mm/min; the highest plunge feed that is stated for the tool or for an operation with it.
   std::optional<double> plunge_feed_of(const JudgedMove& judged) const {
     std::optional<double> most;
     const auto limits = options_.tool_limits.find(judged.tool->number);

@@ -12,7 +12,7 @@ namespace clearcut::verify {
 /// What is wrong with a thread.
 struct ThreadDefect {
   enum class Kind { kNothing, kShallow, kNarrow, kHelix } kind = Kind::kHelix;
-  double size = 0;  ///< mm
+  double size = 0;  ///< mm; by how much the thread is wrong
   std::string text;
   int line = 0;
 };
