@@ -100,7 +100,7 @@ class AdaptivePlanner {
     for (const PredrilledHole& hole : layer.holes) remaining_.remove_disc(hole.center, hole.diameter / 2);
   }
 
-  /// All passes; nothing if more rests are left at the end than are cut one by one.
+  /// All passes. With Retracts::kFew nothing, if more rests are left at the end than are cut one by one.
   std::optional<std::vector<Pass>> plan() {
     if (open_) cut_from_outside();
     clear_entry_regions();
@@ -274,7 +274,7 @@ class AdaptivePlanner {
   std::stop_token cancel_;
 };
 
-/// Plans with few retracts and, if that leaves too much, with as many as it takes.
+/// Plans with few retracts and, if that leaves more than kFewRests rests, again with any number of them.
 std::vector<Pass> passes_of(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
                             const Layer& layer, double limit, const AdaptiveOptions& options) {
   for (const Retracts retracts : {Retracts::kFew, Retracts::kAny}) {
