@@ -146,6 +146,7 @@ class Tool:
     stickout: float | None
     holder_diameter: float
     shank_diameter: float
+    max_spindle_rpm: float | None
     center_cutting: bool
 
 class LibraryTool:

@@ -122,6 +122,7 @@ void add_tools(py::module_& module) {
       .def_readwrite("stickout", &Tool::stickout, doc("Tool::stickout"))
       .def_readwrite("holder_diameter", &Tool::holder_diameter, doc("Tool::holder_diameter"))
       .def_readwrite("shank_diameter", &Tool::shank_diameter, doc("Tool::shank_diameter"))
+      .def_readwrite("max_spindle_rpm", &Tool::max_spindle_rpm, "rpm; None: no limit of its own")
       .def_readwrite("center_cutting", &Tool::center_cutting, doc("Tool::center_cutting"))
       .def("__repr__", [](const Tool& tool) {
         return "<clearcut.Tool T" + std::to_string(tool.number) + " " + name_of(tool.kind) + " " +

@@ -70,6 +70,13 @@ Radians required_angle(const std::string& text, const std::string& place) {
   return Radians::of_degrees(*degrees);
 }
 
+double required_speed(const std::string& text, const std::string& place) {
+  const auto rpm = number(text);
+  if (!rpm || !(*rpm > 0))
+    throw InputError(place, fmt::format("'{}' is no speed above 0 rpm; write max_spindle=12000", text));
+  return *rpm;
+}
+
 void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   const auto equals = word.find('=');
   const std::string key = word.substr(0, equals);
@@ -90,6 +97,8 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
     tool.holder_diameter = required_length(value, place, "a diameter of the holder");
   } else if (key == "shank") {
     tool.shank_diameter = required_length(value, place, "a diameter of the shank");
+  } else if (key == "max_spindle") {
+    tool.max_spindle_rpm = required_speed(value, place);
   } else if (is_angle(word) || key == "angle") {
     tool.tip_angle = required_angle(is_angle(word) ? word : value, place);
   } else if (key == "tip") {
@@ -104,8 +113,8 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
     tool.name = value;
   } else {
     throw InputError(place, fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, shank=, "
-                                        "stickout=, holder=, 60deg, tip=, "
-                                        "pitch=, left, floating, name=, noplunge",
+                                        "stickout=, holder=, max_spindle=, 60deg, tip=, pitch=, left, "
+                                        "floating, name=, noplunge",
                                         word));
   }
 }

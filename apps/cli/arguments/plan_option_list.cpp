@@ -67,7 +67,7 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.add_option(
       "--tool", tools_,
       "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :shank=8 "
-      ":stickout=30 :holder=40 :name=N :noplunge; "
+      ":stickout=30 :holder=40 :max_spindle=12000 :name=N :noplunge; "
       "kinds: "
       "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill, tap, threadmill, "
       "boringbar, counterbore (repeatable)");

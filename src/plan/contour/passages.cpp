@@ -13,7 +13,7 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// Corners whose angles differ by less, radians, are equally sharp: the first of them leads on.
+/// Radians. Corners whose angles differ by less are equally sharp: the passage begins at the first of them.
 constexpr double kEquallySharp = 1e-6;
 /// Interior angles outside of these limits, radians, are no corners of a contour: tips of loops, and smooth joints.
 constexpr double kSharpest = 0.01, kBluntest = kPi - 1e-6;
@@ -140,7 +140,7 @@ class Joiner {
     return joined;
   }
 
-  /// Whether a pass is a passage that a joined pass already runs.
+  /// Whether a pass is a single passage that a joined pass already contains.
   bool is_held(const Pass& pass) const {
     if (pass.path.size() != 1) return false;
     const Edge& own = pass.path.front();

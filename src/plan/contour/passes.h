@@ -21,7 +21,7 @@ struct RingJob {
   double radius = 0;       ///< of the cutter, mm
   double first_level = 0;  ///< mm from the wall to the first rings
   double reserve = 0;      ///< mm; as Layer::reserve
-  double margin = 0;       ///< mm by which what rings leave is cleared with an overlap
+  double margin = 0;       ///< mm; overlap with which the material that rings leave is cleared
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
 };

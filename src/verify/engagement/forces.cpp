@@ -29,7 +29,7 @@ double width_of_cut(const stock::CutterEngagement& contact, double radius) {
   return std::max(0.0, width);
 }
 
-/// Of a cantilever plate as broad as high: 4 F h^2 / (E t^3).
+/// mm; deflection of a cantilever plate as broad as high: 4 F h^2 / (E t^3).
 double deflection_of(double thickness, double height, double force, double elasticity) {
   return 4 * force * height * height / (elasticity * thickness * thickness * thickness);
 }
