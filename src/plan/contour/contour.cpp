@@ -95,7 +95,7 @@ Regions working_domain(const Layer& layer, FaceRing face_ring, const Tolerances&
                        std::any_of(target.islands().begin(), target.islands().end(),
                                    [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
     (opens ? open : closed).push_back(target);
-    // Stock stays on walls, and there is none in the air.
+    // Rings keep wall_stock off the border of their area; in the air no stock has to stay, so that is added again.
     const double reach = reach_beyond(target, layer, face_ring) + layer.wall_stock;
     if (opens) beyond = std::max(beyond, reach);
   }
@@ -218,8 +218,8 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   job.first_level = layer.tool_radius + layer.wall_stock;
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
-  // A residual saves a pass where rings fit exactly, as in pockets of round dimensions; faces gain nothing
-  // from it.
+  // Where rings fit exactly, as in pockets of round dimensions, accepting a residual saves a pass; on faces it
+  // saves nothing.
   const bool bare = layer.bare || !closed_all_round(layer);
   job.margin = bare ? kBareMargin : 0;
   const double overlap = bare && options.step.kind == StepRule::Kind::kWidest ? kBareOverlap : 0;

@@ -90,7 +90,7 @@ class ZigzagPlanner {
 
   std::vector<double> directions() const {
     if (options_.angle) return {options_.angle->radians()};
-    std::vector<std::pair<double, double>> walls;  // length, angle
+    std::vector<std::pair<double, double>> walls;  // length, mm; angle, radians
     for (const auto& edge : component_.legal.edges()) {
       if (!edge.is_arc()) walls.push_back({-edge.length(), angle_of(edge.to - edge.from)});
     }
