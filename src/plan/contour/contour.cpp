@@ -68,7 +68,7 @@ enum class FaceRing {
 };
 
 /// mm; how far beyond the target's open sides rings may run through air (docs/contour.md, "Open sides").
-/// Material beside walls may be narrower than the rounding of the cutter's corners.
+/// Beside walls by Layer::rounded more, as material there may be narrower than the rounding of the cutter's end.
 double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring) {
   const Regions& allowed = layer.allowed;
   const double radius = layer.tool_radius;
