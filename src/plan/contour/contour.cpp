@@ -1,4 +1,4 @@
-// Source and symbols (CPO-kappa, CPO-rho):
+// Source and symbols (the papers CPO-kappa and CPO-rho, docs/texts.md):
 //
 //   paper   here                 unit   where
 //   R       layer.tool_radius    mm
