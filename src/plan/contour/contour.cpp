@@ -5,8 +5,8 @@
 //   e       layer.wall_stock     mm     finishing allowance
 //   H       step                 mm     R + e for the first contour, then 2 R kappa (CPO-kappa eq. 2)
 //   kappa   kappa(), rho()              CPO-kappa eq. 6, CPO-rho eq. 8
-//   A       see residual_paths   mm     the centre rule R < A < 2R holds for every maximum and ridge of the
-//   clearance
+//   A       see residual_paths   mm     from a contour to the centre; something is left there for R < A < 2R.
+//                                       Here every maximum and ridge of the clearance counts as a centre.
 //
 // The contours come from one Voronoi diagram instead of edge by edge, so that vanishing edges (CPO-kappa alg.
 // 2), splits and islands need no rule of their own. docs/contour.md tells the departures.
