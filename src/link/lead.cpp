@@ -100,7 +100,7 @@ class LeadSearch {
         place.point + (ahead + left_of(place.heading) * (side * std::sin(angle.radians()))) * size;
     if (!area_.holds_line(off, place.point)) return std::nullopt;
     const double off_wall = kLeastOff * size * std::sin(angle.radians());
-    if (off_wall > kJoint && !holds_disc(legal_, off, off_wall)) return std::nullopt;  // along another wall
+    if (off_wall > kJoint && !holds_disc(legal_, off, off_wall)) return std::nullopt;  // near another wall
     return in ? Edge::line(off, place.point) : Edge::line(place.point, off);
   }
 

@@ -29,7 +29,7 @@ class Standing {
   Regions above(double z) const;
 
  private:
-  /// `regions`, if more of them than slivers lies outside the step's own stock.
+  /// The part of `regions` outside of the stock that the step itself leaves on walls.
   Regions wanted(const Regions& regions) const;
 
   const Feature& feature_;

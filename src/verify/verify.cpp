@@ -101,8 +101,8 @@ void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>
   }
 }
 
-/// mm; a feed length below which the area within reach cannot be cut in one level: area / (2 R) without the
-/// first disc.
+/// mm; a feed length below which the area within reach cannot be cut in one level: area / (2 R), the disc at the
+/// beginning taken off.
 double lower_bound_of(const FeatureWork& work, const Feature& feature) {
   double perimeter = 0;
   for (const Region& region : feature.target) perimeter += length(region.edges());

@@ -88,7 +88,7 @@ class Joiner {
 
   void join() {
     const std::size_t count = layer_.passes.size();
-    std::vector<int> place(count, -1);  // of each pass among those that stay
+    std::vector<int> place(count, -1);  // for each pass: index of the joined pass that holds it; -1: none
     std::vector<Pass> joined;
     for (std::size_t i = 0; i < count; ++i) {
       if (place[i] >= 0 || !layer_.passes[i].closed) continue;

@@ -13,7 +13,7 @@ namespace clearcut::plan::contour {
 ///
 /// Shape   passes from the innermost ring outwards, or inwards where options.outside_in; parents of
 ///         all passes are the joined passes that hold them. Single passages that a joined pass contains are dropped.
-/// Source  [cpo_kappa] eq. 1 and 3, M = H / sin(alpha / 2); [cpo_rho] eq. 6 and 7.
+/// Source  CPO-kappa eq. 1 and 3, M = H / sin(alpha / 2); CPO-rho eq. 6 and 7; see docs/texts.md.
 void join_along_bisectors(LayerPasses& layer, const ContourOptions& options);
 
 }  // namespace clearcut::plan::contour

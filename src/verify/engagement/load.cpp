@@ -115,7 +115,7 @@ class LoadMeter {
     if (judged.slope() >= kAsPlunge) find_plunge_contact(judged, move.path.to);
   }
 
-  /// A level move along the ramp just cut removes what the ramp left: it still belongs to the entry.
+  /// Sets in_entry_: the move descends into material, or it is level along the ramps just cut and removes what they left.
   void follow_entry(const JudgedMove& judged) {
     const Move& move = *judged.move;
     in_entry_ = false;

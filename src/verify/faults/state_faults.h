@@ -24,8 +24,8 @@ std::vector<MoveJudge> state_judges(const Part& part, const JudgedProgram& progr
 /// up to there a condition.
 inline constexpr double kUsualBreakthrough = 1;
 
-/// Tangent of 15 degrees: the steepest entry of a cutter that must not plunge, if its operation states no
-/// angle.
+/// Tangent of 15 degrees: the steepest entry of a cutter that must not plunge, unless an operation with it states
+/// a steeper one.
 inline constexpr double kSteepestEntry = 0.2679;
 
 }  // namespace clearcut::verify

@@ -192,7 +192,7 @@ void FinishedPart::find_walls() {
     const std::vector<double> cuts =
         shapes_.size() == 1 ? std::vector<double>{0, 1} : cuts_of(edge, owner[k], all, owner);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      // Where outlines all but coincide, their crossings cut off pieces shorter than what walls are found by.
+      // Where outlines nearly coincide, crossings cut off pieces too short to find walls: heights are asked kProbe off.
       if (cuts.size() > 2 && (cuts[i + 1] - cuts[i]) * edge.length() < kProbe) continue;
       add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
     }

@@ -28,8 +28,8 @@ constexpr double kCusp = 2e-3;
 constexpr double kAim = 0.012;
 constexpr double kAbove = 0.02;
 constexpr int kMostArcs = 400;
-/// Here the gain of an arc is the natural logarithm of (distance from the corner before / distance after). An arc
-/// is good enough if its gain is kGoodGain, or kArcShare of the gain that a spiral would have.
+/// Arcs and spirals are compared by the natural logarithm of (distance from the corner before / after). An arc is
+/// good enough if that is kGoodGain, or kArcShare of what a spiral would have.
 constexpr double kGoodGain = 0.7;
 constexpr double kArcShare = 0.45;
 /// Radians. Margins to the limit on spirals, tried in this order; greatest and least turn of their arcs.
@@ -232,7 +232,7 @@ class CornerCuts {
     double radius(double turn) const { return norm(ray) * std::exp(-turn / std::tan(limit)); }
   };
 
-  /// A spiral to the other wall; nothing if its gain is less than `least`.
+  /// A spiral to the other wall; nothing if the logarithm of (distance before / after) is less than `least`.
   std::optional<Crossing> spiral_across(double least) {
     const int other = 1 - side_;
     if (cut_[other] >= RadiusShares::kCornerReach * radius_) return std::nullopt;
@@ -376,7 +376,7 @@ class CornerCuts {
   double residual_before_ = 0;
   /// The last arc from each side.
   struct Crossed {
-    /// Distance at which it ended, divided by the distance up to which that wall was cut before.
+    /// Distance from the corner at its end / distance up to which that wall was cut before: less than 1.
     double gain = 0;
     double more_turn = 0;  ///< radians by which it left its wall beyond first_turn()
   } crossed_[2];
