@@ -20,6 +20,7 @@ const browser = await chromium.launch({ executablePath, args: ['--headless', '--
 async function open(width, height, colorScheme) {
   // axe is put into the page, which its policy forbids to everybody else.
   const context = await browser.newContext({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce', bypassCSP: false });
+  context.setDefaultTimeout(120000);  // a machine may be busy with other work
   const page = await context.newPage();
   page.on('pageerror', error => check(false, 'no error: ' + error.message));
   page.on('console', message => { if (message.type() === 'error') check(false, 'no console error: ' + message.text()); });
@@ -133,7 +134,7 @@ async function checks(page) {
 
 /** The same program without its part, in a block. */
 async function checksAlone(page) {
-  await page.click('[aria-label="Remove square.json"]');
+  await page.click('#check [aria-label="Remove square.json"]');
   check(await page.isVisible('#check-stock') && !await page.isVisible('#check-depth'), 'without a part the stock is asked for');
   await page.fill('#check-stock', '50,50,5');
   check((await page.textContent('#check-command')).includes('--stock 50,50,5') && !(await page.textContent('#check-command')).includes('--part'), 'and the command line says so');

@@ -121,7 +121,7 @@ async function checks(page) {
   check(await page.locator('#check-faults li').count() > 0, 'its faults are listed');
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
   check(/Nothing is uploaded/.test(await page.textContent('#promise')), 'the page says that nothing is uploaded');
-  await page.click('[aria-label="Remove bracket.dxf"]');
+  await page.click('#check [aria-label="Remove bracket.dxf"]');
   await page.fill('#check-stock', '0:70,0:50,-5:0');
   await page.click('#check-go');
   await page.waitForFunction(() => document.getElementById('check-verdict').textContent.endsWith('WITHOUT A PART'), null, { timeout: 120000 });

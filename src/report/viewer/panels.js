@@ -115,7 +115,7 @@ const nowCells = {};
 function writeNow() {
   for (const words of ['feature', 'tool', 'move', 'feed', 'line', 'engaged', ...forces ? ['force'] : [], 'position']) {
     element('dt', words, by('now'));
-    nowCells[words] = element('dd', '', by('now'), ['feature', 'tool', 'position'].includes(words) ? 'wide' : '');
+    nowCells[words] = element('dd', '', by('now'), ['feature', 'tool', 'force', 'position'].includes(words) ? 'wide' : '');
   }
 }
 
