@@ -20,6 +20,7 @@
 #include "pipeline/selection/choice.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"
+#include "pipeline/steps/rounded_places.h"
 #include "pipeline/steps/section_order.h"
 #include "pipeline/steps/step_work.h"
 #include "pipeline/steps/work_share.h"
@@ -353,6 +354,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     meter.add();
   } while (retry_unclean(choice, result));
   add_out_of_reach(result.part, plan, result.findings);
+  explain_rounded_places(result, plan);
   sign(result, toolpath, plan);
   report_notes(choice, works, plan, result.part);
   result.contours = contours_of(toolpath, plan);

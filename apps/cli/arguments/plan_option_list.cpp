@@ -66,7 +66,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.option_defaults()->group("Tools");
   command.add_option(
       "--tool", tools_,
-      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :name=N :noplunge; "
+      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :max_spindle=12000 "
+      ":name=N :noplunge; "
       "kinds: "
       "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill, tap, threadmill, "
       "boringbar, counterbore (repeatable)");
