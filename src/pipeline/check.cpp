@@ -72,15 +72,23 @@ ResolvedPlan resolved_for(const Toolpath& toolpath, const Part& part, resolve::P
 }
 
 /// What is stated for the tool that a workingstep of `prepared` is made with goes before what `stated`, the step as it was
-/// read, says; what was asked for everything goes before both. Our own defaults bind nobody.
-void keep_stated_limits(Workingstep& prepared, Operation stated, const Part& part,
+/// read in `part`, says; what was asked for everything goes before both. Our own defaults bind nobody, and what
+/// makes its hole at once may go as deep as the hole.
+void keep_stated_limits(Workingstep& step, Operation stated, const Part& prepared, const Part& part,
                         const resolve::PlanOptions& options) {
-  stated.tool = prepared.operation.tool;
-  if (!options.tools.empty()) resolve::take_tool_cutting(stated, options);
-  const bool mills = !stock::only_plunges(tool_of(part, prepared));
-  prepared.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
+  if (!options.tools.empty()) {
+    stated.tool = step.operation.tool;
+    resolve::take_tool_cutting(stated, options);
+  } else if (stated.tool != step.operation.tool) {
+    resolve::change_tool(stated, step.operation.tool, part, options);
+  }
+  const Tool& tool = tool_of(prepared, step);
+  const bool at_once =
+      feature_of(prepared, step).hole && tool.kind != ToolKind::kDrill && !clears_floors(tool);
+  const bool mills = !stock::only_plunges(tool);
+  if (!at_once) step.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
   const auto& plunge = options.cutting.plunge_feed;
-  prepared.operation.cutting.plunge_feed = plunge ? plunge : stated.cutting.plunge_feed;
+  step.operation.cutting.plunge_feed = plunge ? plunge : stated.cutting.plunge_feed;
 }
 
 /// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
@@ -95,7 +103,7 @@ void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOpt
                  return name == step.name || name == step.name + "_tabs";
                });
     if (stated != part.workplan.end())
-      keep_stated_limits(prepared.workplan[i], stated->operation, prepared, options);
+      keep_stated_limits(prepared.workplan[i], stated->operation, prepared, part, options);
   }
 }
 

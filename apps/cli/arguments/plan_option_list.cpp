@@ -133,7 +133,9 @@ void PlanArguments::add_strategy_options(CLI::App& command) {
       ->transform(as_stepover());
   command.add_option("--angle", angle_,
                      "Direction of zigzag lines against x, degrees (default: the fastest)");
-  command.add_option("--direction", direction_, "climb (default) or conventional")
+  command
+      .add_option("--direction", direction_,
+                  "climb (default) or conventional; said, auto tries nothing that cuts both ways")
       ->check(one_of({"climb", "conventional"}));
   command.add_option("--order", order_, "Contours inside-out (default) or outside-in")
       ->check(one_of({"inside-out", "outside-in"}));
