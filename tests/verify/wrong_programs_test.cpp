@@ -55,7 +55,8 @@ resolve::PlanOptions options_of(const read::DataValue& one) {
     options.machine = read::read_machine(parts / machine->text);
   if (const read::DataValue* engagement = one.find("engagement")) options.engagement_deg = engagement->number;
   if (const read::DataValue* clamps = one.find("keep_out")) {
-    for (const std::string& clamp : texts_of(*clamps)) options.keep_outs.push_back(resolve::parse_keep_out(clamp));
+    for (const std::string& clamp : texts_of(*clamps))
+      options.keep_outs.push_back(resolve::parse_keep_out(clamp));
   }
   return options;
 }
@@ -112,7 +113,8 @@ TEST_P(WrongPrograms, GetTheVerdictTheyDeserve) {
 
 INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
-                                           "blending", "small", "cycles", "limits", "worst", "holes", "alone", "habits", "holder"),
+                                           "blending", "small", "cycles", "limits", "worst", "holes", "alone",
+                                           "habits", "holder"),
                          [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.
