@@ -142,6 +142,7 @@ class Tool:
     corner_radius: float
     teeth: int
     flute_length: float | None
+    max_spindle_rpm: float | None
     center_cutting: bool
 
 class LibraryTool:

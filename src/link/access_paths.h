@@ -36,7 +36,7 @@ class AccessPaths {
   std::optional<PassStart> start_before_air(std::size_t item) const;
   /// A place on a ring, of a few that are tried, to which a straight legal move leads from beside the target.
   std::optional<PassStart> start_before_cleared(std::size_t item) const;
-  /// The place at which the access path to `start` first meets its ring.
+  /// The place at which the access path to `start` first meets the ring, which may be before `start`.
   std::optional<PassStart> start_on_access_path(const PassStart& start, std::size_t item) const;
 
  private:

@@ -15,7 +15,7 @@ constexpr double kLongestRamp = 4;        // share of the tool radius
 constexpr double kShortestRamp = 0.2;     // share of the tool radius
 constexpr double kMostRounds = 4;         // times round a ring on the way down
 constexpr double kWidestArc = 1.6 * kPi;  // radians
-constexpr double kSameTurn = 1e-6;        // in arcs, against rounding
+constexpr double kSameTurn = 1e-6;        // arcs: rounding of a sweep by less adds no further arc
 
 struct Circle {
   Vec2 center;

@@ -18,11 +18,11 @@ struct HoleWork {
 /// as deep as the hole.
 Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options);
 
-/// The same with the chip broken alone: up by kPeckGap after each peck.
+/// The same, but each peck only breaks the chip: the drill goes up by kPeckGap and stays in the hole.
 Section chip_hole(const HoleWork& hole, double peck, const LinkOptions& options);
 
-/// Down at the plunge feed, and out of the hole at the same: reamers, boring bars, taps, whose spindle turns the other way
-/// on the way out.
+/// Down at the plunge feed and out of the hole at the same feed, for reamers, boring bars and taps. (The spindle of a tap
+/// turns the other way on the way out; these moves do not say so.)
 Section feed_out_hole(const HoleWork& hole, const LinkOptions& options);
 
 /// mm above the last depth, where a drill begins to feed again after a retract; LinuxCNC's own cycle has the

@@ -16,9 +16,9 @@ constexpr std::size_t kMostLeadPlaces = 48;
 /// mm. A place nearer than this to the end of an edge is taken to be that end.
 constexpr double kJoint = 1e-6;
 
-/// A line's outer end keeps this share of its distance from the pass from all walls.
+/// The outer end of a line must be this share of its distance from the pass away from every wall.
 constexpr double kLeastOff = 0.5;
-/// Angle of the lines that replace arcs.
+/// Radians. Angle between the pass and the lines that replace arcs.
 constexpr double kLineAngle = kPi / 4;
 
 struct Place {
@@ -68,7 +68,7 @@ class LeadSearch {
         overlap_(std::min(overlap, length(path))),
         places_(places_on(path)) {}
 
-  /// Lines if there is an angle, else arcs.
+  /// The first lead that fits: arcs of radius `size` mm or, if there is an `angle`, lines of that length.
   std::optional<Lead> find(double size, std::optional<Radians> angle) const {
     for (const double share : kShares) {
       for (const Place& place : places_) {
@@ -100,7 +100,7 @@ class LeadSearch {
         place.point + (ahead + left_of(place.heading) * (side * std::sin(angle.radians()))) * size;
     if (!area_.holds_line(off, place.point)) return std::nullopt;
     const double off_wall = kLeastOff * size * std::sin(angle.radians());
-    if (off_wall > kJoint && !holds_disc(legal_, off, off_wall)) return std::nullopt;  // along another wall
+    if (off_wall > kJoint && !holds_disc(legal_, off, off_wall)) return std::nullopt;  // near another wall
     return in ? Edge::line(off, place.point) : Edge::line(place.point, off);
   }
 

@@ -24,7 +24,7 @@ struct LinkOptions {
   MmPerMin plunge_feed = MmPerMin::of(300);
   MmPerMin ramp_feed = MmPerMin::of(500);
   std::optional<MmPerMin> lead_feed;  ///< of arcs and lines into and out of passes; absent: feed
-  /// Of links at depth through what is cleared; absent: feed, and within a pass rapid.
+  /// Feed of links at depth through what is cleared. Absent: `feed`; for links within a pass the rapid feed.
   std::optional<MmPerMin> link_feed;
   EntryKind entry = EntryKind::kPlunge;
   Radians entry_angle = Radians::of_degrees(3);
@@ -48,7 +48,7 @@ struct LinkOptions {
 /// Leads     Passes along walls of closed pockets begin and end with an arc or a line, see link/lead.h, and
 ///           go on beyond their start by lead.overlap, with or without leads. What could not be done as asked
 ///           is listed in section.notes.
-/// Order     Rings before the ring around them; a place before what lies under it. Three orders are compared:
+/// Order     Rings before the ring around them, higher layers before what lies under them. Orders are compared:
 ///           layer by layer, always the pass that is reached soonest; the same over all layers, which clears
 ///           one area after the other down to the bottom; and both improved (link/short_order.h). The fastest
 ///           is taken, the first if they are equal.

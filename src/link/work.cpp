@@ -117,7 +117,7 @@ void Work::add_depths() {
   }
 }
 
-/// LayerWork::part_around of where a pass begins: asked for many pairs of passes, found once.
+/// LayerWork::part_around of the point where a pass begins. Kept, because many pairs of passes ask for it.
 int Work::part_of_start(std::size_t layer, std::size_t item) {
   const auto found = part_of_start_.find({layer, item});
   if (found != part_of_start_.end()) return found->second;

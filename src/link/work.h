@@ -89,7 +89,7 @@ class Work {
   std::vector<WorkItem> items_;
   std::vector<std::vector<std::size_t>> before_;
   std::vector<std::vector<std::size_t>> after_;
-  std::map<std::pair<std::size_t, std::size_t>, int> part_of_start_;  ///< by layer and item
+  std::map<std::pair<std::size_t, std::size_t>, int> part_of_start_;  ///< kept by part_of_start()
   bool layers_may_mix_ = true;
 };
 

@@ -38,12 +38,13 @@ struct Tool {
   double corner_radius = 0;  ///< 0 flat
   int teeth = 2;
   std::optional<double> flute_length;
-  bool center_cutting = true;             ///< may plunge straight down
-  std::optional<Radians> tip_angle = {};  ///< cones, points of drills: between opposite flanks
-  double tip_diameter = 0;                ///< cones: of the flat at the tip
-  double pitch = 0;                       ///< taps; thread mills with many rows of teeth: between the rows
-  bool left_hand = false;                 ///< taps: of the thread
-  bool floating = false;                  ///< taps: held with play along their axis
+  std::optional<double> max_spindle_rpm = {};  ///< allowed by its maker; > 0
+  bool center_cutting = true;                  ///< may plunge straight down
+  std::optional<Radians> tip_angle = {};       ///< cones, points of drills: between opposite flanks
+  double tip_diameter = 0;                     ///< cones: of the flat at the tip
+  double pitch = 0;        ///< taps; thread mills with many rows of teeth: between the rows
+  bool left_hand = false;  ///< taps: of the thread
+  bool floating = false;   ///< taps: held with play along their axis
   double radius() const { return diameter / 2; }
 };
 

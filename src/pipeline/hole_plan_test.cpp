@@ -35,6 +35,13 @@ Findings changed(const Part& part, const PlanResult& planned, const std::string&
   return check_program(part, program, "changed", options, read::gcode::Dialect::kLinuxCnc).findings;
 }
 
+std::string warnings_of(const Part& part) {
+  std::string text;
+  for (const Diagnostic& one : part.diagnostics.items())
+    if (one.severity == Severity::kWarning) text += one.what + "\n";
+  return text;
+}
+
 TEST(HolePlan, AThroughHoleIsDrilledByItsPointBelowTheStock) {
   const Part part = with_circle("DRILL_D12", 6);
   const auto options = with({"drill:6"});
@@ -44,6 +51,21 @@ TEST(HolePlan, AThroughHoleIsDrilledByItsPointBelowTheStock) {
   EXPECT_THAT(result.program, HasSubstr("Z-14.3026 R1 "));
   const Findings shallow = changed(part, result, "Z-14.3026", "Z-13", options);
   EXPECT_TRUE(has(shallow, FaultKind::kUncut)) << faults_of(shallow);
+}
+
+/// 0.0001 inch is 2.54 um: this place is missed by 1.8 um, and the cutter is as wide as its hole.
+TEST(HolePlan, APlaceThatTheDigitsMissIsAFaultAndSaidWithWhatHelps) {
+  const Part part = drawn(kBlock + circle("DRILL_D5", {11.6243, 11.6243}, 3));
+  auto options = with({"drill:6"});
+  options.post.dialect = "haas";
+  options.post.inch = true;
+  const PlanResult coarse = plan_part(part, options);
+  EXPECT_TRUE(has(coarse.findings, FaultKind::kGouge)) << coarse.program;
+  EXPECT_THAT(warnings_of(coarse.part), HasSubstr("add --decimals 5"));
+  options.post.decimals = 5;
+  const PlanResult fine = plan_part(part, options);
+  expect_clean(fine);
+  EXPECT_THAT(warnings_of(fine.part), Not(HasSubstr("--decimals")));
 }
 
 TEST(HolePlan, ABlindHoleHasItsWidthToItsDepthWhereThePointIsKnown) {

@@ -20,6 +20,7 @@
 #include "pipeline/selection/choice.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"
+#include "pipeline/steps/rounded_places.h"
 #include "pipeline/steps/section_order.h"
 #include "pipeline/steps/step_work.h"
 #include "pipeline/steps/work_share.h"
@@ -307,6 +308,19 @@ std::string unused_choice(const ResolvedStep& step) {
   return "";
 }
 
+/// Says where the named strategy cuts both ways though a direction is asked for: only its passes along walls keep it.
+void warn_of_both_ways(const ResolvedPlan& plan, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const ResolvedStep& step = plan.steps[i];
+    if (!step.is_direction_asked || !step.strategy || step.strategy->keeps_direction) continue;
+    diagnostics.warn(
+        plan.part.workplan[i].name,
+        fmt::format("'{}' cuts both ways; only its passes along walls are {}. contour, spiral and "
+                    "adaptive keep the direction",
+                    step.strategy->name, step.direction == CutDirection::kClimb ? "climb" : "conventional"));
+  }
+}
+
 /// Options of one kind of strategy, asked for with another, are refused where no step can use them, and else said.
 void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostics) {
   std::size_t unused = 0;
@@ -335,6 +349,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   result.values = plan.values;
   resolve::refuse_what_cannot_be(result.part, options);
   refuse_what_means_nothing(plan, result.part.diagnostics);
+  warn_of_both_ways(plan, result.part.diagnostics);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto shares = work_shares(works, plan);
@@ -356,6 +371,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     meter.add();
   } while (retry_unclean(choice, result));
   add_out_of_reach(result.part, plan, result.findings);
+  explain_rounded_places(result, plan);
   sign(result, toolpath, plan);
   report_notes(choice, works, plan, result.part);
   result.contours = contours_of(toolpath, plan);

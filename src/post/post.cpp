@@ -49,12 +49,6 @@ void check(const Section& section) {
   }
 }
 
-int default_decimals(const PostOptions& options) {
-  const IsoDialect* dialect = iso_dialect_named(options.dialect);
-  if (!dialect) return options.inch ? kKlartextInchDecimals : kKlartextMmDecimals;
-  return options.inch ? dialect->inch_decimals : dialect->mm_decimals;
-}
-
 [[noreturn]] void refuse_dialect(const std::string& name) {
   std::string known;
   for (const std::string& dialect : post_dialects()) known += (known.empty() ? "" : ", ") + dialect;
@@ -96,15 +90,20 @@ std::string file_extension_of(const std::string& dialect) {
   return iso ? std::string(iso->extension) : ".ngc";
 }
 
+int decimals_of(const PostOptions& options) {
+  if (options.decimals) return *options.decimals;
+  const IsoDialect* dialect = iso_dialect_named(options.dialect);
+  if (!dialect) return options.inch ? kKlartextInchDecimals : kKlartextMmDecimals;
+  return options.inch ? dialect->inch_decimals : dialect->mm_decimals;
+}
+
 double rounding_of(const PostOptions& options) {
-  const int decimals = options.decimals.value_or(default_decimals(options));
-  const PrintGrid grid(options.inch, decimals);
+  const PrintGrid grid(options.inch, decimals_of(options));
   return largest_deviation(grid) + (options.dialect == kKlartext ? kKlartextDrift * grid.step() : 0);
 }
 
 double rounding_of_lines(const PostOptions& options) {
-  return PrintGrid(options.inch, options.decimals.value_or(default_decimals(options))).step() *
-         std::sqrt(0.5);
+  return PrintGrid(options.inch, decimals_of(options)).step() * std::sqrt(0.5);
 }
 
 std::string write_program(const Toolpath& toolpath, const Part& part, const PostOptions& options) {

@@ -17,6 +17,8 @@ const std::vector<std::string>& post_dialects();
 /// Customary ending of a program's file name: ".ngc", ".nc", ".h", ".tap", ".gcode".
 std::string file_extension_of(const std::string& dialect);
 
+/// Digits behind the point that lengths are written with: those asked for, else what the controller resolves.
+int decimals_of(const PostOptions& options);
 /// Largest distance in plan between a toolpath and the program written for it, mm: rounding to the printed
 /// decimals. Arcs that have to become lines add tol.chord.
 double rounding_of(const PostOptions& options);

@@ -69,6 +69,13 @@ Radians required_angle(const std::string& text, const std::string& place) {
   return Radians::of_degrees(*degrees);
 }
 
+double required_speed(const std::string& text, const std::string& place) {
+  const auto rpm = number(text);
+  if (!rpm || !(*rpm > 0))
+    throw InputError(place, fmt::format("'{}' is no speed above 0 rpm; write max_spindle=12000", text));
+  return *rpm;
+}
+
 void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   const auto equals = word.find('=');
   const std::string key = word.substr(0, equals);
@@ -83,6 +90,8 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
     tool.corner_radius = required_length(value, place, "a corner radius");
   } else if (key == "length") {
     tool.flute_length = required_length(value, place, "a length of flutes");
+  } else if (key == "max_spindle") {
+    tool.max_spindle_rpm = required_speed(value, place);
   } else if (is_angle(word) || key == "angle") {
     tool.tip_angle = required_angle(is_angle(word) ? word : value, place);
   } else if (key == "tip") {
@@ -96,12 +105,10 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   } else if (key == "name") {
     tool.name = value;
   } else {
-    throw InputError(
-        place,
-        fmt::format(
-            "'{}' is unknown; use T<number>, flutes=, corner=, length=, 60deg, tip=, pitch=, left, floating, "
-            "name=, noplunge",
-            word));
+    throw InputError(place, fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, "
+                                        "max_spindle=, 60deg, tip=, pitch=, left, "
+                                        "floating, name=, noplunge",
+                                        word));
   }
 }
 

@@ -85,7 +85,7 @@ Source source_of(const PlanOptions& options, const std::string& name);
 /// How many threads the options stand for: at least one, and no more than cores.
 int thread_count(const PlanOptions& options);
 
-/// "endmill:10[:T3][:flutes=2][:corner=0.5][:name=ROUGHER][:noplunge]", "tap:M6[:floating]". Throws InputError.
+/// "endmill:10[:T3][:flutes=2][:corner=0.5][:max_spindle=12000][:name=ROUGHER][:noplunge]", "tap:M6[:floating]". Throws InputError.
 Tool parse_tool(const std::string& text);
 
 /// "X,Y:D": a hole of diameter D at (X, Y), mm. Throws InputError.

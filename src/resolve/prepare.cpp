@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "base/error.h"
@@ -138,10 +139,16 @@ double widest_over(const Regions& target, const Region& allowed, const Tolerance
   return widest;
 }
 
+/// The fastest that both the tool and the machine may turn, rpm; infinity where neither has a limit.
+double most_rpm(const Tool& tool, const Machine& machine) {
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  return std::min(tool.max_spindle_rpm.value_or(kNoLimit), machine.max_spindle_rpm.value_or(kNoLimit));
+}
+
 double default_spindle(const Tool& tool, const Machine& machine) {
   const double rpm =
       std::max(10.0, std::round(kDefaultCuttingSpeed * 1000 / (kPi * tool.diameter) / 10) * 10);
-  return machine.max_spindle_rpm ? std::min(rpm, *machine.max_spindle_rpm) : rpm;
+  return std::min(rpm, most_rpm(tool, machine));
 }
 
 /// Puts the values that options set into an operation, with their sources.
@@ -197,14 +204,14 @@ void make_at_once(Operation& operation, const Tool& tool, const Feature& feature
 }
 
 /// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than the
-/// machine.
+/// machine and the tap.
 void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
   if (tool.kind != ToolKind::kTap) return;
   CuttingData& cutting = operation.cutting;
   double rpm =
       cutting.spindle_rpm.value_or(std::max(10.0, std::round(kTappingSpeed * 1000 / (kPi * tool.diameter))));
   if (!cutting.spindle_rpm) sources.set("spindle", {Origin::kDefault, "default: 8 m/min for taps"});
-  if (options.machine.max_spindle_rpm) rpm = std::min(rpm, *options.machine.max_spindle_rpm);
+  rpm = std::min(rpm, most_rpm(tool, options.machine));
   if (options.machine.max_feed)
     rpm = std::min(rpm, std::floor(options.machine.max_feed->mm_per_min() / tool.pitch));
   cutting.spindle_rpm = std::max(1.0, std::round(rpm));

@@ -151,6 +151,11 @@ void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   if (shop.material) plan.material = work_material_named(*shop.material);
 }
 
+/// Whether the user or a job says so, not the part's own file.
+bool is_asked(const Source* source) {
+  return source && (source->origin == Origin::kUser || source->origin == Origin::kJobFile);
+}
+
 ResolvedPlan resolve_whole(const PlanOptions& options) {
   ResolvedPlan plan;
   plan.order = options.outside_in ? ContourOrder::kOutsideIn : ContourOrder::kInsideOut;
@@ -187,6 +192,7 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
     ResolvedStep step = resolve_step(plan.part, planned, options);
     step.strategy = strategy.value;
     step.stepover = stepover.value;
+    step.is_direction_asked = is_asked(own.find("direction"));
     resolve_strokes(step, planned.operation, options);
     plan.steps.push_back(std::move(step));
     list_step(plan, static_cast<int>(i), own, options);

@@ -8,7 +8,7 @@
 namespace clearcut::stock {
 
 /// The outline `below_top` mm under the top of a feature whose outline at the top is `regions` and whose
-/// walls have the draft `wall_slope` (SPEC B4).
+/// walls have the draft `wall_slope`: `regions` inset by below_top * tan(wall_slope).
 Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol);
 
 }  // namespace clearcut::stock

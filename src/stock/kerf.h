@@ -10,7 +10,7 @@ namespace clearcut::stock {
 /// within half of that on both sides. Costs one offset of the outline.
 Regions kerf_of(const ProfileCut& cut, double width, const Tolerances& tol);
 
-/// Makes `feature` one along `cut`. Its areas are those of no cutter until one is chosen.
+/// Makes `feature` a profile along `cut`. Until a cutter is chosen its areas are those of a kerf 0.1 mm wide.
 void follow(Feature& feature, ProfileCut cut, const Tolerances& tol);
 
 }  // namespace clearcut::stock

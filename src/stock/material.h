@@ -45,7 +45,7 @@ struct CircleTouch {
 /// Exact, without a raster: sweeps are kept as lines and arcs with a radius, and queries intersect circles
 /// with their outlines. A cutter whose tip passes at or below a height removes everything above it.
 ///
-/// Cost    add: O(length / radius + 1). A query: O(moves within two radii), whatever the program's length.
+/// Cost    add: O(length / radius + 1). A query but in_reach: O(moves within two radii) in programs of any length.
 class Material {
  public:
   /// `plan`: outline of the block in plan view; absent: material everywhere. It reaches down from z_top, mm.
@@ -84,7 +84,7 @@ class Material {
   /// A point within `radius` mm of `path` where material reaches above z; nothing if there is none. Finds
   /// every piece of material that holds a square 0.02 mm wide, and most others.
   ///
-  /// Cost    O((sweeps near + length of their outlines / 0.02 mm) log).
+  /// Cost    O(all sweeps) for their boxes, and O((sweeps near + length of their outlines / 0.02 mm) log).
   std::optional<Vec2> in_reach(const Edge& path, double radius, double z) const;
 
   double z_top() const { return z_top_; }

@@ -22,8 +22,8 @@ std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances&
 /// Whether the tool only goes straight down: drills, reamers, boring bars, counterbores.
 bool only_plunges(const Tool& tool);
 
-/// Whether a plunge of `tool` at its centre makes the whole hole: its width is right to within tol.fit, or
-/// leaves at most a residual of tol.uncut all round.
+/// Whether a plunge of `tool` at its centre makes the whole hole: its diameter is greater than the hole's by at
+/// most tol.fit, or smaller by at most tol.uncut.
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);
 
 /// The holes that exist within reach of a workingstep's passes when it begins, and in which a cutter no wider

@@ -23,13 +23,13 @@ class Standing {
   /// Cost O(features) booleans.
   double top() const;
 
-  /// The part of the target where material stands above z, in mm: what a layer down to z has to remove. (The
-  /// fishhead's FACE3 begins at z -2 on a small part and elsewhere at -12.) At the outline of the top; up to
-  /// the walls, over the step's own stock. Cost O(features) booleans.
+  /// The part of the target where material stands above z, in mm: what a layer down to z has to remove. Draft is
+  /// left out of account: it is the outline at the top. Where something has to be removed beside the stock that
+  /// the step leaves on a wall, the area goes on up to that wall. Cost O(features) booleans.
   Regions above(double z) const;
 
  private:
-  /// `regions`, if more of them than slivers lies outside the step's own stock.
+  /// The part of `regions` outside of the stock that the step itself leaves on walls.
   Regions wanted(const Regions& regions) const;
 
   const Feature& feature_;

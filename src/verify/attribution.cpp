@@ -5,7 +5,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. A move belongs to a feature's range of heights when it leaves it by no more than this.
+/// mm. A tip no farther than this below a feature's floor still counts as inside its range of heights.
 constexpr double kHeightSlack = 0.05;
 /// mm. Rounding of a path that just touches an outline.
 constexpr double kJustTouches = 1e-3;

@@ -19,11 +19,11 @@ class Attribution {
   /// The workingstep that the whole section names: by number, else by the name of the workingstep or the feature; -1: none.
   int by_section(const Section& section) const;
 
-  /// A workingstep whose feature the move lies in, `previous` if it does, else one with the move's tool; -1: none.
+  /// `previous`, if the move lies in its feature; else a workingstep for which that is so, if possible with its tool; -1: none.
   int by_place(const JudgedMove& judged, int previous) const;
 
-  /// mm. The greatest stepdown of the workingsteps whose feature the move lies in or within a radius beside, where the work of
-  /// one feature reaches into the next; of those with its tool if there are any. Absent where none states one.
+  /// mm. The greatest stepdown of all workingsteps whose feature holds the move or is less than a radius away, because work on
+  /// one feature reaches into the next; if some of them use the move's tool, of these. Absent where none states a stepdown.
   std::optional<double> stepdown_at(const JudgedMove& judged) const;
 
  private:

@@ -39,7 +39,7 @@ std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, cons
                                                   double tolerance) {
   if (tolerance <= 0 || !is_corner(before, after)) return std::nullopt;
   const Move &a = *before.move, &b = *after.move;
-  // The circle that touches both moves and passes the corner at the tolerance. It takes at most half of a move.
+  // The circle that touches both moves and passes the corner at the tolerance, on at most half of each move.
   const double half = (kPi - turn_between(a, b)) / 2;
   const double legs = std::min(a.path.length(), b.path.length()) / 2;
   const double sine = std::max(std::sin(half), 1e-6);

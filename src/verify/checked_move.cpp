@@ -34,7 +34,7 @@ void attribute(const Part& part, const Toolpath& toolpath, std::vector<JudgedMov
       judged.workingstep = previous = attribution.by_place(judged, previous);
     }
   }
-  // Rapids, and feed moves away from all features, go with what follows; the last ones with what came before.
+  // Rapids, and feed moves off all features, belong to the workingstep of the next move, at the end of the last.
   int next = -1;
   for (auto judged = moves.rbegin(); judged != moves.rend(); ++judged) {
     if (judged->workingstep < 0) judged->workingstep = next;

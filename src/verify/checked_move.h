@@ -54,7 +54,7 @@ struct JudgedMove {
   int layer = -1;                         ///< index among the workingstep's layers
   const ControlState* control = nullptr;  ///< what the control held at this move; null: unknown
   double path_tolerance = 0;              ///< mm; the control may round the corners at both ends by this
-  double doubt = 0;                       ///< mm; the control may run another arc, this far away
+  double doubt = 0;                       ///< mm; how far the control's arc may lie from the written one
   double time_s = 0;                      ///< with the waits before the move
   double waits_s = 0;
   double time_naive_s = 0;

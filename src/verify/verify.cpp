@@ -25,8 +25,8 @@ namespace {
 /// Number of moves that are checked as one task.
 constexpr std::size_t kChunk = 2000;
 
-/// The deepest gouge of a cutter that may be `aside` mm off its path. A ball is narrower below: where its cylinder would cut,
-/// its own shape decides on level and vertical moves; on sloping ones it stays judged as a cylinder.
+/// The deepest gouge of a cutter that may be `aside` mm off its path. Where the cylinder around a ball end would gouge, a level
+/// or vertical move is checked with the ball's own shape; on sloping moves the cylinder counts, which is on the safe side.
 std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& move, const Tool& tool,
                                    double aside, double slack, bool joined) {
   const auto gouge = gouge_of(finished, move, tool.radius() + aside, slack, joined);
@@ -40,7 +40,7 @@ std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& mov
 }
 
 void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, const Tolerances& tol) {
-  const JudgedMove* before = nullptr;  // ended outside the part
+  const JudgedMove* before = nullptr;  // the last move, if it is known to end outside the part
   for (JudgedMove& judged : moves) {
     if (judged.radius() <= 0) {
       before = nullptr;
@@ -64,13 +64,13 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
   if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
 }
 
-/// The same for a cone, which may be as far off its path as the control may leave it.
+/// Adds the gouge of a cone that the control may run off its path.
 void judge_shaped_liberty(const FinishedPart& finished, const std::vector<JudgedMove>& all,
                           JudgedMove& judged, const Tolerances& tol) {
   const double before = &judged == all.data() ? 0 : (&judged - 1)->path_tolerance;
   const double off = std::max({judged.doubt, judged.path_tolerance, before});
   if (off <= 0) return;
-  // Off its path in any direction of space, a flank comes nearer sideways by its slope besides.
+  // Off its path in any direction of space, also downwards, a flank comes nearer sideways by this at most.
   const double aside = off * std::hypot(1.0, flank_slope(*judged.tool));
   Tool wider = *judged.tool;
   wider.diameter += 2 * aside;
@@ -78,7 +78,7 @@ void judge_shaped_liberty(const FinishedPart& finished, const std::vector<Judged
   keep_deeper(judged.gouge, shaped_gouge_of(finished, *judged.move, wider, tol.gouge));
 }
 
-/// Adds the gouges of what the control may cut within its tolerance: rounded corners, arcs of another radius.
+/// Adds the gouges that the control may make within its tolerance: at rounded corners, on arcs of another radius.
 void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>& all,
                      std::span<JudgedMove> moves, const Tolerances& tol) {
   for (JudgedMove& judged : moves) {
@@ -100,8 +100,8 @@ void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>
   }
 }
 
-/// mm; a feed length below which the area within reach cannot be cut in one level: area / (2 R) without the
-/// first disc.
+/// mm; a feed length below which the area within reach cannot be cut in one level: area / (2 R), the disc at the
+/// beginning taken off.
 double lower_bound_of(const FeatureWork& work, const Feature& feature) {
   double perimeter = 0;
   for (const Region& region : feature.target) perimeter += length(region.edges());

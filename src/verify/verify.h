@@ -1,5 +1,5 @@
-// Checks what a program does to a part. Shares with the planner the distances to lines and arcs, the remaining
-// stock with its engagement (stock/material.h) and the times of moves, and nothing else.
+// Checks what a program does to a part. Of the planner's algorithms it shares only the distances to lines and arcs, indexes of
+// boxes, the remaining stock with its engagement (stock/material.h) and the times of moves.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@
 
 namespace clearcut::verify {
 
-/// What somebody stated for a tool.
+/// What somebody stated for a tool, beside what operations state for it.
 struct ToolLimits {
   std::optional<double> stepdown;  ///< mm
   std::optional<MmPerMin> plunge_feed;
@@ -37,7 +37,7 @@ struct VerifyOptions {
   const ControlTable* control = nullptr;
   bool needs_tool_length = false;  ///< without the tool's length (G43) the control would cut at wrong heights
   std::vector<std::string> accepted;  ///< conditions that somebody has stated to hold: they give no faults
-  /// By number, of tools that no workingstep is made with; the others are held to what their operations state.
+  /// For tools that no workingstep uses, by number. Other tools have to keep to what their operations state.
   std::map<int, ToolLimits> tool_limits;
   std::optional<WorkMaterial> material;  ///< absent: no forces and no wear are computed
   std::stop_token cancel;                ///< asked between moves and layers

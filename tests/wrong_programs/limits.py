@@ -6,6 +6,8 @@ from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
 TOOLS = {
     "short.toml": "flute_length = 1.5\n",
     "long.toml": "flute_length = 2.5\n",
+    "slow-cutter.toml": "max_spindle = 6000\n",
+    "fast-cutter.toml": "max_spindle = 24000\n",
     "gentle.toml": "plunge_feed = 60\n",
     "brisk.toml": "plunge_feed = 120\n",
     "shallow.toml": "stepdown = 1\n",
@@ -93,6 +95,8 @@ def limits():
          "may cut slots")
     both("speed", "spindle-speed", "machine", "slow.toml", "fast.toml", "asks for more than the spindle turns",
          "asks for what the spindle turns")
+    both("cutter-speed", "spindle-speed", "library", "slow-cutter.toml", "fast-cutter.toml",
+         "asks for more than the cutter may turn", "asks for what the cutter may turn")
     both("wait", "spindle-off", "machine", "patient.toml", "prompt.toml", "cuts 2 s after the start of a spindle that needs 5",
          "waits until the spindle turns")
 

@@ -66,7 +66,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.option_defaults()->group("Tools");
   command.add_option(
       "--tool", tools_,
-      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :name=N :noplunge; "
+      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :max_spindle=12000 "
+      ":name=N :noplunge; "
       "kinds: "
       "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill, tap, threadmill, "
       "boringbar, counterbore (repeatable)");
@@ -128,7 +129,9 @@ void PlanArguments::add_strategy_options(CLI::App& command) {
       ->transform(as_stepover());
   command.add_option("--angle", angle_,
                      "Direction of zigzag lines against x, degrees (default: the fastest)");
-  command.add_option("--direction", direction_, "climb (default) or conventional")
+  command
+      .add_option("--direction", direction_,
+                  "climb (default) or conventional; said, auto tries nothing that cuts both ways")
       ->check(one_of({"climb", "conventional"}));
   command.add_option("--order", order_, "Contours inside-out (default) or outside-in")
       ->check(one_of({"inside-out", "outside-in"}));

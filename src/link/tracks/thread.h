@@ -5,23 +5,23 @@
 
 namespace clearcut::link {
 
-/// mm.
+/// The thread to be cut. Lengths in mm.
 struct ThreadWork {
   Vec2 center;
   double radius = 0;  ///< of the thread's major diameter
   double pitch = 0;
   bool left_hand = false;
-  double z_top = 0;   ///< where the thread begins
-  double full_z = 0;  ///< where it ends
+  double z_top = 0;   ///< top of the thread
+  double full_z = 0;  ///< depth down to which the thread has to be full
   double rows = 0;    ///< length of the mill's rows of teeth, a whole number of pitches; 0: one row
 };
 
-/// Down the middle, out to the thread on a half circle that climbs with it (a quarter of the pitch, since its own centre lies
-/// halfway), round it a whole turn for each pitch with one row of teeth, once with many (as often as the rows have to be set
-/// on), back to the middle the same way, and out. Climb milling cuts right-hand threads upwards and left-hand ones
-/// downwards, conventional milling the other way round, with a clockwise spindle.
+/// Goes down on the axis, out to the wall on a half circle, round the thread, back to the axis on a half circle, and up. The
+/// half circles rise or fall by a quarter of the pitch, because seen from the axis they are a quarter of a turn. With one row
+/// of teeth there is a turn for each pitch; with many rows one turn for each length of the rows. With a clockwise spindle,
+/// climb milling cuts right-hand threads upwards and left-hand ones downwards, conventional milling the other way round.
 ///
-/// The mill's tip begins a pitch below the thread (above it, downwards), and the way in a quarter below that.
+/// Upwards, the turns begin one pitch below full_z; downwards, they end there.
 Section mill_thread(const ThreadWork& thread, const LinkOptions& options);
 
 }  // namespace clearcut::link

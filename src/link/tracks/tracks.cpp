@@ -10,7 +10,7 @@
 namespace clearcut::link {
 namespace {
 
-/// mm. Words are off by no more, those of four decimals of an inch included: what they make steeper must not plunge too fast.
+/// mm. Rounding of a written coordinate: half of 0.0001 inch at most. It may make a piece steeper; its feed allows for that.
 constexpr double kRounded = 0.0013;
 
 Track turned(const Track& track) {

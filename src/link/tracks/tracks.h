@@ -7,9 +7,9 @@
 
 namespace clearcut::link {
 
-/// Every set of tracks is run before the next; within a set always the nearest beginning comes next, so that lines are run
-/// either way round. `clear_z`: how far down rapids may come, over all that stands. Feeds are slowed where the way
-/// falls, so that the tip never goes down faster than the plunge feed. Cost O(tracks^2).
+/// Each set of tracks is run before the next. Within a set the track whose beginning is nearest comes next; open tracks may
+/// begin at either end. `clear_z`: mm, the height above all material to which rapids come down. Where a track descends the
+/// feed is reduced, so that the tip never goes down faster than the plunge feed. Cost O(tracks^2).
 Section link_tracks(std::vector<std::vector<Track>> sets, double clear_z, const LinkOptions& options);
 
 }  // namespace clearcut::link

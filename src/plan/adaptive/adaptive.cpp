@@ -36,9 +36,9 @@ constexpr double kBeyondOpenSides = 1.01;
 constexpr double kAirPitch = 0.5;
 constexpr double kBesideAir = 0.005;
 constexpr double kNearStock = 0.05;
-/// Shares of the tool radius: wall beside a corner that clearing leaves to the arcs between the corner's
-/// walls. It is kLeftToCorner less the gain of each arc, because cuts from wall to wall come nearer to the
-/// corner by less and less, and at least kLeastLeft.
+/// Shares of the tool radius: length of wall on both sides of a corner that clearing leaves to the arcs between
+/// the corner's walls. It is kLeftToCorner less arc_gain(), which is near 1 where many arcs would be needed, but
+/// at least kLeastLeft.
 constexpr double kLeftToCorner = 1.5;
 constexpr double kLeastLeft = 0.7;
 
@@ -100,7 +100,7 @@ class AdaptivePlanner {
     for (const PredrilledHole& hole : layer.holes) remaining_.remove_disc(hole.center, hole.diameter / 2);
   }
 
-  /// All passes; nothing if more rests are left at the end than are cut one by one.
+  /// All passes. With Retracts::kFew nothing, if more rests are left at the end than are cut one by one.
   std::optional<std::vector<Pass>> plan() {
     if (open_) cut_from_outside();
     clear_entry_regions();
@@ -139,7 +139,7 @@ class AdaptivePlanner {
     cut_fronts(everywhere);
   }
 
-  /// Cuts inwards from open sides, as far as that leads.
+  /// Cuts inwards from open sides until nothing more can be cut from there.
   void cut_from_outside() {
     clearing_.walls.update(remaining_, legal_.box());
     cut_fronts_from_above();
@@ -163,8 +163,8 @@ class AdaptivePlanner {
     path_.resume_pass();
   }
 
-  /// Cuts round the stock with it on the right, nearer until the engagement is at the limit, and on. True if
-  /// a cut was made; needs a clear place on the outline at s with stock beside it.
+  /// A cut that begins beside the stock, with the stock on the right, and turns towards it until the engagement
+  /// is at the limit. True if it was made: that needs a clear place on the outline at s with stock beside it.
   bool cut_from_air(const Wall& outline, double s) {
     const Vec2 along = outline.heading(s), inwards = left_of(along),
                p = outline.at(s) + inwards * (kBesideAir * radius_);
@@ -274,7 +274,7 @@ class AdaptivePlanner {
   std::stop_token cancel_;
 };
 
-/// Plans with few retracts and, if that leaves too much, with as many as it takes.
+/// Plans with few retracts and, if that leaves more than kFewRests rests, again with any number of them.
 std::vector<Pass> passes_of(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
                             const Layer& layer, double limit, const AdaptiveOptions& options) {
   for (const Retracts retracts : {Retracts::kFew, Retracts::kAny}) {

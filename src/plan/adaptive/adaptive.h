@@ -32,8 +32,8 @@ struct AdaptiveOptions {
 /// Shape   Open passes with their links, to be run in this order. For each wide entry region of each
 ///         connected legal area a spiral, then cuts from wall to wall with the engagement at the limit, at
 ///         last cuts along the walls at tool_radius + wall_stock. Empty where the cutter fits nowhere.
-/// Error   The engagement exceeds the limit only on the circle of an entry and where a wall pass turns into a
-///         tight corner.
+/// Error   The engagement exceeds the limit on the circle of an entry, and where finishing finds no cut within
+///         it: such stretches of wall and rests are cut straight. Elsewhere by kExcess, rare peaks aside.
 /// Cost    O(length of the passes / radius * passes nearby); about 3 us for a step of a tenth of the radius.
 /// Source  Own; how the spiral widens and how a steady cut runs follow from the engagement in closed form,
 ///         see docs/adaptive.md.

@@ -23,9 +23,9 @@ class EntryRegionFinder {
 
   /// The widest places, each of them worth an entry of its own.
   std::vector<Disc> choose() const;
-  /// The widest place of which nothing is cleared.
+  /// The widest place whose middle is not cleared yet.
   std::optional<Disc> widest_uncut() const;
-  /// mm; radius of the widest predrilled hole about a place; 0 or less if there is none.
+  /// mm; radius of the widest disc about a place that lies in a predrilled hole; 0 if it lies in none.
   double hole_at(Vec2 place) const;
 
  private:

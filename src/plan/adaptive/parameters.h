@@ -28,7 +28,7 @@ struct EngagementTolerance {
 struct ResidualLimits {
   /// What clear links may graze. Larger: more links at depth instead of retracts; smaller: fewer marks on walls.
   static constexpr double kLink = 1e-3;
-  /// What may stand where the cutter goes straight down: less than links graze, for it comes down on it with its face.
+  /// What may stand where the cutter goes straight down: less than for links, because its face comes down on it.
   static constexpr double kPlunge = kLink / 2;
   /// Where trochoidal steps end: less than links to the next step may graze (kCornerLink), so that it can be reached.
   static constexpr double kTrochoidal = 2 * kLink;
@@ -40,7 +40,7 @@ struct ResidualLimits {
   static constexpr double kFinishedWall = 2 * kCornerLink;
   /// In corners: the arcs between the walls end when this is left. Each halving costs one or two arcs a corner.
   static constexpr double kCorner = 3.7e-3;
-  /// What the check of the cover finds and lies no farther from what is cut stays: between two cuts it is twice as wide.
+  /// A rest no farther than this from what is cut stays. Between two cuts it may be twice as wide.
   static constexpr double kRest = 4.7e-3;
 };
 

@@ -31,8 +31,8 @@ class RemainingStock {
   /// The engagement in radians of a cutter with its centre at p that moves along `heading`, a unit vector:
   /// the angle of the front half of its circle in material.
   double engagement(Vec2 p, Vec2 heading) const;
-  /// mm from the edge's beginning to where the engagement first exceeds `limit` radians; the whole length if
-  /// it never does.
+  /// mm from the edge's beginning to the last sample before the engagement exceeds `limit` radians; the whole
+  /// length if it never does.
   double length_within(const Edge& edge, double limit) const;
   /// Whether a cutter whose radius is smaller by `residual` mm would touch material with its centre at p.
   bool touches(Vec2 p, double residual) const;
@@ -50,9 +50,9 @@ class RemainingStock {
   void remove_disc(Vec2 center, double radius);
   /// Removes what the cutter sweeps while its centre runs along `edge`.
   void cut(const Edge& edge);
-  /// How many cuts and discs have been removed so far.
+  /// The state of the stock, for forget_beyond(): a number that grows with every cut and disc removed.
   std::size_t cuts() const { return material_.sweeps(); }
-  /// Puts back all but the first `cuts` cuts and discs.
+  /// Puts back all cuts and discs removed since cuts() returned `cuts`.
   void forget_beyond(std::size_t cuts);
   /// Whether all cuts longer than `tiny` mm, made one after the other, keep the engagement at `limit` radians
   /// or below. They are made on trial and taken back.

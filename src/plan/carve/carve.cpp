@@ -9,11 +9,11 @@
 namespace clearcut::plan::carve {
 namespace {
 
-/// mm. Points of the axis' curves lie no farther from it.
+/// mm. Curved pieces of the medial axis are replaced by chords this near to them.
 constexpr double kChord = 0.0002;
-/// mm. Stretches of a ring that are looked at as one: whether a mill has cleared them.
+/// mm. Length of the pieces of a path that are left out if a mill has cleared their middle.
 constexpr double kRingPiece = 0.1;
-/// mm. Of what a mill clears, the rim is cut again.
+/// mm. Width of the rim of what a mill clears that is cut once more.
 constexpr double kRim = 0.02;
 
 class RegionCarver {
@@ -64,12 +64,12 @@ class RegionCarver {
       chain.back() = axis.points[static_cast<std::size_t>(edge.b)];
       axis_.push_back(std::move(chain));
     }
-    // The middle of a circle.
+    // An axis point without edges is the centre of a round region.
     for (std::size_t i = 0; i < has_edge.size(); ++i)
       if (!has_edge[i]) axis_.push_back({axis.points[i]});
   }
 
-  /// Stretches of the axis where the tip goes below z, up to where the floor is wider than the tip.
+  /// Stretches of the axis where the tip goes below z, up to where it reaches the floor.
   std::vector<Chain> deeper_than(double z) const {
     std::vector<Chain> out;
     for (const Chain& chain : axis_) {
@@ -111,7 +111,7 @@ class RegionCarver {
     }
   }
 
-  /// What no mill has cleared: rings inwards, each beside the one before, and the axis between them.
+  /// Adds passes over the part of the floor that no mill has cleared: rings inwards, then the axis inside them.
   void clear_floor(TrackSets& sets) const {
     const double step = 2 * (shape_.tip_radius + shape_.cusp * shape_.slope);
     for (double at = widest_ + step; at < clearance_.max(); at += step) {
@@ -174,8 +174,8 @@ class RegionCarver {
 
   Clearance clearance_;
   const CarveShape& shape_;
-  double nearest_;  ///< clearance at which the tip is at the top
-  double widest_;   ///< clearance from which on it is at the floor
+  double nearest_;  ///< mm; clearance at which the tip is at the top of the material
+  double widest_;   ///< mm; clearance from which on the tip is at the floor
   Regions cleared_;
   std::vector<Chain> axis_;
 };

@@ -11,12 +11,12 @@ namespace clearcut::plan::carve {
 
 /// How a cone carves. Lengths in mm.
 struct CarveShape {
-  double top = 0;         ///< of the material
-  double floor = 0;       ///< no deeper than this
+  double top = 0;         ///< height of the material
+  double floor = 0;       ///< height of the floor, below which the tip does not go
   double slope = 0;       ///< mm that the flanks go outwards for each mm upwards
-  double tip_radius = 0;  ///< of the flat at the tip
-  double aside = 0;       ///< mm that flanks stay inside the outline: what rounding and chords may take
-  double arcs_aside = 0;  ///< mm that rings on the floor stay off besides: arcs are rounded more
+  double tip_radius = 0;  ///< radius of the flat at the tip
+  double aside = 0;       ///< distance kept from the outline, for rounding and chords
+  double arcs_aside = 0;  ///< distance that rings on the floor keep in addition, for rounding of arcs
   double stepdown = 0;    ///< most that one pass goes deeper than the one before
   double cusp = 0;        ///< highest ridge that may stay between passes on the floor
 };
@@ -24,17 +24,17 @@ struct CarveShape {
 /// Tracks that belong together: each set is cut before the next.
 using TrackSets = std::vector<std::vector<Track>>;
 
-/// Along the medial axis, where the cone touches the outline on both sides; at the floor along the outline's offset and, where
-/// nothing of `cleared` (what a mill clears of the floor before) lies, side by side over the floor as far as the cusp allows.
+/// V-carving: the tip follows the medial axis, where the cone touches the outline on both sides. Where the floor is reached it
+/// follows the outline's offset, then rings side by side as far apart as the cusp allows, outside of `cleared` (cut by a mill).
 ///
 /// Method  On the axis the tip runs at top - (clearance - tip_radius - aside) / slope. The cones there are the largest
 ///         within the outline, so that together they cut every place as deep as any cone may, corners included.
-/// Error   chords of the axis and rounding stay within `aside`.
-/// Cost    that of the Voronoi diagram, and the points of its curves for each stepdown.
+/// Error   No gouge, if chords of the axis and rounding of the program stay within `aside`.
+/// Cost    That of the Voronoi diagram, and for each stepdown the number of points on its curves.
 TrackSets carve_region(const Region& region, const CarveShape& shape, const Regions& cleared,
                        const Tolerances& tol);
 
-/// Along a line at the floor, in as many passes as the stepdown asks for.
+/// Engraving: the tip follows the line down to `floor`, in passes no more than `stepdown` mm deeper than the last.
 TrackSets engrave_line(const Path& line, bool closed, double top, double floor, double stepdown);
 
 }  // namespace clearcut::plan::carve

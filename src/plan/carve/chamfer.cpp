@@ -12,11 +12,11 @@ namespace {
 /// mm. How far the tip goes below a chamfer's foot where there is room, and in which steps less is tried.
 constexpr double kTipBelow = 0.5;
 constexpr double kTipStep = 0.1;
-/// mm. What is left between the tip and the floor of the room.
+/// mm. Least distance between the tip and the floor of the area that the cone runs in.
 constexpr double kOverFloor = 0.05;
-/// mm. Stretches that are looked at as one.
+/// mm. Length of the pieces of a path that are kept or left out as a whole.
 constexpr double kPiece = 0.05;
-/// mm. What stands may be this much nearer than the flank: distances of offsets err by as much.
+/// mm. A flank may seem to cut this far into a wall, because offsets err by as much.
 constexpr double kTouch = 0.0012;
 
 double distance_to(const std::vector<Edge>& edges, Vec2 p) {
@@ -52,7 +52,7 @@ class EdgeChamferer {
 
  private:
   double foot() const { return shape_.top - chamfer_.depth; }
-  /// mm that the flanks reach above the foot's height when the tip is at the foot, less the chamfer.
+  /// mm; how far the tip may go below the chamfer's foot so that the flanks still reach up to its top.
   double cone_above_foot() const {
     return (shape_.tool_radius - shape_.tip_radius) / shape_.slope - chamfer_.depth;
   }
@@ -64,7 +64,7 @@ class EdgeChamferer {
     ChamferTracks out;
     tip_ = foot() - below;
     const double radius = radius_at(below);
-    // A foot that is rounder than the corners of the room leaves the chamfer's ends in them.
+    // Where the cone at the chamfer's foot does not fit into a corner of the area, the chamfer ends before it.
     std::vector<Track> runs;
     for (const Region& room : chamfer_.room) {
       for (const Region& centers : inset(room, radius + shape_.aside, tol_)) {
@@ -85,7 +85,7 @@ class EdgeChamferer {
     return out;
   }
 
-  /// Whether a place of the path belongs to the wall, and not to the other side of the room.
+  /// Whether p is beside the wall to be chamfered, and not at another border of the area that the cone runs in.
   bool is_beside_wall(Vec2 p) const { return distance_to(chamfer_.line, p) < chamfer_.reach; }
 
   bool is_free(Vec2 p) const {

@@ -12,15 +12,15 @@ namespace clearcut::plan::carve {
 
 /// How a cone breaks an edge. Lengths in mm.
 struct ChamferShape {
-  double top = 0;          ///< of the wall
+  double top = 0;          ///< height of the wall's top
   double slope = 0;        ///< mm that the flanks go outwards for each mm upwards
-  double tip_radius = 0;   ///< of the flat at the tip
-  double tool_radius = 0;  ///< where the flanks end
-  double aside = 0;        ///< mm that the flank stays off the chamfer: what rounding may take
+  double tip_radius = 0;   ///< radius of the flat at the tip
+  double tool_radius = 0;  ///< radius at which the flanks end
+  double aside = 0;        ///< distance kept from the chamfer, for rounding
   double stepdown = 0;     ///< most that one pass goes deeper than the one before
 };
 
-/// What stands up to `z` beside `free`, in plan view.
+/// In plan view, everything outside of `free` stands up to the height `z`, mm.
 struct StandingUpTo {
   double z = 0;
   Regions free;
@@ -28,12 +28,12 @@ struct StandingUpTo {
 
 struct ChamferTracks {
   TrackSets sets;
-  double left_mm = 0;  ///< length of the edge where the cone would cut what is to stay
+  double left_mm = 0;  ///< mm of the edge left out, because the cone would gouge there
 };
 
-/// Along the wall at the distance of the cone's radius at the chamfer's foot; the tip goes below the foot as far as room allows,
-/// so that the flank cuts and not the tip. Where the cone would touch what stands on the other side of the room, or above
-/// the edge, the tip stays higher, and if that does not help the stretch is left out.
+/// The axis runs beside the wall at the radius that the cone has at the height of the chamfer's foot. The tip is below the foot,
+/// up to 0.5 mm if nothing is in its way, so that the flank cuts and not the tip. If the cone would gouge another wall, or what
+/// stands above the edge, the tip goes less deep; where it would gouge even so, that stretch of the edge is left out.
 ///
 /// Cost O(length of the edge * edges of what stands).
 ChamferTracks chamfer_edge(const Chamfer& chamfer, const ChamferShape& shape,

@@ -16,7 +16,7 @@ constexpr double kHalfDiagonal = 0.7072;
 constexpr std::size_t kFewCurves = 24;
 constexpr int kMostQuarterings = 5;
 
-/// Pairs of curves whose meeting costs as much as one step of work.
+/// Number of pairs of curves whose intersection counts as one step of the WorkBudget.
 constexpr std::uint64_t kPairsPerStep = 64;
 
 bool is_between(double v, double least, double most) {

@@ -21,9 +21,9 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 /// The lowest layer is at floor_z + allowance_floor. Without a stepdown, it is tool_radius (half the
 /// diameter). Under walls with draft each layer has the outline at its own depth, so that no layer cuts into
 /// the wall, and the stepdown is lowered until the steps on the wall stand at most `operation.scallop` mm off
-/// it, square to the wall: scallop = stepdown * sin(draft) (SPEC B4). Layers whose outline has vanished are
-/// left out.
-/// met) are left out.
+/// it, square to the wall: scallop = stepdown * sin(draft). Layers so deep that their outline has vanished
+/// (with draft the area becomes smaller with depth, until the walls of opposite sides
+/// meet) are left out.
 ///
 /// A cutter with rounded corners cuts the floor with the flat part of its end alone. It is planned as a
 /// cutter whose radius is smaller by `corner_radius` and which keeps that much more distance from walls. Ball

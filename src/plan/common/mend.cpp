@@ -50,7 +50,7 @@ std::vector<Edge> all_edges(std::span<const Path> paths, const MendJob& job) {
   return edges;
 }
 
-/// Groups the vertices greedily: each joins the nearest group whose box stays within `most` mm.
+/// Groups the vertices greedily: each joins the nearest group whose box then has a diagonal of at most 2 `most` mm.
 std::vector<Group> groups_of(std::vector<Vec2> holes, double most) {
   std::sort(holes.begin(), holes.end(), [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   std::vector<Group> groups;

@@ -10,7 +10,7 @@ namespace {
 
 /// mm above the material where the plunge begins.
 constexpr double kAboveMaterial = 1;
-constexpr double kPlungeShare = 0.3;  // of the cutting feed: the plunge feed
+constexpr double kPlungeShare = 0.3;  // the plunge feed as a share of the cutting feed
 
 }  // namespace
 

@@ -1,12 +1,12 @@
-// Source and symbols (CPO-kappa, CPO-rho):
+// Source and symbols (the papers CPO-kappa and CPO-rho, docs/texts.md):
 //
 //   paper   here                 unit   where
 //   R       layer.tool_radius    mm
 //   e       layer.wall_stock     mm     finishing allowance
 //   H       step                 mm     R + e for the first contour, then 2 R kappa (CPO-kappa eq. 2)
 //   kappa   kappa(), rho()              CPO-kappa eq. 6, CPO-rho eq. 8
-//   A       see residual_paths   mm     the centre rule R < A < 2R holds for every maximum and ridge of the
-//   clearance
+//   A       see residual_paths   mm     from a contour to the centre; something is left there for R < A < 2R.
+//                                       Here every maximum and ridge of the clearance counts as a centre.
 //
 // The contours come from one Voronoi diagram instead of edge by edge, so that vanishing edges (CPO-kappa alg.
 // 2), splits and islands need no rule of their own. docs/contour.md tells the departures.
@@ -68,7 +68,7 @@ enum class FaceRing {
 };
 
 /// mm; how far beyond the target's open sides rings may run through air (docs/contour.md, "Open sides").
-/// Material beside walls may be narrower than the rounding of the cutter's corners.
+/// Beside walls by Layer::rounded more, as material there may be narrower than the rounding of the cutter's end.
 double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring) {
   const Regions& allowed = layer.allowed;
   const double radius = layer.tool_radius;
@@ -95,7 +95,7 @@ Regions working_domain(const Layer& layer, FaceRing face_ring, const Tolerances&
                        std::any_of(target.islands().begin(), target.islands().end(),
                                    [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
     (opens ? open : closed).push_back(target);
-    // Stock stays on walls, and there is none in the air.
+    // Rings keep wall_stock off the border of their area; in the air no stock has to stay, so that is added again.
     const double reach = reach_beyond(target, layer, face_ring) + layer.wall_stock;
     if (opens) beyond = std::max(beyond, reach);
   }
@@ -218,8 +218,8 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   job.first_level = layer.tool_radius + layer.wall_stock;
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
-  // A residual saves a pass where rings fit exactly, as in pockets of round dimensions; faces gain nothing
-  // from it.
+  // Where rings fit exactly, as in pockets of round dimensions, accepting a residual saves a pass; on faces it
+  // saves nothing.
   const bool bare = layer.bare || !closed_all_round(layer);
   job.margin = bare ? kBareMargin : 0;
   const double overlap = bare && options.step.kind == StepRule::Kind::kWidest ? kBareOverlap : 0;

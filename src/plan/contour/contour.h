@@ -17,7 +17,7 @@ namespace clearcut::plan::contour {
 /// How far apart successive contours are.
 struct StepRule {
   enum class Kind {
-    kWidest,          ///< "ours": as wide as the cutter allows; local passes clear what it leaves
+    kWidest,          ///< "widest": as wide as the cutter allows; local passes clear what it leaves
     kKappa,           ///< "lom": the widest that leaves nothing at the smallest angle (CPO-kappa eq. 6)
     kRho,             ///< "rho": the same with an overlap of `value` * sin(alpha/2) mm (CPO-rho eq. 8)
     kSecondAngle,     ///< "second": rho of the second smallest angle if only one is smallest (CPO-rho 3.2)
@@ -85,10 +85,10 @@ struct ContourOptions {
 /// Error   With ResidualRule::kOurs nothing reachable of `target` is left thicker than tol.uncut, whatever
 ///         the step.
 /// Cost    O(n log n + length of the result / radius).
-/// Source  CPO-kappa, CPO-rho; for residuals docs/contour.md.
+/// Source  CPO-kappa, CPO-rho (papers, see docs/texts.md); for residuals docs/contour.md.
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol);
 
-// The papers' formulas. Angles are interior angles in radians, lengths mm.
+// The papers' formulas (docs/texts.md). Angles are interior angles in radians, lengths mm.
 
 /// CPO-kappa eq. 6: step / diameter that leaves neither residual nor overlap in a corner of angle alpha.
 double kappa(double alpha);

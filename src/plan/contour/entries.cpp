@@ -33,8 +33,8 @@ constexpr ContourMethod kContourMethods[] = {
      ResidualRule::kDoubleLoops},
     {"bisectors", "published: fixed step and every corner's bisector", "0.9", ResidualRule::kBisectors}};
 
-/// Published methods go from contour to contour along bisectors; as rivals of others they take the shortest way. Leads need
-/// rings that are whole.
+/// Published methods go from contour to contour along bisectors, but take the shortest links if another strategy was asked
+/// for and they are only compared with it, and if there are leads, because these need closed rings.
 Passage passage_of(const ContourMethod& method, const StrategyRequest& request) {
   const bool leads = request.step.lead > 0;
   if (request.step.bisector_passages.value_or(false) && leads)

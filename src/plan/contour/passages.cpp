@@ -13,7 +13,7 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// Corners whose angles differ by less, radians, are equally sharp: the first of them leads on.
+/// Radians. Corners whose angles differ by less are equally sharp: the passage begins at the first of them.
 constexpr double kEquallySharp = 1e-6;
 /// Interior angles outside of these limits, radians, are no corners of a contour: tips of loops, and smooth joints.
 constexpr double kSharpest = 0.01, kBluntest = kPi - 1e-6;
@@ -88,7 +88,7 @@ class Joiner {
 
   void join() {
     const std::size_t count = layer_.passes.size();
-    std::vector<int> place(count, -1);  // of each pass among those that stay
+    std::vector<int> place(count, -1);  // for each pass: index of the joined pass that holds it; -1: none
     std::vector<Pass> joined;
     for (std::size_t i = 0; i < count; ++i) {
       if (place[i] >= 0 || !layer_.passes[i].closed) continue;
@@ -140,7 +140,7 @@ class Joiner {
     return joined;
   }
 
-  /// Whether a pass is a passage that a joined pass already runs.
+  /// Whether a pass is a single passage that a joined pass already contains.
   bool is_held(const Pass& pass) const {
     if (pass.path.size() != 1) return false;
     const Edge& own = pass.path.front();

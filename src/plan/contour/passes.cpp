@@ -53,7 +53,7 @@ bool stays_clear(const Path& loop, const Region& domain, double level) {
   });
 }
 
-/// mm. Paths begin on the axis a little above the level of their ring, and so near its corners.
+/// mm. A path that begins no farther than this from a corner of its ring is taken to begin at that corner.
 constexpr double kAtCorner = 0.01;
 
 /// Inserts into a ring, at the point nearest to `begin`, a path that returns to where it begins.

@@ -20,8 +20,8 @@ struct Domain {
 struct RingJob {
   double radius = 0;       ///< of the cutter, mm
   double first_level = 0;  ///< mm from the wall to the first rings
-  double reserve = 0;      ///< mm; as Layer::reserve
-  double margin = 0;       ///< mm by which what rings leave is cleared with an overlap
+  double reserve = 0;      ///< mm of first_level kept for rounding only: exact fits need not keep it
+  double margin = 0;       ///< mm; overlap with which the material that rings leave is cleared
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
 };

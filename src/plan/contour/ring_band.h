@@ -6,7 +6,7 @@
 // worst points are those of clearance d + R on every rising branch of the axis, its local minima (necks), and
 // branches that never reach d + s (centres, ridges). In a corner of angle alpha the clearance rises by
 // sin(alpha / 2) per mm of axis, so that (s - R) / sin(alpha / 2) <= R: the published kappa (CPO-kappa
-// eq. 6). The published rule measures alpha on the ring at d, while the axis between d + R and d + s decides.
+// eq. 6, docs/texts.md). It measures alpha on the ring at d, while the axis between d + R and d + s decides.
 #pragma once
 
 #include <vector>

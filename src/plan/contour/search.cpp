@@ -27,13 +27,13 @@ constexpr Variant kVariants[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 
 /// more stay as they are, and only links and what lies inside is shortened.
 constexpr double kMostVerticesInAll = 800;
 constexpr double kMostFlexible = 800;
-/// Number of edges of rings above which there is no search, and of vertices that all passes but those at walls would have:
-/// about 5 s.
+/// There is no search if rings have more edges than kMostEdges, or if all passes but those at walls would have more vertices
+/// than kMostVertices, because it would take more than about 5 s.
 constexpr std::size_t kMostEdges = 60000;
 constexpr double kMostVertices = 40000;
 /// Step of the rings where only inner ones are flexible, as a share of the diameter.
 constexpr double kLargeStep = 0.98;
-/// mm by which passes that are not shortened clear with an overlap: more than the margin of the proof.
+/// mm; overlap with which passes are planned that are not shortened: more than the margin of the proof.
 constexpr double kSpareMargin = 0.002;
 /// Number of vertices of flexible paths for each radius of length, about.
 constexpr double kVerticesPerRadius = 1.7;
@@ -111,7 +111,7 @@ class Search {
 
   struct Fastest {
     std::vector<Path> paths;
-    double residual = 0;  ///< mm
+    double residual = 0;  ///< mm; thickness of what it may leave
     double time = std::numeric_limits<double>::infinity();
   };
 

@@ -1,7 +1,7 @@
 // Contours by formula, from lengths and angles alone, as the papers compute them. Kept apart from the
 // geometric offsets, so that each can be checked against the other.
 //
-// Source and symbols (CPO-kappa eq. 2, alg. 2 and 3; CPO-rho appendix B):
+// Source and symbols (CPO-kappa eq. 2, alg. 2 and 3; CPO-rho appendix B; docs/texts.md):
 //
 //   paper     here                     unit   meaning
 //   H, F      step                     mm     from one contour to the next; R + e for the first

@@ -128,7 +128,7 @@ double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, co
 
 std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& rule, double radius,
                                        double first_level, const Tolerances& tol) {
-  constexpr double kSame = 1e-6;  // mm
+  constexpr double kSame = 1e-6;  // mm; contours are at the same distance within this
   std::vector<ContourStep> all, merged;
   for (const auto& region : allowed) {
     const auto step_of = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {

@@ -1,4 +1,4 @@
-// Computes the step from one contour to the next by each rule.
+// Computes the step from one contour to the next by each rule; for the papers named here see docs/texts.md.
 #pragma once
 
 #include <vector>

@@ -15,9 +15,9 @@
 namespace clearcut::plan::grid {
 namespace {
 
-constexpr double kCheckRounding = 1e-9;    // mm
-constexpr double kMostSquares = 4e6;       // of one grid
-constexpr double kMostCirclePoints = 5e7;  // of one arc
+constexpr double kCheckRounding = 1e-9;    // mm; smaller differences come from rounding
+constexpr double kMostSquares = 4e6;       // greatest number of squares of one grid
+constexpr double kMostCirclePoints = 5e7;  // greatest number of points of the circle of one arc
 
 std::string mm(double value) {
   return trimmed(value, 4) + " mm";

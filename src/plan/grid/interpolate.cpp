@@ -7,9 +7,9 @@
 namespace clearcut::plan::grid {
 namespace {
 
-constexpr double kPaperStep = 0.001;    // mm in x, "1 micron"
-constexpr double kPointsPerSquare = 3;  // along a line
-constexpr double kRounding = 1e-9;      // mm
+constexpr double kPaperStep = 0.001;    // mm in x; "1 micron" in the paper
+constexpr double kPointsPerSquare = 3;  // number of points for each square along a line
+constexpr double kRounding = 1e-9;      // mm; smaller differences come from rounding
 
 /// Angle in [0, 2 pi) from `start` to `p` about the arc's centre, in the arc's direction.
 double swept_to(const Edge& arc, Vec2 p) {

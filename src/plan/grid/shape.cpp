@@ -8,7 +8,7 @@
 namespace clearcut::plan::grid {
 namespace {
 
-constexpr double kSamePoint = 1e-9;  // mm
+constexpr double kSamePoint = 1e-9;  // mm; points nearer than this are equal
 
 /// All points within `reach` mm of an arc of at most half a turn whose radius is greater than `reach`.
 Region bent_stadium(Edge core, double reach) {

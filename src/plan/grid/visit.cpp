@@ -13,7 +13,7 @@
 namespace clearcut::plan::grid {
 namespace {
 
-constexpr double kVisitRounding = 1e-9;  // mm
+constexpr double kVisitRounding = 1e-9;  // mm; smaller differences come from rounding
 
 /// The squares of one element, which of them are kept by the reduction, and the point where the tool goes for
 /// each.

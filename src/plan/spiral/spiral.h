@@ -30,7 +30,7 @@ struct SpiralOptions {
 /// Error   Nothing reachable of the target is left thicker than tol.uncut; turns are no farther apart than
 ///         the step.
 /// Cost    O(steps tried * (n log n + turns * n log n)).
-/// Source  The idea of [held2009]; turns are built by booleans of offsets instead of by waves along a tree.
+/// Source  The idea of [held2009]; turns follow the rim of a widened offset (turn.h) instead of waves along a tree.
 LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const Tolerances& tol);
 
 }  // namespace clearcut::plan::spiral

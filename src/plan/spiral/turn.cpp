@@ -13,7 +13,7 @@ namespace {
 
 /// Radians. An arc of changing radius is replaced by arcs of at most this sweep.
 constexpr double kBandPiece = kPi / 6;
-/// mm. The ends of a turn have to be found to within this.
+/// mm. Ends nearer than this are joined by moving one of them; shorter remainders of edges are left out.
 constexpr double kFound = 1e-3;
 /// mm. Pieces of the rim whose ends are nearer than this are joined.
 constexpr double kJoined = 1e-6;

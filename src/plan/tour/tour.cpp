@@ -356,8 +356,8 @@ class AreaPlanner {
     return kept;
   }
 
-  /// The centre that clears the first hole and those around it, as near to the path as possible. If no centre
-  /// clears all of them, the hole is large and its rim is visited.
+  /// The centre that clears the first hole and those around it, as near to the path as possible. If their middle
+  /// does not clear all of them, the hole is large and its rim is visited.
   Vec2 place_for(const Points& left) const {
     const double radius = work_.radius();
     Points group;

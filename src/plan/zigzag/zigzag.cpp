@@ -25,7 +25,7 @@ constexpr double kCompassStep = kPi / 4;
 constexpr double kSameDirection = 0.5 * kPi / 180;
 /// Number of directions for which the whole path is planned; the others are only estimated.
 constexpr std::size_t kFinalists = 3;
-/// Outlines with more edges than this are planned in the first direction alone.
+/// Outlines with more edges than this are planned in the direction with the best estimate alone.
 constexpr std::size_t kMostEdges = 5000;
 
 Edge rotated(const Edge& edge, double angle) {
@@ -49,7 +49,7 @@ Region rotated(const Region& region, double angle) {
 struct Draft {
   double angle = 0;  ///< radians
   std::vector<ZigzagCell> cells;
-  double estimate = 0;  ///< seconds, a lower bound
+  double estimate = 0;  ///< seconds; see estimate()
 };
 
 /// Plans one connected legal area.
@@ -90,7 +90,7 @@ class ZigzagPlanner {
 
   std::vector<double> directions() const {
     if (options_.angle) return {options_.angle->radians()};
-    std::vector<std::pair<double, double>> walls;  // length, angle
+    std::vector<std::pair<double, double>> walls;  // minus the length, mm; angle, radians
     for (const auto& edge : component_.legal.edges()) {
       if (!edge.is_arc()) walls.push_back({-edge.length(), angle_of(edge.to - edge.from)});
     }

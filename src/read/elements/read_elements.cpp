@@ -69,6 +69,7 @@ ToolEntry tool_of(DataSection section, std::size_t place) {
   entry.tool.kind = *known;
   entry.tool.diameter = required(section.positive("diameter"), section, "diameter");
   entry.tool.flute_length = section.positive("flute_length");
+  entry.tool.max_spindle_rpm = section.positive("max_spindle");
   entry.cutting = cutting_of(section, {});
   section.refuse_unknown();
   return entry;

@@ -121,6 +121,7 @@ LibraryTool tool_of_section(DataSection section) {
   read_cone(section, out.tool);
   out.tool.teeth = static_cast<int>(std::clamp(section.positive("teeth").value_or(2), 1.0, 100.0));
   out.tool.flute_length = section.positive("flute_length");
+  out.tool.max_spindle_rpm = section.positive("max_spindle");
   read_thread(section, out.tool, thread);
   out.tool.center_cutting = section.flag("center_cutting").value_or(true);
   out.presets = presets_of(section);

@@ -38,7 +38,13 @@ Json tool(const Tool& one) {
   json["corner_radius_mm"] = certificate_number(one.corner_radius);
   json["teeth"] = one.teeth;
   json["flute_length_mm"] = optional(one.flute_length);
+  json["max_spindle_rpm"] = optional(one.max_spindle_rpm);
   json["center_cutting"] = one.center_cutting;
+  json["tip_angle_deg"] = one.tip_angle ? certificate_number(one.tip_angle->degrees()) : Json(nullptr);
+  json["tip_diameter_mm"] = certificate_number(one.tip_diameter);
+  json["pitch_mm"] = certificate_number(one.pitch);
+  json["left_hand"] = one.left_hand;
+  json["floating"] = one.floating;
   return json;
 }
 

@@ -15,7 +15,7 @@ namespace {
 /// mm along the outline between circles, and between places on an engraved line.
 constexpr double kRaySpacing = 0.002;
 constexpr double kLineSpacing = 0.02;
-/// mm. A circle that an outline cuts no deeper is one that it touches.
+/// mm. An outline that reaches no deeper than this into a circle only touches it.
 constexpr double kTouch = 1e-7;
 constexpr int kMostShrinks = 200;
 /// mm. Squares of the floor are not divided below this half diagonal.
@@ -23,7 +23,7 @@ constexpr double kSmallestCell = 0.004;
 /// Radians. A smaller turn of the outline is no corner.
 constexpr double kSmooth = 1e-6;
 
-/// The smallest cone of the steps of a feature; null without one.
+/// The cone with the smallest tip of those that carve a feature; null if none does.
 const Tool* carver_of(const Part& part, int feature) {
   const Tool* carver = nullptr;
   for (const Workingstep& step : part.workplan) {
@@ -67,7 +67,7 @@ class CarvingJudge {
       const int steps = std::max(1, static_cast<int>(std::ceil(edge.length() / kLineSpacing)));
       for (int i = 0; i <= steps; ++i) {
         const Vec2 p = edge.at(static_cast<double>(i) / steps);
-        // Between places the path itself is straight or one arc: only what is cut beside it would need the bound.
+        // Between places a path on the line is as deep as at them; only cones beside it could stand `bound` higher.
         keep(p, shaped_.at(p) - feature_.floor_z, feature_.floor_z, std::min(bound, tol_.uncut / 4));
       }
     }
@@ -107,7 +107,7 @@ class CarvingJudge {
     }
   }
 
-  /// All round a corner that points into the carving.
+  /// Checks the directions all round a corner that points into the carving.
   void judge_corner(const Edge& before, const Edge& after) {
     const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
     const double turn = std::atan2(cross(in, out), dot(in, out));
@@ -117,7 +117,7 @@ class CarvingJudge {
     for (int i = 0; i <= steps; ++i) judge_ray(after.from, direction_of(from + turn * i / steps));
   }
 
-  /// Radius of the largest circle from `b` towards `n` that no outline enters, up to the widest of interest.
+  /// mm; radius of the largest circle that touches the outline at b, has its centre towards n, and holds no outline.
   double circle_from(Vec2 b, Vec2 n) const {
     double radius = widest_;
     for (int i = 0; i < kMostShrinks; ++i) {
@@ -151,7 +151,7 @@ class CarvingJudge {
     return found;
   }
 
-  /// Whether p lies in the carving, and how far from its outline.
+  /// mm; distance of p from the outline; negative outside of the carving.
   double depth_into(Vec2 p) const {
     const double d = outline_.nearest(p).distance;
     return outline_.winding(p) != 0 ? d : -d;
@@ -199,7 +199,7 @@ class CarvingJudge {
   EdgeTree mill_tree_;
   double widest_mill_ = 0;
   double slope_ = 0, tip_ = 0, widest_ = 0;
-  double across_ = 0;  ///< thickness square to the flank for each mm of height
+  double across_ = 0;  ///< mm square to the flank for each mm of height
 };
 
 }  // namespace

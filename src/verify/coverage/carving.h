@@ -1,4 +1,4 @@
-// Whether what a shaped cutter was to carve is carved: V-carvings to the depth of their outline, engravings to their line.
+// Checks that V-carvings, engravings and chamfers are cut as deep as they have to be.
 #pragma once
 
 #include <functional>
@@ -16,28 +16,28 @@ struct CarvingWork {
   int last_workingstep = 0;
   bool any_cut = false;
   double left_mm =
-      0;  ///< proven bound of the thickness of anything left, square to the flank; on floors its height over a cusp
+      0;  ///< mm; bound of the thickness of what is left, square to the flank; on the floor of its height
   Vec2 worst;
   double worst_z = 0;
 };
 
-/// mm. Ridges between the passes of a pointed cutter that may stay on a floor.
+/// mm. Height of the ridges between the passes of a pointed cutter that may stay on a floor.
 inline constexpr double kHighestCusp = 0.05;
 
-/// Features of which a step is carved, in order of the workplan.
+/// The features that some workingstep carves, in the order of the workplan; nothing is checked yet.
 std::vector<CarvingWork> carvings_of(const Part& part);
 
-/// V-carving: from every 0.002 mm of the outline, and all round its outer corners, the largest circle that touches the outline there
-/// and lies within it, no larger than the depth allows; in its middle the cutters have to be as deep as a cone in the circle, to
-/// within tol.uncut. Every place of the carving lies on the line from such a middle to the outline, and both the ideal
-/// carving and what cones leave rise at the flank's slope towards it. The floor, where the limit is reached, by
-/// squares that are divided until each lies in what a cutter has cut, or stands no higher than a cusp.
-/// Engraving: every 0.02 mm of the line.
+/// V-carving  Every 0.002 mm along the outline, and all round corners that point into the carving, the largest circle is
+///            found that touches the outline there and lies within it. In its middle a cone must have been as deep as one that
+///            fills the circle, to within tol.uncut. Towards the outline the ideal carving and what cones leave rise alike.
+///            The floor is divided into squares until each lies in what was cut or stands no higher than kHighestCusp.
+/// Engraving  The depth is checked every 0.02 mm along the line.
+/// Chamfer    See chamfered_wall.h.
 ///
 /// Cost O(length of the outline / 0.002 mm * moves near).
 void judge_carving(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work);
 
-/// Faults of what judge_carving found.
+/// The faults of a feature that judge_carving has checked.
 std::vector<Fault> faults_of_carving(const Feature& feature, const CarvingWork& work, const Tolerances& tol);
 
 }  // namespace clearcut::verify

@@ -11,9 +11,9 @@ namespace {
 
 /// mm between places along the line.
 constexpr double kSpacing = 0.02;
-/// mm. A line no farther from the side of the stock lies on it.
+/// mm. A place on the line no farther than this from the side of the stock lies on that side.
 constexpr double kOnSide = 0.005;
-/// Of the chamfer's width: where its plane is looked at. At the top itself there is nothing to cut.
+/// Shares of the chamfer's width at which its depth is checked. At the top, 1, there is nothing to cut.
 constexpr double kAcross[] = {0, 0.5, 0.9};
 
 class ChamferJudge {

@@ -5,9 +5,9 @@
 
 namespace clearcut::verify {
 
-/// Every 0.02 mm along the line at which the program (or an earlier one) has cut the wall, or where the stock ends: over the foot, the
-/// middle and near the top of the chamfer the cones have to be as deep as its plane, square to the plane within
-/// tol.uncut. Corners that no cutter reached have no wall to be broken.
+/// Checks the chamfer every 0.02 mm along its line, wherever the wall was cut by this program or an earlier one or is a side of
+/// the stock. Cones must have been as deep as the chamfer's plane at its foot, in its middle and near its top, to within
+/// tol.uncut square to the plane. Where no cutter has reached the wall, as in sharp corners, there is no edge to chamfer.
 ///
 /// Cost O(length of the line / 0.02 mm * moves near).
 void judge_chamfer(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work);

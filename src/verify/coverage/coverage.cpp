@@ -20,7 +20,7 @@ constexpr int kSwathsTried = 12;
 /// Number of undecided smallest cells after which the smallest size doubles, so that programs which leave
 /// much take no longer.
 constexpr int kLeavesPerSize = 4000;
-/// If more is left elsewhere, what is left is measured in cells of R / kAreaCells.
+/// What is thinner than the thickest found so far only adds to the area: cells of R / kAreaCells are enough for it.
 constexpr double kAreaCells = 64;
 /// If something is left, its area is measured with residuals down to this fraction of the tolerance.
 constexpr double kFineShare = 50;
@@ -156,7 +156,7 @@ class CoverageProof {
     const double excess = excess_at(cell.center), thickness = excess + cell.reach();
     const double width = width_of(cell, thickness);
     if (width <= widest_) return count_width(width);
-    // If more is left elsewhere, only the area matters.
+    // If something wider is left elsewhere, only the area of this cell matters.
     const bool minor = width <= worst_width_ && cell.half <= question_.flat / kAreaCells;
     const bool all_left = near.swaths.empty() && within_reach && cell.reach() <= 0.05 * excess;
     if (!smallest && !minor && !all_left) return false;
@@ -173,8 +173,8 @@ class CoverageProof {
     return 2 * std::min({thickness, beside, beyond});
   }
 
-  /// Upper bound of the distance from p to the nearest point that no legal centre reaches: straight away from the nearest legal
-  /// centre as far as that one reaches, where no other reaches it. Infinite where another does, or p itself is legal.
+  /// mm; upper bound of the distance from p to the nearest point that no legal centre reaches. That point is sought straight away
+  /// from the nearest legal centre, at its reach. Infinite if another centre reaches it, or if p itself is legal.
   double to_unreachable(Vec2 p) const {
     const double reach = question_.flat + kBeyondReach;
     const EdgeTree::Hit hit = legal_.boundary().nearest(p);
@@ -387,11 +387,11 @@ class CoverageProof {
   const Tolerances& tol_;
   const double widest_;  ///< mm; what is left up to this width is no fault
   const double slack_;   ///< mm; what lies at most this far outside a swath is not too wide
-  /// mm; a program that keeps as near to the boundary of the legal area leaves nothing thicker in corners.
+  /// mm; a program that keeps within this of the legal area's boundary leaves nothing thicker in corners.
   const double followed_;
   EdgeTree target_;
   LegalCenters legal_;
-  /// mm; of the program from each edge of the legal boundary; -1: not computed yet.
+  /// mm; how far the program runs from each edge of the legal boundary; -1: not computed yet.
   std::vector<double> deviation_;
   std::vector<std::pair<double, EdgeTree>> trees_;  ///< for each tool radius: the paths cut with it
   // Stacks of what lies near the cells from the whole target down to the current one.

@@ -18,11 +18,11 @@ struct Swath {
 
 struct CoverageQuestion {
   const FinishedPart* part = nullptr;
-  const Regions* target = nullptr;  ///< what is to be cut, plan view, before allowance and lean
-  double z = 0;                     ///< at this depth
-  double radius = 0;     ///< of the smallest cutter the work is given: what it reaches can be asked for
-  double flat = 0;       ///< of its flat end, <= radius: only that cuts down to z
-  double allowance = 0;  ///< stock to leave on walls
+  const Regions* target = nullptr;  ///< what is to be cut, in plan view, allowance and draft not taken off
+  double z = 0;                     ///< mm; height of the tip down to which it is to be cut
+  double radius = 0;                ///< mm; of the smallest cutter of the work: what it reaches has to be cut
+  double flat = 0;                  ///< mm; of its flat end, <= radius: only that cuts down to z
+  double allowance = 0;             ///< mm; stock to leave on walls
   /// mm; the control may leave the paths by this: it is added to the width of what may be left.
   double path_tolerance = 0;
   double above = 0;  ///< mm; how far above this height the highest tip lies that is taken to have cut it
@@ -44,8 +44,8 @@ struct Coverage {
   double target_mm2 = 0;
 };
 
-/// mm; the greatest width that may stay within reach. Planners leave residuals of up to tol.uncut beside what
-/// they cut; between two of them the width is greater, so half as much again is allowed.
+/// mm; the greatest width of material that may stay within reach. Residuals of two passes that meet count with
+/// their common width, so planners leave less than half of this beside each.
 inline double widest_left(const Tolerances& tol) {
   return tol.uncut;
 }

@@ -101,7 +101,7 @@ double height_above(double level, const Box& target, const std::vector<JudgedMov
   return most;
 }
 
-/// What one step of a feature is to reach: no other goes as deep with a smaller cutter and leaves no more on the walls.
+/// What one step has to clear. No other step goes as deep with a cutter no larger and leaves as little on the walls.
 struct FinestWork {
   double radius = 0;
   double flat = 0;  ///< radius of its flat end
@@ -112,7 +112,7 @@ bool covers(const FinestWork& a, const FinestWork& b) {
   return a.radius <= b.radius && a.allowance_side <= b.allowance_side;
 }
 
-/// Of the steps that go down to z: what leaves stock on the floor does not reach it. Mostly one, the last.
+/// The finest of the steps whose floor, with the stock they leave on it, is at z or below; mostly one, the last.
 std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, double z,
                                      const Tolerances& tol) {
   std::vector<FinestWork> finest;
@@ -132,7 +132,7 @@ std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, 
   return finest;
 }
 
-/// What two steps leave of what each of them reaches: the worse of the two; out of reach is what neither reaches.
+/// Joins the coverage for two steps: of what is left, the worse; out of reach is only what neither reaches.
 Coverage both(const Coverage& a, const Coverage& b) {
   Coverage worse = a.thickness_mm >= b.thickness_mm ? a : b;
   worse.reachable = a.reachable || b.reachable;

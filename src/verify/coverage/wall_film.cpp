@@ -7,7 +7,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm.
+/// mm. Smaller differences come from rounding.
 constexpr double kFilmRounding = 1e-9;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is to be left on walls: within the allowance, or inside walls with draft.
+// The material that has to stay on walls: the allowance, and what stands inside the outline of walls with draft.
 #pragma once
 
 #include "verify/coverage/convex.h"
@@ -6,12 +6,12 @@
 
 namespace clearcut::verify {
 
-/// Keeps a reference to the question.
+/// That material at the height of a question. Keeps a reference to the question.
 class WallFilm {
  public:
   explicit WallFilm(const CoverageQuestion& question) : question_(question) {}
 
-  /// Whether there is any.
+  /// Whether there may be any.
   bool may_be() const { return question_.allowance > 0 || question_.part->greatest_lean() > 0; }
   /// Whether p lies in what is to be left on a wall.
   bool holds(Vec2 p) const;

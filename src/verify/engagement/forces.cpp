@@ -1,8 +1,8 @@
 // Symbols
 //
 //   f_z    feed per tooth, mm            feed / (n z)
-//   a_e    width of cut, mm              sum of R (sin b - sin a) over the arcs of contact [a, b]
-//   h_m    mean thickness of chips, mm   f_z a_e / (R phi): the mean of f_z cos over the contact phi
+//   a_e    width of cut, mm              sum of R (sin b - sin a) over the engagement arcs [a, b]
+//   h_m    mean thickness of chips, mm   f_z a_e / (R phi): the mean of f_z cos over the engagement phi
 //   k_c    specific force, N/mm2         kc1.1 h_m^-mc [kienzle1957]
 //   Q      material removed, mm3/min     a_p a_e feed;  power k_c Q, tangential force power / cutting speed
 //   T      tool life, min                (C / v_c)^(1/n) [groover2013]
@@ -29,7 +29,7 @@ double width_of_cut(const stock::CutterEngagement& contact, double radius) {
   return std::max(0.0, width);
 }
 
-/// Of a cantilever plate as broad as high: 4 F h^2 / (E t^3).
+/// mm; deflection of a cantilever plate as broad as high: 4 F h^2 / (E t^3).
 double deflection_of(double thickness, double height, double force, double elasticity) {
   return 4 * force * height * height / (elasticity * thickness * thickness * thickness);
 }

@@ -74,7 +74,7 @@ class LoadMeter {
     before_ = judged.feeds() ? judged.move : nullptr;
   }
 
-  /// Depth under what stands over the tip. What cones take away counts for cones alone: other cutters are judged as if it stood.
+  /// Measures how deep the tip of a cone is in material. What cones remove counts as removed for later cones only.
   void measure_cone(JudgedMove& judged) {
     const Move& move = *judged.move;
     before_ = &move;
@@ -114,7 +114,7 @@ class LoadMeter {
     if (judged.slope() >= kAsPlunge) find_plunge_contact(judged, move.path.to);
   }
 
-  /// A level move along the ramp just cut removes what the ramp left: it still belongs to the entry.
+  /// Sets in_entry_: the move descends into material, or it is level along the ramps just cut and removes what they left.
   void follow_entry(const JudgedMove& judged) {
     const Move& move = *judged.move;
     in_entry_ = false;
@@ -239,7 +239,7 @@ class LoadMeter {
   void measure_rapid(JudgedMove& judged) {
     const Move& move = *judged.move;
     const double radius = judged.radius() - kFilm;
-    // A cone leaves its groove straight up as it stands in it.
+    // A cone that goes straight up in its groove touches nothing.
     if (judged.tool && is_conical(*judged.tool) && move.is_vertical() && move.z_to >= move.z_from) return;
     // A vertical rapid touches most where it is lowest.
     if (move.is_vertical()) {
@@ -280,10 +280,10 @@ double bottom_of(const Part& part) {
   return bottom - 1;
 }
 
-/// Number of samples below which a part of the program is not worth running all before it once more.
+/// Least number of samples in a part of the program: each part has to run all moves before it once more.
 constexpr double kLeastSamples = 20000;
-/// Most parts, and most radii of path over all of them: each part keeps the material that it runs through, about half a kB for
-/// each radius.
+/// Greatest number of parts, and greatest length of path over all of them in cutter radii: each part keeps the material of its
+/// own run, about half a kB for each radius of path.
 constexpr int kMostParts = 4;
 constexpr double kMostRadii = 6e5;
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double kOnAxis = 0.01;
 /// Share by which a tap's feed may miss its pitch times the speed.
 constexpr double kFeedShare = 0.005;
-/// mm. Widths and pitches of tools that are the same.
+/// mm. Diameters and pitches that differ by less are the same.
 constexpr double kSameSize = 0.005;
 
 class HoleJudge {
@@ -61,7 +61,7 @@ class HoleJudge {
     add(FaultKind::kNothingCut, feature_.top_z - feature_.floor_z, feature_.floor_z, 0, text);
   }
 
-  /// A drill's cone stays at the end of a hole; others end flat and are judged by what they cover.
+  /// A drill leaves a cone at the end of its hole. Tools with flat ends are checked by the proof of coverage.
   void judge_point() {
     double full = std::numeric_limits<double>::infinity();
     int line = 0;
@@ -137,7 +137,7 @@ class HoleJudge {
             " mm at " + trimmed(rpm_of(judged), 0) + " rpm asks for " + trimmed(wanted, 2));
   }
 
-  /// Into the hole it turns as its hand asks; out of it the other way, said by words or done by a cycle.
+  /// Into the hole a tap must turn as its hand asks; out of it the other way, by a spindle word or by its cycle.
   void judge_turn(const JudgedMove& judged, bool down) {
     if (!judged.control || (!down && turned_by_cycle(judged))) return;
     const SpindleState into =

@@ -9,14 +9,14 @@
 
 namespace clearcut::verify {
 
-/// For every hole of which more is asked than a cylinder:
+/// Checks every hole that has to be more than a cylinder:
 ///
-/// Drilled      its full diameter down to its depth, the drill's point taken off.
-/// Spots, countersinks  the cone's width at the top.
-/// Taps         place, size, hand and depth of the tap, its feed against the speed, its turning back on the way out.
-/// Threads      see thread_helix.h.
+/// Drilled      The full diameter reaches down to the hole's depth; the drill's point does not count.
+/// Spots, countersinks  The cone is wide enough at the top.
+/// Taps         Place, size, hand and depth of the tap, feed = pitch * speed, and turning back on the way out.
+/// Threads      See thread_helix.h.
 ///
-/// What goes too deep or too wide is a gouge, which is found beside this. Cost O(holes * moves near them).
+/// What is cut too deep or too wide is a gouge (see gouge.h). Cost O(holes * moves near them).
 std::vector<Fault> faults_of_holes(const Part& part, const JudgedProgram& program,
                                    const VerifyOptions& options);
 

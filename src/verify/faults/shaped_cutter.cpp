@@ -8,27 +8,27 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Stretches of a path that are no longer are not halved again.
+/// mm. A stretch of a path along which the excess can change by less than this is not halved again.
 constexpr double kShortest = 2e-4;
 constexpr int kSections = 40;
 constexpr double kGolden = 0.6180339887498949;
 
-/// Of the heights between `low` and `high`, that at which a cutter with its tip at z comes nearest to a wall that leans.
+/// The height between `low` and `high` at which a cutter with its tip at z comes nearest to a wall with draft.
 double nearest_height(const Wall& wall, const Tool& tool, double z, double low, double high) {
-  // Beside a flank that is steeper than the wall its foot is nearest, else its top; a rounding touches where it is as steep.
+  // A flank steeper than the wall comes nearest at low, else at its upper end; a rounding where it is as steep.
   if (is_conical(tool))
     return flank_slope(tool) <= wall.slope ? low : std::clamp(z + cone_height(tool), low, high);
   const double touch = tool.corner_radius * (1 - wall.slope / std::hypot(1.0, wall.slope));
   return std::clamp(z + touch, low, high);
 }
 
-/// How far a tip at height z has to stay from the outline of a wall.
+/// mm; how far a cutter with its tip at z has to stay from the outline of a wall.
 double distance_needed(const Wall& wall, const Tool& tool, double z, bool leans_here) {
   if (z >= wall.z_high) return 0;
   if (!leans_here || wall.slope <= 0) return radius_at(tool, wall.z_high - z);
   const double low = std::max(z, wall.z_low), high = std::max(low, std::min(wall.z_high, wall.top_z));
   const double height = nearest_height(wall, tool, z, low, high);
-  // Above its outline the wall stands upright.
+  // Above its outline the wall is upright, up to z_high.
   return std::max(radius_at(tool, height - z) + wall.lean(height), radius_at(tool, wall.z_high - z));
 }
 
@@ -58,13 +58,13 @@ class ShapedJudge {
     return distance_needed(wall, tool_, z_at(t), leans) - distance(wall.edge, p);
   }
 
-  /// mm that the excess beside the wall changes at most over the whole move.
+  /// mm; upper bound of how much the excess changes over the whole move while the tip is below the wall's top.
   double rate_beside(const Wall& wall) const {
     const double flank = is_conical(tool_) ? flank_slope(tool_) : 0;
     return 2 * half_ + std::abs(move_.z_to - move_.z_from) * (flank + wall.slope);
   }
 
-  /// The share of the move that is below the wall's top.
+  /// The parameters between which the tip is below the wall's top.
   std::array<double, 2> below_top(const Wall& wall) const {
     const double dz = move_.z_to - move_.z_from;
     if (dz == 0) return {0, 1};
@@ -92,7 +92,7 @@ class ShapedJudge {
     if (worst > 0) keep(wall, worst_t, worst);
   }
 
-  /// The excess is concave below the wall's top: the radius is so over the height, and the distance is convex.
+  /// Golden section search. Below the wall's top the excess is concave, because the distance from the wall is convex.
   template <typename Look>
   static void by_sections(Look look, std::array<double, 2> range) {
     auto [low, high] = range;
@@ -145,7 +145,7 @@ class ShapedJudge {
   std::optional<Gouge> worst_;
 };
 
-/// Place along a straight move where a cone stands lowest over p, if it went on without end.
+/// Parameter along a straight move, prolonged at both ends, at which a cone's flank is lowest over p.
 double lowest_place(const Move& move, const Tool& tool, Vec2 p) {
   const Vec2 along = move.path.to - move.path.from;
   const double length = norm(along), near = dot(p - move.path.from, along) / (length * length);

@@ -15,23 +15,23 @@ namespace clearcut::verify {
 
 /// The deepest cut of a cone or a ball into the part along `move`: how far, sideways or upwards, it would have to be shifted.
 ///
-/// Over each wall near, the distance of the path from the wall is held against the cutter's radius at the height to which the wall
-/// stands there; for a leaning wall at its foot, at its top, and where the flank ends. Along straight paths beside straight
-/// walls the excess has one maximum, found by sections; else the path is halved until a Lipschitz bound settles it.
-/// `slack`: gouges below it need not be found.
+/// For each wall near, the excess is the cutter's radius at the height of the wall's top, less the distance of the path from the
+/// wall; for walls with draft at the height where the cutter comes nearest. Along straight paths beside straight walls it
+/// has one maximum, found by golden section; else the path is halved until a bound of the excess's change decides.
+/// `slack`: mm; gouges less deep need not be found.
 std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move, const Tool& tool,
                                      double slack);
 
-/// Height over its tip at which a cutter is `distance` mm wide from its axis; nothing beyond its radius.
+/// mm; height over its tip at which a cutter's surface is `distance` mm from its axis; nothing beyond its radius.
 std::optional<double> height_at(const Tool& tool, double distance);
 
-/// What cutters have cut so far, asked for at places. Every answer is a height that was really reached.
+/// How deep cutters have cut so far, place by place. Every answer is a height that some cutter has reached.
 class CutHeights {
  public:
-  /// A feed move. Pointers are kept.
+  /// Adds a feed move. Pointers to both are kept.
   void add(const Move& move, const Tool& tool);
 
-  /// Lowest height that the cutters passed over p; infinite where none did.
+  /// mm; lowest height at which a cutter's surface passed over p; infinite where none did.
   double at(Vec2 p) const;
 
  private:
@@ -41,7 +41,7 @@ class CutHeights {
   };
 
   std::vector<Entry> entries_;
-  BoxIndex index_{1};  ///< 1 mm: a fraction of most cutters
+  BoxIndex index_{1};  ///< cells of 1 mm: smaller than most cutters
 };
 
 }  // namespace clearcut::verify

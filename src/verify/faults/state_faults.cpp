@@ -79,12 +79,23 @@ class StateJudge {
   }
 
   std::optional<Fault> speed(const JudgedMove& judged) const {
-    if (!judged.control || !judged.cuts() || !options_.machine.max_spindle_rpm) return std::nullopt;
-    const double rpm = judged.control->spindle_rpm, most = *options_.machine.max_spindle_rpm;
-    if (rpm <= most * (1 + kSpeedRounding)) return std::nullopt;
-    return fault(
-        FaultKind::kSpindleSpeed, judged, 0,
-        "The spindle is asked for " + trimmed(rpm, 0) + " rpm where the machine has " + trimmed(most, 0));
+    if (!judged.control || !judged.cuts()) return std::nullopt;
+    const auto& of_machine = options_.machine.max_spindle_rpm;
+    if (of_machine && is_beyond(judged, *of_machine)) return too_fast(judged, "the machine has", *of_machine);
+    if (!judged.tool || !judged.tool->max_spindle_rpm) return std::nullopt;
+    const double of_tool = *judged.tool->max_spindle_rpm;
+    if (!is_beyond(judged, of_tool)) return std::nullopt;
+    return too_fast(judged, "T" + std::to_string(judged.tool->number) + " may have", of_tool);
+  }
+
+  static bool is_beyond(const JudgedMove& judged, double most_rpm) {
+    return judged.control->spindle_rpm > most_rpm * (1 + kSpeedRounding);
+  }
+
+  Fault too_fast(const JudgedMove& judged, const std::string& whose, double most_rpm) const {
+    return fault(FaultKind::kSpindleSpeed, judged, 0,
+                 "The spindle is asked for " + trimmed(judged.control->spindle_rpm, 0) + " rpm where " +
+                     whose + " " + trimmed(most_rpm, 0));
   }
 
   std::optional<Fault> plunge(const JudgedMove& judged) const {
@@ -218,7 +229,7 @@ class StateJudge {
     return steepest;
   }
 
-  /// mm/min; the highest plunge feed that operations of the tool state, or what is stated for the tool itself.
+  /// mm/min; the highest plunge feed that is stated for the tool or for an operation with it.
   std::optional<double> plunge_feed_of(const JudgedMove& judged) const {
     std::optional<double> most;
     const auto limits = options_.tool_limits.find(judged.tool->number);
@@ -233,7 +244,7 @@ class StateJudge {
   }
 
   std::optional<Fault> plunge_feed(const JudgedMove& judged) const {
-    // Holes are made at the cutting feed; a tap's is judged with its speed.
+    // Holes are made at the cutting feed; that of a tap is checked in holes.cpp, against its speed.
     if (makes_holes(*judged.tool) || judged.tool->kind == ToolKind::kTap || judged.slope() < kPlungeSlope)
       return std::nullopt;
     const auto most = plunge_feed_of(judged);

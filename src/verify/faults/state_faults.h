@@ -20,8 +20,8 @@ using MoveJudge = std::function<std::optional<Fault>(const JudgedMove&)>;
 std::vector<MoveJudge> state_judges(const Part& part, const JudgedProgram& program,
                                     const VerifyOptions& options);
 
-/// Tangent of 15 degrees: the steepest entry of a cutter that must not plunge, if its operation states no
-/// angle.
+/// Tangent of 15 degrees: the steepest entry of a cutter that must not plunge, unless an operation with it states
+/// a steeper one.
 inline constexpr double kSteepestEntry = 0.2679;
 
 }  // namespace clearcut::verify

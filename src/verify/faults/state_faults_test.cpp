@@ -79,6 +79,11 @@ TEST(StateFaults, SpindleBeyondTheMachineAndTooShortAWait) {
   options.machine.max_spindle_rpm = 8000;
   EXPECT_TRUE(has(judged(pocket(), pocketing(), table(), options), FaultKind::kSpindleSpeed));
   options.machine.max_spindle_rpm = 10000;
+  Part limited = pocket();
+  limited.tools[0].max_spindle_rpm = 8000;
+  EXPECT_TRUE(has(judged(limited, pocketing(), table(), options), FaultKind::kSpindleSpeed));
+  limited.tools[0].max_spindle_rpm = 10000;
+  EXPECT_FALSE(has(judged(limited, pocketing(), table(), options), FaultKind::kSpindleSpeed));
   options.machine.spindle_wait_s = 3;
   ControlTable control = table();
   control.events.push_back({ControlEventKind::kSpindleStart, 0, 1, 0, 1});

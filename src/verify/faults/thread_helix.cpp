@@ -1,7 +1,7 @@
 // Symbols
 //
 //   P     pitch, mm; d major diameter, d1 = d - 5/8 sqrt(3) P minor diameter of the basic profile (ISO 68-1)
-//   z0    height of the helix at the angle 0; of all whole turns the same, modulo P
+//   z0    mm; height of the helix at the angle 0 about the axis; each turn adds P
 #include "verify/faults/thread_helix.h"
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm by which the mill's reach may miss the major radius: the finest tolerance of bolts is several times as much.
+/// mm by which the mill may miss the major radius; the finest tolerance of bolts is several times as much.
 constexpr double kRadiusSlack = 0.01;
-/// Of the pitch, and mm: by how much a place may lie off the helix. Rounding to 0.001 mm and 0.0001 inch is less.
+/// A place may lie off the helix by kPitchShare of the pitch plus kThreadHeightSlack mm, more than rounding makes.
 constexpr double kPitchShare = 0.01;
 constexpr double kThreadHeightSlack = 0.006;
-/// Places looked at on each move.
+/// Number of places that are checked on each move.
 constexpr int kThreadPlaces = 48;
 
 double whole_turns_off(double height, double pitch) {
@@ -49,7 +49,7 @@ class ThreadJudge {
     return move.path.is_arc() && distance(move.path.center, hole_.center) <= kRadiusSlack;
   }
 
-  /// Whole turns (or their halves) at the full radius: they say where the helix is, and which heights have a thread.
+  /// Takes z0 and the heights that have a thread from arcs about the axis at the full radius, and checks their pitch.
   void find_helix(const JudgedMove& judged) {
     const Move& move = *judged.move;
     if (!is_about_axis(move)) return;
@@ -76,12 +76,12 @@ class ThreadJudge {
 
   double sign() const { return hole_.thread->left_hand ? -1 : 1; }
 
-  /// What is left of a place's height once its angle is taken off.
+  /// mm; z0 of the helix through p at the height z, give or take whole pitches.
   double on_helix(Vec2 p, double z) const {
     return z - sign() * pitch_ * angle_of(p - hole_.center) / (2 * kPi);
   }
 
-  /// No place that reaches into the wall lies off the helix.
+  /// Adds a defect if the mill reaches into the wall at a place off the helix.
   void look_along(const JudgedMove& judged) {
     const Move& move = *judged.move;
     for (int i = 0; i <= kThreadPlaces; ++i) {
@@ -97,7 +97,7 @@ class ThreadJudge {
     }
   }
 
-  /// Turns that follow each other without a gap of more than rounding, from the lower end of the thread to its top.
+  /// Adds a defect if the turns, one above the other, have a gap or do not reach from full_z to the top.
   void look_at_heights() {
     std::sort(cut_.begin(), cut_.end());
     double low = hole_.full_z;
@@ -135,7 +135,7 @@ class ThreadJudge {
   double pitch_, minor_radius_ = 0, slack_ = 0;
   double narrowest_ = 0;
   std::optional<double> origin_;
-  std::vector<std::pair<double, double>> cut_;  ///< heights, lower end first
+  std::vector<std::pair<double, double>> cut_;  ///< mm; heights from and to which each arc has cut a thread
   std::vector<ThreadDefect> defects_;
 };
 

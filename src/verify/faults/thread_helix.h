@@ -1,4 +1,4 @@
-// A milled thread against the formula of its helix.
+// Checks a milled thread against the formula of its helix.
 #pragma once
 
 #include <optional>
@@ -12,18 +12,18 @@ namespace clearcut::verify {
 /// What is wrong with a thread.
 struct ThreadDefect {
   enum class Kind { kNothing, kShallow, kNarrow, kHelix } kind = Kind::kHelix;
-  double size = 0;  ///< mm
+  double size = 0;  ///< mm; by how much the thread is wrong
   std::string text;
   int line = 0;
 };
 
-/// Judges the feed moves of thread mills about the thread's axis (in the order of the program).
+/// Checks the feed moves of thread mills about the thread's axis; `moves` in the order of the program.
 ///
-/// A place on a thread at the angle a about its axis lies at the height z0 + P a / 2 pi, for a right-hand thread; of a
-/// left-hand one a counts the other way. Every place of the paths at which the mill reaches deeper into the wall than the
-/// minor diameter has to lie there, to within a pitch (many rows, many turns): on the whole turns that gives radius, pitch
-/// and hand; on the ways in and out, that nothing is cut across. Where whole turns at the full radius have been (with many
-/// rows of teeth a mill covers as much height as these), the thread is full: from its lower end to its top.
+/// Helix   At the angle a about the axis a right-hand thread with the pitch P lies at the height z0 + P a / (2 pi), plus any
+///         number of pitches; for a left-hand thread a counts the other way round. Wherever the mill reaches farther from the
+///         axis than the minor radius, it must be there: on the turns that proves radius, pitch and hand, and on the moves
+///         in and out that no thread is cut through.
+/// Depth   Turns at the full radius must follow each other from full_z to the top; many rows of teeth count with their length.
 std::vector<ThreadDefect> defects_of_thread(const Feature& feature,
                                             const std::vector<const JudgedMove*>& moves);
 

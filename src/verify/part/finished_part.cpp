@@ -22,7 +22,7 @@ Vec2 left_normal_at_middle(const Edge& edge) {
   return left_of(edge.tangent_at(0.5));
 }
 
-/// Of a chamfer's strip the side away from the wall that it breaks.
+/// The edges of a chamfer's strip that lie away from the wall to be chamfered: only there the strip's wall has draft.
 EdgeTree leaning_edges(const Feature& feature) {
   const double half = feature.chamfer->depth * std::tan(feature.wall_slope.radians()) / 2;
   const EdgeTree line(std::vector<Edge>(feature.chamfer->line));
@@ -113,8 +113,8 @@ double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   return std::max(shape.floor, shape.top - d / shape.slope);
 }
 
-/// Beyond an end that is cut off square: the distance inside the outline that puts p as far from the wall as
-/// from that end.
+/// mm; how far the wall stands inside its outline for a cutter at p. Beyond an end that the stock's side cuts off
+/// square the value is such that p is as far from the wall as it is from that end.
 double FinishedPart::lean_inside(const Wall& wall, double z, Vec2 p) const {
   const double lean = wall.lean(z);
   if (!wall.flat_from && !wall.flat_to) return lean;
@@ -192,7 +192,7 @@ void FinishedPart::find_walls() {
     const std::vector<double> cuts =
         shapes_.size() == 1 ? std::vector<double>{0, 1} : cuts_of(edge, owner[k], all, owner);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      // Where outlines all but coincide, their crossings cut off pieces shorter than what walls are found by.
+      // Where outlines nearly coincide, crossings cut off pieces too short to find walls: heights are asked kProbe off.
       if (cuts.size() > 2 && (cuts[i + 1] - cuts[i]) * edge.length() < kProbe) continue;
       add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
     }

@@ -76,7 +76,7 @@ class FinishedPart {
     double floor = 0;
     double top = 0;
     double slope = 0;
-    EdgeTree leaning;    ///< the edges from which walls lean, where not all do
+    EdgeTree leaning;    ///< the edges whose walls have draft, if some have none
     bool single = true;  ///< whether it is one region: its edges then have it on their left only
   };
 
@@ -86,7 +86,7 @@ class FinishedPart {
   void add_wall(const Edge& piece, const Shape& shape, int index);
   std::vector<double> cuts_of(const Edge& edge, int shape, const EdgeTree& all,
                               const std::vector<int>& owner) const;
-  /// Whether the wall at a piece of the shape's outline leans.
+  /// Whether the wall at a piece of the shape's outline has draft.
   static bool leans_at(const Shape& shape, const Edge& piece);
   bool holds(const Shape& shape, Vec2 p) const;
   double height_in(const Shape& shape, Vec2 p) const;

@@ -20,7 +20,7 @@ constexpr double kSlot = 0.1;
 struct Allowances {
   double slot;   ///< how far it may come into the far wall while it runs along the near one
   double hole;   ///< the same if all that is left is shorter than kSlot
-  double point;  ///< how far it may come into all walls around a point
+  double point;  ///< how far it may come into all walls around a single place where it fits
 };
 /// The verifier asks for less than the tolerance allows, because a planner may see walls with rounded or
 /// simplified edges. Where nothing fits by the first row, the next ones are tried.
@@ -29,7 +29,7 @@ constexpr Allowances kAllowances[] = {{1, 0.75, 0.5}, {1.7, 1.7, 0.85}, {1.9, 1.
 /// Number of walls before and after a curve's own that are tested first.
 constexpr int kNeighbours = 3;
 
-/// How many times the middle of what is left of a curve is tested before all near walls are.
+/// How many times only the wall nearest to the middle of what is left of a curve is tested, before all others.
 constexpr int kProbes = 12;
 
 using Interval = TrimmedCurve::Interval;
@@ -148,8 +148,8 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
   }
 }
 
-/// A hole just as wide as the cutter leaves some micrometres of each wall's curve, and nothing else near
-/// them.
+/// Adds the places in holes just as wide as the cutter: of the curve of each wall only some micrometres are left
+/// there, with no other legal place near them.
 void LegalCenters::add_tight_places() {
   const EdgeTree known(found_);
   for (const auto& [piece, wall] : tight_) {

@@ -14,7 +14,7 @@ namespace {
 
 /// mm. Arcs need not come nearer to the corner than this.
 constexpr double kNearest = 1e-3;
-/// mm. Two centres nearer than kNear are taken for one. At a centre that was visited kVisited may stay.
+/// mm. Two centres nearer than kNear are taken for one. A centre counts as visited if kVisited or less stands there.
 constexpr double kNear = 1e-4;
 constexpr double kVisited = 2.5e-3;
 /// Share of the tool radius: distance between samples along a wall when cusps are searched for.
@@ -28,8 +28,8 @@ constexpr double kCusp = 2e-3;
 constexpr double kAim = 0.012;
 constexpr double kAbove = 0.02;
 constexpr int kMostArcs = 400;
-/// The gain of an arc is the log of how much nearer to the corner it ends. At kGoodGain an arc is
-/// good enough; so is one that has kArcShare of the gain that a spiral would have.
+/// Arcs and spirals are compared by the natural logarithm of (distance from the corner before / after). An arc is
+/// good enough if that is kGoodGain, or kArcShare of what a spiral would have.
 constexpr double kGoodGain = 0.7;
 constexpr double kArcShare = 0.45;
 /// Radians. Margins to the limit on spirals, tried in this order; greatest and least turn of their arcs.
@@ -46,15 +46,15 @@ constexpr double kNearer = 0.8;
 /// first wall, unless the path round the corner has more than kLong moves.
 constexpr int kMostStraight = 2;
 constexpr std::size_t kLong = 12;
-/// Factor between the first guess of a distance and the distance found.
+/// The distance that is searched for is expected to be within this factor of the guess.
 constexpr double kGuessed = 1.04;
 /// Radians by which the turn off the wall grows in the first tries.
 constexpr double kMoreTurn = 0.02;
-/// Share of the distance from the corner: where a centre touches nothing, centres this much farther on do.
+/// Share of the distance from the corner: the engagement is sampled this far ahead, as nothing is touched here.
 constexpr double kAhead = 0.05;
-/// Number of turns of a heading until the engagement is at the limit.
+/// Greatest number of times that a heading is turned to bring its engagement to the limit.
 constexpr int kMostTurns = 5;
-/// Arcs that come nearer by less than kLeastGain, and moves along the wall by less than the other, are left out.
+/// Shares of the distance from the corner: arcs have to end within kLeastGain of it, moves along within the other.
 constexpr double kLeastGain = 0.97;
 constexpr double kEnoughAlong = 0.8;
 
@@ -232,7 +232,7 @@ class CornerCuts {
     double radius(double turn) const { return norm(ray) * std::exp(-turn / std::tan(limit)); }
   };
 
-  /// A spiral to the other wall; nothing if its gain is less than `least`.
+  /// A spiral to the other wall; nothing if the logarithm of (distance before / after) is less than `least`.
   std::optional<Crossing> spiral_across(double least) {
     const int other = 1 - side_;
     if (cut_[other] >= RadiusShares::kCornerReach * radius_) return std::nullopt;
@@ -330,7 +330,7 @@ class CornerCuts {
     return false;
   }
 
-  /// Radians from the wall's direction to the heading that leaves the wall least within the limit.
+  /// Radians; the least turn off the wall after which the engagement keeps the limit.
   double first_turn() const {
     const Vec2 from = here(), along = into(side_, cut_[side_]),
                across = at(1 - side_, cut_[1 - side_]) - from;
@@ -376,7 +376,7 @@ class CornerCuts {
   double residual_before_ = 0;
   /// The last arc from each side.
   struct Crossed {
-    /// Distance at which it ended, divided by the distance up to which that wall was cut before.
+    /// Distance from the corner at its end / distance up to which that wall was cut before: less than 1.
     double gain = 0;
     double more_turn = 0;  ///< radians by which it left its wall beyond first_turn()
   } crossed_[2];

@@ -29,7 +29,7 @@ std::vector<WallPlace> places_of(const std::vector<Corner>& corners);
 struct CornerRound {
   Path path;
   double end = 0;  ///< mm along the wall: where cutting along the second wall goes on
-  /// mm of the first wall, up to the corner, along which the residual in the corner touches.
+  /// mm before the corner, on the first wall, from where on the cutter touches the residual in the corner.
   double residual_before = 0;
   /// mm; thickness of the wedge that stays along the second wall if the path ends on the first wall.
   double wedge = 0;

@@ -12,7 +12,7 @@ namespace clearcut::plan::adaptive {
 namespace {
 
 /// Share of the tool radius: distance between the marks along which finishing cuts run. What stands between
-/// two marks is at most an eighth of its square times the radius thick.
+/// two marks is at most kFinePitch^2 / 8 of the radius thick.
 constexpr double kFinePitch = 0.06;
 /// mm. A cutter this near to a wall counts as being on it.
 constexpr double kOnWall = 1e-4;

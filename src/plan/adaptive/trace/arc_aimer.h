@@ -17,8 +17,8 @@ struct CutterState {
   double curvature = 0;   ///< of the last arc, 1 / mm; positive to the left
   double engagement = 0;  ///< at the end of the last arc, before that arc was cut; radians
   double usual = 0;       ///< mm, length of the last arc: a first guess for the next one
+  double tightest = 1;    ///< mm, smallest radius of turns to the left that may be tried
   /// Radians between heading and wall, where the cutter is on a wall.
-  double tightest = 1;  ///< mm, smallest radius of turns to the left that may be tried
   std::optional<double> off_wall;
 };
 

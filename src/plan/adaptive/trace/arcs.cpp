@@ -50,7 +50,7 @@ std::optional<Edge> fitted(std::span<const Vec2> points, double tolerance) {
   if (std::abs(edge.sweep()) > kMostSweep) return std::nullopt;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     if (i > 0 && distance(edge, points[i]) > tolerance) return std::nullopt;
-    // Also between points, so that the edge does not stand off them on a different circle.
+    // Also between points, so that an arc of quite another circle through the points is not taken.
     const Vec2 middle = (points[i] + points[i + 1]) / 2.0;
     if (distance(edge, middle) > 2 * tolerance + norm_squared(points[i + 1] - points[i])) return std::nullopt;
   }

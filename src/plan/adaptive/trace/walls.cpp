@@ -230,7 +230,7 @@ void Walls::leave_wedge(const WallPlace& place, double residual) {
 }
 
 bool Walls::is_alone(const WallPlace& place, const std::vector<WallPlace>& places, double least) const {
-  constexpr double kOther = 1e-6;  // mm
+  constexpr double kOther = 1e-6;  // mm; nearer to `place` is the place itself
   return to_nearest(places, place, 1, kOther) > least && to_nearest(places, place, -1, kOther) > least;
 }
 

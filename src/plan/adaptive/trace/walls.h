@@ -34,8 +34,8 @@ class Wall {
   /// s of the middle of the longest edge: a place far from corners.
   double plainest() const;
 
-  /// A parameter s as an edge and a parameter of that edge.
  private:
+  /// A parameter s as an edge and a parameter of that edge.
   struct Spot {
     std::size_t edge = 0;
     double t = 0;

@@ -367,7 +367,7 @@ struct BandMinimiser::Impl {
     moved_since_listing_ = 0;
   }
 
-  /// The first of those nearest to p, however far.
+  /// The band nearest to p, however far it is; of several equally near ones the first.
   std::uint32_t nearest_band(Vec2 p) {
     if (!tree_is_built_) {
       tree_.build(static_cast<std::uint32_t>(paths_.bands.size()),

@@ -117,7 +117,7 @@ class SkeletonBuilder {
     return best;
   }
 
-  /// Adds the rings that stay as they are, from the inside out, each with a leg of its own.
+  /// Adds the rings that stay as they are, from the inside out, each with a Leg that leads to it.
   void add_tree(std::size_t root) {
     std::vector<std::size_t> outside_in, open{root};
     while (!open.empty()) {

@@ -38,7 +38,7 @@ struct SkeletonOptions {
   /// The innermost ring begins as near as possible to this point.
   std::optional<Vec2> begin;
   double retract_cost = 20;  ///< mm; feeding this far takes as long as a retract link
-  /// mm; rings stay as they are if the path inside is longer.
+  /// mm; a ring stays as it is if the path inside it is longer than this.
   double flexible = 1e9;
   /// Whether the straight path between two points is legal.
   std::function<bool(Vec2, Vec2)> legal;

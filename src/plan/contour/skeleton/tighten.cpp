@@ -167,7 +167,7 @@ struct Tightener::Impl {
     BoxIndex by_place(kHoleSize * job_.radius), by_witness(kHoleSize * job_.radius);
     for (std::uint32_t i = 0; i < rim.size(); ++i) by_place.add({rim[i], rim[i]}, i);
     std::vector<Vec2> added;
-    std::vector<double> reach;  // size of the holes in which the added ones lie
+    std::vector<double> reach;  // mm; vertices this near to an added one are in its hole
     for (const Vec2 start : rim) {
       const auto holes_near = by_witness.near({start, start});
       if (std::any_of(holes_near.begin(), holes_near.end(),
