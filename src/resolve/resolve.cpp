@@ -201,4 +201,14 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
   return plan;
 }
 
+ResolvedPlan resolve_without_part(const PlanOptions& options) {
+  check(options);
+  ResolvedPlan plan = resolve_whole(options);
+  plan.part.is_shape_stated = false;
+  plan.part.tools = options.tools;
+  plan.part.keep_outs = options.keep_outs;
+  number_tools(plan.part.tools);
+  return plan;
+}
+
 }  // namespace clearcut::resolve

@@ -66,8 +66,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.option_defaults()->group("Tools");
   command.add_option(
       "--tool", tools_,
-      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :max_spindle=12000 "
-      ":name=N :noplunge; "
+      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :shank=8 "
+      ":stickout=30 :holder=40 :max_spindle=12000 :name=N :noplunge; "
       "kinds: "
       "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill, tap, threadmill, "
       "boringbar, counterbore (repeatable)");
@@ -82,6 +82,10 @@ void PlanArguments::add_tool_options(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--accept", accept_,
                      "Condition that holds at the machine, by its name (repeatable): g55, blending, ...");
+  command.add_option(
+      "--keep-out", keep_outs_,
+      "Block where a clamp is, as ranges LOW:HIGH of X, Y and Z: -10:15,20:40,-20:12; coming there is "
+      "a fault (repeatable)");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2 (default 500)");
   command.add_option("--junction-deviation", junction_deviation_,
                      "Junction deviation of the machine, mm (default 0.01)");
