@@ -26,6 +26,7 @@
 #include "pipeline/steps/work_share.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
+#include "plan/common/leaves_nothing.h"
 #include "plan/common/walls.h"
 #include "plan/contour/entries.h"
 #include "plan/contour/step_rule.h"
@@ -101,6 +102,8 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
                        : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
                                           : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
+      if (work.meets_others && plan.leaves_nothing && attempt.as_rival)
+        plan.leaves_nothing = plan::leaves_nothing(passes.back(), layer.layer.tool_radius);
       if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
@@ -151,8 +154,8 @@ StepPlan fastest_plan(const StepWork& work, const Attempt& attempt, const Resolv
     const StrategyEntry* rival = strategies.find(name);
     if (!rival) continue;
     try {
-      StepPlan plan = plan_step(work, {rival, {}}, job, most_work);
-      if (plan.section.moves.empty() || plan.time_s >= best.time_s) continue;
+      StepPlan plan = plan_step(work, {rival, {}, false, false, true}, job, most_work);
+      if (plan.section.moves.empty() || plan.time_s >= best.time_s || !plan.leaves_nothing) continue;
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
     } catch (const OutOfWork&) {
