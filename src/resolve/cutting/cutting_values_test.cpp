@@ -8,7 +8,9 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "geometry/region.h"
 #include "model/work_material.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -180,6 +182,48 @@ TEST(CuttingValues, StayWithinToolAndMachineForThousandsOfThem) {
     options.engagement_deg = maybe(10, 180);
     expect_within_limits(tool, options, 0.1 + 10 * random.unit());
   }
+}
+
+Part two_steps() {
+  const Vec2 corners[] = {{0, 0}, {40, 0}, {40, 30}, {0, 30}};
+  Feature pocket;
+  pocket.name = "POCKET";
+  pocket.target = pocket.allowed = {Region::from_valid_loops(loop_from_points(corners), {})};
+  pocket.floor_z = -6;
+  Part part;
+  part.source_file = "part.json";
+  part.features = {pocket};
+  part.tools = {tool_of(ToolKind::kEndMill, 6, 3)};
+  Workingstep stated, unstated;
+  unstated.name = "UNSTATED";
+  stated.name = "STATED";
+  stated.operation.cutting.feed = MmPerMin::of(5000);
+  part.workplan = {unstated, stated};
+  return part;
+}
+
+TEST(CuttingValues, AreAmongThePlansValuesWithTheirOrigin) {
+  const StrategyTable strategies{std::vector<StrategyEntry>{}};
+  const ResolvedPlan without = resolve(two_steps(), {}, strategies);
+  EXPECT_EQ(without.steps[0].feed, MmPerMin::of(1000));
+  PlanOptions options = of("aluminium");
+  options.machine.max_feed = MmPerMin::of(1500);
+  const ResolvedPlan plan = resolve(two_steps(), options, strategies);
+  EXPECT_EQ(plan.steps[0].feed, MmPerMin::of(1500));
+  EXPECT_EQ(plan.steps[0].spindle_rpm, 12730);
+  std::string feed, material;
+  for (const ResolvedValue& value : plan.values) {
+    if (value.step == 0 && value.name == "feed") feed = value.source.text;
+    if (value.name == "material") material = value.value;
+  }
+  EXPECT_EQ(feed, "aluminium: 0.0472 mm a tooth, no more than the machine's max_feed (docs/feeds.md)");
+  EXPECT_EQ(material, "aluminium");
+  std::string warnings;
+  for (const Diagnostic& one : plan.part.diagnostics.items())
+    if (one.severity == Severity::kWarning) warnings += one.what + "\n";
+  EXPECT_THAT(warnings, HasSubstr("the feed of T1 is stated as 5000 mm/min"));
+  ASSERT_TRUE(plan.material);
+  EXPECT_FALSE(resolve(two_steps(), of("softwood"), strategies).material) << "no forces of wood are known";
 }
 
 TEST(CuttingValues, UnknownMaterialsAreRefusedWithThoseKnown) {
