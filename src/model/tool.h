@@ -48,6 +48,9 @@ struct Tool {
   std::optional<double> stickout = {};  ///< from the tip up to the holder; absent: the holder is not known
   double holder_diameter = 0;           ///< of the holder where it begins; 0: not known
   double shank_diameter = 0;            ///< above the flutes; 0: no wider than the cutter
+  std::optional<bool> high_speed_steel =
+      {};               ///< of the edges; absent: what is usual for the kind, docs/feeds.md
+  bool coated = false;  ///< the edges
   double radius() const { return diameter / 2; }
 };
 

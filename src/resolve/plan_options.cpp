@@ -77,10 +77,18 @@ double required_speed(const std::string& text, const std::string& place) {
   return *rpm;
 }
 
+/// What the edges are of. False where the word says something else.
+bool apply_edge_word(Tool& tool, const std::string& word) {
+  if (word == "hss" || word == "carbide") tool.high_speed_steel = word == "hss";
+  if (word == "coated") tool.coated = true;
+  return word == "hss" || word == "carbide" || word == "coated";
+}
+
 void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   const auto equals = word.find('=');
   const std::string key = word.substr(0, equals);
   const std::string value = equals == std::string::npos ? "" : word.substr(equals + 1);
+  if (apply_edge_word(tool, word)) return;
   if (key == "noplunge" && equals == std::string::npos) {
     tool.center_cutting = false;
   } else if (key.size() > 1 && (key[0] == 'T' || key[0] == 't') && equals == std::string::npos) {
@@ -114,7 +122,7 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   } else {
     throw InputError(place, fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, shank=, "
                                         "stickout=, holder=, max_spindle=, 60deg, tip=, pitch=, left, "
-                                        "floating, name=, noplunge",
+                                        "floating, hss, carbide, coated, name=, noplunge",
                                         word));
   }
 }

@@ -12,6 +12,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/carvings.h"
+#include "resolve/cutting/cutting_values.h"
 #include "resolve/features/chamfers.h"
 #include "resolve/features/facing.h"
 #include "resolve/features/holes.h"
@@ -248,6 +249,25 @@ void limit_feed(Operation& operation, const Machine& machine, Sources& sources) 
   sources.set("feed", {Origin::kDerived, "the machine's max_feed"});
 }
 
+/// What the material of the work says, of taps before their feed is tied to the speed. Adds what is told to `noted`.
+void apply_material(Part& part, Workingstep& step, const PlanOptions& options, Sources& sources,
+                    std::vector<std::string>& noted) {
+  const Tool& tool = tool_of(part, step);
+  const Feature& feature = feature_of(part, step);
+  const double stepdown = step.operation.stepdown.value_or(default_stepdown(tool, feature));
+  const FilledValues told = fill_cutting_values(
+      step.operation, tool, std::min(stepdown, feature.top_z - feature.floor_z), options, sources);
+  const auto is_new = [&](const std::string& text) {
+    return std::find(noted.begin(), noted.end(), text) == noted.end();
+  };
+  for (std::string text : told.filled) {
+    text += " (T" + std::to_string(tool.number) + ")";
+    if (is_new(text)) part.diagnostics.note("material", text), noted.push_back(text);
+  }
+  for (const std::string& text : told.warnings)
+    if (is_new(text)) part.diagnostics.warn("material", text), noted.push_back(text);
+}
+
 /// Fills what is still absent; returns the names of the values that were defaulted.
 std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
                                         const Machine& machine, Sources& sources) {
@@ -339,8 +359,11 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
+  std::vector<std::string> told;  // of the material
   for (auto& step : part.workplan) {
     make_at_once(step.operation, tool_of(part, step), feature_of(part, step));
+    if (tool_of(part, step).kind == ToolKind::kTap)
+      apply_material(part, step, options, sources[step_key(step)], told);
     tie_tap(step.operation, tool_of(part, step), options, sources[step_key(step)]);
   }
   shape_profiles(part, options, sources);
@@ -352,6 +375,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   for (auto& step : part.workplan) {
     const auto& tool = tool_of(part, step);
     const auto& feature = feature_of(part, step);
+    if (tool.kind != ToolKind::kTap) apply_material(part, step, options, sources[step_key(step)], told);
     for (auto& text :
          apply_defaults(step.operation, tool, feature, options.machine, sources[step_key(step)])) {
       text += " (T" + std::to_string(tool.number) + ")";

@@ -149,6 +149,7 @@ void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   plan.slot_angle = Radians::of_degrees(shop.slot_angle_deg.value_or(kSlotAngle));
   plan.finish = finish_of(shop);
   if (shop.material) plan.material = work_material_named(*shop.material);
+  if (plan.material && !plan.material->has_forces()) plan.material.reset();
 }
 
 /// Whether the user or a job says so, not the part's own file.

@@ -173,7 +173,8 @@ TEST(Serve, ChecksAProgramWithoutItsPart) {
   const ServerProcess server;
   auto client = server.client();
   const std::string program =
-      "G21 G90 G17 G54 G61\nT1 M6\nG43\nS5000 M3\nG0 X25 Y25\nG0 Z5\nG1 Z-1 F100\nG1 X40 F900\nG0 Z5\nM5\nM2\n";
+      "G21 G90 G17 G54 G61\nT1 M6\nG43\nS5000 M3\nG0 X25 Y25\nG0 Z5\nG1 Z-1 F100\nG1 X40 F900\nG0 "
+      "Z5\nM5\nM2\n";
   const httplib::MultipartFormDataItems form{
       {"program", program, "alone.ngc", "text/plain"},
       {"options", "--tool endmill:6 --stock 50,50,5 --dialect linuxcnc", "", ""}};

@@ -124,6 +124,7 @@ ToolLibrary PlanArguments::library() const {
 
 Machine PlanArguments::machine(const Machine& of_job) const {
   Machine machine = machine_file_ ? read_machine(*machine_file_) : of_job;
+  if (machine_kind_) read::fill_machine_kind(machine, *machine_kind_);
   if (acceleration_) machine.acceleration = *acceleration_;
   if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
   if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
@@ -147,6 +148,10 @@ PlanOptions PlanArguments::options() const {
   options.machine = machine(options.machine);
   options.accept.insert(options.accept.end(), accept_.begin(), accept_.end());
   if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
+  if (machine_kind_) {
+    for (const char* limit : {"min-spindle", "max-spindle", "spindle-power"})
+      if (!options.sources.find(limit)) options.sources.set(limit, {Origin::kUser, "--machine-kind"});
+  }
   options.step_sources = step_sources_;
   options.sources.merge(typed_);
   options.strategy = strategy_;

@@ -75,7 +75,7 @@ class PlanArguments {
   std::optional<double> depth_;
   SolidOptions solid_;
   std::optional<std::string> tool_library_;
-  std::optional<std::string> machine_file_;
+  std::optional<std::string> machine_file_, machine_kind_;
   std::vector<std::string> accept_;
   std::optional<std::string> strategy_;
   std::optional<std::string> stepover_;

@@ -75,6 +75,9 @@ Tool tool_of(const DataValue& root, ToolKind kind) {
   tool.flute_length = quantity(value_of(root, "CuttingEdgeHeight"));
   if (tool.flute_length)
     tool.shank_diameter = std::max(0.0, quantity(value_of(root, "ShankDiameter")).value_or(0));
+  const DataValue* edges = value_of(root, "Material");
+  if (edges && edges->is_string() && (edges->text == "HSS" || edges->text == "Carbide"))
+    tool.high_speed_steel = edges->text == "HSS";
   const double teeth = quantity(value_of(root, "Flutes")).value_or(2);
   if (teeth >= 1 && teeth <= 100) tool.teeth = static_cast<int>(teeth);
   for (const char* key : {"FlatRadius", "CornerRadius", "TorusRadius"}) {

@@ -68,6 +68,8 @@ Tool tool_of(const DataValue& entry, ToolKind kind, double unit) {
   tool.number =
       static_cast<int>(std::clamp(number_of(entry.find("post-process"), "number").value_or(0), 0.0, 1e6));
   tool.diameter = unit * number_of(geometry, "DC").value_or(0);
+  if (const std::string edges = text_of(entry, "BMC"); edges == "hss" || edges == "carbide")
+    tool.high_speed_steel = edges == "hss";
   tool.teeth = static_cast<int>(std::clamp(number_of(geometry, "NOF").value_or(2), 1.0, 100.0));
   if (const auto length = number_of(geometry, "LCF"); length && *length > 0)
     tool.flute_length = unit * *length;

@@ -107,6 +107,13 @@ void read_holder(DataSection& section, Tool& tool) {
     section.fail("a shank wider than the cutter needs flute_length, mm: where it begins");
 }
 
+/// What the edges are of.
+void read_edges(DataSection& section, Tool& tool) {
+  const std::vector<std::string> materials{"carbide", "hss"};
+  if (const auto material = section.choice("material", materials)) tool.high_speed_steel = *material == 1;
+  tool.coated = section.flag("coated").value_or(false);
+}
+
 }  // namespace
 
 std::string text_of(const DataValue& object, const char* key) {
@@ -135,6 +142,7 @@ LibraryTool tool_of_section(DataSection section) {
   read_holder(section, out.tool);
   out.tool.max_spindle_rpm = section.positive("max_spindle");
   read_thread(section, out.tool, thread);
+  read_edges(section, out.tool);
   out.tool.center_cutting = section.flag("center_cutting").value_or(true);
   out.presets = presets_of(section);
   section.refuse_unknown();
