@@ -39,6 +39,13 @@ void add_library(const std::filesystem::path& library, std::vector<CertificateFi
   for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
 }
 
+/// Clamps, and holes that are there before the work begins.
+void add_places(const std::vector<std::string>& keep_outs, const std::vector<std::string>& predrilled,
+                PlanOptions& options) {
+  for (const std::string& text : keep_outs) options.keep_outs.push_back(parse_keep_out(text));
+  for (const std::string& text : predrilled) options.predrilled.push_back(parse_predrilled(text));
+}
+
 }  // namespace
 
 ShopOptions PlanArguments::shop(const ShopOptions& of_job) const {
@@ -171,8 +178,7 @@ PlanOptions PlanArguments::options() const {
   const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
   // The height that the program calls home is the machine's, which may be another than the job's.
   if (earlier && (after_ || machine_file_)) options.earlier = read_earlier_program(*earlier, options.machine);
-  for (const auto& text : keep_outs_) options.keep_outs.push_back(parse_keep_out(text));
-  for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
+  add_places(keep_outs_, predrilled_, options);
   if (direction_) options.direction = direction_named(*direction_, "--direction");
   options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
   if (start_) options.start = point_of(*start_, "--start");
