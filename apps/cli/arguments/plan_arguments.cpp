@@ -4,6 +4,7 @@
 #include <clearcut/file.h>
 #include <clearcut/part.h>
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -37,6 +38,14 @@ Vec2 point_of(const std::string& text, const char* option) {
 void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
   files.push_back({"tools", library.string()});
   for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
+}
+
+/// For cutting, plunging, ramps and slots, mm/min.
+void take_feeds(const std::array<std::optional<double>, 4>& feeds, CuttingData& cutting) {
+  cutting.feed = feed_of(feeds[0]);
+  cutting.plunge_feed = feed_of(feeds[1]);
+  cutting.ramp_feed = feed_of(feeds[2]);
+  cutting.slot_feed = feed_of(feeds[3]);
 }
 
 /// Clamps, and holes that are there before the work begins.
@@ -182,10 +191,7 @@ PlanOptions PlanArguments::options() const {
   if (direction_) options.direction = direction_named(*direction_, "--direction");
   options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
   if (start_) options.start = point_of(*start_, "--start");
-  options.cutting.feed = feed_of(feed_);
-  options.cutting.plunge_feed = feed_of(plunge_feed_);
-  options.cutting.ramp_feed = feed_of(ramp_feed_);
-  options.cutting.slot_feed = feed_of(slot_feed_);
+  take_feeds({feed_, plunge_feed_, ramp_feed_, slot_feed_}, options.cutting);
   options.cutting.spindle_rpm = spindle_;
   options.post = post_.options(options.post);
   options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
