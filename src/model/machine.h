@@ -23,7 +23,9 @@ struct Machine {
   MmPerMin rapid = MmPerMin::of(5000);
   double acceleration = 500;         ///< mm/s2, along the path
   double junction_deviation = 0.01;  ///< mm
-  std::optional<double> max_spindle_rpm;
+  std::optional<double> max_spindle_rpm, min_spindle_rpm;
+  std::optional<double> spindle_power_w;    ///< at the cutter, lasting
+  std::optional<double> spindle_torque_nm;  ///< likewise
   std::optional<MmPerMin> max_feed;
   double spindle_wait_s = 0;             ///< a program has to wait for so long after the spindle starts
   double tool_change_s = 0;              ///< s, for the times

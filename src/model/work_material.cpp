@@ -1,19 +1,36 @@
 // Symbols
 //
 //   kc1.1, mc   steels and cast iron [kienzle1957]; the others rounded from [sandvik2010]
+//   mills       middle of the range of speeds and the feeds a tooth of [protocutter]; stainless steel the lower end; woods' feeds
+//               [mellowpine] at the lower end, their speeds ours
+//   drills      high-speed steel, [protocutter]: speeds of each material, feeds by diameter; docs/feeds.md tells all
 //   C, n        carbide, [groover2013]: 500 m/min for steel, 900 m/min for softer metals, n = 0.25; titanium half of steel
 #include "model/work_material.h"
 
 #include <algorithm>
 
 namespace clearcut::inline model {
+namespace {
+
+constexpr std::array<double, 4> kDrillsFreely{0.05, 0.1, 0.18, 0.25};
+constexpr std::array<double, 4> kDrillsMiddling{0.04, 0.08, 0.15, 0.22};
+constexpr std::array<double, 4> kDrillsHard{0.025, 0.05, 0.1, 0.18};
+
+}  // namespace
 
 const std::vector<WorkMaterial>& work_materials() {
   static const std::vector<WorkMaterial> materials{
-      {"aluminium", 700, 0.25, 900, 0.25, 70000},   {"brass", 780, 0.18, 900, 0.25, 100000},
-      {"steel", 1990, 0.26, 500, 0.25, 210000},     {"alloy-steel", 2500, 0.26, 500, 0.25, 210000},
-      {"stainless", 2000, 0.21, 500, 0.25, 200000}, {"cast-iron", 1160, 0.26, 500, 0.25, 110000},
-      {"titanium", 1400, 0.23, 250, 0.25, 115000},
+      {"aluminium", 700, 0.25, 900, 0.25, 70000, 240, {0.025, 0.05, 0.1, 0.15}, 75, kDrillsFreely},
+      {"brass", 780, 0.18, 900, 0.25, 100000, 110, {0.025, 0.05, 0.076, 0.1}, 60, kDrillsFreely},
+      {"steel", 1990, 0.26, 500, 0.25, 210000, 80, {0.013, 0.025, 0.076, 0.11}, 27, kDrillsMiddling},
+      {"alloy-steel", 2500, 0.26, 500, 0.25, 210000, 65, {0.013, 0.025, 0.05, 0.1}, 18, kDrillsHard},
+      {"stainless", 2000, 0.21, 500, 0.25, 200000, 60, {0.013, 0.025, 0.076, 0.1}, 15, kDrillsHard},
+      {"cast-iron", 1160, 0.26, 500, 0.25, 110000, 90, {0.013, 0.025, 0.076, 0.127}, 24, kDrillsFreely},
+      {"titanium", 1400, 0.23, 250, 0.25, 115000, 30, {0.008, 0.013, 0.025, 0.05}, 9, kDrillsHard},
+      {"plastic", 0, 0, 0, 0, 0, 300, {0.038, 0.076, 0.15, 0.25}, 30, kDrillsFreely},
+      {"softwood", 0, 0, 0, 0, 0, 500, {0.1, 0.28, 0.53, 0.53}, 90, kDrillsFreely},
+      {"hardwood", 0, 0, 0, 0, 0, 400, {0.076, 0.23, 0.48, 0.48}, 90, kDrillsFreely},
+      {"mdf", 0, 0, 0, 0, 0, 450, {0.1, 0.33, 0.63, 0.63}, 90, kDrillsFreely},
   };
   return materials;
 }
@@ -24,6 +41,12 @@ std::optional<WorkMaterial> work_material_named(const std::string& name) {
       std::find_if(all.begin(), all.end(), [&](const WorkMaterial& m) { return m.name == name; });
   if (found == all.end()) return std::nullopt;
   return *found;
+}
+
+std::string work_material_names() {
+  std::string names;
+  for (const WorkMaterial& material : work_materials()) names += (names.empty() ? "" : ", ") + material.name;
+  return names;
 }
 
 }  // namespace clearcut::inline model

@@ -1,11 +1,15 @@
-// What the work is made of, as far as forces and wear depend on it.
+// What the work is made of, as far as feeds, forces and wear depend on it.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace clearcut::inline model {
+
+/// Diameters that WorkMaterial states feeds for, mm.
+inline constexpr std::array<double, 4> kFeedDiameters{3.175, 6.35, 12.7, 19.05};
 
 /// Specific cutting force by Kienzle: kc = kc11 h^-mc, h the chip thickness in mm. Tool life by Taylor with cemented
 /// carbide: T = (C / vc)^(1 / n) minutes, vc in m/min.
@@ -16,10 +20,20 @@ struct WorkMaterial {
   double taylor_c = 0;  ///< m/min for a life of one minute
   double taylor_n = 0;
   double elasticity = 0;  ///< N/mm2
+
+  double mill_speed = 0;                  ///< m/min, uncoated carbide
+  std::array<double, 4> mill_feed = {};   ///< mm a tooth, at kFeedDiameters
+  double drill_speed = 0;                 ///< m/min, high-speed steel
+  std::array<double, 4> drill_feed = {};  ///< mm a turn, at kFeedDiameters
+
+  /// Whether forces and wear are known; of woods and plastics they are not.
+  bool has_forces() const { return kc11 > 0; }
 };
 
-/// Sources are told in docs/forces.md.
+/// Sources are told in docs/forces.md and docs/feeds.md.
 const std::vector<WorkMaterial>& work_materials();
 std::optional<WorkMaterial> work_material_named(const std::string& name);
+/// "aluminium, brass, ...": all that work_material_named() knows.
+std::string work_material_names();
 
 }  // namespace clearcut::inline model

@@ -10,6 +10,7 @@
 #include "base/version.h"
 #include "link/link.h"
 #include "model/results/not_machined.h"
+#include "post/comment.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "report/motion_text.h"
@@ -60,8 +61,8 @@ std::vector<std::string> verdict_lines(const Findings* findings, const std::stri
 std::vector<std::string> header(const Part& part, const Findings* findings, const std::string& motion_hash) {
   std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part)};
   for (const auto& tool : part.tools) {
-    lines.push_back(
-        fmt::format("TOOL T{}: {} {} MM", tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
+    lines.push_back(fmt::format("TOOL T{}: {} {} MM{}", tool.number, name_of(tool.kind),
+                                trimmed(tool.diameter, 4), post::thread_words(tool)));
   }
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
   for (auto& line : verdict_lines(findings, motion_hash)) lines.push_back(std::move(line));
@@ -211,6 +212,7 @@ bool has_tool_lengths(read::gcode::Dialect dialect) {
 void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
   for (Condition& one : findings.conditions) {
     if (one.name != "blending") continue;
+    if (findings.without_part && !plan.machine.path_tolerance) continue;  // nothing bounds it
     if (plan.machine.path_tolerance) {
       one.met_by = "machine file";
       continue;

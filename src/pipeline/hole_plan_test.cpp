@@ -300,6 +300,30 @@ TEST(HolePlan, WrongThreadsAreFound) {
   EXPECT_TRUE(has(verdict(mirrored), FaultKind::kThread)) << "left hand";
 }
 
+TEST(HolePlan, WhatOneToolOfAJobStatesDoesNotBindTheOthers) {
+  // As of a job: the drawing's step is read with the end mill, whose stepdown and plunge feed it then holds.
+  Part part = with_circle("TAP_M6_THRU", 6);
+  part.tools = {resolve::parse_tool("endmill:4"), resolve::parse_tool("drill:5"),
+                resolve::parse_tool("tap:M6:floating")};
+  for (std::size_t i = 0; i < part.tools.size(); ++i) part.tools[i].number = static_cast<int>(i) + 1;
+  resolve::PlanOptions options;
+  options.tool_cutting.resize(3);
+  resolve::ToolCutting& mill = options.tool_cutting.front();
+  mill.stated = true;
+  mill.stepdown = 1;
+  mill.cutting.plunge_feed = MmPerMin::of(50);
+  for (Workingstep& step : part.workplan) {
+    step.operation.tool = 0;
+    step.operation.stepdown = mill.stepdown;
+    step.operation.cutting = mill.cutting;
+  }
+  const PlanResult planned = plan_part(part, options);
+  expect_clean(planned);
+  const Findings judged =
+      check_program(part, planned.program, "again", options, read::gcode::Dialect::kLinuxCnc).findings;
+  EXPECT_TRUE(judged.all.clean) << faults_of(judged);
+}
+
 TEST(Threads, HaveTheSizesOfTheirTables) {
   EXPECT_EQ(thread_named("M6")->pitch, 1);
   EXPECT_EQ(thread_named("m20x1.5")->pitch, 1.5);

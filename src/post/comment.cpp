@@ -30,13 +30,17 @@ std::string operation_comment(int workingstep, std::string_view label) {
   return "OPERATION" + number + ": " + plain_comment(label);
 }
 
+std::string thread_words(const Tool& tool) {
+  return (tool.pitch > 0 ? " PITCH " + trimmed(tool.pitch, 4) : "") + (tool.left_hand ? " LEFT HAND" : "") +
+         (tool.floating ? " FLOATING HOLDER" : "");
+}
+
 std::string tool_change_comment(const Part& part, int number) {
   const std::string change = "TOOL CHANGE T" + std::to_string(number);
   for (const Tool& tool : part.tools) {
     if (tool.number == number)
       return change + ": " + plain_comment(name_of(tool.kind)) + " D" + trimmed(tool.diameter, 4) + " MM" +
-             (tool.pitch > 0 ? " PITCH " + trimmed(tool.pitch, 4) : "") +
-             (tool.left_hand ? " LEFT HAND" : "") + (tool.floating ? " FLOATING HOLDER" : "");
+             thread_words(tool);
   }
   return change;
 }

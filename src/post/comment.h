@@ -20,6 +20,9 @@ std::string plain_comment(std::string_view text);
 /// unknown. `workingstep` counts from 0, the comment from 1.
 std::string operation_comment(int workingstep, std::string_view label);
 
+/// Of taps and thread mills what their diameter does not tell: " PITCH 1 LEFT HAND FLOATING HOLDER"; "" of other tools.
+std::string thread_words(const Tool& tool);
+
 /// "TOOL CHANGE T2: ENDMILL D6 MM", the tool as the part knows it.
 std::string tool_change_comment(const Part& part, int number);
 

@@ -12,6 +12,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/carvings.h"
+#include "resolve/cutting/cutting_values.h"
 #include "resolve/features/chamfers.h"
 #include "resolve/features/facing.h"
 #include "resolve/features/holes.h"
@@ -35,23 +36,6 @@ constexpr double kTappingSpeed = 8;       // m/min at the circumference
 /// Whether the tool makes its work at once whatever stepdown is asked for.
 bool is_one_pass(const Tool& tool) {
   return tool.kind == ToolKind::kTap || tool.kind == ToolKind::kThreadMill;
-}
-
-void number_tools(std::vector<Tool>& tools) {
-  std::set<int> taken;
-  for (const auto& tool : tools) {
-    if (tool.number > 0 && !taken.insert(tool.number).second) {
-      throw InputError("--tool",
-                       fmt::format("two tools are numbered T{}; give each its own number", tool.number));
-    }
-  }
-  int next = 1;
-  for (auto& tool : tools) {
-    if (tool.number > 0) continue;
-    while (taken.count(next)) ++next;
-    tool.number = next;
-    taken.insert(next);
-  }
 }
 
 double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
@@ -265,6 +249,25 @@ void limit_feed(Operation& operation, const Machine& machine, Sources& sources) 
   sources.set("feed", {Origin::kDerived, "the machine's max_feed"});
 }
 
+/// What the material of the work says, of taps before their feed is tied to the speed. Adds what is told to `noted`.
+void apply_material(Part& part, Workingstep& step, const PlanOptions& options, Sources& sources,
+                    std::vector<std::string>& noted) {
+  const Tool& tool = tool_of(part, step);
+  const Feature& feature = feature_of(part, step);
+  const double stepdown = step.operation.stepdown.value_or(default_stepdown(tool, feature));
+  const FilledValues told = fill_cutting_values(
+      step.operation, tool, std::min(stepdown, feature.top_z - feature.floor_z), options, sources);
+  const auto is_new = [&](const std::string& text) {
+    return std::find(noted.begin(), noted.end(), text) == noted.end();
+  };
+  for (std::string text : told.filled) {
+    text += " (T" + std::to_string(tool.number) + ")";
+    if (is_new(text)) part.diagnostics.note("material", text), noted.push_back(text);
+  }
+  for (const std::string& text : told.warnings)
+    if (is_new(text)) part.diagnostics.warn("material", text), noted.push_back(text);
+}
+
 /// Fills what is still absent; returns the names of the values that were defaulted.
 std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
                                         const Machine& machine, Sources& sources) {
@@ -292,6 +295,23 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
 }
 
 }  // namespace
+
+void number_tools(std::vector<Tool>& tools) {
+  std::set<int> taken;
+  for (const auto& tool : tools) {
+    if (tool.number > 0 && !taken.insert(tool.number).second) {
+      throw InputError("--tool",
+                       fmt::format("two tools are numbered T{}; give each its own number", tool.number));
+    }
+  }
+  int next = 1;
+  for (auto& tool : tools) {
+    if (tool.number > 0) continue;
+    while (taken.count(next)) ++next;
+    tool.number = next;
+    taken.insert(next);
+  }
+}
 
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
   if (feature.profile && feature.profile->side != ProfileSide::kInside) return 2 * kOpenReach;
@@ -335,11 +355,15 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   add_facing(part, options);
   choose_tools(part, options, sources);
   shape_holes(part, options, sources);
+  part.keep_outs.insert(part.keep_outs.end(), options.keep_outs.begin(), options.keep_outs.end());
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
+  std::vector<std::string> told;  // of the material
   for (auto& step : part.workplan) {
     make_at_once(step.operation, tool_of(part, step), feature_of(part, step));
+    if (tool_of(part, step).kind == ToolKind::kTap)
+      apply_material(part, step, options, sources[step_key(step)], told);
     tie_tap(step.operation, tool_of(part, step), options, sources[step_key(step)]);
   }
   shape_profiles(part, options, sources);
@@ -351,6 +375,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   for (auto& step : part.workplan) {
     const auto& tool = tool_of(part, step);
     const auto& feature = feature_of(part, step);
+    if (tool.kind != ToolKind::kTap) apply_material(part, step, options, sources[step_key(step)], told);
     for (auto& text :
          apply_defaults(step.operation, tool, feature, options.machine, sources[step_key(step)])) {
       text += " (T" + std::to_string(tool.number) + ")";

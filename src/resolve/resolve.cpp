@@ -149,6 +149,7 @@ void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   plan.slot_angle = Radians::of_degrees(shop.slot_angle_deg.value_or(kSlotAngle));
   plan.finish = finish_of(shop);
   if (shop.material) plan.material = work_material_named(*shop.material);
+  if (plan.material && !plan.material->has_forces()) plan.material.reset();
 }
 
 /// Whether the user or a job says so, not the part's own file.
@@ -198,6 +199,16 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
     list_step(plan, static_cast<int>(i), own, options);
   }
   list_plan(plan, options);
+  return plan;
+}
+
+ResolvedPlan resolve_without_part(const PlanOptions& options) {
+  check(options);
+  ResolvedPlan plan = resolve_whole(options);
+  plan.part.is_shape_stated = false;
+  plan.part.tools = options.tools;
+  plan.part.keep_outs = options.keep_outs;
+  number_tools(plan.part.tools);
   return plan;
 }
 

@@ -202,8 +202,7 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
            "150 deg");
   list.add("rest", text_of(shop.rest.value_or(false)), "", shop.rest.has_value(), "no");
   list.add("finish", name_of(plan.finish), "", shop.finish.has_value(), "none");
-  list.add("material", plan.material ? plan.material->name : "none", "", plan.material.has_value(),
-           "none: no forces");
+  list.add("material", shop.material.value_or("none"), "", shop.material.has_value(), "none: no forces");
   list.add("after", plan.earlier ? "a program" : "none", "", plan.earlier.has_value(), "none");
 }
 
@@ -215,6 +214,12 @@ void list_machine(PlanList& list, const Machine& machine) {
   list.add_of_machine("max-spindle",
                       machine.max_spindle_rpm ? trimmed(*machine.max_spindle_rpm, 3) : "no limit",
                       machine.max_spindle_rpm ? "rpm" : "");
+  if (machine.min_spindle_rpm)
+    list.add_of_machine("min-spindle", trimmed(*machine.min_spindle_rpm, 3), "rpm");
+  if (machine.spindle_power_w)
+    list.add_of_machine("spindle-power", trimmed(*machine.spindle_power_w, 3), "W");
+  if (machine.spindle_torque_nm)
+    list.add_of_machine("spindle-torque", trimmed(*machine.spindle_torque_nm, 3), "Nm");
   list.add_of_machine("max-feed", machine.max_feed ? text_of(*machine.max_feed) : "no limit",
                       machine.max_feed ? "mm/min" : "");
   list.add_of_machine("travel", machine.travel ? "limited" : "no limit", "");

@@ -1,4 +1,4 @@
-// docs/tutorial.md and docs/howto-*.md: their commands run in the order of the page, and print what the page says.
+// docs/tutorial.md, docs/feeds.md and docs/howto-*.md: their commands run in the order of the page, and print what the page says.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -24,7 +24,8 @@ std::vector<std::string> pages() {
   std::vector<std::string> names;
   for (const auto& file : fs::directory_iterator(kDocs)) {
     const std::string name = file.path().stem();
-    if (file.path().extension() == ".md" && (name == "tutorial" || name.starts_with("howto-")))
+    if (file.path().extension() == ".md" &&
+        (name == "tutorial" || name == "feeds" || name.starts_with("howto-")))
       names.push_back(name);
   }
   std::sort(names.begin(), names.end());

@@ -6,6 +6,15 @@
 #include "arguments/suggest.h"
 
 namespace clearcut::cli {
+namespace {
+
+std::vector<std::string> material_names() {
+  std::vector<std::string> names;
+  for (const WorkMaterial& material : work_materials()) names.push_back(material.name);
+  return names;
+}
+
+}  // namespace
 
 void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
   command.option_defaults()->group("Input");
@@ -66,8 +75,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.option_defaults()->group("Tools");
   command.add_option(
       "--tool", tools_,
-      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :max_spindle=12000 "
-      ":name=N :noplunge; "
+      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :shank=8 "
+      ":stickout=30 :holder=40 :max_spindle=12000 :hss :carbide :coated :name=N :noplunge; "
       "kinds: "
       "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill, tap, threadmill, "
       "boringbar, counterbore (repeatable)");
@@ -80,8 +89,16 @@ void PlanArguments::add_tool_options(CLI::App& command) {
   command.option_defaults()->group("Machine");
   command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid")
       ->type_name("FILE");
+  command
+      .add_option("--machine-kind", machine_kind_,
+                  "router or mill: speeds and power that are usual, where the machine states none")
+      ->check(one_of(read::machine_kinds()));
   command.add_option("--accept", accept_,
                      "Condition that holds at the machine, by its name (repeatable): g55, blending, ...");
+  command.add_option(
+      "--keep-out", keep_outs_,
+      "Block where a clamp is, as ranges LOW:HIGH of X, Y and Z: -10:15,20:40,-20:12; coming there is "
+      "a fault (repeatable)");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2 (default 500)");
   command.add_option("--junction-deviation", junction_deviation_,
                      "Junction deviation of the machine, mm (default 0.01)");
@@ -99,10 +116,10 @@ void PlanArguments::add_tool_options(CLI::App& command) {
   command.add_option("--engagement", engagement_,
                      "Largest engagement angle of the cutter, degrees (default: no limit)");
   command
-      .add_option("--material", shop_.material,
-                  "Of the work, for forces and wear (default: no forces): aluminium, brass, steel, "
-                  "alloy-steel, stainless, cast-iron, titanium")
-      ->check(one_of({"aluminium", "brass", "steel", "alloy-steel", "stainless", "cast-iron", "titanium"}));
+      .add_option(
+          "--material", shop_.material,
+          "Of the work, for feeds and speeds, forces and wear (default: none): " + work_material_names())
+      ->check(one_of(material_names()));
   command.option_defaults()->group("Search");
   command.add_option("--threads", threads_, "Threads; 0: all cores (default 0)");
 }

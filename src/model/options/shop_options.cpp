@@ -34,12 +34,6 @@ class Check {
   std::string prefix_;
 };
 
-std::string material_names() {
-  std::string names;
-  for (const WorkMaterial& material : work_materials()) names += (names.empty() ? "" : ", ") + material.name;
-  return names;
-}
-
 }  // namespace
 
 std::optional<double> ShopOptions::widest_helix(std::optional<double> operation_radius) const {
@@ -87,7 +81,7 @@ void check(const ShopOptions& options, const std::string& prefix) {
   check.require(!depths || (*depths >= 1 && *depths <= 1000 && *depths == std::floor(*depths)),
                 "finish-depths", "must be a whole number, 1 or more");
   check.require(!options.material || work_material_named(*options.material), "material",
-                "'" + options.material.value_or("") + "' is unknown; use one of " + material_names());
+                "'" + options.material.value_or("") + "' is unknown; use one of " + work_material_names());
 }
 
 }  // namespace clearcut::inline model

@@ -75,7 +75,14 @@ std::string tool_section(const Tool& tool) {
     out += fmt::format("corner_radius = {}\n", trimmed(tool.corner_radius, 6));
   }
   if (tool.flute_length) out += fmt::format("flute_length = {}\n", trimmed(*tool.flute_length, 6));
+  if (tool.shank_diameter > 0) out += fmt::format("shank_diameter = {}\n", trimmed(tool.shank_diameter, 6));
+  if (tool.stickout)
+    out += fmt::format("stickout = {}\nholder_diameter = {}\n", trimmed(*tool.stickout, 6),
+                       trimmed(tool.holder_diameter, 6));
   if (tool.max_spindle_rpm) out += fmt::format("max_spindle = {}\n", trimmed(*tool.max_spindle_rpm, 3));
+  if (tool.high_speed_steel)
+    out += fmt::format("material = \"{}\"\n", *tool.high_speed_steel ? "hss" : "carbide");
+  if (tool.coated) out += "coated = true\n";
   if (tool.tip_angle) out += fmt::format("tip_angle = {}\n", trimmed(tool.tip_angle->degrees(), 6));
   if (tool.tip_diameter > 0) out += fmt::format("tip_diameter = {}\n", trimmed(tool.tip_diameter, 6));
   if (!tool.center_cutting) out += "center_cutting = false\n";
@@ -133,7 +140,8 @@ const char* const kRest = R"(
 # finish = "walls"         # walls, floor, all: finishing after everything else
 # finish_stock = 0.3       # mm left on walls for it; finish_stock_floor = 0.2
 # finish_depths = 1        # in how many depths walls are finished
-# material = "steel"       # for forces: aluminium, brass, steel, alloy-steel, stainless, cast-iron, titanium
+# material = "steel"       # for feeds, speeds and forces: aluminium, brass, steel, alloy-steel, stainless, cast-iron, titanium,
+                           # plastic, softwood, hardwood, mdf
 # clearance = 10           # z of rapid travel, mm
 # engagement = 90          # largest engagement angle, degrees
 # objective = "time"       # length, turns, angle, engagement, time
@@ -158,7 +166,9 @@ const char* const kRest = R"(
 # acceleration = 500       # mm/s2
 # junction_deviation = 0.01  # mm
 # max_feed = 3000          # mm/min
-# max_spindle = 24000      # rpm
+# max_spindle = 24000      # rpm; min_spindle likewise
+# spindle_power = 800      # W, at the cutter; spindle_torque in Nm: for feeds by material
+# kind = "router"          # or "mill": usual speeds and power where none are stated
 # travel = {x = [0, 300], y = [0, 200], z = [-80, 20]}   # mm
 
 [output]

@@ -50,12 +50,26 @@ MachinePlaces places_of(DataSection section) {
 
 }  // namespace
 
+void fill_machine_kind(Machine& machine, const std::string& kind) {
+  const bool router = kind == "router";
+  if (!machine.min_spindle_rpm) machine.min_spindle_rpm = router ? 8000 : 60;
+  if (!machine.max_spindle_rpm) machine.max_spindle_rpm = router ? 24000 : 6000;
+  if (!machine.spindle_power_w && !machine.spindle_torque_nm) machine.spindle_power_w = router ? 800 : 1500;
+}
+
 Machine machine_of_section(DataSection section, Machine base) {
   if (const auto name = section.text("name")) base.name = *name;
   if (const auto rapid = section.positive("rapid")) base.rapid = MmPerMin::of(*rapid);
   if (const auto acceleration = section.positive("acceleration")) base.acceleration = *acceleration;
   if (const auto deviation = section.positive("junction_deviation")) base.junction_deviation = *deviation;
   if (const auto rpm = section.positive("max_spindle")) base.max_spindle_rpm = rpm;
+  if (const auto rpm = section.positive("min_spindle")) base.min_spindle_rpm = rpm;
+  if (const auto power = section.positive("spindle_power")) base.spindle_power_w = power;
+  if (const auto torque = section.positive("spindle_torque")) base.spindle_torque_nm = torque;
+  if (const auto kind = section.choice("kind", machine_kinds()))
+    fill_machine_kind(base, machine_kinds()[*kind]);
+  if (base.max_spindle_rpm && base.min_spindle_rpm && *base.min_spindle_rpm > *base.max_spindle_rpm)
+    section.fail("min_spindle is above max_spindle; correct one of them");
   if (const auto feed = section.positive("max_feed")) base.max_feed = MmPerMin::of(*feed);
   if (const auto wait = section.not_negative("spindle_wait")) base.spindle_wait_s = *wait;
   if (const auto change = section.not_negative("tool_change")) base.tool_change_s = *change;
@@ -79,6 +93,11 @@ Sources key_sources(const DataValue& table, const std::string& file_name, Origin
 Sources machine_sources_of(const DataValue& table, const std::string& file_name, Origin origin) {
   Sources out = key_sources(table, file_name, origin);
   if (const Source* name = out.find("name")) out.set("machine", Source(*name));
+  if (const Source* kind = out.find("kind")) {
+    const Source of_kind = *kind;
+    for (const char* limit : {"min-spindle", "max-spindle", "spindle-power"})
+      if (!out.find(limit)) out.set(limit, of_kind);
+  }
   return out;
 }
 

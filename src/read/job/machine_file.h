@@ -11,12 +11,20 @@
 
 namespace clearcut::read {
 
-/// TOML with name, rapid (mm/min), acceleration (mm/s2), junction_deviation (mm), max_spindle (rpm),
+/// TOML with name, rapid (mm/min), acceleration (mm/s2), junction_deviation (mm), max_spindle and min_spindle (rpm),
+/// spindle_power (W), spindle_torque (Nm), kind (router, mill),
 /// max_feed (mm/min), spindle_wait (s), tool_change (s), path_tolerance (mm), travel = {x = [low, high], y = ..., z = ...}
 /// (mm) and places = {start, g28, g30, g54 ... g59 = [x, y, z]} (mm, the machine's own); all may be left out. Throws
 /// InputError "file:line: ...".
 Machine read_machine(const std::filesystem::path& file);
 Machine read_machine_text(std::string_view text, const std::string& file_name);
+/// "router", "mill".
+inline const std::vector<std::string>& machine_kinds() {
+  static const std::vector<std::string> kinds{"router", "mill"};
+  return kinds;
+}
+/// Speeds and power that are usual for one of machine_kinds(), where the machine states none; docs/feeds.md tells them.
+void fill_machine_kind(Machine& machine, const std::string& kind);
 /// The same keys as a table of a job. `base` gives what is left out.
 Machine machine_of_section(DataSection section, Machine base);
 

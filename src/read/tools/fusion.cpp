@@ -68,6 +68,8 @@ Tool tool_of(const DataValue& entry, ToolKind kind, double unit) {
   tool.number =
       static_cast<int>(std::clamp(number_of(entry.find("post-process"), "number").value_or(0), 0.0, 1e6));
   tool.diameter = unit * number_of(geometry, "DC").value_or(0);
+  if (const std::string edges = text_of(entry, "BMC"); edges == "hss" || edges == "carbide")
+    tool.high_speed_steel = edges == "hss";
   tool.teeth = static_cast<int>(std::clamp(number_of(geometry, "NOF").value_or(2), 1.0, 100.0));
   if (const auto length = number_of(geometry, "LCF"); length && *length > 0)
     tool.flute_length = unit * *length;
@@ -78,6 +80,22 @@ Tool tool_of(const DataValue& entry, ToolKind kind, double unit) {
   if (kind == ToolKind::kBallEndMill) tool.corner_radius = tool.diameter / 2;
   tool.corner_radius = std::clamp(tool.corner_radius, 0.0, std::max(tool.diameter / 2, 0.0));
   return tool;
+}
+
+/// A holder is its first segment, at its widest; a tool stands out of it by the length of its body.
+void read_holder(const DataValue& entry, double unit, Tool& tool) {
+  const DataValue* geometry = entry.find("geometry");
+  if (tool.flute_length) tool.shank_diameter = unit * std::max(0.0, number_of(geometry, "SFDM").value_or(0));
+  const DataValue* holder = entry.find("holder");
+  const DataValue* segments = holder && holder->is_object() ? holder->find("segments") : nullptr;
+  const double body = number_of(geometry, "LB").value_or(0);
+  if (!segments || !segments->is_array() || segments->items.empty() || !(body > 0)) return;
+  const DataValue* first = &segments->items.front();
+  const double widest = std::max(number_of(first, "lower-diameter").value_or(0),
+                                 number_of(first, "upper-diameter").value_or(0));
+  if (!(widest > 0)) return;
+  tool.stickout = unit * body;
+  tool.holder_diameter = unit * widest;
 }
 
 void append_presets(const DataValue& entry, double unit, LibraryTool& tool) {
@@ -119,6 +137,7 @@ ToolLibrary read_fusion_library(std::string_view text, const std::string& file_n
                                "tap '" + printable(tool.tool.name) + "' was dropped: it states no pitch");
       continue;
     }
+    read_holder(entry, unit, tool.tool);
     append_presets(entry, unit, tool);
     library.tools.push_back(std::move(tool));
   }

@@ -1,0 +1,245 @@
+// Symbols
+//
+//   v_c   cutting speed, m/min                      n = 1000 v_c / (pi D)
+//   f_z   feed per tooth, mm; of drills per turn    v_f = f_z z n
+//   k_c   specific force, N/mm2                     k_c1.1 h^-m_c [kienzle1957], h the mean chip, mm
+//   A     section of the cut, mm2                   P = k_c A v_f / 60000 W
+#include "resolve/cutting/cutting_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text/format.h"
+#include "model/work_material.h"
+#include "stock/round_hole.h"
+
+namespace clearcut::resolve {
+namespace {
+
+// Rules that docs/feeds.md tells. Coated edges run a fifth faster; high-speed steel runs at half the speed of carbide.
+constexpr double kCarbide = 2, kCoating = 1.2;
+constexpr double kReamingShare = 2.0 / 3, kTappingShare = 0.4;  // of the drill's speed
+constexpr double kReamingFeed = 0.05;                           // mm a tooth
+constexpr double kFlatHoleShare = 0.5;  // of the drill's feed a turn: counterbores, boring bars
+constexpr double kConeShare = 0.5;      // of the diameter whose feed a cone takes
+constexpr double kThreadShare =
+    0.25;  // of a mill's feed: small teeth, and the programmed circle is the smaller one
+constexpr double kMostTapping = 15;  // m/min
+constexpr double kPlungeShare = 0.3;
+/// rpm that no spindle without a stated limit is asked for.
+constexpr double kUsualTop = 24000;
+/// Of the stated power and torque.
+constexpr double kPowerShare = 0.8;
+constexpr double kMostThinning = 2;
+/// A stated value this many times above or below is told.
+constexpr double kFarOff = 2;
+
+double at_diameter(const std::array<double, 4>& feeds, double diameter) {
+  if (diameter <= kFeedDiameters.front()) return feeds.front() * diameter / kFeedDiameters.front();
+  for (std::size_t i = 1; i < feeds.size(); ++i) {
+    if (diameter > kFeedDiameters[i]) continue;
+    const double t = (diameter - kFeedDiameters[i - 1]) / (kFeedDiameters[i] - kFeedDiameters[i - 1]);
+    return std::lerp(feeds[i - 1], feeds[i], t);
+  }
+  return feeds.back();
+}
+
+bool plunges(const Tool& tool) {
+  return stock::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill || tool.kind == ToolKind::kTap;
+}
+
+struct Suggestion {
+  double speed = 0;  ///< m/min
+  double tooth = 0;  ///< mm a tooth, a turn where `teeth` is 1
+  double teeth = 1;
+};
+
+/// Of what goes straight down: high-speed steel unless the tool says carbide.
+Suggestion of_hole_tool(const WorkMaterial& work, const Tool& tool) {
+  const bool carbide = tool.high_speed_steel == false;
+  Suggestion out{work.drill_speed * (carbide ? kCarbide : 1), at_diameter(work.drill_feed, tool.diameter), 1};
+  if (tool.kind == ToolKind::kTap) return {std::min(out.speed * kTappingShare, kMostTapping), tool.pitch, 1};
+  if (tool.kind == ToolKind::kSpotDrill) out.tooth = at_diameter(work.drill_feed, tool.diameter * kConeShare);
+  if (tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kSpotDrill) return out;
+  out.speed *= kReamingShare;
+  if (tool.kind == ToolKind::kReamer) return {out.speed, kReamingFeed, static_cast<double>(tool.teeth)};
+  out.tooth *= kFlatHoleShare;
+  return out;
+}
+
+/// Of what mills: carbide unless the tool says high-speed steel.
+Suggestion of_mill(const WorkMaterial& work, const Tool& tool) {
+  const double share = is_conical(tool) ? kConeShare : 1;
+  Suggestion out{work.mill_speed, at_diameter(work.mill_feed, tool.diameter * share),
+                 static_cast<double>(tool.teeth)};
+  if (tool.high_speed_steel.value_or(false)) out.speed /= kCarbide;
+  if (tool.kind == ToolKind::kThreadMill) out.tooth *= kThreadShare;
+  return out;
+}
+
+Suggestion suggestion_for(const WorkMaterial& work, const Tool& tool) {
+  Suggestion out = plunges(tool) ? of_hole_tool(work, tool) : of_mill(work, tool);
+  if (tool.coated) out.speed *= kCoating;
+  return out;
+}
+
+/// How much thinner than the feed per tooth the chip is where the cutter is engaged by less than a quarter turn.
+double thinning(const std::optional<double>& engagement_deg) {
+  if (!engagement_deg || *engagement_deg >= 90) return 1;
+  return std::min(kMostThinning, 1 / std::sin(*engagement_deg * kPi / 180));
+}
+
+/// W at `rpm` that a cut may take; absent where the machine does not state it.
+std::optional<double> allowed_power(const Machine& machine, double rpm) {
+  std::optional<double> most;
+  if (machine.spindle_power_w) most = kPowerShare * *machine.spindle_power_w;
+  if (machine.spindle_torque_nm) {
+    const double by_torque = kPowerShare * *machine.spindle_torque_nm * 2 * kPi * rpm / 60;
+    most = most ? std::min(*most, by_torque) : by_torque;
+  }
+  return most;
+}
+
+/// mm/min; the feed at which a cut of `section` mm2 takes `power`, its mean chip being `chip` times the feed.
+/// P = k h^-m A v / 60000 with h = chip v gives v^(1 - m) = 60000 P chip^m / (k A).
+double feed_at_power(const WorkMaterial& work, double power, double section, double chip) {
+  return std::pow(power * 60000 * std::pow(chip, work.mc) / (work.kc11 * section), 1 / (1 - work.mc));
+}
+
+class Filler {
+ public:
+  Filler(Operation& operation, const Tool& tool, const WorkMaterial& work, const PlanOptions& options,
+         Sources& sources)
+      : operation_(operation), tool_(tool), work_(work), options_(options), sources_(sources) {}
+
+  FilledValues fill(const Suggestion& start, double depth) {
+    fill_speed(start);
+    if (tool_.kind != ToolKind::kTap) fill_feed(start, depth);
+    return std::move(told_);
+  }
+
+ private:
+  struct Limit {
+    double most;
+    const char* by;
+  };
+
+  Limit most_rpm() const {
+    Limit limit{options_.machine.max_spindle_rpm.value_or(kUsualTop), options_.machine.max_spindle_rpm
+                                                                          ? "the machine's max_spindle"
+                                                                          : "where no machine is stated"};
+    if (tool_.max_spindle_rpm && *tool_.max_spindle_rpm < limit.most)
+      limit = {*tool_.max_spindle_rpm, "the tool's max_spindle"};
+    return limit;
+  }
+
+  void fill_speed(const Suggestion& start) {
+    const double wanted = start.speed * 1000 / (kPi * tool_.diameter);
+    const Limit top = most_rpm();
+    double rpm = std::min(wanted, top.most);
+    std::string why = fmt::format("{}: {} m/min", work_.name, trimmed(start.speed, 1));
+    if (wanted > top.most) why += fmt::format(", no more than {} rpm, {}", trimmed(top.most, 0), top.by);
+    if (rpm >= 100) rpm = std::floor(rpm / 10) * 10;
+    const double least = std::min(options_.machine.min_spindle_rpm.value_or(0), top.most);
+    const bool is_too_slow = rpm < least;
+    if (is_too_slow) {
+      rpm = least;
+      why += fmt::format(", no less than {} rpm, the machine's min_spindle", trimmed(least, 0));
+    }
+    std::optional<double>& stated = operation_.cutting.spindle_rpm;
+    if (stated) {
+      check_stated("spindle", *stated, std::max(wanted, rpm), std::min(wanted, rpm), "rpm");
+      return;
+    }
+    stated = std::max(rpm, std::min(1.0, top.most));
+    say("spindle", why, trimmed(*stated, 3) + " rpm");
+    if (is_too_slow && *stated > kFarOff * wanted)
+      told_.warnings.push_back(
+          fmt::format("the spindle turns no slower than {} rpm, and {} with T{} asks for {}",
+                      trimmed(least, 0), work_.name, tool_.number, trimmed(wanted, 0)));
+  }
+
+  /// Of the whole width and the stepdown; what only goes down cuts its own circle.
+  double section(double depth) const {
+    return plunges(tool_) ? kPi * tool_.diameter * tool_.diameter / 4 : depth * tool_.diameter;
+  }
+
+  void limit_by_power(double& feed, const Suggestion& start, double depth, std::string& why) const {
+    const double rpm = *operation_.cutting.spindle_rpm;
+    const auto power = allowed_power(options_.machine, rpm);
+    if (!power || !work_.has_forces() || !(depth > 0)) return;
+    // Mean chip of a slot: 2 / pi of the feed a tooth; of a drill half the feed a turn across its two edges.
+    const double chip = (plunges(tool_) ? 0.5 : 2 / kPi) / (start.teeth * rpm);
+    const double most = feed_at_power(work_, *power, section(depth), chip);
+    if (feed <= most) return;
+    feed = most;
+    why += ", no more than 80 % of the spindle's power";
+  }
+
+  void fill_feed(const Suggestion& start, double depth) {
+    CuttingData& cutting = operation_.cutting;
+    const double thin = plunges(tool_) ? 1 : thinning(options_.engagement_deg);
+    const double wanted = start.tooth * thin * start.teeth * *cutting.spindle_rpm;
+    double feed = wanted;
+    std::string why = fmt::format("{}: {} mm a {}", work_.name, trimmed(start.tooth, 4),
+                                  plunges(tool_) && start.teeth == 1 ? "turn" : "tooth");
+    if (thin > 1) why += fmt::format(" and {} times that for thin chips", trimmed(thin, 2));
+    limit_by_power(feed, start, depth, why);
+    if (options_.machine.max_feed && feed > options_.machine.max_feed->mm_per_min()) {
+      feed = options_.machine.max_feed->mm_per_min();
+      why += ", no more than the machine's max_feed";
+    }
+    if (feed >= 20) feed = std::floor(feed);
+    take_feed(feed, wanted, why);
+  }
+
+  void take_feed(double feed, double wanted, const std::string& why) {
+    CuttingData& cutting = operation_.cutting;
+    // What only goes down has one feed, which may be stated as either.
+    std::optional<MmPerMin>& own = plunges(tool_) && cutting.plunge_feed ? cutting.plunge_feed : cutting.feed;
+    if (own) check_stated("feed", own->mm_per_min(), wanted, feed, "mm/min");
+    if (!cutting.feed) {
+      cutting.feed = MmPerMin::of(feed);
+      say("feed", why, trimmed(feed, 3) + " mm/min");
+    }
+    if (cutting.plunge_feed) return;
+    cutting.plunge_feed = plunges(tool_) ? *cutting.feed : *cutting.feed * kPlungeShare;
+    sources_.set("plunge-feed", {Origin::kDerived, plunges(tool_) ? "the feed" : "30 % of the feed"});
+  }
+
+  /// `wanted` by the table; `limited` what machine and tool leave of it.
+  void check_stated(const char* name, double stated, double wanted, double limited, const char* unit) {
+    if (stated <= kFarOff * wanted && stated >= limited / kFarOff) return;
+    told_.warnings.push_back(
+        fmt::format("the {} of T{} is stated as {} {}, and {} usually takes about {}; the stated value is "
+                    "used (docs/feeds.md)",
+                    name, tool_.number, trimmed(stated, 0), unit, work_.name,
+                    trimmed(stated > kFarOff * wanted ? wanted : limited, 0)));
+  }
+
+  void say(const char* name, const std::string& why, const std::string& value) {
+    told_.filled.push_back(fmt::format("{} {} for {}", name, value, work_.name));
+    sources_.set(name, {Origin::kDerived, why + " (docs/feeds.md)"});
+  }
+
+  Operation& operation_;
+  const Tool& tool_;
+  const WorkMaterial& work_;
+  const PlanOptions& options_;
+  Sources& sources_;
+  FilledValues told_;
+};
+
+}  // namespace
+
+FilledValues fill_cutting_values(Operation& operation, const Tool& tool, double depth,
+                                 const PlanOptions& options, Sources& sources) {
+  if (!options.shop.material || !(tool.diameter > 0)) return {};
+  const auto work = work_material_named(*options.shop.material);
+  if (!work) return {};
+  return Filler(operation, tool, *work, options, sources).fill(suggestion_for(*work, tool), depth);
+}
+
+}  // namespace clearcut::resolve
