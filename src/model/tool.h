@@ -45,8 +45,9 @@ struct Tool {
   double pitch = 0;        ///< taps; thread mills with many rows of teeth: between the rows
   bool left_hand = false;  ///< taps: of the thread
   bool floating = false;   ///< taps: held with play along their axis
-  std::optional<bool> high_speed_steel = {};  ///< of the edges; absent: what is usual for the kind, docs/feeds.md
-  bool coated = false;                        ///< the edges
+  std::optional<bool> high_speed_steel =
+      {};               ///< of the edges; absent: what is usual for the kind, docs/feeds.md
+  bool coated = false;  ///< the edges
   double radius() const { return diameter / 2; }
 };
 
