@@ -218,17 +218,16 @@ void post_check(Service& service, const Request& request, Response& response, co
     read_form(request, response, content, upload);
     const std::string program = upload.file_of("program"), part = upload.file_of("part");
     if (program.empty()) throw Refusal{400, "the program is missing; send its file as the field 'program'"};
-    if (part.empty())
-      throw Refusal{400, "the part is missing; send what the program is to make as the field 'part'"};
     const auto options = option_words(upload, service.check_options);
     const WorkPtr work = new_work(service, upload, id);
-    work->words = {"verify", program, "--part=" + part};
+    work->words = {"verify", program};
+    if (!part.empty()) work->words.push_back("--part=" + part);
     work->words.insert(work->words.end(), options.begin(), options.end());
-    work->words.emplace_back("--json=results/certificate.json");
-    service.works.add(work, false);
+    work->words.insert(work->words.end(), {"--json=results/certificate.json", "--svg=results/picture.svg",
+                                           "--report=results/report.html"});
+    service.works.add(work, true);
     service.works.wait(work);
     Json json = service.works.status(work);
-    for (const char* own : {"id", "results"}) json.erase(own);
     const fs::path certificate = work->folder / "results/certificate.json",
                    text = work->folder / "results/text.txt";
     if (fs::exists(certificate))

@@ -12,6 +12,7 @@
 namespace clearcut {
 
 using pipeline::check_program;
+using pipeline::check_program_alone;
 using pipeline::CheckResult;
 using pipeline::figures_of_moves;
 using pipeline::MoveFigures;

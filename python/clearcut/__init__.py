@@ -150,6 +150,26 @@ def verify_file(
     return _core._verify(part, _core.read_file(name), name, options, dialect, cancel)
 
 
+def verify_alone(
+    program: AnyPath,
+    options: PlanOptions | None = None,
+    *,
+    stock: str | None = None,
+    top: float = 0,
+    dialect: str | None = None,
+    cancel: Cancel | None = None,
+    **settings: Unpack[Settings],
+) -> Check:
+    """Judges the program in a file as far as can be said without a part: rapids, depths and engagement in `stock`, limits, control.
+
+    `stock` is "100,60,20" (sizes from X 0, Y 0 and down from `top`) or "-5:95,0:60,-20:0", mm; without it the box of what is cut
+    below `top` is taken, which is the condition "stock". What is left and what is gouged is not asked.
+    """
+    name = os.fspath(program)
+    asked = (options or PlanOptions()).replaced(**settings)
+    return _core._verify_alone(stock, top, _core.read_file(name), name, asked, dialect, cancel)
+
+
 def compare(
     part: Part | AnyPath,
     options: PlanOptions | None = None,
@@ -231,5 +251,5 @@ __all__ = [
     "Plan", "PlanOptions", "Region", "Strategy", "Study", "Table", "Tool", "Tour", "__version__", "compare",
     "description_of", "dilate", "explain", "inset", "intersect", "part", "plan", "read_job", "read_machine", "read_part",
     "read_part_text", "read_tools", "region", "regions", "reproduce", "reproducible_tables", "resolve_even_odd",
-    "strategy_names", "study", "study_names", "subtract", "tour", "unite", "verify", "verify_file", "write_files",
+    "strategy_names", "study", "study_names", "subtract", "tour", "unite", "verify", "verify_alone", "verify_file", "write_files",
 ]

@@ -78,6 +78,7 @@ class Settings(TypedDict, total=False):
     tab_width: Length
     tab_height: Length | None
     predrilled: Sequence[tuple[float, float, float]]
+    keep_out: Sequence[str]
     after: str | os.PathLike[str] | None
     machine: Machine | str | os.PathLike[str]
     rapid: Feed
@@ -142,6 +143,9 @@ class Tool:
     corner_radius: float
     teeth: int
     flute_length: float | None
+    stickout: float | None
+    holder_diameter: float
+    shank_diameter: float
     max_spindle_rpm: float | None
     center_cutting: bool
 
@@ -261,6 +265,7 @@ class PlanOptions:
     tab_width: Length
     tab_height: Length | None
     predrilled: Sequence[tuple[float, float, float]]
+    keep_out: Sequence[str]
     after: str | os.PathLike[str] | None
     machine: Machine | str | os.PathLike[str]
     rapid: Feed
@@ -591,6 +596,7 @@ class Plan(_Judged):
 class Check(_Judged):
     @property
     def dialect(self) -> str: ...
+    def page(self) -> str: ...
 
 class Table:
     @property
@@ -610,6 +616,9 @@ def _plan(
 ) -> Plan: ...
 def _verify(
     part: Part, program: str | bytes, name: str, options: PlanOptions, dialect: str | None, cancel: Any
+) -> Check: ...
+def _verify_alone(
+    stock: str | None, top: float, program: str | bytes, name: str, options: PlanOptions, dialect: str | None, cancel: Any
 ) -> Check: ...
 def _compare(part: Part, options: PlanOptions, strategies: list[Strategy]) -> Table: ...
 def _explain(part: Part, options: PlanOptions) -> str: ...

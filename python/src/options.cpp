@@ -314,6 +314,21 @@ void add_search(Class& options) {
       },
       "Holes that are there before the work begins: x, y, diameter of each, mm.");
   options.def_property(
+      "keep_out",
+      [](const AskedOptions& o) {
+        const auto range = [](double low, double high) { return trimmed(low, 6) + ":" + trimmed(high, 6); };
+        std::vector<std::string> clamps;
+        for (const KeepOut& one : o.keep_outs)
+          clamps.push_back(range(one.plan.min.x, one.plan.max.x) + "," +
+                           range(one.plan.min.y, one.plan.max.y) + "," + range(one.bottom_z, one.top_z));
+        return clamps;
+      },
+      [](AskedOptions& o, const std::vector<std::string>& clamps) {
+        o.keep_outs.clear();
+        for (const std::string& clamp : clamps) o.keep_outs.push_back(parse_keep_out(clamp));
+      },
+      "Blocks where clamps are, as ranges of x, y and z: '-10:15,20:40,-20:12'; coming there is a fault.");
+  options.def_property(
       "order", [](const AskedOptions& o) { return o.outside_in ? "outside-in" : "inside-out"; },
       [](AskedOptions& o, const std::string& order) {
         o.outside_in = order_named(order, "--order") == ContourOrder::kOutsideIn;

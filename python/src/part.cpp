@@ -119,6 +119,9 @@ void add_tools(py::module_& module) {
       .def_readwrite("corner_radius", &Tool::corner_radius, doc("Tool::corner_radius"))
       .def_readwrite("teeth", &Tool::teeth)
       .def_readwrite("flute_length", &Tool::flute_length, "mm; None: unknown")
+      .def_readwrite("stickout", &Tool::stickout, doc("Tool::stickout"))
+      .def_readwrite("holder_diameter", &Tool::holder_diameter, doc("Tool::holder_diameter"))
+      .def_readwrite("shank_diameter", &Tool::shank_diameter, doc("Tool::shank_diameter"))
       .def_readwrite("max_spindle_rpm", &Tool::max_spindle_rpm, "rpm; None: no limit of its own")
       .def_readwrite("center_cutting", &Tool::center_cutting, doc("Tool::center_cutting"))
       .def("__repr__", [](const Tool& tool) {

@@ -60,16 +60,38 @@ std::optional<read::gcode::Dialect> dialect_of(const std::optional<std::string>&
   return dialect;
 }
 
-Check verify(const GivenPart& part, const std::string& program, const std::string& name, AskedOptions options,
-             const std::optional<std::string>& dialect, const py::object& cancel) {
+/// What a check rests on, without its result.
+Check asked_check(const std::vector<CertificateFile>& inputs, const std::string& program,
+                  const std::string& name, AskedOptions& options, const std::optional<std::string>& dialect) {
   Check check;
   options.strategies = nullptr;
   check_options(options);
   check.options = options;
-  check.inputs = joined(part.inputs, options.files);
+  check.inputs = joined(inputs, options.files);
   check.program = program;
   check.name = name;
   check.dialect_stated = dialect.has_value();
+  return check;
+}
+
+Check verify_alone(const std::optional<std::string>& stock, double top, const std::string& program,
+                   const std::string& name, AskedOptions options, const std::optional<std::string>& dialect,
+                   const py::object& cancel) {
+  Check check = asked_check({}, program, name, options, dialect);
+  const auto control = dialect_of(dialect);
+  const auto block = stock ? std::optional(parse_stock(*stock, top)) : std::nullopt;
+  auto result = interruptible(cancel, [block, top, program, name, options, control](std::stop_token stop) {
+    PlanOptions own = options;
+    own.cancel = std::move(stop);
+    return check_program_alone(block, program, name, own, control, top);
+  });
+  check.result = std::make_shared<const CheckResult>(std::move(result));
+  return check;
+}
+
+Check verify(const GivenPart& part, const std::string& program, const std::string& name, AskedOptions options,
+             const std::optional<std::string>& dialect, const py::object& cancel) {
+  Check check = asked_check(part.inputs, program, name, options, dialect);
   const auto control = dialect_of(dialect);
   auto result =
       interruptible(cancel, [part = part.part, program, name, options, control](std::stop_token stop) {
@@ -127,11 +149,14 @@ void add_judged(py::class_<Class>& judged) {
           "findings", [](const Class& self) { return self.result->findings; },
           "Figures and faults of the program, with places.")
       .def_property_readonly(
-          "verdict", [](const Class& self) { return name_of(verdict_of(self.result->findings)); },
-          doc("Verdict"))
+          "verdict", [](const Class& self) { return verdict_words(self.result->findings); }, doc("Verdict"))
       .def_property_readonly(
-          "clean", [](const Class& self) { return verdict_of(self.result->findings) == Verdict::kClean; },
-          "Whether the verdict is CLEAN.")
+          "clean",
+          [](const Class& self) {
+            return !self.result->findings.without_part &&
+                   verdict_of(self.result->findings) == Verdict::kClean;
+          },
+          "Whether the verdict is CLEAN, which it is not without a part.")
       .def_property_readonly(
           "faults", [](const Class& self) { return self.result->findings.faults; }, doc("Findings::faults"))
       .def_property_readonly("diagnostics",
@@ -193,8 +218,11 @@ void add_plan_class(py::module_& module) {
       .def_property_readonly(
           "dialect", [](const Check& self) { return std::string(name_of(self.result->dialect)); },
           "As which control's program it was read.")
+      .def(
+          "page", [](const Check& self) { return write_page(*self.result, self.options, self.program); },
+          doc("write_page"))
       .def("__repr__", [](const Check& self) {
-        return "<clearcut.Check of " + self.name + ", " + name_of(verdict_of(self.result->findings)) + ">";
+        return "<clearcut.Check of " + self.name + ", " + verdict_words(self.result->findings) + ">";
       });
 }
 
@@ -236,6 +264,9 @@ void add_plan(py::module_& module) {
              py::arg("cancel"), doc("plan_part"));
   module.def("_verify", &verify, py::arg("part"), py::arg("program"), py::arg("name"), py::arg("options"),
              py::arg("dialect"), py::arg("cancel"), doc("check_program"));
+  module.def("_verify_alone", &verify_alone, py::arg("stock"), py::arg("top"), py::arg("program"),
+             py::arg("name"), py::arg("options"), py::arg("dialect"), py::arg("cancel"),
+             doc("check_program_alone"));
   module.def(
       "_explain",
       [](const GivenPart& part, const AskedOptions& options) {

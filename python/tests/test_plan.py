@@ -109,6 +109,20 @@ class LikeTheCommand(unittest.TestCase):
                 del one["seal"], one["question"]["command"], one["question"]["arguments"]
             self.assertEqual(ours, theirs)
 
+    def test_verify_alone(self):
+        program = folder(self) / "p.ngc"
+        clearcut.plan(EXAMPLES / "bracket.json", tools="endmill:6", strategy="zigzag").write(program)
+        check = clearcut.verify_alone(program, stock="-20:120,-20:100,-30:0", tools="endmill:6", dialect="linuxcnc")
+        self.assertEqual(check.verdict, "CLEAN AS FAR AS CAN BE SAID WITHOUT A PART")
+        self.assertFalse(check.clean)
+        theirs = json.loads(run_command("verify", program, "--stock", "-20:120,-20:100,-30:0", "--tool", "endmill:6", "--dialect", "linuxcnc",
+                                        "--json", "-").stdout)
+        ours = check.certificate()
+        for one in (theirs, ours):
+            del one["seal"], one["question"]["command"], one["question"]["arguments"]
+        self.assertEqual(ours, theirs)
+        self.assertIn("not asked", check.page())
+
     def test_nothing_is_written_over_what_was_read(self):
         job = folder(self) / "part.toml"
         job.write_text(f'[part]\nfile = "{EXAMPLES / "bracket.json"}"\n')

@@ -20,6 +20,7 @@ const browser = await chromium.launch({ executablePath, args: ['--headless', '--
 async function open(width, height, colorScheme) {
   // axe is put into the page, which its policy forbids to everybody else.
   const context = await browser.newContext({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce', bypassCSP: false });
+  context.setDefaultTimeout(120000);  // a machine may be busy with other work
   const page = await context.newPage();
   page.on('pageerror', error => check(false, 'no error: ' + error.message));
   page.on('console', message => { if (message.type() === 'error') check(false, 'no console error: ' + message.text()); });
@@ -131,6 +132,19 @@ async function checks(page) {
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
 }
 
+/** The same program without its part, in a block. */
+async function checksAlone(page) {
+  await page.click('#check [aria-label="Remove square.json"]');
+  check(await page.isVisible('#check-stock') && !await page.isVisible('#check-depth'), 'without a part the stock is asked for');
+  await page.fill('#check-stock', '50,50,5');
+  check((await page.textContent('#check-command')).includes('--stock 50,50,5') && !(await page.textContent('#check-command')).includes('--part'), 'and the command line says so');
+  await page.click('#check-go');
+  await page.waitForFunction(() => document.getElementById('check-verdict').textContent.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
+  const frame = await (await page.$('#check-report')).contentFrame();
+  await frame.waitForSelector('#play', { timeout: 60000 });
+  check((await frame.textContent('#tiles')).includes('not asked'), 'a program is judged alone, and its report says what was not asked');
+}
+
 const page = await open(1366, 768, 'light');
 await isAccessible(page, 'the empty page');
 await plans(page);
@@ -145,6 +159,9 @@ await cancels(page);
 await checks(page);
 await page.screenshot({ path: picture('serve-check-1366') });
 await isAccessible(page, 'the page with a check');
+await checksAlone(page);
+await page.screenshot({ path: picture('serve-alone-1366'), fullPage: true });
+await isAccessible(page, 'the page with a program alone');
 const phone = await open(390, 844, 'dark');
 await plans(phone);
 check(await fits(phone), 'nothing overflows at 390');

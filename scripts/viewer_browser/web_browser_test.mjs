@@ -121,6 +121,13 @@ async function checks(page) {
   check(await page.locator('#check-faults li').count() > 0, 'its faults are listed');
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
   check(/Nothing is uploaded/.test(await page.textContent('#promise')), 'the page says that nothing is uploaded');
+  await page.click('#check [aria-label="Remove bracket.dxf"]');
+  await page.fill('#check-stock', '0:70,0:50,-5:0');
+  await page.click('#check-go');
+  await page.waitForFunction(() => document.getElementById('check-verdict').textContent.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
+  const frame = await (await page.$('#check-report')).contentFrame();
+  await frame.waitForSelector('#play', { timeout: 60000 });
+  check((await frame.textContent('#tiles')).includes('not asked'), 'a program is judged alone, and its report says what was not asked');
 }
 
 async function worksOffline(page) {

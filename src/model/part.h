@@ -154,10 +154,20 @@ struct PredrilledHole {
   double diameter = 0;
 };
 
+/// Where nothing of the tool or its holder may come: a clamp, a vice, a screw. A block, mm.
+struct KeepOut {
+  Box plan;
+  double bottom_z = 0;
+  double top_z = 0;
+};
+
 /// A whole job description; a value.
 struct Part {
   std::string name;
   std::string source_file;
+  /// Whether anything says what is to be made. Where not, there are a stock and tools alone: what a program cuts away is neither
+  /// asked for nor forbidden.
+  bool is_shape_stated = true;
   std::optional<Stock> stock;         ///< absent: solid everywhere outside the features (outline files)
   std::optional<double> clearance_z;  ///< security plane, absolute; absent: stock top + 10
   std::vector<Tool> tools;
@@ -165,6 +175,7 @@ struct Part {
   std::vector<Workingstep> workplan;       ///< in order of cutting
   bool order_free = false;                 ///< steps that do not meet may be cut in any order
   std::vector<PredrilledHole> predrilled;  ///< as deep as any feature they lie in
+  std::vector<KeepOut> keep_outs = {};
   Diagnostics diagnostics;
 
   double top_z() const;   ///< stock top, or the highest feature top

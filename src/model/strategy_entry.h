@@ -41,7 +41,8 @@ struct StrategyEntry {
 
   AutoUse in_auto = AutoUse::kNever;
   bool limits_engagement = false;  ///< the only kind that is tried where a limit is asked for
-  bool takes_stepover = true;      ///< false: in "auto" a stepover is not handed to it
+  bool keeps_direction = true;  ///< false: its lines go both ways; in "auto" not tried where one is asked for
+  bool takes_stepover = true;   ///< false: in "auto" a stepover is not handed to it
   bool tried_when_open =
       false;  ///< in "auto" where a feature has open sides and the first two are planned, too
 

@@ -42,9 +42,12 @@ struct Tool {
   bool center_cutting = true;                  ///< may plunge straight down
   std::optional<Radians> tip_angle = {};       ///< cones, points of drills: between opposite flanks
   double tip_diameter = 0;                     ///< cones: of the flat at the tip
-  double pitch = 0;        ///< taps; thread mills with many rows of teeth: between the rows
-  bool left_hand = false;  ///< taps: of the thread
-  bool floating = false;   ///< taps: held with play along their axis
+  double pitch = 0;                     ///< taps; thread mills with many rows of teeth: between the rows
+  bool left_hand = false;               ///< taps: of the thread
+  bool floating = false;                ///< taps: held with play along their axis
+  std::optional<double> stickout = {};  ///< from the tip up to the holder; absent: the holder is not known
+  double holder_diameter = 0;           ///< of the holder where it begins; 0: not known
+  double shank_diameter = 0;            ///< above the flutes; 0: no wider than the cutter
   std::optional<bool> high_speed_steel =
       {};               ///< of the edges; absent: what is usual for the kind, docs/feeds.md
   bool coated = false;  ///< the edges

@@ -212,6 +212,7 @@ bool has_tool_lengths(read::gcode::Dialect dialect) {
 void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
   for (Condition& one : findings.conditions) {
     if (one.name != "blending") continue;
+    if (findings.without_part && !plan.machine.path_tolerance) continue;  // nothing bounds it
     if (plan.machine.path_tolerance) {
       one.met_by = "machine file";
       continue;

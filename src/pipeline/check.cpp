@@ -5,7 +5,9 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/text/format.h"
 #include "model/results/not_machined.h"
+#include "pipeline/alone/stock_taken.h"
 #include "pipeline/certify.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"
@@ -109,16 +111,74 @@ void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOpt
 std::map<int, verify::ToolLimits> limits_of_other_tools(const Part& prepared,
                                                         const resolve::PlanOptions& options) {
   std::map<int, verify::ToolLimits> limits;
-  for (std::size_t i = 0; i < std::min(options.tool_cutting.size(), prepared.tools.size()); ++i) {
+  const std::size_t stating = std::min(options.tool_cutting.size(), prepared.tools.size());
+  for (std::size_t i = 0; i < (prepared.is_shape_stated ? stating : prepared.tools.size()); ++i) {
     Operation stated;
     stated.tool = static_cast<int>(i);
     resolve::take_tool_cutting(stated, options);
     limits[prepared.tools[i].number] = {
         options.stepdown ? options.stepdown : stated.stepdown,
-        options.cutting.plunge_feed ? options.cutting.plunge_feed : stated.cutting.plunge_feed};
+        options.cutting.plunge_feed ? options.cutting.plunge_feed : stated.cutting.plunge_feed,
+        stated.cutting.spindle_clockwise != prepared.tools[i].left_hand};
   }
   for (const Workingstep& step : prepared.workplan) limits.erase(tool_of(prepared, step).number);
   return limits;
+}
+
+/// "T1, T2", each once.
+std::string tools_called(const Toolpath& toolpath) {
+  std::string text;
+  std::set<int> named;
+  for (const Section& section : toolpath.sections) {
+    if (section.tool_number <= 0 || !named.insert(section.tool_number).second) continue;
+    text += (text.empty() ? "T" : ", T") + std::to_string(section.tool_number);
+  }
+  return text;
+}
+
+void require_tools(const resolve::PlanOptions& options, const Toolpath& toolpath,
+                   const std::string& program_name) {
+  if (!options.tools.empty()) return;
+  const std::string called = tools_called(toolpath);
+  throw InputError(program_name,
+                   called.empty() ? "names no tool; say what cuts, for example --tool endmill:6"
+                                  : "calls " + called + "; say what " +
+                                        (called.find(',') == std::string::npos ? "it is" : "they are") +
+                                        ", for example --tool endmill:6:" +
+                                        called.substr(0, called.find(',')) + ", or a library with --tools");
+}
+
+/// The stock that was stated, else the one that the program's own cuts make.
+Stock stock_for(const std::optional<Stock>& stated, const Toolpath& toolpath, const std::vector<Tool>& tools,
+                double top, const std::string& program_name, std::vector<Condition>& conditions) {
+  if (stated) return *stated;
+  const std::optional<Stock> taken = box_of_cuts(toolpath, tools, top);
+  if (!taken)
+    throw InputError(program_name,
+                     "feeds nowhere below Z " + trimmed(top, 3) +
+                         "; state the stock, for example --stock 100,60,20 or --stock 0:100,0:60,0:20");
+  conditions.push_back(stock_taken(*taken));
+  return *taken;
+}
+
+/// The program as its control reads it, with nothing above `safe_z`, mm; tools that it has no words for come in the order given.
+read::gcode::Program read_alone(const std::string& program, const std::string& program_name,
+                                const resolve::PlanOptions& options,
+                                std::optional<read::gcode::Dialect> dialect, double safe_z) {
+  read::gcode::ReadControllerOptions reading;
+  reading.dialect = dialect;
+  reading.home_z = home_z(options.machine);
+  reading.safe_z = safe_z;
+  reading.places = options.machine.places;
+  if (dialect == read::gcode::Dialect::kMarlin) {
+    for (const Tool& tool : options.tools) reading.hand_tools.push_back(tool.number);
+    reading.hand_tools = tools_by_hand(reading.hand_tools);
+  }
+  auto read = read::gcode::read_gcode(program, program_name, reading);
+  if (reading.hand_tools.size() > 1)
+    read.conditions.push_back(
+        {"tool-by-hand", "the tools are put in by hand in the order they are given, one at each pause", 0});
+  return read;
 }
 
 std::vector<int> tools_in_order(const Part& part) {
@@ -162,6 +222,31 @@ CheckResult check_program(const Part& part, const std::string& program, const st
                           limits_of_other_tools(result.part, asked));
   add_out_of_reach(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
+  return result;
+}
+
+CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
+                                const std::string& program_name, const resolve::PlanOptions& options,
+                                std::optional<read::gcode::Dialect> dialect, double top) {
+  read::gcode::Program read = read_alone(program, program_name, options, dialect, stock ? stock->z_top : top);
+  require_tools(options, read.toolpath, program_name);
+  const resolve::PlanOptions asked = numbered_by(read.toolpath, options);
+  const ResolvedPlan plan = resolve::resolve_without_part(asked);
+  CheckResult result;
+  result.part = plan.part;
+  result.part.name = program_name.substr(program_name.find_last_of('/') + 1);
+  result.part.diagnostics.append(read.diagnostics);
+  result.control = std::move(read.control);
+  result.dialect = read.dialect;
+  result.toolpath = std::move(read.toolpath);
+  number_sections(result.toolpath, result.part);
+  auto& conditions = read.conditions;
+  result.part.stock = stock_for(stock, result.toolpath, result.part.tools, top, program_name, conditions);
+  for (const auto& open : {below_stock(result.toolpath, *result.part.stock),
+                           doubtful_arcs(result.toolpath, result.control, asked.tol)})
+    if (open) conditions.push_back(*open);
+  result.findings = judge(result.part, result.toolpath, result.control, conditions, result.dialect, plan,
+                          limits_of_other_tools(result.part, asked));
   return result;
 }
 

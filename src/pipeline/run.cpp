@@ -26,6 +26,7 @@
 #include "pipeline/steps/work_share.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
+#include "plan/common/leaves_nothing.h"
 #include "plan/common/walls.h"
 #include "plan/contour/entries.h"
 #include "plan/contour/step_rule.h"
@@ -101,6 +102,8 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
                        : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
                                           : strategy(layer.layer));
       passes.back().wall_top = work.wall_top;
+      if (work.meets_others && plan.leaves_nothing && attempt.as_rival)
+        plan.leaves_nothing = plan::leaves_nothing(passes.back(), layer.layer.tool_radius);
       if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);
       sizes.add(plan, layer.layer, passes.back());
       plan.rest = plan.rest || layer.rest;
@@ -151,8 +154,8 @@ StepPlan fastest_plan(const StepWork& work, const Attempt& attempt, const Resolv
     const StrategyEntry* rival = strategies.find(name);
     if (!rival) continue;
     try {
-      StepPlan plan = plan_step(work, {rival, {}}, job, most_work);
-      if (plan.section.moves.empty() || plan.time_s >= best.time_s) continue;
+      StepPlan plan = plan_step(work, {rival, {}, false, false, true}, job, most_work);
+      if (plan.section.moves.empty() || plan.time_s >= best.time_s || !plan.leaves_nothing) continue;
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
     } catch (const OutOfWork&) {
@@ -305,6 +308,19 @@ std::string unused_choice(const ResolvedStep& step) {
   return "";
 }
 
+/// Says where the named strategy cuts both ways though a direction is asked for: only its passes along walls keep it.
+void warn_of_both_ways(const ResolvedPlan& plan, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const ResolvedStep& step = plan.steps[i];
+    if (!step.is_direction_asked || !step.strategy || step.strategy->keeps_direction) continue;
+    diagnostics.warn(
+        plan.part.workplan[i].name,
+        fmt::format("'{}' cuts both ways; only its passes along walls are {}. contour, spiral and "
+                    "adaptive keep the direction",
+                    step.strategy->name, step.direction == CutDirection::kClimb ? "climb" : "conventional"));
+  }
+}
+
 /// Options of one kind of strategy, asked for with another, are refused where no step can use them, and else said.
 void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostics) {
   std::size_t unused = 0;
@@ -333,6 +349,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   result.values = plan.values;
   resolve::refuse_what_cannot_be(result.part, options);
   refuse_what_means_nothing(plan, result.part.diagnostics);
+  warn_of_both_ways(plan, result.part.diagnostics);
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto shares = work_shares(works, plan);

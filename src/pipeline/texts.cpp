@@ -111,6 +111,11 @@ std::string write_page(const PlanResult& result, const resolve::PlanOptions& opt
   return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
 }
 
+std::string write_page(const CheckResult& result, const resolve::PlanOptions& options,
+                       const std::string& program) {
+  return report::html(result.part, result.toolpath, result.findings, {options.machine, program});
+}
+
 std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,
                               const std::string& program_name) {
   return report::setup_sheet(result.part, result.toolpath, result.findings,

@@ -47,6 +47,9 @@ std::string write_picture(const CheckResult& result);
 
 /// One HTML page that plays the machining and needs no other file.
 std::string write_page(const PlanResult& result, const resolve::PlanOptions& options);
+/// The same of a program that was checked, whose text is `program`.
+std::string write_page(const CheckResult& result, const resolve::PlanOptions& options,
+                       const std::string& program);
 
 /// The page for the machine: zero, stock, tools, operations, notes, as HTML. `program_name`: as it was written or read.
 std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,

@@ -55,6 +55,8 @@ std::string line_of(const Fault& fault) {
 std::string faults_of(const Findings& findings) {
   const std::size_t count = findings.faults.size();
   if (count == 0) {
+    if (findings.without_part)
+      return "no fault; what is left and what is gouged was not asked: no part was stated\n";
     return findings.all.clean
                ? fmt::format("nothing thicker than {} mm left where the cutter can reach, nothing gouged\n",
                              fixed(findings.all.uncut_thickness_mm, 3))
@@ -78,7 +80,7 @@ std::string conditions_of(const Findings& findings) {
 }
 
 std::string verdict_line(const Findings& findings) {
-  return fmt::format("verdict: {}\n", name_of(verdict_of(findings)));
+  return fmt::format("verdict: {}\n", verdict_words(findings));
 }
 
 /// Shortens the names in the first column as far as the width of the other columns asks for.
@@ -132,9 +134,44 @@ std::string scallop_lines(const Findings& findings) {
   return text;
 }
 
+/// Figures that need no part, of each tool.
+TextTable table_of_tools(const Part& part, const Findings& findings) {
+  TextTable text;
+  text.title = shortened(ascii(part.name), kWidth);
+  text.columns = {{"tool", Align::kLeft}, {"layers"}, {"feed mm"},        {"rapid mm"},
+                  {"retracts"},           {"time"},   {"deepest cut mm"}, {"eng deg"}};
+  std::size_t layers = 0;
+  const auto row = [&](const std::string& name, std::size_t count, const Figures& f) {
+    text.add({name, std::to_string(count), fixed(f.feed_mm, 1), fixed(f.rapid_mm, 1),
+              std::to_string(f.retracts), clock_time(f.time_s), fixed(f.max_axial_mm, 3),
+              fixed(f.engagement.max_deg, 0)});
+  };
+  for (const FeatureFindings& tool : findings.features) {
+    layers += tool.layers.size();
+    row(cutter_of(tool), tool.layers.size(), tool.figures);
+  }
+  text.add_rule();
+  row("total", layers, findings.all);
+  return text;
+}
+
+/// The block that was judged against.
+std::string stock_line(const Part& part) {
+  if (!part.stock) return "";
+  const auto range = [](double low, double high) {
+    return fmt::format("{} to {}", trimmed(low, 3), trimmed(high, 3));
+  };
+  const Stock& stock = *part.stock;
+  return fmt::format("stock: x {}, y {}, z {}\n", range(stock.plan.min.x, stock.plan.max.x),
+                     range(stock.plan.min.y, stock.plan.max.y), range(stock.z_bottom, stock.z_top));
+}
+
 }  // namespace
 
 std::string table(const Part& part, const Findings& findings, std::size_t width) {
+  if (findings.without_part)
+    return fitted(table_of_tools(part, findings), width) + stock_line(part) + load_lines(findings.all) +
+           verdict_line(findings) + faults_of(findings) + conditions_of(findings);
   TextTable text;
   text.title = part.name.empty() ? "" : shortened(ascii(part.name), kWidth);
   text.columns = {{"feature", Align::kLeft},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -98,6 +99,12 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
     tool.corner_radius = required_length(value, place, "a corner radius");
   } else if (key == "length") {
     tool.flute_length = required_length(value, place, "a length of flutes");
+  } else if (key == "stickout") {
+    tool.stickout = required_length(value, place, "a length from the tip to the holder");
+  } else if (key == "holder") {
+    tool.holder_diameter = required_length(value, place, "a diameter of the holder");
+  } else if (key == "shank") {
+    tool.shank_diameter = required_length(value, place, "a diameter of the shank");
   } else if (key == "max_spindle") {
     tool.max_spindle_rpm = required_speed(value, place);
   } else if (is_angle(word) || key == "angle") {
@@ -113,8 +120,8 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   } else if (key == "name") {
     tool.name = value;
   } else {
-    throw InputError(place, fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, "
-                                        "max_spindle=, 60deg, tip=, pitch=, left, "
+    throw InputError(place, fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, shank=, "
+                                        "stickout=, holder=, max_spindle=, 60deg, tip=, pitch=, left, "
                                         "floating, hss, carbide, coated, name=, noplunge",
                                         word));
   }
@@ -196,10 +203,41 @@ Tool parse_tool(const std::string& text) {
                                         trimmed(tool.radius(), 4)));
   check_cone(tool, place);
   check_thread(tool, place);
+  check_holder(tool, place);
   if (tool.flute_length && !(*tool.flute_length > 0))
     throw InputError(place, "the length of the flutes must be above 0 mm");
   return tool;
 }
+
+namespace {
+
+/// Lowest and highest x, y and z of a block, mm.
+using Sides = std::array<std::array<double, 2>, 3>;
+
+/// Ranges LOW:HIGH; where `top` is given, sizes too: from X 0 and Y 0, down from the top.
+Sides sides_of(const std::string& text, const std::string& place, std::optional<double> top,
+               const char* needs) {
+  const std::vector<std::string> words = split(text, ',');
+  if (words.size() != 3) throw InputError(place, needs);
+  Sides sides{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto colon = words[i].find(':');
+    const bool is_range = colon != std::string::npos;
+    if (!is_range && !top) throw InputError(place, needs);
+    const double last = required_length(words[i].substr(is_range ? colon + 1 : 0), place, "a length");
+    if (is_range) {
+      sides[i] = {required_length(words[i].substr(0, colon), place, "a length"), last};
+    } else {
+      sides[i] = i == 2 ? std::array{*top - last, *top} : std::array{0.0, last};
+    }
+    if (!(sides[i][0] < sides[i][1]))
+      throw InputError(place,
+                       fmt::format("'{}' is no side of a block: a size above 0, or LOW:HIGH", words[i]));
+  }
+  return sides;
+}
+
+}  // namespace
 
 PredrilledHole parse_predrilled(const std::string& text) {
   const std::string place = "--predrilled " + text;
@@ -212,6 +250,29 @@ PredrilledHole parse_predrilled(const std::string& text) {
   hole.diameter = required_number(text.substr(colon + 1), place, "a diameter in mm");
   if (!(hole.diameter > 0)) throw InputError(place, "the diameter must be above 0 mm");
   return hole;
+}
+
+Stock parse_stock(const std::string& text, double top) {
+  const Sides sides =
+      sides_of(text, "--stock " + text, top,
+               "needs a size or a range for X, Y and Z, for example 100,60,20 or -5:95,0:60,-20:0");
+  return {{{sides[0][0], sides[1][0]}, {sides[0][1], sides[1][1]}}, sides[2][0], sides[2][1]};
+}
+
+KeepOut parse_keep_out(const std::string& text) {
+  const Sides sides = sides_of(text, "--keep-out " + text, std::nullopt,
+                               "needs ranges of X, Y and Z, for example -10:15,20:40,-20:12");
+  return {{{sides[0][0], sides[1][0]}, {sides[0][1], sides[1][1]}}, sides[2][0], sides[2][1]};
+}
+
+void check_holder(const Tool& tool, const std::string& place) {
+  if (tool.stickout.has_value() != (tool.holder_diameter > 0) || tool.stickout.value_or(1) <= 0)
+    throw InputError(place,
+                     "a holder needs its diameter and how far the tool stands out of it, for example "
+                     "stickout=30:holder=40");
+  if (tool.shank_diameter < 0) throw InputError(place, "the diameter of the shank must be above 0 mm");
+  if (tool.shank_diameter > tool.diameter && !tool.flute_length)
+    throw InputError(place, "a shank wider than the cutter needs where it begins: length= of the flutes");
 }
 
 void check(const PlanOptions& options) {

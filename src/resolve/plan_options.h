@@ -56,6 +56,7 @@ struct PlanOptions {
   ShopOptions shop;
   TabOptions tabs;
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
+  std::vector<KeepOut> keep_outs;          ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
   std::optional<CutDirection> direction;
   bool outside_in = false;    ///< contours from the wall inwards; false: inside-out
@@ -90,6 +91,16 @@ Tool parse_tool(const std::string& text);
 
 /// "X,Y:D": a hole of diameter D at (X, Y), mm. Throws InputError.
 PredrilledHole parse_predrilled(const std::string& text);
+
+/// "100,60,20": the block's size, from X 0 and Y 0 and down from `top`; or each of the three as LOW:HIGH, "-5:95,0:60,-20:0". mm, or
+/// with units as lengths everywhere. Throws InputError.
+Stock parse_stock(const std::string& text, double top = 0);
+
+/// "-10:15,20:40,-20:12": the block of a clamp as ranges of x, y and z, mm or with units. Throws InputError.
+KeepOut parse_keep_out(const std::string& text);
+
+/// Throws InputError at `place` where a holder, or a shank that is wider than its cutter, is half stated.
+void check_holder(const Tool& tool, const std::string& place);
 
 /// Checks that every option is in its sensible range; throws InputError naming the first that is not.
 void check(const PlanOptions& options);

@@ -38,23 +38,6 @@ bool is_one_pass(const Tool& tool) {
   return tool.kind == ToolKind::kTap || tool.kind == ToolKind::kThreadMill;
 }
 
-void number_tools(std::vector<Tool>& tools) {
-  std::set<int> taken;
-  for (const auto& tool : tools) {
-    if (tool.number > 0 && !taken.insert(tool.number).second) {
-      throw InputError("--tool",
-                       fmt::format("two tools are numbered T{}; give each its own number", tool.number));
-    }
-  }
-  int next = 1;
-  for (auto& tool : tools) {
-    if (tool.number > 0) continue;
-    while (taken.count(next)) ++next;
-    tool.number = next;
-    taken.insert(next);
-  }
-}
-
 double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
   double largest = 0;
   for (const auto& step : part.workplan) {
@@ -313,6 +296,23 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
 
 }  // namespace
 
+void number_tools(std::vector<Tool>& tools) {
+  std::set<int> taken;
+  for (const auto& tool : tools) {
+    if (tool.number > 0 && !taken.insert(tool.number).second) {
+      throw InputError("--tool",
+                       fmt::format("two tools are numbered T{}; give each its own number", tool.number));
+    }
+  }
+  int next = 1;
+  for (auto& tool : tools) {
+    if (tool.number > 0) continue;
+    while (taken.count(next)) ++next;
+    tool.number = next;
+    taken.insert(next);
+  }
+}
+
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
   if (feature.profile && feature.profile->side != ProfileSide::kInside) return 2 * kOpenReach;
   if (feature.profile) return 2 * Clearance(Region::from_valid_loops(feature.profile->line, {}), tol).max();
@@ -355,6 +355,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   add_facing(part, options);
   choose_tools(part, options, sources);
   shape_holes(part, options, sources);
+  part.keep_outs.insert(part.keep_outs.end(), options.keep_outs.begin(), options.keep_outs.end());
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);

@@ -19,6 +19,9 @@ Part prepare(Part part, const PlanOptions& options);
 /// The same; `sources` are afterwards those of every value that does not come from where its operation was read.
 Part prepare(Part part, const PlanOptions& options, StepSources& sources);
 
+/// Gives a number to each tool that has none. Throws InputError where two have the same.
+void number_tools(std::vector<Tool>& tools);
+
 /// The part with the options' tools, else its own, else one end mill of half the largest diameter that fits (noted):
 /// STEP-NC has no operation without a tool.
 Part with_tools(Part part, const PlanOptions& options);

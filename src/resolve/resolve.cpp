@@ -152,6 +152,11 @@ void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   if (plan.material && !plan.material->has_forces()) plan.material.reset();
 }
 
+/// Whether the user or a job says so, not the part's own file.
+bool is_asked(const Source* source) {
+  return source && (source->origin == Origin::kUser || source->origin == Origin::kJobFile);
+}
+
 ResolvedPlan resolve_whole(const PlanOptions& options) {
   ResolvedPlan plan;
   plan.order = options.outside_in ? ContourOrder::kOutsideIn : ContourOrder::kInsideOut;
@@ -188,11 +193,22 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
     ResolvedStep step = resolve_step(plan.part, planned, options);
     step.strategy = strategy.value;
     step.stepover = stepover.value;
+    step.is_direction_asked = is_asked(own.find("direction"));
     resolve_strokes(step, planned.operation, options);
     plan.steps.push_back(std::move(step));
     list_step(plan, static_cast<int>(i), own, options);
   }
   list_plan(plan, options);
+  return plan;
+}
+
+ResolvedPlan resolve_without_part(const PlanOptions& options) {
+  check(options);
+  ResolvedPlan plan = resolve_whole(options);
+  plan.part.is_shape_stated = false;
+  plan.part.tools = options.tools;
+  plan.part.keep_outs = options.keep_outs;
+  number_tools(plan.part.tools);
   return plan;
 }
 

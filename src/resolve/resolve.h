@@ -11,4 +11,8 @@ namespace clearcut::resolve {
 /// diagnostics, by workingstep; one that an option or a job names is an InputError.
 ResolvedPlan resolve(const Part& part, const PlanOptions& options, const StrategyTable& strategies);
 
+/// What the options say of a program that is for no part: limits, machine, material, tools. Its part has no work, and
+/// Part::is_shape_stated is false. Throws InputError where there is no tool, or two have one number.
+ResolvedPlan resolve_without_part(const PlanOptions& options);
+
 }  // namespace clearcut::resolve

@@ -31,8 +31,11 @@ struct MoveLoad {
   Place axial_at;
   std::optional<Place> rapid_contact;   ///< a place where a rapid touches material
   std::optional<Place> plunge_contact;  ///< a place where a cutter that must not plunge does so
-  std::optional<CuttingLoad> forces;    ///< only if the work's material is known
-  double force_mm_n = 0;                ///< N mm; integral of the force over the length
+  std::optional<Place>
+      holder_contact;     ///< a place where the holder, or a shank wider than the cutter, touches material
+  bool is_shank = false;  ///< which of them: the shank
+  std::optional<CuttingLoad> forces;  ///< only if the work's material is known
+  double force_mm_n = 0;              ///< N mm; integral of the force over the length
 };
 
 /// mm; radius of the flat part of a cutter's end, with which floors are cut without cusps.

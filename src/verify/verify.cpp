@@ -18,6 +18,7 @@
 #include "verify/faults/tabs.h"
 #include "verify/figures.h"
 #include "verify/part/finished_part.h"
+#include "verify/without_part.h"
 
 namespace clearcut::verify {
 namespace {
@@ -141,6 +142,7 @@ class FindingsBuilder {
       if (judged.earlier) continue;
       all.push_back(&judged);
       findings_.move_engagement_deg.push_back(static_cast<float>(judged.load.max_deg));
+      if (options_.material) findings_.move_force_n.push_back(force_of(judged));
       if (judged.workingstep >= 0) by_step[judged.workingstep].push_back(&judged);
     }
     findings_.faults = faults_of_moves(part_, program_, options_);
@@ -256,7 +258,8 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   const LoadOptions load{options.tol, options.engagement_limit_deg, options.material, options.cancel};
   const int threads = options.threads > 0 ? options.threads : available_threads();
   std::vector<std::function<void()>> tasks = load_tasks(part, program.moves, load, threads);
-  for (std::size_t i = 0; i < program.moves.size(); i += kChunk) {
+  const std::size_t gouging = part.is_shape_stated ? program.moves.size() : 0;
+  for (std::size_t i = 0; i < gouging; i += kChunk) {
     const std::span<JudgedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
     tasks.push_back([&finished, &options, &program, chunk] {
       judge_gouges(finished, chunk, options.tol);
@@ -266,6 +269,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   for (CarvingWork& work : carvings)
     tasks.push_back([&part, &program, &options, &work] { judge_carving(part, program, options.tol, work); });
   judge_works(part, finished, program, options, works, std::move(tasks));
+  if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   if (findings.all.load)
     findings.all.thin_wall = thinnest_wall(finished, findings.all.load->max_force_n, *options.material);

@@ -23,6 +23,7 @@ namespace clearcut::verify {
 struct ToolLimits {
   std::optional<double> stepdown;  ///< mm
   std::optional<MmPerMin> plunge_feed;
+  bool is_clockwise = true;  ///< which way it cuts
 };
 
 struct VerifyOptions {

@@ -2,6 +2,7 @@
 // read back and certified.
 #include "pipeline/selection/strategies.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -232,6 +233,28 @@ TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
       test_support::part_of(rectangle(50, 40), rectangle(50, 40), FeatureKind::kClosedPocket, 6), options);
   EXPECT_EQ(result.contests.front().kept(), "adaptive");
   EXPECT_EQ(verdict_and_reasons(result.findings), "CLEAN\n");
+}
+
+TEST(Auto, KeepsTheDirectionThatIsAskedFor) {
+  const Part part =
+      test_support::part_of(rectangle(50, 40), rectangle(50, 40), FeatureKind::kClosedPocket, 6);
+  const auto contestants = [&](const resolve::PlanOptions& options) {
+    std::vector<std::string> names;
+    const auto contest = pipeline::plan_part(part, options).contests.front();
+    for (const auto& one : contest.contestants) names.push_back(one.strategy);
+    return names;
+  };
+  auto options = options_for("auto");
+  EXPECT_THAT(contestants(options), testing::Contains("zigzag"));
+  options.direction = CutDirection::kClimb;
+  EXPECT_THAT(contestants(options), testing::Not(testing::Contains("zigzag")));
+  EXPECT_THAT(contestants(options), testing::Contains("contour"));
+  options.strategy = "zigzag";
+  const auto named = pipeline::plan_part(part, options);
+  const auto& said = named.part.diagnostics.items();
+  EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const Diagnostic& one) {
+    return one.severity == Severity::kWarning && one.what.find("cuts both ways") != std::string::npos;
+  }));
 }
 
 TEST(Auto, DoesNotDependOnTheNumberOfThreads) {

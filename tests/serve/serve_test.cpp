@@ -169,6 +169,24 @@ TEST(Serve, ChecksAProgram) {
   EXPECT_FALSE(wrong.at("certificate").at("faults").empty());
 }
 
+TEST(Serve, ChecksAProgramWithoutItsPart) {
+  const ServerProcess server;
+  auto client = server.client();
+  const std::string program =
+      "G21 G90 G17 G54 G61\nT1 M6\nG43\nS5000 M3\nG0 X25 Y25\nG0 Z5\nG1 Z-1 F100\nG1 X40 F900\nG0 "
+      "Z5\nM5\nM2\n";
+  const httplib::MultipartFormDataItems form{
+      {"program", program, "alone.ngc", "text/plain"},
+      {"options", "--tool endmill:6 --stock 50,50,5 --dialect linuxcnc", "", ""}};
+  const auto answer = client.Post("/check", form);
+  ASSERT_TRUE(answer);
+  const json state = json::parse(answer->body);
+  EXPECT_EQ(state.value("verdict", ""), "CLEAN AS FAR AS CAN BE SAID WITHOUT A PART") << state.dump();
+  EXPECT_FALSE(state.at("certificate").at("clean"));
+  EXPECT_TRUE(state.at("certificate").at("gouge_mm").is_null());
+  EXPECT_THAT(fetched(server, state.at("results").at("report")), HasSubstr("not asked"));
+}
+
 TEST(Serve, SaysWhatAPartHolds) {
   const ServerProcess server;
   auto client = server.client();

@@ -54,18 +54,34 @@ resolve::PlanOptions options_of(const read::DataValue& one) {
   if (const read::DataValue* machine = one.find("machine"))
     options.machine = read::read_machine(parts / machine->text);
   if (const read::DataValue* engagement = one.find("engagement")) options.engagement_deg = engagement->number;
+  if (const read::DataValue* clamps = one.find("keep_out")) {
+    for (const std::string& clamp : texts_of(*clamps))
+      options.keep_outs.push_back(resolve::parse_keep_out(clamp));
+  }
   return options;
+}
+
+/// Against the part that the case names, or alone.
+pipeline::CheckResult checked(const read::DataValue& one, const fs::path& file,
+                              const resolve::PlanOptions& options) {
+  const std::string program = read_file(file.string()), name = file.filename().string();
+  const auto dialect = read::gcode::dialect_named(one.find("dialect")->text);
+  const std::string part = one.find("part")->text;
+  if (!part.empty())
+    return pipeline::check_program(read::read_part(folder() / "parts" / part, {}), program, name, options,
+                                   dialect);
+  std::optional<Stock> stock;
+  if (const read::DataValue* stated = one.find("stock")) stock = resolve::parse_stock(stated->text);
+  return pipeline::check_program_alone(stock, program, name, options, dialect);
 }
 
 VerdictFound verdict_on(const read::DataValue& one, const fs::path& place) {
   resolve::PlanOptions options = options_of(one);
-  const Part part = read::read_part(folder() / "parts" / one.find("part")->text, {});
   const fs::path file = place / one.find("file")->text;
   options.accept = texts_of(*one.find("accept"));
   pipeline::CheckResult result;
   try {
-    result = pipeline::check_program(part, read_file(file.string()), file.filename().string(), options,
-                                     read::gcode::dialect_named(one.find("dialect")->text));
+    result = checked(one, file, options);
   } catch (const InputError& error) {
     return {"REFUSED", {error.what()}};
   }
@@ -97,7 +113,8 @@ TEST_P(WrongPrograms, GetTheVerdictTheyDeserve) {
 
 INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
-                                           "blending", "small", "cycles", "limits", "worst", "holes"),
+                                           "blending", "small", "cycles", "limits", "worst", "holes", "alone",
+                                           "habits", "holder"),
                          [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.

@@ -6,6 +6,9 @@ a right twin beside it. Run it again after a change: `python3 tests/wrong_progra
 """
 import json
 
+from alone import alone
+from clearances import holder
+from habits import habits
 from holes import holes, write_holes
 from limits import cycles, limits, worst, write_limits
 from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
@@ -354,7 +357,8 @@ def main():
         (HERE / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
     write_limits()
     write_holes()
-    classes = (motion, comments, dialects, conditions, state, blending, small, cycles, limits, worst, holes)
+    classes = (motion, comments, dialects, conditions, state, blending, small, cycles, limits, worst, holes,
+               alone, habits, holder)
     count = sum(make() for make in classes)
     print(count, "cases")
 

@@ -107,7 +107,7 @@ std::vector<std::string> PlanArguments::input_paths() const {
 std::vector<CertificateFileName> PlanArguments::input_files() const {
   std::vector<CertificateFileName> files;
   const auto job = this->job();
-  files.push_back({job ? "job" : "part", input_});
+  if (!input_.empty()) files.push_back({job ? "job" : "part", input_});
   if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
   if (tool_library_) add_library(*tool_library_, files);
   if (job && !tool_library_ && job->tool_library) add_library(*job->tool_library, files);
@@ -124,7 +124,7 @@ ToolLibrary PlanArguments::library() const {
 
 Machine PlanArguments::machine(const Machine& of_job) const {
   Machine machine = machine_file_ ? read_machine(*machine_file_) : of_job;
-  if (machine_kind_) fill_machine_kind(machine, *machine_kind_);
+  if (machine_kind_) read::fill_machine_kind(machine, *machine_kind_);
   if (acceleration_) machine.acceleration = *acceleration_;
   if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
   if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
@@ -171,6 +171,7 @@ PlanOptions PlanArguments::options() const {
   const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
   // The height that the program calls home is the machine's, which may be another than the job's.
   if (earlier && (after_ || machine_file_)) options.earlier = read_earlier_program(*earlier, options.machine);
+  for (const auto& text : keep_outs_) options.keep_outs.push_back(parse_keep_out(text));
   for (const auto& text : predrilled_) options.predrilled.push_back(parse_predrilled(text));
   if (direction_) options.direction = direction_named(*direction_, "--direction");
   options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;

@@ -34,6 +34,8 @@ class PlanArguments {
   Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
   const std::string& input() const { return input_; }
+  /// mm; of the material, where it was typed.
+  std::optional<double> top() const { return top_; }
   /// Every file that the options rest on, by its role, those that a job names included.
   std::vector<CertificateFileName> input_files() const;
   /// The paths alone.
@@ -85,6 +87,7 @@ class PlanArguments {
   std::optional<std::string> entry_;
   std::optional<double> entry_angle_;
   std::vector<std::string> predrilled_;
+  std::vector<std::string> keep_outs_;
   std::optional<double> lead_;
   std::optional<double> lead_angle_;
   std::optional<double> scallop_;

@@ -75,8 +75,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
   command.option_defaults()->group("Tools");
   command.add_option(
       "--tool", tools_,
-      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :max_spindle=12000 "
-      ":hss :carbide :coated :name=N :noplunge; "
+      "KIND:DIAMETER, then any of :T3 :60deg :tip=0.2 :flutes=2 :corner=0.5 :length=20 :shank=8 "
+      ":stickout=30 :holder=40 :max_spindle=12000 :hss :carbide :coated :name=N :noplunge; "
       "kinds: "
       "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill, tap, threadmill, "
       "boringbar, counterbore (repeatable)");
@@ -92,9 +92,13 @@ void PlanArguments::add_tool_options(CLI::App& command) {
   command
       .add_option("--machine-kind", machine_kind_,
                   "router or mill: speeds and power that are usual, where the machine states none")
-      ->check(one_of(machine_kinds()));
+      ->check(one_of(read::machine_kinds()));
   command.add_option("--accept", accept_,
                      "Condition that holds at the machine, by its name (repeatable): g55, blending, ...");
+  command.add_option(
+      "--keep-out", keep_outs_,
+      "Block where a clamp is, as ranges LOW:HIGH of X, Y and Z: -10:15,20:40,-20:12; coming there is "
+      "a fault (repeatable)");
   command.add_option("--acceleration", acceleration_, "Acceleration of the machine, mm/s2 (default 500)");
   command.add_option("--junction-deviation", junction_deviation_,
                      "Junction deviation of the machine, mm (default 0.01)");
@@ -142,7 +146,9 @@ void PlanArguments::add_strategy_options(CLI::App& command) {
       ->transform(as_stepover());
   command.add_option("--angle", angle_,
                      "Direction of zigzag lines against x, degrees (default: the fastest)");
-  command.add_option("--direction", direction_, "climb (default) or conventional")
+  command
+      .add_option("--direction", direction_,
+                  "climb (default) or conventional; said, auto tries nothing that cuts both ways")
       ->check(one_of({"climb", "conventional"}));
   command.add_option("--order", order_, "Contours inside-out (default) or outside-in")
       ->check(one_of({"inside-out", "outside-in"}));

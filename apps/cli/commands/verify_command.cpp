@@ -17,8 +17,10 @@ namespace {
 struct VerifyCommand {
   PlanArguments arguments;
   std::string program;
+  std::optional<std::string> stock;
   std::string json;
   std::string svg;
+  std::string html;
   std::string sheet;
   std::optional<std::string> dialect;
   bool quiet = false;
@@ -47,12 +49,25 @@ struct Judged {
   std::string certificate;
 };
 
+/// Without a part: against a stock.
+CheckResult checked_alone(const VerifyCommand& command, const std::string& program,
+                          const PlanOptions& options) {
+  if (!command.sheet.empty())
+    throw InputError("--setup-sheet", "needs --part: a set-up sheet names what is made");
+  const double top = command.arguments.top().value_or(0);
+  std::optional<Stock> stock;
+  if (command.stock) stock = parse_stock(*command.stock, top);
+  return check_program_alone(stock, program, command.program, options, dialect_of(command), top);
+}
+
 Judged judged(const VerifyCommand& command) {
   const PlanOptions options = command.arguments.options();
   Judged out;
   out.program = read_file(command.program);
-  out.result =
-      check_program(command.arguments.read(), out.program, command.program, options, dialect_of(command));
+  out.result = command.arguments.input().empty()
+                   ? checked_alone(command, out.program, options)
+                   : check_program(command.arguments.read(), out.program, command.program, options,
+                                   dialect_of(command));
   CertificateBasis basis = certificate_basis("verify", command.arguments.input_files(), command.program);
   basis.dialect_stated = command.dialect.has_value();
   out.certificate = write_certificate(out.result, options, basis, out.program);
@@ -65,6 +80,8 @@ int run(const VerifyCommand& command) {
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, found.certificate});
   if (!command.svg.empty()) files.push_back({command.svg, write_picture(result)});
+  if (!command.html.empty())
+    files.push_back({command.html, write_page(result, command.arguments.options(), found.program)});
   if (!command.sheet.empty())
     files.push_back(
         {command.sheet, write_setup_sheet(result, command.arguments.options(), file_name(command.program))});
@@ -96,12 +113,33 @@ std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
   return state;
 }
 
+/// A part may be left out; then options that say something of it are refused, and the stock may be said.
+void let_part_be_absent(CLI::App& command, VerifyCommand& state) {
+  CLI::Option* part = command.get_option("--part")->required(false);
+  for (CLI::Option* option : command.get_options()) {
+    const std::string& group = option->get_group();
+    const bool of_part = group == "Drawings" || group == "Solids" || option->check_name("--unit") ||
+                         option->check_name("--layer") || option->check_name("--depth") ||
+                         option->check_name("--allowance") || option->check_name("--allowance-floor");
+    if (of_part) option->needs(part);
+  }
+  command.option_defaults()->group("Input");
+  command
+      .add_option(
+          "--stock", state.stock,
+          "X,Y,Z of the block, without a part: sizes from X 0, Y 0 and down from --top, or each as LOW:HIGH "
+          "(default: the box of what is cut below --top)")
+      ->excludes(part);
+}
+
 std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
   auto state = declare_question(command);
+  let_part_be_absent(command, *state);
   command.option_defaults()->group("Output");
   command.add_option("--json", state->json, "Certificate to write (- for standard output)")
       ->type_name("FILE");
   command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
+  command.add_option("--report", state->html, "Page to write that plays the machining")->type_name("FILE");
   command.add_option("--setup-sheet", state->sheet, "Set-up sheet to write (HTML, prints on one page)")
       ->type_name("FILE");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
@@ -111,7 +149,7 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
 }  // namespace
 
 void add_verify_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("verify", "Judge any program against a part");
+  auto* command = app.add_subcommand("verify", "Judge any program, against a part or alone");
   command->group("Checking");
   auto state = declare(*command);
   command->callback([state, &exit_code] { exit_code = run(*state); });

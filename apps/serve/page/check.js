@@ -6,19 +6,30 @@ const mostLines = 20000;  // of a program that are shown
 function checkOptions() {
   const words = [];
   const add = (name, value) => { if (value.trim()) words.push(`${name} ${quoted(value.trim())}`); };
-  const diameter = element('check-diameter').value.trim();
+  const diameter = element('check-diameter').value.trim(), alone = !check.files.of('part');
   if (diameter) add('--tool', `${element('check-kind').value}:${diameter}`);
-  add('--depth', element('check-depth').value);
+  if (alone) add('--stock', element('check-stock').value);
+  else add('--depth', element('check-depth').value);
   add('--dialect', element('dialect').value);
   words.push(element('check-options').value.trim());
   return words.filter(word => word).join(' ');
 }
 
+/** What the check can speak of. */
+function whatIsJudged(program, part) {
+  if (!program) return 'Choose a program, and its part if there is one.';
+  return part ? 'The program is judged against its part.'
+    : 'Without a part: rapids, plunges, depths, engagement, limits, feeds and spindle are judged in the stock; what is left and what is gouged cannot be said.';
+}
+
 function showCheckCommand() {
   const program = check.files.of('program'), part = check.files.of('part');
-  const whole = program && part;
-  element('check-command').textContent = whole ? `clearcut verify ${quoted(program.name)} --part ${quoted(part.name)} ${checkOptions()}` : '';
-  element('check-go').disabled = !whole;
+  const words = ['clearcut', 'verify', program && quoted(program.name), part && `--part ${quoted(part.name)}`, checkOptions()];
+  element('check-command').textContent = program ? words.filter(word => word).join(' ') : '';
+  element('check-go').disabled = !program;
+  element('check-depth').parentElement.hidden = !part;
+  element('check-stock').parentElement.hidden = Boolean(part);
+  if (element('check-result').hidden) say(element('check-status'), whatIsJudged(program, part));
 }
 
 /** The line of the program that a fault names, 0 where it names none. */
@@ -52,7 +63,7 @@ async function showProgram(program, faults) {
 function showCheck(state, program) {
   const verdict = element('check-verdict');
   verdict.textContent = state.verdict;
-  verdict.className = `verdict ${state.verdict}`;
+  verdict.className = `verdict ${state.verdict.split(' ')[0]}`;
   const faults = state.certificate?.faults ?? [];
   const conditions = (state.certificate?.conditions ?? []).filter(one => !one.met);
   element('check-summary').textContent = faults.length === 0 ? 'no fault found' : `${faults.length} ${faults.length === 1 ? 'fault' : 'faults'}`;
@@ -62,6 +73,8 @@ function showCheck(state, program) {
   fillList(element('check-messages'), state.messages);
   element('check-notes').hidden = state.messages.length === 0;
   element('check-text').textContent = state.text ?? '';
+  element('check-report').src = state.results?.report ?? 'about:blank';
+  element('check-report').hidden = !state.results?.report;
   element('check-result').hidden = false;
   say(element('check-status'), `Done: ${state.verdict}.`);
   showProgram(program, faults);

@@ -121,8 +121,13 @@ const pipeline = {
     return () => { work.hear = null; };
   },
   async check(form) {
-    const words = ['verify', nameIn(form, 'program'), `--part=${nameIn(form, 'part')}`, ...wordsOf(form.get('options')), '--json=results/certificate.json'];
-    return startWork(words, await filesOf(form), false).end;
+    const part = form.get('part') ? [`--part=${nameIn(form, 'part')}`] : [];
+    const words = ['verify', nameIn(form, 'program'), ...part, ...wordsOf(form.get('options')), '--json=results/certificate.json',
+      '--report=results/report.html'];
+    for (const link of Object.values(local.checked ?? {})) URL.revokeObjectURL(link);
+    const state = await startWork(words, await filesOf(form), true).end;
+    local.checked = state.results;
+    return state;
   },
   async info(form) {
     const work = startWork(['info', nameIn(form, 'part'), ...wordsOf(form.get('options')), '--json'], await filesOf(form), false);

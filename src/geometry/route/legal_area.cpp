@@ -20,6 +20,8 @@ constexpr double kNearEnd = 4 * LegalArea::kSlack;
 
 /// Of a cell with edges: whether it lies inside.
 constexpr char kUnknown = 2;
+/// Root of how much longer than wide an area may be for its cells to be as many as those of a square one.
+constexpr double kMostSlender = 64;
 
 /// A few numbers; when there are many, some are forgotten.
 template <typename T>
@@ -78,7 +80,9 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
     }
   }
   if (edges_.empty()) return;
-  const double size = std::max({box_.width(), box_.height(), 1e-9});
+  // Long narrow areas have as many cells as square ones.
+  const double longest = std::max({box_.width(), box_.height(), 1e-9});
+  const double size = std::max(std::sqrt(box_.width() * box_.height()), longest / kMostSlender);
   const double across = std::clamp(2 * std::sqrt(static_cast<double>(edges_.size())), 24.0, 512.0);
   cell_ = size / across;
   cells_per_mm_ = 1 / cell_;

@@ -62,6 +62,12 @@ class BoxTree {
     if (count_ > 0) descend_from(1, open, visit);
   }
 
+  /// The same; open(box, first, end) is told the numbers that the box holds, first to below end.
+  template <typename Open, typename Visit>
+  void descend_ranges(Open&& open, Visit&& visit) const {
+    if (count_ > 0) descend_ranges_from(1, 0, leaves_ * kLeaf, open, visit);
+  }
+
   /// The box of all.
   const Box& box() const { return boxes_[1]; }
 
@@ -78,6 +84,19 @@ class BoxTree {
     }
     const auto first = static_cast<std::uint32_t>(node - leaves_) * kLeaf;
     for (std::uint32_t i = first; i < std::min(first + kLeaf, count_); ++i) visit(i);
+  }
+
+  template <typename Open, typename Visit>
+  void descend_ranges_from(std::size_t node, std::uint32_t first, std::uint32_t size, Open& open,
+                           Visit& visit) const {
+    const std::uint32_t end = std::min(first + size, count_);
+    if (first >= end || !open(boxes_[node], first, end)) return;
+    if (node < leaves_) {
+      descend_ranges_from(2 * node, first, size / 2, open, visit);
+      descend_ranges_from(2 * node + 1, first + size / 2, size / 2, open, visit);
+      return;
+    }
+    for (std::uint32_t i = first; i < end; ++i) visit(i);
   }
 
   /// Squared distance to a box, less by more than rounding.

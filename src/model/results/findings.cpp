@@ -44,6 +44,10 @@ const char* name_of(FaultKind kind) {
       return "tab height";
     case FaultKind::kThread:
       return "thread";
+    case FaultKind::kHolder:
+      return "holder in material";
+    case FaultKind::kKeepOut:
+      return "keep-out";
     case FaultKind::kTapping:
       return "tapping";
   }
@@ -65,6 +69,12 @@ const char* name_of(Verdict verdict) {
 Verdict verdict_of(const Findings& findings) {
   if (!findings.all.clean || !findings.faults.empty()) return Verdict::kFaulty;
   return open_conditions(findings).empty() ? Verdict::kClean : Verdict::kConditional;
+}
+
+std::string verdict_words(const Findings& findings) {
+  const Verdict verdict = verdict_of(findings);
+  const bool is_less = findings.without_part && verdict != Verdict::kFaulty;
+  return std::string(name_of(verdict)) + (is_less ? " AS FAR AS CAN BE SAID WITHOUT A PART" : "");
 }
 
 std::vector<Condition> open_conditions(const Findings& findings) {
@@ -89,8 +99,7 @@ std::vector<std::string> accept_conditions(Findings& findings, const std::vector
 }
 
 std::string verdict_and_reasons(const Findings& findings) {
-  std::string text = name_of(verdict_of(findings));
-  text += "\n";
+  std::string text = verdict_words(findings) + "\n";
   for (const Fault& fault : findings.faults)
     text += std::string(name_of(fault.kind)) + ": " + fault.text + "\n";
   for (const Condition& one : open_conditions(findings)) {

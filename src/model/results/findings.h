@@ -38,6 +38,8 @@ enum class FaultKind {
   kMissingTab,      ///< a tab that was asked for is cut away
   kTabHeight,       ///< a tab stands, but not as high as asked, or higher
   kThread,          ///< a milled thread of another pitch, hand or size, or cut across on the way in or out
+  kHolder,          ///< the holder or the shank runs into material that stands
+  kKeepOut,         ///< the tool or its holder comes where a clamp is
   kTapping  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
 };
 const char* name_of(FaultKind kind);
@@ -131,12 +133,16 @@ struct FeatureFindings {
 };
 
 struct Findings {
+  /// Nothing said what was to be made: uncut and gouge were not asked, and their figures are not numbers.
+  bool without_part = false;
   Figures all;
   std::vector<FeatureFindings> features;  ///< in workplan order
   std::vector<Fault> faults;              ///< worst first
   std::vector<Condition> conditions;      ///< what must hold at the machine, met and open
   /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not measured.
   std::vector<float> move_engagement_deg;
+  /// N, likewise: the largest mean tangential force. Empty: the material of the work is not known.
+  std::vector<float> move_force_n = {};
 };
 
 /// CLEAN: no fault, and nothing is open. CONDITIONAL: no fault as long as the open conditions hold. FAULTY: a fault.
@@ -144,6 +150,8 @@ enum class Verdict : unsigned char { kClean, kConditional, kFaulty };
 /// "CLEAN", "CONDITIONAL", "FAULTY".
 const char* name_of(Verdict verdict);
 Verdict verdict_of(const Findings& findings);
+/// Its name; without a part with what it cannot speak of: "CLEAN AS FAR AS CAN BE SAID WITHOUT A PART".
+std::string verdict_words(const Findings& findings);
 
 /// Conditions that nobody has said to hold.
 std::vector<Condition> open_conditions(const Findings& findings);

@@ -18,7 +18,9 @@ struct StepPlan {
   ClearedSize size;    ///< what bounds other strategies
   bool pocket = true;  ///< closed all round
   bool rest = false;   ///< cleared by others around it
-  bool hole = false;   ///< a round hole or a profile: made without any strategy
+  /// False where a rival's passes are known to leave what they could reach.
+  bool leaves_nothing = true;
+  bool hole = false;  ///< a round hole or a profile: made without any strategy
 };
 
 /// A workingstep with what is tried for it, its tool and feed as far as bounds need them.

@@ -35,10 +35,15 @@ Attempts attempts_of(const StrategyEntry& strategy, const Stepover& stepover) {
   return attempts;
 }
 
-/// Whether "auto" tries a strategy: where the engagement is limited only those that keep the limit, since the others
-/// begin with a slot.
-bool is_tried(const StrategyEntry& strategy, const ResolvedPlan& plan) {
-  return strategy.in_auto != AutoUse::kNever && (!plan.engagement_deg || strategy.limits_engagement);
+/// Whether "auto" may use a strategy at all: where a direction is asked for only those that keep it.
+bool is_usable(const StrategyEntry& strategy, const ResolvedStep& step) {
+  return strategy.in_auto != AutoUse::kNever && (!step.is_direction_asked || strategy.keeps_direction);
+}
+
+/// Whether "auto" tries it before any fallback: where the engagement is limited only those that keep the limit, since the
+/// others begin with a slot.
+bool is_tried(const StrategyEntry& strategy, const ResolvedStep& step, const ResolvedPlan& plan) {
+  return is_usable(strategy, step) && (!plan.engagement_deg || strategy.limits_engagement);
 }
 
 Attempt attempt_of(const StrategyEntry& strategy, const Stepover& stepover) {
@@ -92,12 +97,12 @@ Attempts attempts_for(const ResolvedStep& step, const ResolvedPlan& plan, const 
   Attempts attempts;
   for (const bool first : {true, false}) {
     for (const StrategyEntry& entry : table.entries()) {
-      if (is_tried(entry, plan) && (entry.in_auto == AutoUse::kFirst) == first)
+      if (is_tried(entry, step, plan) && (entry.in_auto == AutoUse::kFirst) == first)
         attempts.contest.push_back(attempt_of(entry, step.stepover));
     }
   }
   for (const StrategyEntry& entry : table.entries()) {
-    if (entry.in_auto == AutoUse::kNever) continue;
+    if (!is_usable(entry, step)) continue;
     for (const std::string& stepover : entry.fallbacks)
       attempts.fallbacks.push_back({&entry, stepover.empty() ? step.stepover : Stepover{stepover}});
   }

@@ -35,6 +35,7 @@ struct Attempt {
   Stepover stepover;
   bool beside_rivals = false;  ///< the strategy's rivals are planned too, and the fastest is taken
   bool briefly = false;        ///< where it searches, a short search will do: others are planned as well
+  bool as_rival = false;  ///< planned beside another: kept only if it is faster and leaves nothing behind
 };
 
 /// The strategy of an attempt with the step's values bound in. Throws InputError for a stepover that means nothing to it.

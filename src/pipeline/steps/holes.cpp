@@ -1,7 +1,10 @@
 #include "pipeline/steps/holes.h"
 
+#include <algorithm>
+
 #include "link/hole.h"
 #include "pipeline/certify.h"
+#include "plan/common/layers.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::pipeline {
@@ -15,6 +18,12 @@ bool is_drilled(const stock::RoundHole& hole, const ResolvedStep& step, const To
                 const Tolerances& tol) {
   if (stock::only_plunges(tool)) return tool.radius() <= hole.radius + tol.fit;
   return tool.center_cutting && step.allowance_side == 0 && stock::makes_hole(tool, hole, tol);
+}
+
+/// Whether a layer was widened into features that take some of the hole's wall away: there no stock may stay.
+bool runs_into_others(const std::vector<Layer>& layers, const Feature& feature) {
+  return std::any_of(layers.begin(), layers.end(),
+                     [&](const Layer& layer) { return !plan::same_outline(layer.allowed, feature.allowed); });
 }
 
 bool is_bored(const link::HoleWork& work, const Feature& feature, const ResolvedStep& step,
@@ -43,7 +52,7 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
       section = feeds_out ? link::feed_out_hole(work, link)
                 : chips   ? link::chip_hole(work, step.stepdown, link)
                           : link::drill_hole(work, step.stepdown, link);
-    } else if (is_bored(work, feature, step, tool)) {
+    } else if (is_bored(work, feature, step, tool) && !runs_into_others(layers, feature)) {
       section = link::bore_hole(work, step.stepdown, link);
     }
   }

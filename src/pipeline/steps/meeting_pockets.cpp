@@ -9,6 +9,7 @@
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"
 #include "stock/at_depth.h"
+#include "stock/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -85,24 +86,54 @@ bool runs_into(const Feature& other, const Regions& around, const Tolerances& to
   return !intersect(other.allowed, around, tol).empty() && !subtract(other.allowed, around, tol).empty();
 }
 
+/// What the cutters of earlier workingsteps have cleared around a pocket, down to where it begins or deeper.
+Regions cleared_before(const Part& part, int workingstep, const Tolerances& tol) {
+  const Feature& pocket = feature_of(part, part.workplan[static_cast<std::size_t>(workingstep)]);
+  Regions cleared;
+  for (int i = 0; i < workingstep; ++i) {
+    const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
+    const Feature& other = feature_of(part, step);
+    const bool deep = other.floor_z + step.operation.allowance_floor <= pocket.top_z + tol.coincident;
+    if (!deep || &other == &pocket || other.wall_slope.radians() != 0 || other.profile || other.chamfer ||
+        stock::only_plunges(tool_of(part, step)))
+      continue;
+    cleared = unite(
+        cleared,
+        resolve::swept(other.allowed, tool_of(part, step).radius(), step.operation.allowance_side, 0, tol),
+        tol);
+  }
+  return cleared;
+}
+
 }  // namespace
 
 MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Tolerances& tol) : tol_(tol) {
   const Workingstep& step = part.workplan[static_cast<std::size_t>(workingstep)];
   const Feature& pocket = feature_of(part, step);
-  const bool leaves_stock = !closed_all_round(pocket) && step.operation.allowance_side > 0;
+  const bool is_hole = pocket.kind == FeatureKind::kRoundHole && !is_formed(pocket);
+  const bool leaves_stock = (is_hole || !closed_all_round(pocket)) && step.operation.allowance_side > 0;
   if (pocket.kind != FeatureKind::kClosedPocket && !leaves_stock) return;
   const Box here = box(pocket.target).grown(kTouching);
   std::optional<Regions> around;  // made for the first that asks: most pockets lie alone
   for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
     const Feature* other = &feature_of(part, part.workplan[static_cast<std::size_t>(i)]);
-    const bool open_to_layers =
-        other->floor_z < pocket.top_z && (i < workingstep || other->top_z <= pocket.top_z);
-    if (other == &pocket || !open_to_layers || !box(other->allowed).overlaps(here)) continue;
+    if (other == &pocket || other->floor_z >= pocket.top_z || !box(other->allowed).overlaps(here)) continue;
     if (std::find(met_.begin(), met_.end(), other) != met_.end()) continue;
     if (!around) around = dilate(pocket.target, kTouching, tol);
-    if (runs_into(*other, *around, tol)) met_.push_back(other);
+    if (!runs_into(*other, *around, tol)) continue;
+    if (i > workingstep && other->top_z > pocket.top_z) {
+      if (higher_.empty()) cleared_ = cleared_before(part, workingstep, tol);
+      if (cleared_.empty()) continue;
+      higher_.push_back(other);
+    }
+    met_.push_back(other);
   }
+}
+
+Regions MeetingPockets::room_of(const Feature& other, double z) const {
+  Regions room = stock::at_depth(other.allowed, other.wall_slope, other.top_z - z, tol_);
+  const bool higher = std::find(higher_.begin(), higher_.end(), &other) != higher_.end();
+  return higher ? intersect(room, cleared_, tol_) : room;
 }
 
 std::vector<const Feature*> MeetingPockets::open_at(double z) const {
@@ -133,9 +164,7 @@ void MeetingPockets::widen(Layer& layer) {
 std::optional<Regions> MeetingPockets::added_to(const Layer& layer,
                                                 const std::vector<const Feature*>& open) const {
   Regions wide = layer.allowed;
-  for (const Feature* other : open)
-    wide = united_over_hairlines(
-        wide, stock::at_depth(other->allowed, other->wall_slope, other->top_z - layer.z, tol_), tol_);
+  for (const Feature* other : open) wide = united_over_hairlines(wide, room_of(*other, layer.z), tol_);
   const double around = 2 * (layer.tool_radius + layer.wall_stock);
   const Regions near = dilate(layer.allowed, around, tol_);
   const auto reached = [&](const Regions& allowed, double more) {

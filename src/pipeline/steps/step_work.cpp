@@ -11,6 +11,7 @@
 #include "pipeline/steps/formed_holes.h"
 #include "pipeline/steps/holes.h"
 #include "pipeline/steps/meeting_pockets.h"
+#include "pipeline/steps/missed_by_others.h"
 #include "plan/common/layers.h"
 #include "post/post.h"
 #include "resolve/left_over.h"
@@ -49,6 +50,15 @@ Regions overrun(const Regions& target, const Regions& allowed, const ResolvedPla
   return intersect(dilate(target, beyond, plan.tol), allowed, plan.tol);
 }
 
+/// Of a layer over which nothing stands by design: what others have missed, with the room that they leave to reach it.
+void keep_what_others_missed(Layer& layer, int index, MeetingPockets& met, const ResolvedPlan& plan) {
+  Layer wide = layer;
+  if (!met.empty()) met.widen(wide);
+  wide.target = layer.target;
+  layer.target = missed_by_others(index, wide, plan);
+  if (!layer.target.empty()) layer.allowed = wide.allowed;
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
 /// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
@@ -74,7 +84,9 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
     Regions stands = standing.above(layer.z);
     // It stands in the outline at the top: between leaning walls there is less.
     if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, plan.tol);
-    if (stands.empty() || !closed_all_round(feature) || layer.z >= feature.top_z) {
+    if (stands.empty() && closed_all_round(feature)) {
+      keep_what_others_missed(layer, index, met, plan);
+    } else if (!closed_all_round(feature) || layer.z >= feature.top_z) {
       layer.target = overrun(stands, layer.allowed, plan);
       if (!layer.target.empty() && !closed_all_round(feature)) met.widen(layer);
     } else if (!met.empty()) {
@@ -148,11 +160,20 @@ std::optional<double> top_of_flush_walls(const Part& part, const Feature& featur
   return top;
 }
 
+/// Whether any other feature may share area with this one.
+bool meets_others(const Part& part, const Feature& feature) {
+  const Box here = box(feature.target);
+  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
+    return &other != &feature && box(other.target).overlaps(here);
+  });
+}
+
 StepWork step_work(int index, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   StepWork work;
   work.workingstep = index;
   const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
+  work.meets_others = meets_others(part, feature);
   work.wall_top = top_of_flush_walls(part, feature, plan.tol);
   work.hole = carve_step(index, plan);
   if (!work.hole) work.hole = formed_hole_step(index, plan);

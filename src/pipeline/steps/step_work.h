@@ -23,7 +23,9 @@ struct StepWork {
   std::vector<LayerLeft> layers;   ///< over which something still stands, from the top down
   std::optional<Section> hole;     ///< where it is made as a round hole or carved, whatever the strategy
   std::optional<double> wall_top;  ///< height of walls above that stand as near as its own
-  bool done_before = false;        ///< an earlier program has left nothing that is worth a cut
+  /// Other features lie in its area: they may take what is left here, and then the finished part shows nothing of it.
+  bool meets_others = false;
+  bool done_before = false;  ///< an earlier program has left nothing that is worth a cut
 };
 
 /// The work of every workingstep, in the order of the workplan. Cost O(layers) booleans a step.

@@ -30,6 +30,7 @@ StrategyEntry entry(std::function<TourSolver(const StrategyRequest&)> solver_for
       return plan_tour(layer, grid, solve, tol);
     });
   };
+  entry.keeps_direction = false;
   entry.in_auto = AutoUse::kBriefly;
   entry.tried_when_open = true;
   entry.margin = 1.35;  // factor on its least time; in 120 random pockets tours took 1.37 to 3 times as long

@@ -29,6 +29,7 @@ StrategyEntry entry() {
   entry.name = "zigzag";
   entry.description = "parallel lines to and fro, then along the walls";
   entry.make = make;
+  entry.keeps_direction = false;
   entry.in_auto = AutoUse::kTried;
   return entry;
 }

@@ -94,6 +94,9 @@ class Builder {
     if (current_.type == "BLOCK") {
       block_ = &document_.blocks[capitals(current_.text(2))];
       block_->base = {document_.number(current_, 10, 0), document_.number(current_, 20, 0)};
+      constexpr int kExternal = 4 | 8;  // a reference, an overlay
+      block_->external = (document_.integer(current_, 70, 0) & kExternal) != 0;
+      block_->path = current_.text(1);
     } else if (current_.type == "ENDBLK") {
       block_ = nullptr;
     } else if (block_) {

@@ -29,6 +29,8 @@ struct DxfEntity {
 struct DxfBlock {
   Vec2 base;
   std::vector<DxfEntity> entities;
+  bool external = false;  ///< stands for a drawing in a file of its own
+  std::string_view path;  ///< of that file, as written
 };
 
 /// Views into the text, which must outlive it.

@@ -81,6 +81,9 @@ class Collector {
                             "flat outlines cut to the depth given");
     }
     report_left_out(diagnostics_, document_.file, not_read_, "not read, because they are no outlines:");
+    report_left_out(
+        diagnostics_, document_.file, external_,
+        "not read, because they are drawings in files of their own (bind them, then export again):");
     report_left_out(diagnostics_, document_.file, hidden_,
                     "not read, because their layers are off or frozen, or they are invisible:");
     report_left_out(diagnostics_, document_.file, not_chosen_,
@@ -215,6 +218,10 @@ class Collector {
                      "INSERT of the block '" + printable(name) +
                          "', which the file does not define; bind the reference it stands for, or delete it");
     }
+    if (block->second.external && block->second.entities.empty()) {
+      ++external_[block->second.path.empty() ? name : std::string(block->second.path)];
+      return;
+    }
     if (depth >= kDeepestBlocks) {
       document_.fail(entity.line,
                      "blocks within blocks deeper than 16; '" + printable(name) + "' may contain itself");
@@ -248,7 +255,7 @@ class Collector {
   Diagnostics& diagnostics_;
   std::vector<DrawnGroup> groups_;
   std::map<std::string, std::size_t> by_layer_;
-  LeftOut not_read_, hidden_, not_chosen_, ignored_;
+  LeftOut not_read_, external_, hidden_, not_chosen_, ignored_;
   std::map<std::string, std::string> seen_;  ///< layers with curves, as written, by their names in capitals
   int risen_ = 0;                            ///< curves that are not flat
   int count_ = 0;

@@ -28,7 +28,7 @@ std::optional<Dialect> dialect_named(std::string_view name) {
 namespace {
 
 constexpr DialectRules mach_rules(Dialect dialect) {
-  return {.dialect = dialect, .centers_set_up = true};
+  return {.dialect = dialect, .centers_set_up = true, .has_old_units = true};
 }
 
 constexpr std::array kRules{

@@ -37,6 +37,7 @@ struct DialectRules {
   bool dwell_in_ms = false;          ///< G4 P: milliseconds
   bool dwell_by_s = false;           ///< G4 S: seconds
   bool saves_modes = false;          ///< M70 to M73
+  bool has_old_units = false;        ///< G70 and G71 are G20 and G21
 };
 
 const DialectRules& rules_of(Dialect dialect);

@@ -245,6 +245,13 @@ ShopOptions shop_of(DataSection& section) {
   return shop;
 }
 
+KeepOut keep_out_of(DataSection section) {
+  const auto x = section.range("x"), y = section.range("y"), z = section.range("z");
+  if (!x || !y || !z) section.fail("a clamp needs x, y and z, each [low, high]");
+  section.refuse_unknown();
+  return {{{(*x)[0], (*y)[0]}, {(*x)[1], (*y)[1]}}, (*z)[0], (*z)[1]};
+}
+
 PredrilledHole predrilled_of(DataSection section) {
   PredrilledHole hole;
   const auto x = coordinate(section, "x"), y = coordinate(section, "y");
@@ -314,6 +321,8 @@ JobFile read_job_text(std::string_view text, const std::string& file_name) {
   if (const auto plan = section.section("plan")) read_plan_section(*plan, job);
   for (DataSection& hole : section.sections("predrilled"))
     job.predrilled.push_back(predrilled_of(std::move(hole)));
+  for (DataSection& clamp : section.sections("keep_out"))
+    job.keep_outs.push_back(keep_out_of(std::move(clamp)));
   for (DataSection& one : section.sections("operation"))
     job.operations.push_back(operation_rule(std::move(one)));
   if (const auto output = section.section("output")) job.output = output_of(*output);

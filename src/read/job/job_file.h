@@ -84,6 +84,7 @@ struct JobFile {
   // For the planner as a whole.
   ShopOptions shop;
   std::optional<std::filesystem::path> after;  ///< program that has run before, found from the job's folder
+  std::vector<KeepOut> keep_outs;              ///< [[keep_out]]
   std::vector<PredrilledHole> predrilled;      ///< [[predrilled]]
   std::optional<double> engagement_deg;
   std::optional<std::string> objective;

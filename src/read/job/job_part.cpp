@@ -338,6 +338,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
     if (job.stock->x && job.stock->y) open_at_stock_edge(part, options.tol);
   }
   if (job.clearance_z) part.clearance_z = job.clearance_z;
+  part.keep_outs = job.keep_outs;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
   Dresser(job, part, sources, published).run();
   return part;

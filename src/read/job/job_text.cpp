@@ -75,6 +75,10 @@ std::string tool_section(const Tool& tool) {
     out += fmt::format("corner_radius = {}\n", trimmed(tool.corner_radius, 6));
   }
   if (tool.flute_length) out += fmt::format("flute_length = {}\n", trimmed(*tool.flute_length, 6));
+  if (tool.shank_diameter > 0) out += fmt::format("shank_diameter = {}\n", trimmed(tool.shank_diameter, 6));
+  if (tool.stickout)
+    out += fmt::format("stickout = {}\nholder_diameter = {}\n", trimmed(*tool.stickout, 6),
+                       trimmed(tool.holder_diameter, 6));
   if (tool.max_spindle_rpm) out += fmt::format("max_spindle = {}\n", trimmed(*tool.max_spindle_rpm, 3));
   if (tool.high_speed_steel)
     out += fmt::format("material = \"{}\"\n", *tool.high_speed_steel ? "hss" : "carbide");

@@ -73,6 +73,8 @@ Tool tool_of(const DataValue& root, ToolKind kind) {
   tool.name = text_of(root, "name");
   tool.diameter = quantity(value_of(root, "Diameter")).value_or(0);
   tool.flute_length = quantity(value_of(root, "CuttingEdgeHeight"));
+  if (tool.flute_length)
+    tool.shank_diameter = std::max(0.0, quantity(value_of(root, "ShankDiameter")).value_or(0));
   const DataValue* edges = value_of(root, "Material");
   if (edges && edges->is_string() && (edges->text == "HSS" || edges->text == "Carbide"))
     tool.high_speed_steel = edges->text == "HSS";
@@ -118,7 +120,7 @@ std::optional<LibraryTool> read_freecad_bit(std::string_view text, const std::st
     preset.cutting.spindle_clockwise = false;
     out.presets.push_back(preset);
   }
-  for (const char* dropped : {"Chipload", "ShankDiameter", "Length"}) {
+  for (const char* dropped : {"Chipload", "Length"}) {
     if (value_of(root, dropped)) diagnostics.note(file_name, std::string(dropped) + " is not used");
   }
   return out;

@@ -82,6 +82,22 @@ Tool tool_of(const DataValue& entry, ToolKind kind, double unit) {
   return tool;
 }
 
+/// A holder is its first segment, at its widest; a tool stands out of it by the length of its body.
+void read_holder(const DataValue& entry, double unit, Tool& tool) {
+  const DataValue* geometry = entry.find("geometry");
+  if (tool.flute_length) tool.shank_diameter = unit * std::max(0.0, number_of(geometry, "SFDM").value_or(0));
+  const DataValue* holder = entry.find("holder");
+  const DataValue* segments = holder && holder->is_object() ? holder->find("segments") : nullptr;
+  const double body = number_of(geometry, "LB").value_or(0);
+  if (!segments || !segments->is_array() || segments->items.empty() || !(body > 0)) return;
+  const DataValue* first = &segments->items.front();
+  const double widest = std::max(number_of(first, "lower-diameter").value_or(0),
+                                 number_of(first, "upper-diameter").value_or(0));
+  if (!(widest > 0)) return;
+  tool.stickout = unit * body;
+  tool.holder_diameter = unit * widest;
+}
+
 void append_presets(const DataValue& entry, double unit, LibraryTool& tool) {
   const DataValue* start = entry.find("start-values");
   const DataValue* presets = start && start->is_object() ? start->find("presets") : nullptr;
@@ -121,6 +137,7 @@ ToolLibrary read_fusion_library(std::string_view text, const std::string& file_n
                                "tap '" + printable(tool.tool.name) + "' was dropped: it states no pitch");
       continue;
     }
+    read_holder(entry, unit, tool.tool);
     append_presets(entry, unit, tool);
     library.tools.push_back(std::move(tool));
   }

@@ -96,6 +96,17 @@ std::optional<Thread> thread_of(DataSection& section, ToolKind kind) {
   return thread;
 }
 
+/// The holder by its diameter and how far the tool stands out of it; a shank wider than the cutter begins above the flutes.
+void read_holder(DataSection& section, Tool& tool) {
+  tool.stickout = section.positive("stickout");
+  tool.holder_diameter = section.positive("holder_diameter").value_or(0);
+  tool.shank_diameter = section.positive("shank_diameter").value_or(0);
+  if (tool.stickout.has_value() != (tool.holder_diameter > 0))
+    section.fail("a holder needs both stickout and holder_diameter, mm");
+  if (tool.shank_diameter > tool.diameter && !tool.flute_length)
+    section.fail("a shank wider than the cutter needs flute_length, mm: where it begins");
+}
+
 /// What the edges are of.
 void read_edges(DataSection& section, Tool& tool) {
   const std::vector<std::string> materials{"carbide", "hss"};
@@ -128,6 +139,7 @@ LibraryTool tool_of_section(DataSection section) {
   read_cone(section, out.tool);
   out.tool.teeth = static_cast<int>(std::clamp(section.positive("teeth").value_or(2), 1.0, 100.0));
   out.tool.flute_length = section.positive("flute_length");
+  read_holder(section, out.tool);
   out.tool.max_spindle_rpm = section.positive("max_spindle");
   read_thread(section, out.tool, thread);
   read_edges(section, out.tool);

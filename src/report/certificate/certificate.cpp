@@ -235,7 +235,8 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   for (const CertificateFile& one : info.inputs) json["inputs"].push_back(file(one));
   json["program"] = program(info);
   json["question"] = certificate_question(part, findings, info);
-  json["verdict"] = name_of(verdict_of(findings));
+  json["verdict"] = verdict_words(findings);
+  if (findings.without_part) json["not_asked"] = {name_of(FaultKind::kUncut), name_of(FaultKind::kGouge)};
   add_figures(json, findings.all);
   json["clean"] = all_finite(findings.all) && verdict_of(findings) == Verdict::kClean;
   json["features"] = Json::array();

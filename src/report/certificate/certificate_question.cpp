@@ -15,7 +15,7 @@ constexpr const char* kAssumptions[] = {
     ("cutters are cylinders of their stated diameter; rounded ends count by their flat part on floors and by "
      "their full radius at walls"),
     "tool, holder, work and machine do not bend, and the spindle runs true",
-    "holders, shanks and clamps are not looked at",
+    "holders, shanks and clamps are looked at where the question states them, as cylinders and blocks",
     "the work's zero is where G54 or the active datum lies, and the stock is as stated",
     "the control holds the length of each tool under its own number",
     "the tool stands above the work when the program begins",
@@ -45,6 +45,11 @@ Json tool(const Tool& one) {
   json["pitch_mm"] = certificate_number(one.pitch);
   json["left_hand"] = one.left_hand;
   json["floating"] = one.floating;
+  if (one.shank_diameter > 0) json["shank_diameter_mm"] = certificate_number(one.shank_diameter);
+  if (one.stickout) {
+    json["stickout_mm"] = certificate_number(*one.stickout);
+    json["holder_diameter_mm"] = certificate_number(one.holder_diameter);
+  }
   return json;
 }
 
@@ -54,6 +59,14 @@ Json stock(const std::optional<Stock>& one) {
   json["x"] = {certificate_number(one->plan.min.x), certificate_number(one->plan.max.x)};
   json["y"] = {certificate_number(one->plan.min.y), certificate_number(one->plan.max.y)};
   json["z"] = {certificate_number(one->z_bottom), certificate_number(one->z_top)};
+  return json;
+}
+
+Json keep_out(const KeepOut& one) {
+  Json json;
+  json["x"] = {certificate_number(one.plan.min.x), certificate_number(one.plan.max.x)};
+  json["y"] = {certificate_number(one.plan.min.y), certificate_number(one.plan.max.y)};
+  json["z"] = {certificate_number(one.bottom_z), certificate_number(one.top_z)};
   return json;
 }
 
@@ -155,6 +168,7 @@ Json certificate_question(const Part& part, const Findings& findings, const Cert
   json["tools"] = Json::array();
   for (const Tool& one : part.tools) json["tools"].push_back(tool(one));
   json["stock"] = stock(part.stock);
+  for (const KeepOut& one : part.keep_outs) json["keep_outs"].push_back(keep_out(one));
   json["workplan"] = Json::array();
   for (const Workingstep& one : part.workplan) json["workplan"].push_back(step(part, one));
   json["limits"] = limits(info);

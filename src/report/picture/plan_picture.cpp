@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <set>
 
 #include "geometry/rectangle.h"
 #include "report/picture/job_view.h"
@@ -232,6 +234,42 @@ void draw_feature_lines(SvgWriter& svg, const PlanView& view, const Job& job, in
   }
 }
 
+/// Depths of what feed moves cut, the shallowest first; of very many as many as shades can be told apart.
+std::vector<double> depths_cut(const Job& job) {
+  constexpr std::size_t kMostDepths = 32;
+  const double top = job.part.top_z();
+  std::set<double, std::greater<>> depths;
+  for (const Section& section : job.toolpath.sections) {
+    for (const Move& move : section.moves) {
+      if (is_rapid(move.kind) || !drawable(move.path)) continue;
+      for (const double z : {move.z_from, move.z_to})
+        if (z < top) depths.insert(std::round(z * 1000) / 1000);
+    }
+  }
+  if (depths.size() <= kMostDepths) return {depths.begin(), depths.end()};
+  std::vector<double> even;
+  for (std::size_t i = 1; i <= kMostDepths; ++i)
+    even.push_back(top + (*depths.rbegin() - top) * static_cast<double>(i) / kMostDepths);
+  return even;
+}
+
+/// What is cut away, with the lines of all tools, where nothing says what was to be made.
+void draw_cut_away(SvgWriter& svg, const PlanView& view, const Job& job) {
+  const std::vector<double> depths = depths_cut(job);
+  const double top = job.part.top_z(), bottom = depths.empty() ? top - 1 : depths.back();
+  for (const double z : depths)
+    draw_sweeps(svg, sweeps_at(job, z, view.visible()),
+                report::palette::depth_color((top - z) / (top - bottom)));
+  for (const Section& section : job.toolpath.sections) {
+    const Tool* tool = tool_of(job.part, section);
+    LineStyle style;
+    style.cut_width = 0.8;
+    style.cut_color =
+        report::palette::tool_color(tool == nullptr ? 0 : static_cast<int>(tool - job.part.tools.data()));
+    draw_lines(svg, view, shown_moves(section, true), style);
+  }
+}
+
 }  // namespace
 
 double PlanView::scale() const {
@@ -277,6 +315,7 @@ void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job) {
   PathData seen;
   seen.add(rectangle(job.part.stock ? job.part.stock->plan : view.visible()));
   open_clipped(svg, seen.text());
+  if (!job.part.is_shape_stated) draw_cut_away(svg, view, job);
   for (const int feature : shallow_first(job.part)) draw_floor(svg, view, job, feature);
   svg.close();
   close_world(svg, view);

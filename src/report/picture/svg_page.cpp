@@ -28,13 +28,13 @@ std::string subtitle_of(const Part& part) {
   return text;
 }
 
-std::string verdict_words(const Findings& findings) {
+std::string badge_words(const Findings& findings) {
   const auto counted = [](std::size_t count, const char* what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
   };
   switch (verdict_of(findings)) {
     case Verdict::kClean:
-      return "certified clean";
+      return findings.without_part ? "no fault, no part" : "certified clean";
     case Verdict::kConditional:
       return "conditional: " + counted(open_conditions(findings).size(), "condition");
     case Verdict::kFaulty:
@@ -46,7 +46,7 @@ std::string verdict_words(const Findings& findings) {
 void draw_verdict(SvgWriter& svg, const Findings& findings) {
   const Verdict verdict = verdict_of(findings);
   const bool clean = verdict == Verdict::kClean;
-  const std::string words = verdict_words(findings);
+  const std::string words = badge_words(findings);
   const double width = 60 + 9.6 * static_cast<double>(words.size());
   const double left = kPageWidth - kPageMargin - width;
   svg.leaf("rect", {{"x", svg_number(left)},
@@ -76,12 +76,16 @@ std::vector<Tile> tiles_of(const Findings& findings) {
     return std::any_of(findings.faults.begin(), findings.faults.end(),
                        [kind](const Fault& x) { return x.kind == kind; });
   };
+  const auto asked = [&](double figure) {
+    return findings.without_part ? std::string("not asked") : fixed(figure, 4);
+  };
+  const char* unit = findings.without_part ? "" : " mm";
   return {{clock_time(f.time_s), "", "machining time"},
           {fixed(f.feed_mm, 0), " mm", "feed"},
           {fixed(f.rapid_mm, 0), " mm", "rapid"},
           {std::to_string(f.retracts), "", "retracts"},
-          {fixed(f.uncut_thickness_mm, 4), " mm", "left at most, proven", has(FaultKind::kUncut)},
-          {fixed(f.gouge_mm, 4), " mm", "deepest gouge", has(FaultKind::kGouge)},
+          {asked(f.uncut_thickness_mm), unit, "left at most, proven", has(FaultKind::kUncut)},
+          {asked(f.gouge_mm), unit, "deepest gouge", has(FaultKind::kGouge)},
           {std::to_string(f.rapid_in_material), "", "rapids in material", f.rapid_in_material > 0},
           {fixed(f.engagement.max_deg, 0), "\u00b0", "largest engagement"}};
 }
@@ -155,6 +159,11 @@ std::vector<LegendRow> legend_rows(const Job& job) {
     rows.push_back({Kind::kLine, report::palette::kEntry, "entry: ramp, helix"});
   if (has(MoveKind::kPlunge, true)) rows.push_back({Kind::kDot, report::palette::kEntry, "plunge"});
   if (has(MoveKind::kRapid, false)) rows.push_back({Kind::kDashed, report::palette::kRapid, "rapid"});
+  if (!part.is_shape_stated) {
+    rows.push_back({Kind::kArea, report::palette::depth_color(0.6), "cut, darker where deeper"});
+    rows.push_back({Kind::kArea, report::palette::depth_color(0), "stock"});
+    return rows;
+  }
   rows.push_back({Kind::kArea, report::palette::kFloor, "swept by the cutter"});
   rows.push_back({Kind::kArea, report::palette::kUncut, "left, within reach"});
   rows.push_back({Kind::kArea, report::palette::kUnreachable, "left, out of the cutter's reach"});

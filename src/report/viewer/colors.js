@@ -56,9 +56,12 @@ function byTool() {
 }
 const byEngagement = () => byValue(i => moves.kind[i] === 0 ? null : engagements[i], 0, 180, v => v + '\u00b0');
 
+const byForce = () => byValue(i => moves.kind[i] === 0 ? null : forces[i], 0, mostForce, forceText);
+
 const COLORINGS = { kind: byKind };
 if (job.feeds.some(row => row[1] > 0)) COLORINGS.feed = byFeed;
 if (engagements) COLORINGS.engagement = byEngagement;
+if (forces && mostForce > 0) COLORINGS.force = byForce;
 if (layerHeights.length > 1) COLORINGS.layer = byLayer;
 if (job.tools.length > 1) COLORINGS.tool = byTool;
 

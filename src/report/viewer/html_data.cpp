@@ -111,7 +111,9 @@ void write_moves(const Job& job, const Machine& machine, Json& json) {
   MoveColumns columns;
   const std::vector<float>& engagement = job.findings.move_engagement_deg;
   const bool measured = !engagement.empty() && engagement.size() == moves_in(job.toolpath);
-  Json degrees = Json::array();
+  const std::vector<float>& forces = job.findings.move_force_n;
+  const bool loaded = !forces.empty() && forces.size() == moves_in(job.toolpath);
+  Json degrees = Json::array(), newtons = Json::array();
   std::size_t index = 0;
   json["sections"] = Json::array();
   for (const Section& section : job.toolpath.sections) {
@@ -128,12 +130,14 @@ void write_moves(const Job& job, const Machine& machine, Json& json) {
       if (!drawable_move(move)) continue;
       moves.push_back(move);
       if (measured) degrees.push_back(std::lround(engagement[i]));
+      if (loaded) newtons.push_back(number(forces[i], 1));
     }
     const std::vector<Seconds> times = kinematics::move_times(moves, machine);
     for (std::size_t i = 0; i < moves.size(); ++i) columns.add(moves[i], times[i].seconds());
   }
   columns.write(json);
   json["engagement"] = measured ? std::move(degrees) : Json(nullptr);
+  json["force"] = loaded ? std::move(newtons) : Json(nullptr);
 }
 
 double lowest_z(const Job& job) {
@@ -155,8 +159,22 @@ Json tool_json(const Tool& tool) {
   json["f"] = tool.flute_length ? number(*tool.flute_length) : Json(nullptr);
   json["a"] = is_conical(tool) ? number(flank_slope(tool)) : Json(nullptr);
   json["t"] = number(tool.tip_diameter);
+  json["k"] = number(tool.shank_diameter);
+  json["s"] = tool.stickout ? number(*tool.stickout) : Json(nullptr);
+  json["h"] = number(tool.holder_diameter);
   json["w"] = description_of(tool);
   return json;
+}
+
+Json keep_outs_json(const Part& part) {
+  Json blocks = Json::array();
+  for (const KeepOut& one : part.keep_outs) {
+    Json block = corners(one.plan);
+    block.push_back(number(one.bottom_z));
+    block.push_back(number(one.top_z));
+    blocks.push_back(block);
+  }
+  return blocks;
 }
 
 /// Where the cutter's centre may be at the floor, and its width: what is left within reach can be coloured.
@@ -252,8 +270,10 @@ Box stage_of(const Job& job) {
 Json shades(const Part& part, double bottom) {
   Json json = Json::array();
   for (int i = 0; i < 256; ++i) {
-    json.push_back(
-        report::palette::depth_color(depth_fraction(part, bottom + (part.top_z() - bottom) * i / 255)));
+    const double fraction = part.is_shape_stated
+                                ? depth_fraction(part, bottom + (part.top_z() - bottom) * i / 255)
+                                : 1 - i / 255.0;
+    json.push_back(report::palette::depth_color(fraction));
   }
   return json;
 }
@@ -266,7 +286,8 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   Json json;
   json["name"] = part.name.empty() ? "part" : part.name;
   json["clean"] = verdict_of(findings) == Verdict::kClean;
-  json["verdict"] = name_of(verdict_of(findings));
+  json["verdict"] = verdict_words(findings);
+  json["asked"] = !findings.without_part;
   json["bad"] = report::palette::kBad;
   json["top"] = number(part.top_z());
   const double bottom = lowest_z(job);
@@ -275,6 +296,7 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   json["stock"] = part.stock ? corners(part.stock->plan) : Json(nullptr);
   json["stock_z"] = part.stock ? number(part.stock->z_bottom) : Json(nullptr);
   json["world"] = corners(stage_of(job));
+  json["keep_outs"] = keep_outs_json(part);
   json["tools"] = Json::array();
   for (const Tool& tool : part.tools) json["tools"].push_back(tool_json(tool));
   json["features"] = Json::array();

@@ -33,6 +33,10 @@ const toolOf = i => job.tools[job.sections[moves.section[i]].tool];
 
 /** Degrees, the largest on each move; null where the page was made without. */
 const engagements = job.engagement || null;
+/** N, likewise the largest of each move; null where the material of the work is not known. */
+const forces = job.force || null;
+const mostForce = forces ? forces.reduce((most, force) => Math.max(most, force), 0) : 0;
+const forceText = force => fixed(force, force < 10 ? 1 : 0) + ' N';
 
 /** First move of each line of the program, -1 where it has none. */
 const moveOfLine = new Int32Array(job.program.length + 1).fill(-1);

@@ -5,8 +5,8 @@ function writeHeader() {
   const f = job.figures, has = kind => job.faults.some(fault => fault.kind === kind);
   for (const [figure, words, bad] of [[clock(f.time_s), 'machining time'], [lengthText(f.feed_mm, 0), 'feed'],
     [lengthText(f.rapid_mm, 0), 'rapid'], [f.retracts, 'retracts'],
-    [lengthText(f.uncut_thickness_mm, 4), 'left at most, proven', has('uncut')],
-    [lengthText(f.gouge_mm, 4), 'deepest gouge', has('gouge')],
+    [job.asked ? lengthText(f.uncut_thickness_mm, 4) : 'not asked', 'left at most, proven', has('uncut')],
+    [job.asked ? lengthText(f.gouge_mm, 4) : 'not asked', 'deepest gouge', has('gouge')],
     [f.rapid_in_material, 'rapids in material', f.rapid_in_material > 0], [fixed(f.max_deg, 0) + '\u00b0', 'largest engagement']]) {
     const tile = element('div', undefined, by('tiles'), bad ? 'bad' : '');
     element('dt', words, tile);
@@ -20,9 +20,11 @@ const counted = (n, word) => n + ' ' + word + (n === 1 ? '' : 's');
 function writeVerdict() {
   const open = job.conditions.filter(condition => !condition.met_by).length, faults = job.faults.length;
   by('verdict').textContent = job.verdict;
-  by('verdict').className = job.verdict.toLowerCase();
-  by('reason').textContent = job.verdict === 'CLEAN' ? 'Nothing is left beyond the tolerance, nothing gouged, no fault.'
-    : job.verdict === 'CONDITIONAL' ? 'No fault, as long as ' + (open === 1 ? 'this condition holds:' : 'these ' + open + ' conditions hold:')
+  const [verdict] = job.verdict.split(' ');
+  by('verdict').className = verdict.toLowerCase();
+  by('reason').textContent = verdict === 'CLEAN' && !job.asked ? 'No fault. What is left and what is gouged was not asked: no part was stated.'
+    : verdict === 'CLEAN' ? 'Nothing is left beyond the tolerance, nothing gouged, no fault.'
+    : verdict === 'CONDITIONAL' ? 'No fault, as long as ' + (open === 1 ? 'this condition holds:' : 'these ' + open + ' conditions hold:')
       : faults > 0 ? counted(faults, 'fault') + (open ? ', ' + counted(open, 'open condition') : '') + ':' : 'The figures are beyond the tolerances.';
   job.faults.forEach((fault, k) => {
     const button = listButton(by('faults'), fault.head, (fault.feature ? ' in ' + fault.feature : '') + (fault.line ? ', line ' + fault.line : ''), fault.text);
@@ -62,6 +64,7 @@ const shadeOf = feature => job.shades[Math.max(0, Math.min(255, Math.round(255 *
 
 function writeFeatures() {
   by('features').replaceChildren();
+  by('features').hidden = by('features-title').hidden = job.features.length === 0;
   const head = element('tr', undefined, element('thead', undefined, by('features')));
   for (const words of ['feature', 'floor z', 'time', 'left ' + unit.name, 'clean']) element('th', words, head).scope = 'col';
   const body = element('tbody', undefined, by('features'));
@@ -110,9 +113,9 @@ function writeTimeline() {
 
 const nowCells = {};
 function writeNow() {
-  for (const words of ['feature', 'tool', 'move', 'feed', 'line', 'engaged', 'position']) {
+  for (const words of ['feature', 'tool', 'move', 'feed', 'line', 'engaged', ...forces ? ['force'] : [], 'position']) {
     element('dt', words, by('now'));
-    nowCells[words] = element('dd', '', by('now'), ['feature', 'tool', 'position'].includes(words) ? 'wide' : '');
+    nowCells[words] = element('dd', '', by('now'), ['feature', 'tool', 'force', 'position'].includes(words) ? 'wide' : '');
   }
 }
 
@@ -131,6 +134,7 @@ function updateNow() {
   nowCells.position.textContent = 'x ' + bare(p.x, 3) + '  y ' + bare(p.y, 3) + '  z ' + lengthText(p.z, 3);
   nowCells.line.textContent = moves.line[i] > 0 ? moves.line[i] : 'planned';
   nowCells.engaged.textContent = engagements ? 'up to ' + engagements[i] + '\u00b0' : 'not known';
+  if (forces) nowCells.force.textContent = 'up to ' + forceText(forces[i]);
   for (const row of by('features').rows) row.classList.toggle('now', row.dataset.feature === String(section.feature));
   selectLine(moves.line[i]);
 }

@@ -89,6 +89,11 @@ function drawOutlines(c, px) {
   }
   for (const outline of outlines) c.stroke(outline);
   c.restore();
+  for (const [x0, y0, x1, y1] of job.keep_outs) {
+    c.fillStyle = 'rgba(92,107,133,0.35)';
+    c.fillRect(x0, y0, x1 - x0, y1 - y0);
+    c.strokeRect(x0, y0, x1 - x0, y1 - y0);
+  }
 }
 
 function drawOverlay() {

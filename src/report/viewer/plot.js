@@ -1,5 +1,6 @@
-// ---- Feed and engagement over time, on the same scale of time as the bar of features above.
+// ---- Feed, engagement and force over time, on the same scale of time as the bar of features above.
 let plotKey = '', plotPicture = null;
+by('plot').classList.toggle('with-force', forces !== null);
 
 /** The greatest value in each column of pixels. */
 function columnsOf(value, w) {
@@ -38,15 +39,22 @@ function writePlotWords(c, words, y) {
 function drawPlotPicture(w, h, ratio) {
   plotPicture = document.createElement('canvas');
   plotPicture.width = Math.round(w * ratio); plotPicture.height = Math.round(h * ratio);
-  const c = plotPicture.getContext('2d'), half = engagements ? h / 2 : h;
-  const mostFeed = job.feeds.reduce((most, row) => Math.max(most, row[1]), 0);
+  const c = plotPicture.getContext('2d'), strips = plotStrips(), share = h / strips.length;
   c.scale(ratio, ratio);
   if (count === 0 || !(total > 0)) return;
-  plotCurve(c, { value: i => moves.feed[i], most: mostFeed, y: 1, h: half - 3, w, color: css('faint'), alpha: 0.6 });
-  writePlotWords(c, 'feed, up to ' + feedText(mostFeed), 2);
-  if (!engagements) return;
-  plotCurve(c, { value: i => engagements[i], most: 180, y: half + 1, h: half - 3, w, color: css('accent'), alpha: 0.75 });
-  writePlotWords(c, 'engagement, up to 180\u00b0', half + 2);
+  strips.forEach((strip, k) => {
+    plotCurve(c, { ...strip, y: k * share + 1, h: share - 3, w });
+    writePlotWords(c, strip.words, k * share + 2);
+  });
+}
+
+/** What is known of every move, each with its greatest value. */
+function plotStrips() {
+  const mostFeed = job.feeds.reduce((most, row) => Math.max(most, row[1]), 0);
+  const strips = [{ value: i => moves.feed[i], most: mostFeed, color: css('faint'), alpha: 0.6, words: 'feed, up to ' + feedText(mostFeed) }];
+  if (engagements) strips.push({ value: i => engagements[i], most: 180, color: css('accent'), alpha: 0.75, words: 'engagement, up to 180\u00b0' });
+  if (forces) strips.push({ value: i => forces[i], most: mostForce, color: css('entry'), alpha: 0.8, words: 'force, up to ' + forceText(mostForce) });
+  return strips;
 }
 
 function drawPlot() {

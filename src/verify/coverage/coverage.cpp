@@ -113,12 +113,14 @@ class CoverageProof {
     legals_.resize(marks[2]);
   }
 
-  /// Whether a legal centre reaches some of the target. If the legal area has no boundary nearby, either all
-  /// of the target is legal or nothing.
+  /// Whether a legal centre reaches some of the target. Where the boundary of the legal area does not come near a region of
+  /// the target, either all of that region is legal or nothing: other features may have taken all that stood around it.
   bool any_within_reach() const {
     const std::vector<Edge>& legal = legal_.boundary().edges();
-    if (legal.empty()) return legal_.contains(target_.edges().front().at(0.5));
-    return std::any_of(legal.begin(), legal.end(), [this](const Edge& curve) { return reaches(curve); });
+    return std::any_of(legal.begin(), legal.end(), [this](const Edge& curve) { return reaches(curve); }) ||
+           std::any_of(question_.target->begin(), question_.target->end(), [this](const Region& region) {
+             return legal_.contains(region.outer().front().at(0.5));
+           });
   }
 
   bool reaches(const Edge& curve) const {

@@ -27,4 +27,9 @@ void add_forces(JudgedMove& judged, const Bite& bite, const WorkMaterial& materi
 /// O(walls^2); nothing for more than 3000 walls.
 std::optional<ThinWall> thinnest_wall(const FinishedPart& part, double force, const WorkMaterial& material);
 
+/// N; the largest of the move, 0 where it does not cut.
+inline float force_of(const JudgedMove& judged) {
+  return judged.load.forces ? static_cast<float>(judged.load.forces->max_force_n) : 0;
+}
+
 }  // namespace clearcut::verify

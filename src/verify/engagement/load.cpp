@@ -45,6 +45,7 @@ class LoadMeter {
     const Move& move = *judged.move;
     const double radius = judged.radius();
     follow_entry(judged);
+    measure_holder(judged);
     if (judged.feeds() && judged.tool && is_conical(*judged.tool)) return measure_cone(judged);
     if (judged.low_z() < material_.z_top() - kFilm && radius > kFilm) {
       if (!judged.feeds()) {
@@ -259,6 +260,38 @@ class LoadMeter {
       if (z >= material_.z_top() - kFilm) continue;
       if (touches(move.path.at(t), radius, z)) return report_rapid(judged, move.path.at(t), z);
     }
+  }
+
+  /// What is above the cutter, in what stands before the move: its way at the lowest, in steps where it slopes.
+  void measure_holder(JudgedMove& judged) {
+    if (!judged.tool) return;
+    const Tool& tool = *judged.tool;
+    if (tool.stickout && tool.holder_diameter > 0)
+      measure_above(judged, *tool.stickout, tool.holder_diameter / 2, false);
+    if (tool.flute_length && tool.shank_diameter > tool.diameter)
+      measure_above(judged, *tool.flute_length, tool.shank_diameter / 2, true);
+  }
+
+  void measure_above(JudgedMove& judged, double above, double radius, bool is_shank) {
+    const Move& move = *judged.move;
+    if (judged.load.holder_contact || judged.low_z() + above >= material_.z_top() - kFilm) return;
+    const bool is_one = move.is_vertical() || move.z_from == move.z_to;
+    const int steps = is_one ? 1 : steps_of(move.path.length(), radius);
+    for (int i = 0; i < steps; ++i) {
+      const double t = (i + 1.0) / steps;
+      const double z = is_one ? judged.low_z() : move.z_from + (move.z_to - move.z_from) * t;
+      const Vec2 at = move.is_vertical() ? move.path.from : move.path.at(t);
+      const Edge way = is_one && !move.is_vertical() ? move.path : Edge::line(at, at);
+      const auto hit = material_.in_reach(way, radius - kFilm, z + above + kFilm);
+      if (!hit) continue;
+      judged.load.holder_contact = Place{is_one ? nearest_on(way, *hit) : at, z, move.line};
+      judged.load.is_shank = is_shank;
+      return;
+    }
+  }
+
+  static Vec2 nearest_on(const Edge& way, Vec2 p) {
+    return way.from == way.to ? way.from : nearest(way, p).point;
   }
 
   static void report_rapid(JudgedMove& judged, Vec2 center, double z) {

@@ -8,6 +8,7 @@
 
 #include "base/text/format.h"
 #include "verify/attribution.h"
+#include "verify/faults/keep_out.h"
 #include "verify/faults/state_faults.h"
 
 namespace clearcut::verify {
@@ -60,6 +61,13 @@ class FaultFinder {
                  "A rapid passes through material");
   }
 
+  std::optional<Fault> holder(const JudgedMove& judged) const {
+    if (!judged.load.holder_contact) return std::nullopt;
+    return fault(FaultKind::kHolder, judged, *judged.load.holder_contact, judged.move->length(),
+                 judged.load.is_shank ? "The shank above the flutes runs into material"
+                                      : "The holder runs into material");
+  }
+
   std::optional<Fault> depth(const JudgedMove& judged) const {
     if (judged.load.axial_mm <= least_stepdown_ + kStepdownSlack) return std::nullopt;
     const std::optional<double> stepdown = stepdown_of(judged);
@@ -97,8 +105,9 @@ class FaultFinder {
     if (!judged.feeds() || (judged.tool && judged.tool->diameter > 0)) return std::nullopt;
     return fault(FaultKind::kWrongTool, judged,
                  {judged.move->path.from, judged.move->z_from, judged.move->line}, 0,
-                 "Tool " + std::to_string(judged.tool_number) +
-                     " is not among the part's tools; nothing is known of its moves");
+                 "Tool " + std::to_string(judged.tool_number) + " is not among the " +
+                     (part_.is_shape_stated ? "part's tools" : "tools that were given") +
+                     "; nothing is known of its moves");
   }
 
  private:
@@ -160,13 +169,14 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
 
 /// The order of faults by severity: what breaks things first comes first.
 constexpr FaultKind kBySeverity[] = {
-    FaultKind::kRapidInMaterial, FaultKind::kGouge,         FaultKind::kTapping,
-    FaultKind::kThread,          FaultKind::kMissingTab,    FaultKind::kTabHeight,
-    FaultKind::kToolLength,      FaultKind::kSpindleOff,    FaultKind::kBeyondStock,
-    FaultKind::kBeyondFlutes,    FaultKind::kPlungeTooFast, FaultKind::kTooDeep,
-    FaultKind::kOverEngagement,  FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection,
-    FaultKind::kOutsideTravel,   FaultKind::kWrongTool,     FaultKind::kNoFeed,
-    FaultKind::kNothingCut,      FaultKind::kUncut};
+    FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,  FaultKind::kHolder,
+    FaultKind::kGouge,         FaultKind::kTapping,          FaultKind::kThread,
+    FaultKind::kMissingTab,    FaultKind::kTabHeight,        FaultKind::kToolLength,
+    FaultKind::kSpindleOff,    FaultKind::kBeyondStock,      FaultKind::kBeyondFlutes,
+    FaultKind::kPlungeTooFast, FaultKind::kTooDeep,          FaultKind::kOverEngagement,
+    FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection, FaultKind::kOutsideTravel,
+    FaultKind::kWrongTool,     FaultKind::kNoFeed,           FaultKind::kNothingCut,
+    FaultKind::kUncut};
 
 std::ptrdiff_t severity(FaultKind kind) {
   return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);
@@ -188,6 +198,8 @@ std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& progra
   const FaultFinder finder(part, options);
   std::vector<MoveJudge> judges{[&](const JudgedMove& m) { return finder.gouge(m); },
                                 [&](const JudgedMove& m) { return finder.rapid(m); },
+                                [&](const JudgedMove& m) { return finder.holder(m); },
+                                [&](const JudgedMove& m) { return keep_out_fault(part, m); },
                                 [&](const JudgedMove& m) { return finder.depth(m); },
                                 [&](const JudgedMove& m) { return finder.travel(m); },
                                 [&](const JudgedMove& m) { return finder.feed(m); },

@@ -124,6 +124,7 @@ class StateJudge {
   }
 
   std::optional<Fault> stock(const JudgedMove& judged) const {
+    if (!part_.is_shape_stated) return beyond_any_way_through(judged);
     if (!part_.stock || !judged.feeds()) return std::nullopt;
     double lowest = part_.stock->z_bottom;
     for (const Feature& feature : part_.features) {
@@ -151,6 +152,19 @@ class StateJudge {
 
   bool accepted(const std::string& name) const {
     return std::find(options_.accepted.begin(), options_.accepted.end(), name) != options_.accepted.end();
+  }
+
+  /// Where nothing says what goes through: a rapid below the stock, or more than a way through needs.
+  std::optional<Fault> beyond_any_way_through(const JudgedMove& judged) const {
+    const bool rises = !judged.feeds() && judged.move->z_to > judged.move->z_from;
+    if (!part_.stock || rises) return std::nullopt;
+    const double below = part_.stock->z_bottom - judged.low_z();
+    const double allowed =
+        !judged.feeds() ? 0 : kUsualBreakthrough + (judged.tool ? point_length(*judged.tool) : 0);
+    if (below <= allowed + kHeightSlack) return std::nullopt;
+    return fault(FaultKind::kBeyondStock, judged, below,
+                 (judged.feeds() ? "The cutter goes " : "A rapid goes ") + trimmed(below, 3) +
+                     " mm below the bottom of the stock, into what it lies on");
   }
 
   /// The tools that a changer puts in, whose length nobody can measure in the spindle.
@@ -208,7 +222,7 @@ class StateJudge {
            part_.tools[static_cast<std::size_t>(index)].number == judged.tool->number;
   }
 
-  /// Whether some operation of the tool turns this way; clockwise if it has none.
+  /// Whether some operation of the tool turns this way; where it has none, whether the tool itself does.
   bool may_turn(const JudgedMove& judged, bool clockwise) const {
     bool any = false;
     for (const Workingstep& step : part_.workplan) {
@@ -216,7 +230,10 @@ class StateJudge {
       any = true;
       if (step.operation.cutting.spindle_clockwise == clockwise) return true;
     }
-    return !any && clockwise;
+    if (any) return false;
+    const auto limits =
+        judged.tool ? options_.tool_limits.find(judged.tool->number) : options_.tool_limits.end();
+    return clockwise == (limits == options_.tool_limits.end() || limits->second.is_clockwise);
   }
 
   /// Tangent of the steepest entry angle that an operation of the tool states, at least the default.

@@ -20,6 +20,10 @@ using MoveJudge = std::function<std::optional<Fault>(const JudgedMove&)>;
 std::vector<MoveJudge> state_judges(const Part& part, const JudgedProgram& program,
                                     const VerifyOptions& options);
 
+/// mm; how far below the stock a cut that goes through it may reach where no part says what goes through. Beyond it is a fault,
+/// up to there a condition.
+inline constexpr double kUsualBreakthrough = 1;
+
 /// Tangent of 15 degrees: the steepest entry of a cutter that must not plunge, unless an operation with it states
 /// a steeper one.
 inline constexpr double kSteepestEntry = 0.2679;

@@ -59,7 +59,8 @@ class EdgeTree {
     return nearest(p, limit, [](int) { return true; });
   }
 
-  /// Winding number around p of all edges, which have to form closed loops.
+  /// Winding number around p of all edges, which have to form closed loops. Cost O(log n + edges above and below p within
+  /// the boxes around it).
   int winding(Vec2 p) const;
 
  private:
@@ -77,7 +78,8 @@ class EdgeTree {
   }
 
   std::vector<Edge> edges_;
-  std::vector<Box> boxes_;  ///< of each edge
+  std::vector<Box> boxes_;           ///< of each edge
+  std::vector<std::uint32_t> gaps_;  ///< before each edge: how many do not begin where the one before ends
   BoxTree tree_;
 };
 

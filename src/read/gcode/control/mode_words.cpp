@@ -46,6 +46,11 @@ void ModeWords::set_mode(int code, const Block& block) {
     case 210:
       use_units(code == 200 ? kMmPerInch : 1);
       break;
+    case 700:
+    case 710:
+      if (!control_.rules.has_old_units) return set_other(code, block);
+      use_units(code == 700 ? kMmPerInch : 1);
+      break;
     case 900:
     case 910:
       control_.modes.absolute = code == 900;

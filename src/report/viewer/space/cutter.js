@@ -1,4 +1,4 @@
-// ---- The cutter in space: its end, its flutes as long as they are known to be, and above them its shank. Holders are in no library.
+// ---- The cutter in space: its end, its flutes as long as they are known to be, above them its shank, and its holder where that is stated.
 const cutters = { program: null, made: [] };
 const AROUND = 40;
 
@@ -7,7 +7,7 @@ function makeCutters() {
   cutters.made = job.tools.map(cutterOf);
 }
 
-/** Rows of radius, height above the tip and kind (0: cuts, 1: shank), from the tip up. */
+/** Rows of radius, height above the tip and kind (0: cuts, 1: shank, 2: holder), from the tip up. */
 function profileOf(tool) {
   const rows = [[0, 0, 0]], radius = tool.d / 2, steps = tool.a > 0 || !tool.r ? 1 : 10;
   const flat = tool.a > 0 ? tool.t / 2 : radius - Math.min(tool.r || 0, radius);
@@ -16,10 +16,12 @@ function profileOf(tool) {
     rows.push([r, endAt(tool, r), 0]);
   }
   const end = rows[rows.length - 1][1], flutes = Math.max(tool.f || 0, end), length = Math.max(flutes + 1.5 * tool.d, job.top - job.bottom + 2 * tool.d);
-  if (tool.f > 0) rows.push([radius, flutes, 0], [radius * 0.96, flutes, 1], [radius * 0.96, length, 1]);
-  else rows.push([radius, length, 0]);
-  rows.push([0, length, tool.f > 0 ? 1 : 0]);
-  return rows;
+  const top = tool.s > 0 ? Math.max(tool.s, flutes) : length, shank = tool.k > 0 ? tool.k / 2 : radius * 0.96;
+  if (tool.f > 0) rows.push([radius, flutes, 0], [shank, flutes, 1], [shank, top, 1]);
+  else rows.push([radius, top, 0]);
+  if (!(tool.s > 0)) return [...rows, [0, top, tool.f > 0 ? 1 : 0]];
+  const end_ = top + Math.max(tool.h, 12);
+  return [...rows, [tool.h / 2, top, 2], [tool.h / 2, end_, 2], [0, end_, 2]];
 }
 
 function cutterOf(tool) {
@@ -34,12 +36,42 @@ function cutterOf(tool) {
     const out = [dz / length, -dr / length];
     for (let k = 0; k < AROUND; ++k) for (const [row, turn] of [[a, 0], [a, 1], [b, 0], [b, 0], [a, 1], [b, 1]]) corner(row, k + turn, out);
   }
+  return madeOf(corners);
+}
+
+/** Corners of triangles: place, direction square to the face, kind. */
+function madeOf(corners) {
   const made = { array: gl.createVertexArray(), count: corners.length / 7 };
   gl.bindVertexArray(made.array);
   bufferOf(gl.ARRAY_BUFFER, new Float32Array(corners));
   [[3, 0], [3, 12], [1, 24]].forEach(([size, offset], k) => { gl.enableVertexAttribArray(k); gl.vertexAttribPointer(k, size, gl.FLOAT, false, 28, offset); });
   gl.bindVertexArray(null);
   return made;
+}
+
+// Clamps: the blocks where no tool may come.
+const clamps = { made: null };
+
+function makeClamps() {
+  const corners = [], faces = [[0, 1], [0, -1], [1, 1], [1, -1], [2, 1], [2, -1]];
+  for (const [x0, y0, x1, y1, z0, z1] of job.keep_outs) {
+    for (const [axis, side] of faces) {
+      const at_ = (u, v) => {
+        const sides = [u, v], p = [0, 1, 2].map(k => k === axis ? side > 0 : sides.shift());
+        corners.push(p[0] ? x1 : x0, p[1] ? y1 : y0, p[2] ? z1 : z0, ...[0, 1, 2].map(k => k === axis ? side : 0), 2);
+      };
+      for (const [u, v] of [[0, 0], [1, 0], [0, 1], [0, 1], [1, 0], [1, 1]]) at_(u === 1, v === 1);
+    }
+  }
+  clamps.made = madeOf(corners);
+}
+
+function drawClamps(values) {
+  if (clamps.made.count === 0) return;
+  gl.bindVertexArray(clamps.made.array);
+  use(cutters.program, { ...values, tip: [0, 0, 0], edgeColor: rgb(css('rapid')), strength: 0.85 });
+  gl.drawArrays(gl.TRIANGLES, 0, clamps.made.count);
+  gl.bindVertexArray(null);
 }
 
 function drawCutter(values) {

@@ -105,6 +105,6 @@ uniform vec3 light, edgeColor; uniform float strength;
 in vec3 normal; in float part;
 out vec4 color;
 void main() {
-  vec3 base = part < 0.5 ? edgeColor : vec3(0.56, 0.6, 0.65);
+  vec3 base = part < 0.5 ? edgeColor : part < 1.5 ? vec3(0.56, 0.6, 0.65) : vec3(0.36, 0.42, 0.52);
   color = vec4(base * (0.5 + 0.55 * max(0.0, dot(normalize(normal), light))), strength);
 }`;

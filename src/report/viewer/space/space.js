@@ -23,7 +23,7 @@ function startSpace() {
     gl = stageCanvas.getContext('webgl2', { alpha: true, antialias: false, depth: true, powerPreference: 'high-performance' });
     if (!gl) return noSpace('this browser or this machine has no WebGL 2');
     if (gl.getParameter(gl.MAX_TEXTURE_SIZE) < Math.max(width, height)) return noSpace('the graphics processor takes no picture of this size');
-    makeSurface(); makeLines(); makeCutters();
+    makeSurface(); makeLines(); makeCutters(); makeClamps();
     buffers = {};
     space.supported = true;
   } catch (error) {
@@ -96,6 +96,7 @@ function drawScene(one) {
   gl.enable(gl.BLEND);
   gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   const values = valuesOfSurface();
+  drawClamps(values);
   gl.depthMask(false);
   drawPart(values, rough);
   drawPathInSpace(values, rough);

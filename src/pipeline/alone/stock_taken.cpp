@@ -1,0 +1,91 @@
+#include "pipeline/alone/stock_taken.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text/format.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// mm, for heights rounded by the coarsest controller (0.0001 inch).
+constexpr double kHeightSlack = 5.5e-3;
+
+double low_z(const Move& move) {
+  return std::min(move.z_from, move.z_to);
+}
+
+double radius_of(const Section& section, const std::vector<Tool>& tools) {
+  const auto tool = std::find_if(tools.begin(), tools.end(),
+                                 [&](const Tool& one) { return one.number == section.tool_number; });
+  return tool == tools.end() ? 0 : tool->radius();
+}
+
+int line_of_move(const Toolpath& toolpath, std::size_t index) {
+  for (const Section& section : toolpath.sections) {
+    if (index < section.moves.size()) return section.moves[index].line;
+    index -= section.moves.size();
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::optional<Stock> box_of_cuts(const Toolpath& toolpath, const std::vector<Tool>& tools, double top) {
+  Stock stock;
+  stock.z_top = stock.z_bottom = top;
+  for (const Section& section : toolpath.sections) {
+    const double radius = radius_of(section, tools);
+    for (const Move& move : section.moves) {
+      if (is_rapid(move.kind) || low_z(move) >= top) continue;
+      const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+      stock.plan.add(path.grown(radius));
+      stock.z_bottom = std::min(stock.z_bottom, low_z(move));
+    }
+  }
+  if (stock.plan.empty()) return std::nullopt;
+  return stock;
+}
+
+Condition stock_taken(const Stock& stock) {
+  const auto range = [](const char* axis, double low, double high) {
+    return fmt::format("{} {} to {}", axis, trimmed(low, 3), trimmed(high, 3));
+  };
+  return {
+      "stock",
+      fmt::format("no stock was stated (--stock): the box of what the program cuts is taken, {}, {}, {}",
+                  range("x", stock.plan.min.x, stock.plan.max.x),
+                  range("y", stock.plan.min.y, stock.plan.max.y), range("z", stock.z_bottom, stock.z_top)),
+      0};
+}
+
+std::optional<Condition> below_stock(const Toolpath& toolpath, const Stock& stock) {
+  const Move* deepest = nullptr;
+  for (const Section& section : toolpath.sections) {
+    for (const Move& move : section.moves) {
+      if (!is_rapid(move.kind) && (!deepest || low_z(move) < low_z(*deepest))) deepest = &move;
+    }
+  }
+  const double below = deepest ? stock.z_bottom - low_z(*deepest) : 0;
+  if (below <= kHeightSlack) return std::nullopt;
+  return Condition{"below-stock",
+                   fmt::format("what the stock lies on may be cut {} mm deep, down to z {}",
+                               trimmed(below, 3), trimmed(low_z(*deepest), 3)),
+                   deepest->line};
+}
+
+std::optional<Condition> doubtful_arcs(const Toolpath& toolpath, const ControlTable& control,
+                                       const Tolerances& tol) {
+  const auto worst =
+      std::max_element(control.arcs.begin(), control.arcs.end(),
+                       [](const ArcDoubt& a, const ArcDoubt& b) { return a.apart_mm < b.apart_mm; });
+  if (worst == control.arcs.end() || worst->apart_mm <= tol.uncut) return std::nullopt;
+  return Condition{
+      "arc-radii",
+      fmt::format("the words of an arc give two radii {} mm apart: controls run another arc, or stop",
+                  trimmed(worst->apart_mm, 3)),
+      line_of_move(toolpath, worst->move)};
+}
+
+}  // namespace clearcut::pipeline

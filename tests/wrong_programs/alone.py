@@ -1,0 +1,134 @@
+"""Programs that are judged without a part: against a stock alone, in the words of every controller."""
+import re
+
+from writer import ALL, HERE, WORD, Class, nothing
+
+#: Wider than the pocket that the right program clears.
+STOCK = {"part": "", "asked": {"stock": "-20:60,-20:60,-10:0"}}
+
+MACHINES = {
+    "narrow.toml": '[travel]\nx = [-5, 15]\ny = [-50, 100]\nz = [-60, 110]\n',
+    "broad.toml": '[travel]\nx = [-50, 100]\ny = [-50, 100]\nz = [-60, 110]\n',
+}
+
+
+def write_machines():
+    for name, text in MACHINES.items():
+        (HERE / "parts" / name).write_text(text)
+
+
+def asked(**more):
+    return {"part": "", "asked": {**STOCK["asked"], **more}}
+
+
+def drop_feeds(p):
+    p.cut = [re.sub(r" F[\d.]+", "", block) for block in p.cut]
+
+
+def motion(c):
+    c.right("right", ALL, nothing, "clears a pocket in the block", **STOCK)
+    c.right("right-wall", ALL, wall, "cuts where nobody has said that a wall stands", **STOCK)
+
+    def down(p):
+        p.cut = [p.t.rapid(z=-1)] + p.cut[1:]
+    c.add("rapid-down", ALL, down, "FAULTY", "rapid-in-material", "goes down into the block at the rapid", **STOCK)
+
+    def across(p):
+        p.after = [p.t.rapid(x=40)]
+    c.add("rapid-across", ALL, across, "FAULTY", "rapid-in-material", "leaves the pocket through its side at the rapid", **STOCK)
+
+    def over(p):
+        p.after = [p.t.rapid(z=1), p.t.rapid(x=40)]
+    c.right("right-over", ALL, over, "leaves the pocket above its side", **STOCK)
+
+    def within(p):
+        p.after = [p.t.rapid(x=12)]
+    c.right("right-within", ALL, within, "runs at the rapid where it has cut", **STOCK)
+
+    def low(p):
+        p.after = [p.t.rapid(z=5), p.t.rapid(x=70), p.t.rapid(z=-12)]
+    c.add("rapid-low", ALL, low, "FAULTY", "beyond-stock", "goes down beside the block into the table", **STOCK)
+
+    def through(depth):
+        def change(p):
+            p.after = [p.t.feed(120, z=depth)]
+        return change
+    c.add("through", ALL, through(-10.5), "CONDITIONAL", "below-stock", "cuts half a millimetre into what the block lies on",
+          accepted=["below-stock"], **STOCK)
+    c.add("too-low", ALL, through(-12), "FAULTY", "beyond-stock", "cuts two millimetres into what the block lies on", **STOCK)
+
+
+def wall(p):
+    p.after = [p.t.feed(x=25, y=3)]
+
+
+def state(c):
+    def off(p):
+        p.spindle = []
+    c.add("spindle-off", [d for d in ALL if d != "heidenhain"], off, "FAULTY", "spindle-off", "cuts with a spindle that stands",
+          **STOCK)
+
+    def backwards(p):
+        p.spindle = [block.replace("M3", "M4") for block in p.spindle]
+    c.add("backwards", ALL, backwards, "FAULTY", "spindle-direction", "turns the cutter the wrong way", **STOCK)
+    c.add("other-tool", [d for d in ALL if d != "marlin"], nothing, "FAULTY", "wrong-tool", "calls a tool that nobody has given",
+          tools=["endmill:6:T7", "endmill:8:T8"], **STOCK)
+    c.add("steep", ALL, nothing, "FAULTY", "plunge-too-fast", "plunges with a cutter that may not",
+          tools=["endmill:6:T1:noplunge"], **STOCK)
+    c.add("no-feed", ["grbl", "mach3", "mach4"], drop_feeds, "FAULTY", "no-feed", "cuts at no feed that is said", **STOCK)
+
+
+def limits(c):
+    def both(name, reason, key, wrong, right, does, twin):
+        c.add(name, ALL, nothing, "FAULTY", reason, does, **asked(**{key: wrong}))
+        c.right("right-" + name, ALL, nothing, twin, **asked(**{key: right}))
+    both("travel", "outside-travel", "machine", "narrow.toml", "broad.toml", "leaves the machine's travel", "stays within it")
+    both("flutes", "beyond-flutes", "library", "short.toml", "long.toml", "rubs with its shank", "cuts with its flutes alone")
+    both("plunge-feed", "plunge-too-fast", "library", "gentle.toml", "brisk.toml", "plunges twice as fast as the tool may",
+         "plunges as fast as the tool may")
+    both("stepdown", "too-deep", "library", "shallow.toml", "deep.toml", "takes 2 mm at once where the tool takes 1",
+         "takes what the tool takes")
+    both("speed", "spindle-speed", "machine", "slow.toml", "fast.toml", "asks for more turns than there are", "turns as fast as it can")
+    both("engagement", "over-engagement", "engagement", 100, 180, "cuts a slot where the limit is 100 degrees",
+         "cuts a slot where it may")
+
+
+def open_questions(c):
+    c.add("no-stock", ALL, nothing, "CONDITIONAL", "stock", "says nothing of its block: the box of its cuts is taken",
+          accepted=["stock"], part="")
+
+    def datum(p):
+        p.modes = [block.replace("G54", "G55") for block in p.modes]
+    c.add("g55", [d for d in WORD if d != "marlin"], datum, "CONDITIONAL", "g55", "works at another offset", accepted=["g55"], **STOCK)
+
+    def units(p):
+        p.units = []
+    c.add("units", [d for d in WORD if d != "marlin"], units, "CONDITIONAL", "units", "says neither mm nor inch", accepted=["units"],
+          **STOCK)
+
+    def inch(p):
+        p.units = ["G20"]
+    c.add("inch", ["grbl"], inch, "FAULTY", "beyond-stock", "is in mm and says inch: its pocket is 51 mm deep", **STOCK)
+
+    def blending(p):
+        p.path = ["G64"]
+    c.add("blending", ["linuxcnc", "mach3", "mach4"], blending, "CONDITIONAL", "blending", "may leave its path by any distance",
+          accepted=["blending"], **STOCK)
+
+    def radii(by):
+        def change(p):
+            n = p.t.n
+            p.after = [p.t.rapid(z=5), p.t.feed(x=0, y=10), f"G2 X{n(40 + by)} Y{n(10)} I{n(20)} J{n(0)} F{n(400)}"]
+        return change
+    arcs = ["fanuc", "haas", "grbl", "mach3", "mach4"]
+    c.add("two-radii", arcs, radii(0.015), "CONDITIONAL", "arc-radii", "ends an arc beside its circle", accepted=["arc-radii"], **STOCK)
+    c.add("no-radius", arcs, radii(0.5), "REFUSED", "", "ends an arc so far beside its circle that controls stop", **STOCK)
+    c.right("right-one-radius", WORD, radii(0), "ends its arc on its circle", **STOCK)
+
+
+def alone():
+    write_machines()
+    c = Class("alone")
+    for write in (motion, state, limits, open_questions):
+        write(c)
+    return c.done()

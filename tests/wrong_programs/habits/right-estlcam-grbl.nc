@@ -1,0 +1,20 @@
+(Project pocket)
+(Created by Estlcam)
+(Machining time about 00:01:00 hours)
+(Required tools:)
+(  End mill 6mm)
+G21
+G90
+G94
+M03 S24000
+G00 Z5.0000
+(No. 1: Pocket 1)
+G00 X10.0000 Y10.0000
+G00 Z0.5000
+G01 Z-2.0000 F300 S24000
+G01 X13.0000 F1200
+G03 X7.0000 Y10.0000 I-3.0000 J0.0000
+G03 X13.0000 Y10.0000 I3.0000 J0.0000
+G00 Z5.0000
+M05
+M30

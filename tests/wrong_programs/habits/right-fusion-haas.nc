@@ -1,0 +1,24 @@
+%
+O01001 (pocket)
+(Using high feed G1 F5000. instead of G0.)
+(T1  D=6. CR=0. - ZMIN=-2. - flat end mill)
+N10 G90 G94 G17
+N15 G21
+N20 G53 G0 Z0.
+N25 (2D Pocket1)
+N30 T1 M6
+N35 S8000 M3
+N40 G54
+N45 G61
+N50 G0 X10. Y10.
+N55 G43 Z15. H1
+N60 Z5.
+N65 G1 Z-2. F333.
+N70 X13. F1000.
+N75 G3 X7. I-3. J0.
+N80 X13. I3. J0.
+N85 G0 Z15.
+N90 M5
+N95 G53 G0 Z0.
+N100 M30
+%
