@@ -41,7 +41,9 @@ using read::tools_of_job;
 
 // Tools and machines.
 using read::CuttingPreset;
+using read::fill_machine_kind;
 using read::LibraryTool;
+using read::machine_kinds;
 using read::machine_sources;
 using read::preset_of;
 using read::read_machine;

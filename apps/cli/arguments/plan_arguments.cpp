@@ -14,6 +14,12 @@
 namespace clearcut::cli {
 namespace {
 
+/// Of the limits that nothing else states.
+void name_kind_as_source(Sources& sources) {
+  for (const char* limit : {"min-spindle", "max-spindle", "spindle-power"})
+    if (!sources.find(limit)) sources.set(limit, {Origin::kUser, "--machine-kind"});
+}
+
 /// Whether as published.
 const std::map<std::string, bool> kGrids{{"ours", false}, {"published", true}};
 /// Whether along bisectors.
@@ -164,10 +170,7 @@ PlanOptions PlanArguments::options() const {
   options.machine = machine(options.machine);
   options.accept.insert(options.accept.end(), accept_.begin(), accept_.end());
   if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
-  if (machine_kind_) {
-    for (const char* limit : {"min-spindle", "max-spindle", "spindle-power"})
-      if (!options.sources.find(limit)) options.sources.set(limit, {Origin::kUser, "--machine-kind"});
-  }
+  if (machine_kind_) name_kind_as_source(options.sources);
   options.step_sources = step_sources_;
   options.sources.merge(typed_);
   options.strategy = strategy_;
