@@ -82,32 +82,39 @@ class Sizes {
   double reached_mm2_ = 0;
 };
 
+/// The passes of a workingstep layer by layer; what they clear and whether they leave anything goes into `plan`.
+std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature, const Attempt& attempt,
+                                   const ResolvedPlan& job, StepPlan& plan) {
+  const auto strategy = strategy_for(attempt, job.steps[static_cast<std::size_t>(work.workingstep)], job);
+  std::vector<LayerPasses> passes;
+  Sizes sizes(job.tol);
+  for (const auto& layer : work.layers) {
+    throw_if_cancelled(job.cancel);
+    passes.push_back(feature.profile    ? plan::profile::plan_profile(layer.layer, *feature.profile, job.tol)
+                     : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
+                                        : strategy(layer.layer));
+    passes.back().wall_top = work.wall_top;
+    if (work.meets_others && plan.leaves_nothing && attempt.as_rival)
+      plan.leaves_nothing = plan::leaves_nothing(passes.back(), layer.layer.tool_radius);
+    if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);
+    sizes.add(plan, layer.layer, passes.back());
+    plan.rest = plan.rest || layer.rest;
+  }
+  return passes;
+}
+
 /// What a strategy makes of one workingstep in so many steps of work. Throws OutOfWork where that is too much.
 StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedPlan& job,
                    std::uint64_t most_work) {
   const ResolvedStep& step = job.steps[static_cast<std::size_t>(work.workingstep)];
   const WorkBudget budget(most_work);
-  const auto strategy = strategy_for(attempt, step, job);
   StepPlan plan;
   const auto& feature = feature_of(job.part, job.part.workplan[static_cast<std::size_t>(work.workingstep)]);
   if (work.hole) {
     plan.section = *work.hole;
     plan.hole = true;
   } else {
-    std::vector<LayerPasses> passes;
-    Sizes sizes(job.tol);
-    for (const auto& layer : work.layers) {
-      throw_if_cancelled(job.cancel);
-      passes.push_back(feature.profile ? plan::profile::plan_profile(layer.layer, *feature.profile, job.tol)
-                       : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
-                                          : strategy(layer.layer));
-      passes.back().wall_top = work.wall_top;
-      if (work.meets_others && plan.leaves_nothing && attempt.as_rival)
-        plan.leaves_nothing = plan::leaves_nothing(passes.back(), layer.layer.tool_radius);
-      if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);
-      sizes.add(plan, layer.layer, passes.back());
-      plan.rest = plan.rest || layer.rest;
-    }
+    const auto passes = passes_of(work, feature, attempt, job, plan);
     const EntryKind entry =
         !feature.profile && attempt.strategy->limits_engagement ? step.entry_at_limit : step.entry;
     plan.hole = feature.profile.has_value();

@@ -82,16 +82,20 @@ TEST(Limits, FilesAreShort) {
 
 TEST(Limits, FunctionsAreShort) {
   std::vector<int> lengths;
+  std::string longer;  // than what all but one in a hundred are to be
   for (const fs::path& name : sources()) {
     if (!is_cpp(name)) continue;
     for (const auto& one : functions_of(text_of(name))) {
       EXPECT_LE(one.lines, kLongest) << name << ":" << one.line << ": " << one.name;
-      if (!name.string().ends_with("_test.cpp")) lengths.push_back(one.lines);
+      if (name.string().ends_with("_test.cpp")) continue;
+      lengths.push_back(one.lines);
+      if (one.lines > kLongOfHundred)
+        longer += name.string() + ": " + one.name + " " + std::to_string(one.lines) + "\n";
     }
   }
   ASSERT_GT(lengths.size(), 3000U);
   std::sort(lengths.begin(), lengths.end());
-  EXPECT_LE(lengths[lengths.size() * 99 / 100], kLongOfHundred);
+  EXPECT_LE(lengths[lengths.size() * 99 / 100], kLongOfHundred) << longer;
 }
 
 TEST(Limits, ClassesAreSmall) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/text/format.h"
@@ -33,37 +34,12 @@ double layer_above(const Section& section, double last) {
 }
 
 const char* words_for(ToolKind kind) {
-  switch (kind) {
-    case ToolKind::kEndMill:
-      return "end mill";
-    case ToolKind::kFaceMill:
-      return "face mill";
-    case ToolKind::kBallEndMill:
-      return "ball end mill";
-    case ToolKind::kBullNoseEndMill:
-      return "bull nose end mill";
-    case ToolKind::kDrill:
-      return "drill";
-    case ToolKind::kReamer:
-      return "reamer";
-    case ToolKind::kVBit:
-      return "V-bit";
-    case ToolKind::kChamferMill:
-      return "chamfer mill";
-    case ToolKind::kSpotDrill:
-      return "spot drill";
-    case ToolKind::kTap:
-      return "tap";
-    case ToolKind::kThreadMill:
-      return "thread mill";
-    case ToolKind::kBoringBar:
-      return "boring bar";
-    case ToolKind::kCounterbore:
-      return "counterbore";
-    case ToolKind::kOther:
-      return "tool";
-  }
-  return "tool";
+  constexpr std::array kWords{"end mill",    "face mill", "ball end mill", "bull nose end mill",
+                              "drill",       "reamer",    "V-bit",         "chamfer mill",
+                              "spot drill",  "tap",       "thread mill",   "boring bar",
+                              "counterbore", "tool"};
+  static_assert(kWords.size() == static_cast<std::size_t>(ToolKind::kOther) + 1);
+  return kWords[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace

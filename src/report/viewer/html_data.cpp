@@ -107,6 +107,17 @@ std::size_t moves_in(const Toolpath& toolpath) {
   return count;
 }
 
+/// What a section is of; `first`: the column of its first move.
+Json section_head(const Part& part, const Section& section, int first) {
+  const Tool* tool = tool_of(part, section);
+  Json json;
+  json["label"] = section.label;
+  json["feature"] = feature_of(part, section);
+  json["tool"] = tool == nullptr ? -1 : static_cast<int>(tool - part.tools.data());
+  json["first"] = first;
+  return json;
+}
+
 void write_moves(const Job& job, const Machine& machine, Json& json) {
   MoveColumns columns;
   const std::vector<float>& engagement = job.findings.move_engagement_deg;
@@ -117,13 +128,7 @@ void write_moves(const Job& job, const Machine& machine, Json& json) {
   std::size_t index = 0;
   json["sections"] = Json::array();
   for (const Section& section : job.toolpath.sections) {
-    const Tool* tool = tool_of(job.part, section);
-    Json one;
-    one["label"] = section.label;
-    one["feature"] = feature_of(job.part, section);
-    one["tool"] = tool == nullptr ? -1 : static_cast<int>(tool - job.part.tools.data());
-    one["first"] = columns.count();
-    json["sections"].push_back(one);
+    json["sections"].push_back(section_head(job.part, section, columns.count()));
     std::vector<Move> moves;
     for (const Move& move : section.moves) {
       const std::size_t i = index++;
