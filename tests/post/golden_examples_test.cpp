@@ -35,8 +35,7 @@ struct Example {
   const char* folder;               ///< in tests/golden/examples
   std::optional<const char*> tool;  ///< or several, where the file names none
   std::optional<double> stepdown;   ///< mm
-  /// Of many like holes: in inches rounded to the four decimals of three controls its taps go 1.2 um too deep, so five are asked
-  /// for; and which of two equally short tours is taken hangs on the rounding.
+  /// Of many like holes: which of two equally short tours is taken hangs on the rounding.
   bool has_many_holes = false;
 };
 
@@ -80,7 +79,6 @@ resolve::PlanOptions options_of(const Case& c, bool inch) {
   options.stepdown = c.example.stepdown;
   options.post.dialect = c.dialect;
   options.post.inch = inch;
-  if (inch && c.example.has_many_holes) options.post.decimals = 5;
   if (c.dialect == "marlin") options.accept = {"tool-by-hand"};  // its programs cannot name their tools
   return options;
 }

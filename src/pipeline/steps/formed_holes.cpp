@@ -21,6 +21,20 @@ double tip_of_cone(const Feature& feature, const Tool& tool) {
   return feature.top_z - (feature.hole->diameter / 2 - tool.tip_diameter / 2) / flank_slope(tool);
 }
 
+/// mm that a hole's bottom is raised by, so that coarse digits put no tap and no tip lower than half of what counts as a gouge.
+/// 0 where the digits cannot go wrong by as much.
+double raise_of_depth(const ResolvedPlan& plan) {
+  const double rounding = post::rounding_of_lines(plan.post) * std::sqrt(0.5);  // along one axis
+  return rounding <= plan.tol.gouge ? 0 : rounding - plan.tol.gouge / 2;
+}
+
+/// mm that a cone is raised by for the same reason: its flanks also come nearer where its place is rounded.
+double raise_of_cone(const Tool& tool, const ResolvedPlan& plan) {
+  const double rounding = post::rounding_of_lines(plan.post);
+  const double aside = rounding <= plan.tol.gouge ? 0 : rounding - plan.tol.gouge / 2;
+  return raise_of_depth(plan) + aside / flank_slope(tool);
+}
+
 link::ThreadWork thread_work(const Feature& feature, const Tool& tool, double off) {
   const HoleForm& hole = *feature.hole;
   link::ThreadWork work;
@@ -47,11 +61,12 @@ std::optional<Section> formed_hole_step(int workingstep, const ResolvedPlan& pla
   Section section;
   if (hole.kind == HoleKind::kTapped) {
     link.above_material = std::max(kLeastAboveTap, kPitchesAbove * tool.pitch);
-    section = link::feed_out_hole({hole.center, tool.radius(), feature.top_z, feature.floor_z}, link);
+    section = link::feed_out_hole(
+        {hole.center, tool.radius(), feature.top_z, feature.floor_z + raise_of_depth(plan)}, link);
   } else if (hole.kind == HoleKind::kThreadMilled) {
     section = link::mill_thread(thread_work(feature, tool, kOffThread + post::rounding_of(plan.post)), link);
   } else {
-    const double tip = tip_of_cone(feature, tool);
+    const double tip = tip_of_cone(feature, tool) + raise_of_cone(tool, plan);
     section = link::drill_hole({hole.center, tool.radius(), feature.top_z, tip}, feature.top_z - tip, link);
   }
   describe(section, workingstep, plan);

@@ -160,6 +160,60 @@ TEST_F(Job, TheWrittenJobIsReadAsItStands) {
   EXPECT_EQ(again.tools[0].number, 3);
 }
 
+Tool tool_of(int number, ToolKind kind, double diameter) {
+  Tool tool;
+  tool.number = number;
+  tool.name = "T" + std::to_string(number);
+  tool.kind = kind;
+  tool.diameter = diameter;
+  return tool;
+}
+
+TEST_F(Job, TheWrittenJobHoldsAllOfEachTool) {
+  Tool mill = tool_of(1, ToolKind::kEndMill, 6), tap = tool_of(2, ToolKind::kTap, 5);
+  mill.teeth = 3;
+  mill.flute_length = 12;
+  mill.max_spindle_rpm = 9000;
+  mill.stickout = 30;
+  mill.holder_diameter = 40;
+  mill.shank_diameter = 8;
+  mill.high_speed_steel = true;
+  mill.coated = true;
+  tap.pitch = 0.8;
+  tap.left_hand = tap.floating = true;
+  Tool bit = tool_of(3, ToolKind::kVBit, 8), rows = tool_of(4, ToolKind::kThreadMill, 10);
+  bit.tip_angle = Radians::of_degrees(60);
+  bit.tip_diameter = 0.2;
+  rows.pitch = 1.5;
+  rows.flute_length = 18;
+  rows.high_speed_steel = false;
+  Part plate = read_part(folder_ / "plate.json", {});
+  plate.tools = {mill, tap, bit, rows};
+  const Part again = part(job_text(plate, "plate.json"));
+  ASSERT_EQ(again.tools.size(), plate.tools.size());
+  for (std::size_t i = 0; i < plate.tools.size(); ++i) {
+    const Tool &wrote = plate.tools[i], &read = again.tools[i];
+    EXPECT_EQ(read.kind, wrote.kind);
+    EXPECT_EQ(read.diameter, wrote.diameter);
+    EXPECT_EQ(read.teeth, wrote.teeth);
+    EXPECT_EQ(read.flute_length, wrote.flute_length);
+    EXPECT_EQ(read.max_spindle_rpm, wrote.max_spindle_rpm);
+    EXPECT_EQ(read.stickout, wrote.stickout);
+    EXPECT_EQ(read.holder_diameter, wrote.holder_diameter);
+    EXPECT_EQ(read.shank_diameter, wrote.shank_diameter);
+    EXPECT_EQ(read.high_speed_steel, wrote.high_speed_steel);
+    EXPECT_EQ(read.coated, wrote.coated);
+    EXPECT_EQ(read.pitch, wrote.pitch);
+    EXPECT_EQ(read.left_hand, wrote.left_hand);
+    EXPECT_EQ(read.floating, wrote.floating);
+    ASSERT_EQ(read.tip_angle.has_value(), wrote.tip_angle.has_value());
+    if (read.tip_angle) {
+      EXPECT_NEAR(read.tip_angle->degrees(), wrote.tip_angle->degrees(), 1e-6);
+    }
+    EXPECT_EQ(read.tip_diameter, wrote.tip_diameter);
+  }
+}
+
 /// Every commented line of a written job is valid when its # is taken away.
 TEST_F(Job, TheKeysInTheCommentsExist) {
   write("tools.toml", kTools);

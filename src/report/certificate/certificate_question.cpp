@@ -29,6 +29,12 @@ Json feed(const std::optional<MmPerMin>& value) {
   return value ? certificate_number(value->mm_per_min()) : Json(nullptr);
 }
 
+/// Null where the tool does not say it.
+Json edges_of(const Tool& one) {
+  if (!one.high_speed_steel) return nullptr;
+  return *one.high_speed_steel ? "hss" : "carbide";
+}
+
 Json tool(const Tool& one) {
   Json json;
   json["number"] = one.number;
@@ -45,6 +51,8 @@ Json tool(const Tool& one) {
   json["pitch_mm"] = certificate_number(one.pitch);
   json["left_hand"] = one.left_hand;
   json["floating"] = one.floating;
+  json["edges"] = edges_of(one);
+  json["coated"] = one.coated;
   if (one.shank_diameter > 0) json["shank_diameter_mm"] = certificate_number(one.shank_diameter);
   if (one.stickout) {
     json["stickout_mm"] = certificate_number(*one.stickout);
@@ -107,6 +115,9 @@ Json machine(const Machine& one) {
   json["acceleration_mm_per_s2"] = certificate_number(one.acceleration);
   json["junction_deviation_mm"] = certificate_number(one.junction_deviation);
   json["max_spindle_rpm"] = optional(one.max_spindle_rpm);
+  json["min_spindle_rpm"] = optional(one.min_spindle_rpm);
+  json["spindle_power_w"] = optional(one.spindle_power_w);
+  json["spindle_torque_nm"] = optional(one.spindle_torque_nm);
   json["max_feed_mm_per_min"] = feed(one.max_feed);
   json["travel_mm"] = travel(one);
   json["spindle_wait_s"] = certificate_number(one.spindle_wait_s);
