@@ -135,7 +135,7 @@ void write_moves(const Job& job, const Machine& machine, Json& json) {
       if (!drawable_move(move)) continue;
       moves.push_back(move);
       if (measured) degrees.push_back(std::lround(engagement[i]));
-      if (loaded) newtons.push_back(number(forces[i], 1));
+      if (loaded) newtons.push_back(number(static_cast<double>(forces[i]), 1));
     }
     const std::vector<Seconds> times = kinematics::move_times(moves, machine);
     for (std::size_t i = 0; i < moves.size(); ++i) columns.add(moves[i], times[i].seconds());
