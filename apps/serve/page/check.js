@@ -73,9 +73,12 @@ function showCheck(state, program) {
   fillList(element('check-messages'), state.messages);
   element('check-notes').hidden = state.messages.length === 0;
   element('check-text').textContent = state.text ?? '';
-  element('check-report').src = state.results?.report ?? 'about:blank';
-  element('check-report').hidden = !state.results?.report;
   element('check-result').hidden = false;
+  // A new frame each time: one that was hidden with its report may stay blank with the next.
+  const frame = element('check-report').cloneNode();
+  frame.hidden = !state.results?.report;
+  frame.src = state.results?.report ?? 'about:blank';
+  element('check-report').replaceWith(frame);
   say(element('check-status'), `Done: ${state.verdict}.`);
   showProgram(program, faults);
 }
