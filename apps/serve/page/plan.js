@@ -90,8 +90,11 @@ function showPlan(state) {
   showDownloads(state.results, stemOf(plan.part));
   fillList(element('plan-messages'), state.messages);
   element('plan-notes').hidden = state.messages.length === 0;
-  element('plan-report').src = state.results.report;
   element('plan-result').hidden = false;
+  // A new frame each time: one that was hidden with its report may stay blank with the next.
+  const frame = element('plan-report').cloneNode();
+  frame.src = state.results.report;
+  element('plan-report').replaceWith(frame);
   say(element('plan-status'), `Done: ${state.verdict}.`);
 }
 
