@@ -140,9 +140,7 @@ async function checksAlone(page) {
   check((await page.textContent('#check-command')).includes('--stock 50,50,5') && !(await page.textContent('#check-command')).includes('--part'), 'and the command line says so');
   await page.click('#check-go');
   await page.waitForFunction(() => document.getElementById('check-verdict').textContent.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
-  const report = await page.$('#check-report');
-  await report.scrollIntoViewIfNeeded();  // a browser may leave frames undrawn that nobody sees
-  const frame = await report.contentFrame();
+  const frame = await (await page.$('#check-report')).contentFrame();
   await frame.waitForSelector('#play', { timeout: 60000 });
   check((await frame.textContent('#tiles')).includes('not asked'), 'a program is judged alone, and its report says what was not asked');
 }

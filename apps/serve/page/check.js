@@ -74,11 +74,7 @@ function showCheck(state, program) {
   element('check-notes').hidden = state.messages.length === 0;
   element('check-text').textContent = state.text ?? '';
   element('check-result').hidden = false;
-  // A new frame each time: one that was hidden with its report may stay blank with the next.
-  const frame = element('check-report').cloneNode();
-  frame.hidden = !state.results?.report;
-  frame.src = state.results?.report ?? 'about:blank';
-  element('check-report').replaceWith(frame);
+  showFrame('check-report', state.results?.report);
   say(element('check-status'), `Done: ${state.verdict}.`);
   showProgram(program, faults);
 }

@@ -13,6 +13,14 @@ function made(kind, text, attributes = {}) {
 
 function fillList(list, texts) { list.replaceChildren(...texts.map(text => made('li', text))); }
 
+/** Shows the page at `address` in the frame of that id, or hides it where there is none. A new frame each time: one that was hidden with its page may stay blank with the next. */
+function showFrame(id, address) {
+  const frame = element(id).cloneNode();
+  frame.hidden = !address;
+  frame.src = address ?? 'about:blank';
+  element(id).replaceWith(frame);
+}
+
 function fillSelect(select, values, first) {
   const options = values.map(value => made('option', value, { value }));
   if (first) options.unshift(made('option', first, { value: '' }));

@@ -91,10 +91,7 @@ function showPlan(state) {
   fillList(element('plan-messages'), state.messages);
   element('plan-notes').hidden = state.messages.length === 0;
   element('plan-result').hidden = false;
-  // A new frame each time: one that was hidden with its report may stay blank with the next.
-  const frame = element('plan-report').cloneNode();
-  frame.src = state.results.report;
-  element('plan-report').replaceWith(frame);
+  showFrame('plan-report', state.results.report);
   say(element('plan-status'), `Done: ${state.verdict}.`);
 }
 

@@ -21,9 +21,9 @@ async function runCommand(makeModule, wasm, words, files, heard) {
     preRun: [one => Object.assign(one.ENV, { CLEARCUT_PROGRESS: 'json', COLUMNS: '100', NO_COLOR: '1' })],
   });
   const { FS } = module;
-  FS.mkdir('/work');
-  FS.mkdir('/work/results');
-  FS.chdir('/work');
+  FS.mkdir('/files');
+  FS.mkdir('/files/results');
+  FS.chdir('/files');
   for (const [name, bytes] of files) FS.writeFile(name, bytes);
   const code = module.callMain(words);
   const results = {};
