@@ -45,6 +45,7 @@ function(clearcut_add_module name)
 
   if(CLEARCUT_TESTS AND tests)
     add_executable(${name}_test ${tests})
+    set_property(GLOBAL APPEND PROPERTY CLEARCUT_TEST_PROGRAMS ${name}_test)
     target_link_libraries(${name}_test PRIVATE clearcut_${name} clearcut_options clearcut_testing)
     if(NOT TARGET unit_tests)
       add_custom_target(unit_tests)

@@ -9,3 +9,15 @@ function(clearcut_precompile first)
     target_precompile_headers(clearcut_${module} REUSE_FROM clearcut_${first})
   endforeach()
 endfunction()
+
+# The same for test programs, with the headers of the test library.
+function(clearcut_precompile_tests first)
+  if(NOT CLEARCUT_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  target_precompile_headers(${first} PRIVATE <gmock/gmock.h> <gtest/gtest.h> <fmt/format.h> <algorithm> <array> <cmath>
+    <functional> <map> <numeric> <optional> <string> <vector>)
+  foreach(test IN LISTS ARGN)
+    target_precompile_headers(${test} REUSE_FROM ${first})
+  endforeach()
+endfunction()

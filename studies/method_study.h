@@ -1,4 +1,4 @@
-// All contour methods on many random pockets, judged alike: which are clean, which are fast, why the published ones
+// All contour methods on many random pockets, checked alike: which are clean, which are fast, why the published ones
 // fail.
 #pragma once
 

@@ -15,7 +15,7 @@ namespace clearcut::process {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto kLook = std::chrono::milliseconds(5);
+constexpr auto kPollInterval = std::chrono::milliseconds(5);
 constexpr int kNotStarted = 127;
 
 /// In the child: only calls that are safe between fork and exec, as all that follow.
@@ -79,7 +79,7 @@ ChildEnd run_child(const std::vector<std::string>& words, const ChildPlace& plac
   bool timed_out = false, stopped = false;
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
-    std::this_thread::sleep_for(kLook);
+    std::this_thread::sleep_for(kPollInterval);
     if (timed_out || stopped) continue;
     stopped = goes_on && !goes_on();
     timed_out = !stopped && limits.seconds > 0 &&

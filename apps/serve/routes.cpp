@@ -103,7 +103,7 @@ std::vector<Route> all_routes() {
   for (auto& route : result_routes()) out.push_back(std::move(route));
   out.push_back({"POST",
                  "/check",
-                 "Judge any program against the part it is for, or without one",
+                 "Check any program against the part it is for, or without one",
                  {"program", "part", "file", "options"},
                  with_upload({{200, "verdict and faults"}}),
                  "application/json",

@@ -1,4 +1,4 @@
-"""Judges every program in a folder against one part, into a table: verify_folder.py PART TOOL FOLDER."""
+"""Checks every program in a folder against one part, into a table: verify_folder.py PART TOOL FOLDER."""
 import sys
 from pathlib import Path
 

@@ -7,6 +7,6 @@ tools        tool controllers as tools and feeds
 moves        moves as Path commands, and Path commands as text
 operation    the operations "Clearcut pocket" and "Clearcut profile"
 overlay      what is left uncut, as a coloured shape
-proof        "Prove this job": the posted text of any operations, judged
+proof        "Prove this job": the posted text of any operations, checked
 gui          task panels and commands; the only part that needs a window
 """

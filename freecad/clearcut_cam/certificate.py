@@ -52,17 +52,17 @@ def clear(obj: Any, verdict: str, reasons: list[str]) -> None:
     obj.Verdict, obj.Faults = verdict, reasons
 
 
-def show(obj: Any, judged: Any, name: str, left: tuple[list[Any], list[Any]]) -> None:
-    figures = judged.findings.all
-    obj.Verdict = judged.verdict
+def show(obj: Any, checked: Any, name: str, left: tuple[list[Any], list[Any]]) -> None:
+    figures = checked.findings.all
+    obj.Verdict = checked.verdict
     obj.LeftThickness, obj.LeftArea, obj.Gouge = (_finite(value) for value in (figures.uncut_thickness_mm, figures.uncut_mm2, figures.gouge_mm))
     obj.RapidsInMaterial, obj.Engagement = int(figures.rapid_in_material), _finite(figures.engagement.max_deg)
     obj.Unreachable, obj.FeedLength, obj.MachiningSeconds = figures.unreachable_mm2, figures.feed_mm, figures.time_s
-    obj.Faults = [_fault(fault) for fault in judged.faults]
-    obj.Conditions = [f"{one.name}: {one.text}" + (f" [{one.met_by}]" if one.met_by else "") for one in judged.findings.conditions]
+    obj.Faults = [_fault(fault) for fault in checked.faults]
+    obj.Conditions = [f"{one.name}: {one.text}" + (f" [{one.met_by}]" if one.met_by else "") for one in checked.findings.conditions]
     # What is a default of plans says nothing of a path that is there.
-    obj.Notes = [str(one) for one in judged.diagnostics if one.where != "default"]
-    obj.Certificate = judged.certificate_text(name)
+    obj.Notes = [str(one) for one in checked.diagnostics if one.where != "default"]
+    obj.Certificate = checked.certificate_text(name)
     obj.Left, obj.OutOfReach = overlay.compound(left[0]), overlay.compound(left[1])
 
 

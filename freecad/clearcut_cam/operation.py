@@ -1,6 +1,6 @@
 """Path operations that clearcut plans and proves: "Clearcut pocket" and "Clearcut profile".
 
-The path is an ordinary one: FreeCAD's posts, dressups and simulator take it as any other. It is judged as it lies in the
+The path is an ordinary one: FreeCAD's posts, dressups and simulator take it as any other. It is checked as it lies in the
 operation, command by command, not as it was planned.
 """
 
@@ -63,12 +63,12 @@ class _Operation(host.Op.ObjectOp):
         plan = clearcut.plan(part, tools=tool, **settings)
         commands = moves.commands_of(plan.moves)
         self.commandlist.extend(commands)
-        judged = judge(obj, part, commands, tool)
-        certificate.show(obj, judged, obj.Label, overlay.left(part, judged, [tool], obj.StockToLeave.Value))
+        checked = check(obj, part, commands, tool)
+        certificate.show(obj, checked, obj.Label, overlay.left(part, checked, [tool], obj.StockToLeave.Value))
         obj.Notes = [str(one) for one in plan.diagnostics] + obj.Notes
-        obj.Planned = ", ".join(dict.fromkeys(contest.kept for contest in plan.contests))
-        say = FreeCAD.Console.PrintMessage if judged.clean else host.warn
-        say(f"Clearcut: {obj.Label}: {judged.verdict}\n" if judged.clean else f"{obj.Label}: {judged.verdict}: {judged.findings.reasons()}")
+        obj.Planned = ", ".join(dict.fromkeys(selection.kept for selection in plan.selections))
+        say = FreeCAD.Console.PrintMessage if checked.clean else host.warn
+        say(f"Clearcut: {obj.Label}: {checked.verdict}\n" if checked.clean else f"{obj.Label}: {checked.verdict}: {checked.findings.reasons()}")
 
     def settings(self, obj: Any) -> dict[str, Any]:
         """The properties as keywords of a plan; what is not asked is left to clearcut."""
@@ -132,7 +132,7 @@ def model_of(job: Any) -> Any:
     return shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
 
 
-def judge(obj: Any, part: Any, commands: list[Any], tool: Any) -> Any:
+def check(obj: Any, part: Any, commands: list[Any], tool: Any) -> Any:
     """The path as it lies there, as a program of its own, with the feed and speed of its tool controller."""
     text = moves.text_of(commands, tool, obj.ToolController.SpindleSpeed or 1000)
     asked = {"tools": tool, "accept": TAKEN_FOR_GRANTED, "allowance": obj.StockToLeave.Value, **tools.cutting_of(obj.ToolController)}

@@ -17,10 +17,10 @@ THINNEST = 0.005
 ABOVE = 0.05
 
 
-def left(part: Any, judged: Any, tools: Sequence[Any], stock_to_leave: float = 0.0) -> tuple[list[Any], list[Any]]:
+def left(part: Any, checked: Any, tools: Sequence[Any], stock_to_leave: float = 0.0) -> tuple[list[Any], list[Any]]:
     """Faces on the floors of the features: what is left although a cutter reaches it, and what no cutter reaches."""
     clearcut = host.clearcut()
-    uncut = judged.findings.all.uncut_mm2 > 0 or any(fault.kind == "uncut" for fault in judged.faults)
+    uncut = checked.findings.all.uncut_mm2 > 0 or any(fault.kind == "uncut" for fault in checked.faults)
     radius = {tool.number: tool.diameter / 2 for tool in tools}
     red, amber = [], []
     for feature in part.features:
@@ -32,7 +32,7 @@ def left(part: Any, judged: Any, tools: Sequence[Any], stock_to_leave: float = 0
             centres = [region for area in feature.allowed for region in clearcut.inset(area, r + stock_to_leave)]
             reached = clearcut.unite(reached, clearcut.dilate(centres, r))
             if uncut:
-                swept = clearcut.unite(swept, strips(judged.moves, number, r, feature.floor_z))
+                swept = clearcut.unite(swept, strips(checked.moves, number, r, feature.floor_z))
         reached = clearcut.intersect(feature.target, reached)
         red += _faces(clearcut.subtract(reached, swept) if uncut else [], feature.floor_z)
         amber += _faces(clearcut.subtract(_shrunk(feature.target, stock_to_leave), reached), feature.floor_z)

@@ -17,16 +17,16 @@ HOLES = ("ObjectDrilling", "ObjectHelix")
 
 
 class JobProof:
-    """The verdict on a job as an object of the document; recomputing it posts and judges again."""
+    """The verdict on a job as an object of the document; recomputing it posts and checks again."""
 
     def __init__(self, obj: Any, job: Any):
         group = "Clearcut"
         obj.addProperty("App::PropertyLink", "Job", group, "The job that is proven").Job = job
-        obj.addProperty("App::PropertyString", "Post", group, "FreeCAD's post whose text is judged; empty: the job's, else linuxcnc")
+        obj.addProperty("App::PropertyString", "Post", group, "FreeCAD's post whose text is checked; empty: the job's, else linuxcnc")
         obj.addProperty("App::PropertyString", "Dialect", group, "The control that reads it, as clearcut names it; empty: recognised")
         obj.addProperty("App::PropertyStringList", "Accept", group, "Conditions that hold at the machine, by their names")
         obj.addProperty("App::PropertyStringList", "NotJudged", group, "Operations that the proof leaves out, and why", 1)
-        obj.addProperty("App::PropertyString", "Program", group, "The text that was judged", 2)
+        obj.addProperty("App::PropertyString", "Program", group, "The text that was checked", 2)
         certificate.add_properties(obj)
         obj.Proxy = self
 
@@ -55,7 +55,7 @@ def _prove(obj: Any) -> None:
     features, left_out = features_of_job(job)
     obj.NotJudged = left_out
     if left_out:
-        raise Unclear("not every operation can be judged: " + "; ".join(left_out))
+        raise Unclear("not every operation can be checked: " + "; ".join(left_out))
     if not features:
         raise Unclear(f"{job.Label} has no active operations")
     operations = _active(job)
@@ -65,8 +65,8 @@ def _prove(obj: Any) -> None:
     post = obj.Post or job.PostProcessor or "linuxcnc"
     obj.Program = host.posted(job, post)
     asked = {"tools": list(cutters.values()), "accept": list(obj.Accept), **_left_on_purpose(operations), **_fastest(operations)}
-    judged = host.clearcut().verify(part, obj.Program, name=job.Label, dialect=obj.Dialect or None, **asked)
-    certificate.show(obj, judged, job.Label, overlay.left(part, judged, list(cutters.values()), asked.get("allowance", 0.0)))
+    checked = host.clearcut().verify(part, obj.Program, name=job.Label, dialect=obj.Dialect or None, **asked)
+    certificate.show(obj, checked, job.Label, overlay.left(part, checked, list(cutters.values()), asked.get("allowance", 0.0)))
 
 
 def _left_on_purpose(operations: list[Any]) -> dict[str, float]:
@@ -160,7 +160,7 @@ def _holes(operation: Any) -> list[dict[str, Any]]:
 
 
 def create(job: Any) -> Any:
-    """The proof of a job, made if there is none; recompute the document to have it judged."""
+    """The proof of a job, made if there is none; recompute the document to have it checked."""
     for obj in job.InList:
         if isinstance(getattr(obj, "Proxy", None), JobProof):
             obj.touch()

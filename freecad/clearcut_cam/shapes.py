@@ -126,18 +126,18 @@ def is_upright(face: Any) -> bool:
 def standing(model: Any, low: float, high: float) -> list[Any]:
     """What of a solid stands above `low` and below `high`, seen from above: faces at height 0.
 
-    Exact for walls that are upright; leaning ones are taken where they begin and where they end.
+    Exact for walls that are upright; drafted ones are taken where they begin and where they end.
     """
     heights = {vertex.Z for vertex in model.Vertexes} | {low, high}
     for face in model.Faces:
         heights |= {face.BoundBox.ZMin, face.BoundBox.ZMax}
     levels = sorted(z for z in heights if low - SAME <= z <= high + SAME)
-    leaning = not all(is_level(face) or is_upright(face) for face in model.Faces if face.BoundBox.ZMax > low + SAME)
+    drafted = not all(is_level(face) or is_upright(face) for face in model.Faces if face.BoundBox.ZMax > low + SAME)
     found: list[Any] = []
     for bottom, top in zip(levels, levels[1:]):
         if top - bottom < 4 * BESIDE:
             continue
-        for z in (bottom + BESIDE, (bottom + top) / 2, top - BESIDE) if leaning else ((bottom + top) / 2,):
+        for z in (bottom + BESIDE, (bottom + top) / 2, top - BESIDE) if drafted else ((bottom + top) / 2,):
             wires = model.slice(Vector(0, 0, 1), z)
             if wires:
                 found += down(Part.makeFace(wires, "Part::FaceMakerBullseye")).Faces

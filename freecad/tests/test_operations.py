@@ -137,14 +137,14 @@ class Operations(unittest.TestCase):
         at = max(n for n, command in enumerate(commands) if command.Name == "G1" and command.Parameters.get("F", 0) > 10)
         lifted = [*commands[: at // 2], Path.Command("G0", {"Z": obj.ClearanceHeight.Value})]
         tool = tools.tool_of(obj.ToolController)
-        judged = operation.judge(obj, part, lifted, tool)
-        self.assertEqual(judged.verdict, "FAULTY")
-        certificate.show(obj, judged, obj.Label, overlay.left(part, judged, [tool]))
+        checked = operation.check(obj, part, lifted, tool)
+        self.assertEqual(checked.verdict, "FAULTY")
+        certificate.show(obj, checked, obj.Label, overlay.left(part, checked, [tool]))
         shown = overlay.show(obj)
         shown.Proxy.execute(shown)
         self.assertGreater(shown.Uncut.Value, 50)
-        self.assertLessEqual(shown.Uncut.Value, judged.findings.all.uncut_mm2 * 1.01 + 1)
-        self.assertGreaterEqual(shown.Uncut.Value, judged.findings.all.uncut_mm2 * 0.9)
+        self.assertLessEqual(shown.Uncut.Value, checked.findings.all.uncut_mm2 * 1.01 + 1)
+        self.assertGreaterEqual(shown.Uncut.Value, checked.findings.all.uncut_mm2 * 0.9)
 
     def test_corners_out_of_reach_are_shown(self) -> None:
         job = models.job_of(models.box_with_pockets(), 6)

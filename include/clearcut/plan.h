@@ -63,7 +63,7 @@ using resolve::largest_fitting_diameter;
 using resolve::prepare;
 using resolve::with_tools;
 
-/// Every strategy on one part, judged alike, as a table. Throws InputError where none can plan it.
+/// Every strategy on one part, checked alike, as a table. Throws InputError where none can plan it.
 inline report::TextTable compare_strategies(const Part& part, const PlanOptions& options) {
   return pipeline::compare(part, options);
 }

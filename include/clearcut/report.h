@@ -11,10 +11,10 @@ namespace clearcut {
 
 using pipeline::CertificateBasis;
 using pipeline::write_certificate;
-using pipeline::write_contest_table;
 using pipeline::write_page;
 using pipeline::write_picture;
 using pipeline::write_segments;
+using pipeline::write_selection_table;
 using pipeline::write_setup_sheet;
 using pipeline::write_table;
 using pipeline::write_values;

@@ -27,8 +27,8 @@ from ._core import (
     ClearingArea,
     ClearingComponent,
     Condition,
-    Contest,
-    Contestant,
+    StrategySelection,
+    CandidateResult,
     Diagnostic,
     Engagement,
     Fault,
@@ -130,7 +130,7 @@ def verify(
     cancel: Cancel | None = None,
     **settings: Unpack[Settings],
 ) -> Check:
-    """Judges the text of any program against a part, whoever wrote it. `name` stands in messages."""
+    """Checks the text of any program against a part, whoever wrote it. `name` stands in messages."""
     part, options = _asked(part, options, settings)
     return _core._verify(part, program, name, options, dialect, cancel)
 
@@ -144,7 +144,7 @@ def verify_file(
     cancel: Cancel | None = None,
     **settings: Unpack[Settings],
 ) -> Check:
-    """Judges the program in a file against a part, whoever wrote it."""
+    """Checks the program in a file against a part, whoever wrote it."""
     name = os.fspath(program)
     part, options = _asked(part, options, settings)
     return _core._verify(part, _core.read_file(name), name, options, dialect, cancel)
@@ -160,7 +160,7 @@ def verify_alone(
     cancel: Cancel | None = None,
     **settings: Unpack[Settings],
 ) -> Check:
-    """Judges the program in a file as far as can be said without a part: rapids, depths and engagement in `stock`, limits, control.
+    """Checks the program in a file as far as can be said without a part: rapids, depths and engagement in `stock`, limits, control.
 
     `stock` is "100,60,20" (sizes from X 0, Y 0 and down from `top`) or "-5:95,0:60,-20:0", mm; without it the box of what is cut
     below `top` is taken, which is the condition "stock". What is left and what is gouged is not asked.
@@ -177,7 +177,7 @@ def compare(
     strategies: Iterable[Strategy] = (),
     **settings: Unpack[Settings],
 ) -> Table:
-    """Every strategy on one part, judged alike, as a table. Raises InputError where none can plan it."""
+    """Every strategy on one part, checked alike, as a table. Raises InputError where none can plan it."""
     part, options = _asked(part, options, settings)
     return _core._compare(part, options, list(strategies))
 
@@ -245,8 +245,8 @@ for owner, name, function in ((Plan, "write", _write), (Moves, "columns", _colum
 del owner, name, function
 
 __all__ = [
-    "Cancel", "Cancelled", "Check", "Clearance", "ClearingArea", "ClearingComponent", "Condition", "Contest",
-    "Contestant", "Diagnostic", "Engagement", "Fault", "Feature", "FeatureFindings", "Figures", "Findings", "InputError",
+    "Cancel", "Cancelled", "Check", "Clearance", "ClearingArea", "ClearingComponent", "Condition", "StrategySelection",
+    "CandidateResult", "Diagnostic", "Engagement", "Fault", "Feature", "FeatureFindings", "Figures", "Findings", "InputError",
     "InternalError", "Layer", "LayerFindings", "LayerPasses", "LibraryTool", "Machine", "Moves", "Part", "Pass", "Place",
     "Plan", "PlanOptions", "Region", "Strategy", "Study", "Table", "Tool", "Tour", "__version__", "compare",
     "description_of", "dilate", "explain", "inset", "intersect", "part", "plan", "read_job", "read_machine", "read_part",

@@ -12,7 +12,7 @@
 namespace clearcut::python {
 
 /// How often it is looked whether somebody asks to stop.
-inline constexpr auto kLook = std::chrono::milliseconds(20);
+inline constexpr auto kPollInterval = std::chrono::milliseconds(20);
 
 /// Throws the exception of a signal that has come, and Cancelled where `cancel`, an object with is_set() or None, says so.
 inline void throw_if_asked_to_stop(const py::object& cancel) {
@@ -44,7 +44,7 @@ auto interruptible(const py::object& cancel, Work work) {
   }).detach();
   const auto is_ready = [&result] {
     const py::gil_scoped_release unlocked;
-    return result.wait_for(kLook) == std::future_status::ready;
+    return result.wait_for(kPollInterval) == std::future_status::ready;
   };
   try {
     while (!is_ready()) throw_if_asked_to_stop(cancel);

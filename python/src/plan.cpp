@@ -7,7 +7,7 @@ namespace {
 
 /// A plan or a check with what it rests on.
 template <class Result>
-struct Judged {
+struct Checked {
   std::shared_ptr<const Result> result;
   PlanOptions options;
   std::shared_ptr<const StrategyTable> table;  ///< of own strategies, which `options` points to
@@ -19,8 +19,8 @@ struct Judged {
   Moves moves() const { return Moves(result, options); }
 };
 
-struct Plan : Judged<PlanResult> {};
-struct Check : Judged<CheckResult> {};
+struct Plan : Checked<PlanResult> {};
+struct Check : Checked<CheckResult> {};
 
 /// Told to Python, in whose threads nobody may wait for the planner's while the lock is held.
 ProgressCallback told(const py::object& progress) {
@@ -104,12 +104,12 @@ Check verify(const GivenPart& part, const std::string& program, const std::strin
 }
 
 template <class Result>
-CertificateBasis basis_of(const Judged<Result>& judged, const std::string& program_name) {
+CertificateBasis basis_of(const Checked<Result>& checked, const std::string& program_name) {
   CertificateBasis basis;
   basis.command = "python";
-  basis.inputs = judged.inputs;
+  basis.inputs = checked.inputs;
   basis.program_name = program_name;
-  basis.dialect_stated = judged.dialect_stated;
+  basis.dialect_stated = checked.dialect_stated;
   return basis;
 }
 
@@ -128,8 +128,8 @@ py::object as_dict(const std::string& json) {
 
 /// What plans and checks have in common.
 template <class Class>
-void add_judged(py::class_<Class>& judged) {
-  judged
+void add_checked(py::class_<Class>& checked) {
+  checked
       .def_property_readonly(
           "part",
           [](const Class& self) {
@@ -178,31 +178,32 @@ void add_judged(py::class_<Class>& judged) {
           "picture", [](const Class& self) { return write_picture(*self.result); }, doc("write_picture"));
 }
 
-void add_contests(py::module_& module) {
-  py::class_<Contestant>(module, "Contestant", "A strategy that was considered for a workingstep.")
-      .def_readonly("strategy", &Contestant::strategy)
-      .def_readonly("stepover", &Contestant::stepover, doc("Contestant::stepover"))
-      .def_property_readonly("outcome", [](const Contestant& one) { return name_of(one.outcome); })
-      .def_readonly("time_s", &Contestant::time_s, doc("Contestant::time_s"))
-      .def_readonly("feed_mm", &Contestant::feed_mm, doc("Contestant::feed_mm"));
-  py::class_<Contest>(module, "Contest", doc("Contest"))
-      .def_readonly("feature", &Contest::feature)
-      .def_readonly("contestants", &Contest::contestants)
-      .def_property_readonly("kept", &Contest::kept, doc("Contest::kept"));
+void add_selections(py::module_& module) {
+  py::class_<CandidateResult>(module, "CandidateResult", "A strategy that was considered for a workingstep.")
+      .def_readonly("strategy", &CandidateResult::strategy)
+      .def_readonly("stepover", &CandidateResult::stepover, doc("CandidateResult::stepover"))
+      .def_property_readonly("outcome", [](const CandidateResult& one) { return name_of(one.outcome); })
+      .def_readonly("time_s", &CandidateResult::time_s, doc("CandidateResult::time_s"))
+      .def_readonly("feed_mm", &CandidateResult::feed_mm, doc("CandidateResult::feed_mm"));
+  py::class_<StrategySelection>(module, "StrategySelection", doc("StrategySelection"))
+      .def_readonly("feature", &StrategySelection::feature)
+      .def_readonly("candidates", &StrategySelection::candidates)
+      .def_property_readonly("kept", &StrategySelection::kept, doc("StrategySelection::kept"));
 }
 
 void add_plan_class(py::module_& module) {
   py::class_<Plan> plans(module, "Plan", "A program that was read back and certified.");
-  add_judged(plans);
+  add_checked(plans);
   plans
       .def_property_readonly(
-          "contests", [](const Plan& self) { return self.result->contests; }, doc("PlanResult::contests"))
+          "selections", [](const Plan& self) { return self.result->selections; },
+          doc("PlanResult::selections"))
       .def(
           "values", [](const Plan& self) { return write_values(self.result->part, self.result->values); },
           doc("write_values"))
       .def(
-          "contest_table", [](const Plan& self) { return write_contest_table(*self.result); },
-          doc("write_contest_table"))
+          "selection_table", [](const Plan& self) { return write_selection_table(*self.result); },
+          doc("write_selection_table"))
       .def(
           "page", [](const Plan& self) { return write_page(*self.result, self.options); }, doc("write_page"))
       .def(
@@ -213,7 +214,7 @@ void add_plan_class(py::module_& module) {
                trimmed(self.result->findings.all.time_s, 1) + " s>";
       });
   py::class_<Check> checks(module, "Check", "What a program of whatever origin does to a part.");
-  add_judged(checks);
+  add_checked(checks);
   checks
       .def_property_readonly(
           "dialect", [](const Check& self) { return std::string(name_of(self.result->dialect)); },
@@ -257,7 +258,7 @@ void add_tables(py::module_& module) {
 }  // namespace
 
 void add_plan(py::module_& module) {
-  add_contests(module);
+  add_selections(module);
   add_plan_class(module);
   add_tables(module);
   module.def("_plan", &plan, py::arg("part"), py::arg("options"), py::arg("strategies"), py::arg("progress"),

@@ -17,7 +17,7 @@ class Plans(unittest.TestCase):
         self.assertTrue(plan.clean)
         self.assertEqual(plan.verdict, "CLEAN")
         self.assertIn("CERTIFICATE: CLEAN", plan.program)
-        self.assertEqual([contest.kept for contest in plan.contests], ["contour"])
+        self.assertEqual([selection.kept for selection in plan.selections], ["contour"])
         self.assertEqual(plan.faults, [])
         self.assertIn("pocket", plan.table())
         self.assertIn("<svg", plan.picture())
@@ -274,13 +274,13 @@ class Own(unittest.TestCase):
         own = clearcut.Strategy("rings", self.rings, "contours at half the radius")
         plan = clearcut.plan(pocket(), tools="endmill:6", strategy="rings", strategies=[own])
         self.assertTrue(plan.clean)
-        self.assertEqual(plan.contests[0].kept, "rings")
+        self.assertEqual(plan.selections[0].kept, "rings")
         self.assertEqual(plan.certificate()["features"][0]["strategy"], "rings")
 
     def test_is_tried_by_auto(self):
         own = clearcut.Strategy("rings", self.rings, in_auto=True)
         plan = clearcut.plan(pocket(), tools="endmill:6", strategies=[own])
-        self.assertIn("rings", [one.strategy for one in plan.contests[0].contestants])
+        self.assertIn("rings", [one.strategy for one in plan.selections[0].candidates])
 
     def test_what_it_raises_ends_the_plan(self):
         def broken(layer):

@@ -142,7 +142,7 @@ async function checksAlone(page) {
   await page.waitForFunction(() => document.getElementById('check-verdict').textContent.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
   const frame = await (await page.$('#check-report')).contentFrame();
   await frame.waitForSelector('#play', { timeout: 60000 });
-  check((await frame.textContent('#tiles')).includes('not asked'), 'a program is judged alone, and its report says what was not asked');
+  check((await frame.textContent('#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
 }
 
 const page = await open(1366, 768, 'light');

@@ -1,6 +1,6 @@
 // node web_browser_test.mjs FOLDER BROWSER SITE EXAMPLES [COMMAND]: serves the folder SITE as any static host would, on this machine alone, and does
 // with the page what a person does: plan, cancel, check, download, reload without a network. Screenshots go to FOLDER/pictures. COMMAND, where
-// it is named, has to judge the downloaded program as the page did.
+// it is named, has to check the downloaded program as the page did.
 import { spawnSync } from 'node:child_process';
 import { createReadStream, existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -127,7 +127,7 @@ async function checks(page) {
   await page.waitForFunction(() => document.getElementById('check-verdict').textContent.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
   const frame = await (await page.$('#check-report')).contentFrame();
   await frame.waitForSelector('#play', { timeout: 60000 });
-  check((await frame.textContent('#tiles')).includes('not asked'), 'a program is judged alone, and its report says what was not asked');
+  check((await frame.textContent('#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
 }
 
 async function worksOffline(page) {

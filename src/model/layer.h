@@ -26,7 +26,7 @@ struct Layer {
   std::optional<Box> stock;           ///< plan view; beside it there is nothing. Absent: material without end
   std::vector<PredrilledHole> holes;  ///< as deep as the layer: ways down
   double lift = 10;  ///< mm from the tip up to where rapids cross, in the mean of the feature's layers
-  /// Rapids of what is cut later come down through here: not even a film far thinner than tol.uncut may stay.
+  /// Rapids of what is cut later come down through here: not even a residual far thinner than tol.uncut may stay.
   bool bare = false;
 };
 

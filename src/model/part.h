@@ -65,9 +65,9 @@ struct Chamfer {
   Loop line;
   double depth = 0;        ///< mm from the wall's top down to the chamfer's foot
   bool air_inside = true;  ///< the loop bounds what is milled; else what stays
-  Regions room;            ///< beside the wall: where nothing stands any more at the foot
-  double room_floor = 0;   ///< z of what stands in the room
-  double reach = 0;        ///< mm; radius of the round corners that mills left in the room
+  Regions free_beside;     ///< beside the wall: where nothing stands any more at the foot
+  double free_floor = 0;   ///< z of what stands in the free space beside it
+  double reach = 0;        ///< mm; radius of the round corners that mills left in the free space beside it
 };
 
 /// A prismatic volume to remove: every point of `target` down to `floor_z`.

@@ -43,9 +43,9 @@ std::optional<WorkMaterial> work_material_named(const std::string& name) {
   return *found;
 }
 
-std::string work_material_names() {
-  std::string names;
-  for (const WorkMaterial& material : work_materials()) names += (names.empty() ? "" : ", ") + material.name;
+std::vector<std::string> work_material_names() {
+  std::vector<std::string> names;
+  for (const WorkMaterial& material : work_materials()) names.push_back(material.name);
   return names;
 }
 

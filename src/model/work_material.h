@@ -33,7 +33,7 @@ struct WorkMaterial {
 /// Sources are told in docs/forces.md and docs/feeds.md.
 const std::vector<WorkMaterial>& work_materials();
 std::optional<WorkMaterial> work_material_named(const std::string& name);
-/// "aluminium, brass, ...": all that work_material_named() knows.
-std::string work_material_names();
+/// All that work_material_named() knows.
+std::vector<std::string> work_material_names();
 
 }  // namespace clearcut::inline model

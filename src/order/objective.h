@@ -1,4 +1,4 @@
-// What an order is judged by. A new objective is one small file in objective/: a class with some of the three
+// What an order is checked by. A new objective is one small file in objective/: a class with some of the three
 // parts.
 #pragma once
 

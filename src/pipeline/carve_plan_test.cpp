@@ -89,13 +89,13 @@ TEST(Engraving, LinesAreEngravedWithBitsAndBalls) {
 TEST(Engraving, TooDeepBesideTheLineOrNotAllOfItIsFaulty) {
   const auto options = with({"vbit:60deg:6"});
   const Part part = drawn(line("ENGRAVE_D0.4", {5, 4}, {85, 4}));
-  const auto judged = [&](const std::string& other) {
+  const auto checked = [&](const std::string& other) {
     return check_program(part, plan_part(drawn(other), options).program, "other.ngc", options).findings;
   };
-  EXPECT_TRUE(has(judged(line("ENGRAVE_D0.42", {5, 4}, {85, 4})), FaultKind::kGouge));
-  EXPECT_TRUE(has(judged(line("ENGRAVE_D0.38", {5, 4}, {85, 4})), FaultKind::kUncut));
-  EXPECT_TRUE(has(judged(line("ENGRAVE_D0.4", {5, 4.02}, {85, 4.02})), FaultKind::kGouge));
-  EXPECT_TRUE(has(judged(line("ENGRAVE_D0.4", {5, 4}, {84.9, 4})), FaultKind::kUncut));
+  EXPECT_TRUE(has(checked(line("ENGRAVE_D0.42", {5, 4}, {85, 4})), FaultKind::kGouge));
+  EXPECT_TRUE(has(checked(line("ENGRAVE_D0.38", {5, 4}, {85, 4})), FaultKind::kUncut));
+  EXPECT_TRUE(has(checked(line("ENGRAVE_D0.4", {5, 4.02}, {85, 4.02})), FaultKind::kGouge));
+  EXPECT_TRUE(has(checked(line("ENGRAVE_D0.4", {5, 4}, {84.9, 4})), FaultKind::kUncut));
 }
 
 TEST(Tools, ConesAreNamedByTheirAngle) {

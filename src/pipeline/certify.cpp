@@ -93,7 +93,7 @@ PostOptions post_options_of(const ResolvedPlan& plan) {
   return post;
 }
 
-/// Findings and the motion's hash come into the header of a program that has been judged.
+/// Findings and the motion's hash come into the header of a program that has been checked.
 std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
                       const Part& part, const ResolvedPlan& plan) {
   PostOptions post_options = post_options_of(plan);
@@ -225,7 +225,7 @@ void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
 
 }  // namespace
 
-Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
+Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
                const ResolvedPlan& plan, std::map<int, verify::ToolLimits> limits) {
   verify::VerifyOptions verify = verify_options(plan);
@@ -245,7 +245,7 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   read::gcode::Program read = read_back(result.program, planned, plan);
   result.toolpath = std::move(read.toolpath);
   result.control = std::move(read.control);
-  result.findings = judge(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
+  result.findings = check(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
   add_not_machined(result.part.diagnostics, result.findings);
 }
 

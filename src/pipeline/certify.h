@@ -1,4 +1,4 @@
-// The way from passes to a judged program that every plan takes: link, post, read back, verify, sign.
+// The way from passes to a checked program that every plan takes: link, post, read back, verify, sign.
 #pragma once
 
 #include <map>
@@ -31,13 +31,13 @@ std::vector<int> tools_by_hand(std::vector<int> in_order);
 /// Keeps the address of plan.earlier.
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 
-/// Judges what a control reads: its moves, what it holds meanwhile, and the conditions of both. Marks the conditions that
+/// Checks what a control reads: its moves, what it holds meanwhile, and the conditions of both. Marks the conditions that
 /// the machine file or plan.accept answer. `limits`: of tools that no workingstep is made with.
-Findings judge(const Part& part, const Toolpath& toolpath, const ControlTable& control,
+Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
                const ResolvedPlan& plan, std::map<int, verify::ToolLimits> limits = {});
 
-/// Posts `planned` for result.part, reads it back, and judges what was read.
+/// Posts `planned` for result.part, reads it back, and checks what was read.
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);
 
 /// Puts the verdict into the program's header and makes sure that nothing else has changed.

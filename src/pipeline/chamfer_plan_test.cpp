@@ -39,14 +39,14 @@ TEST(Chamfering, EdgesOfPocketsIslandsHolesAndCutOutsAreBrokenClean) {
 TEST(Chamfering, TwentyMicrometresTooDeepTooWideOrTooShallowIsFaulty) {
   const auto options = with({"endmill:5", "chamfer:90deg:8:tip=0.4"});
   const Part part = drawn(plate(all_edges("CHAMFER_D0.5")));
-  const auto judged = [&](const std::string& edges) {
+  const auto checked = [&](const std::string& edges) {
     return check_program(part, plan_part(drawn(plate(edges)), options).program, "other.ngc", options)
         .findings;
   };
-  const Findings deep = judged(all_edges("CHAMFER_D0.52"));
+  const Findings deep = checked(all_edges("CHAMFER_D0.52"));
   EXPECT_TRUE(has(deep, FaultKind::kGouge)) << faults_of(deep);
   EXPECT_NEAR(deep.all.gouge_mm, 0.02, 0.004);
-  EXPECT_TRUE(has(judged(all_edges("CHAMFER_D0.48")), FaultKind::kUncut));
+  EXPECT_TRUE(has(checked(all_edges("CHAMFER_D0.48")), FaultKind::kUncut));
 }
 
 /// The words of the chamfer's section, moved down or left out.

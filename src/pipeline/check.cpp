@@ -1,5 +1,7 @@
 #include "pipeline/check.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -12,6 +14,8 @@
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"
 #include "read/gcode/gcode.h"
+#include "report/sheet/sheet_facts.h"
+#include "resolve/prepare.h"
 #include "resolve/resolve.h"
 #include "resolve/tool_cutting.h"
 #include "stock/round_hole.h"
@@ -83,10 +87,9 @@ void keep_stated_limits(Workingstep& step, Operation stated, const Part& prepare
     resolve::change_tool(stated, step.operation.tool, part, options);
   }
   const Tool& tool = tool_of(prepared, step);
-  const bool at_once =
-      feature_of(prepared, step).hole && tool.kind != ToolKind::kDrill && !clears_floors(tool);
   const bool mills = !stock::only_plunges(tool);
-  if (!at_once) step.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
+  if (!resolve::is_made_at_once(feature_of(prepared, step), tool))
+    step.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
   const auto& plunge = options.cutting.plunge_feed;
   step.operation.cutting.plunge_feed = plunge ? plunge : stated.cutting.plunge_feed;
 }
@@ -125,27 +128,18 @@ std::map<int, verify::ToolLimits> limits_of_other_tools(const Part& prepared,
   return limits;
 }
 
-/// "T1, T2", each once.
-std::string tools_called(const Toolpath& toolpath) {
-  std::string text;
-  std::set<int> named;
-  for (const Section& section : toolpath.sections) {
-    if (section.tool_number <= 0 || !named.insert(section.tool_number).second) continue;
-    text += (text.empty() ? "T" : ", T") + std::to_string(section.tool_number);
-  }
-  return text;
-}
-
 void require_tools(const resolve::PlanOptions& options, const Toolpath& toolpath,
                    const std::string& program_name) {
   if (!options.tools.empty()) return;
-  const std::string called = tools_called(toolpath);
-  throw InputError(program_name,
-                   called.empty() ? "names no tool; say what cuts, for example --tool endmill:6"
-                                  : "calls " + called + "; say what " +
-                                        (called.find(',') == std::string::npos ? "it is" : "they are") +
-                                        ", for example --tool endmill:6:" +
-                                        called.substr(0, called.find(',')) + ", or a library with --tools");
+  std::vector<std::string> called;
+  for (const int number : report::tools_called(toolpath))
+    if (number > 0) called.push_back("T" + std::to_string(number));
+  if (called.empty())
+    throw InputError(program_name, "names no tool; say what cuts, for example --tool endmill:6");
+  throw InputError(
+      program_name,
+      fmt::format("calls {}; say what {}, for example --tool endmill:6:{}, or a library with --tools",
+                  fmt::join(called, ", "), called.size() == 1 ? "it is" : "they are", called[0]));
 }
 
 /// The stock that was stated, else the one that the program's own cuts make.
@@ -161,52 +155,60 @@ Stock stock_for(const std::optional<Stock>& stated, const Toolpath& toolpath, co
   return *taken;
 }
 
-/// The program as its control reads it, with nothing above `safe_z`, mm; tools that it has no words for come in the order given.
-read::gcode::Program read_alone(const std::string& program, const std::string& program_name,
-                                const resolve::PlanOptions& options,
-                                std::optional<read::gcode::Dialect> dialect, double safe_z) {
+/// A program's text, and which control's it is; none where the text tells.
+struct ProgramText {
+  const std::string& text;
+  const std::string& name;
+  std::optional<read::gcode::Dialect> dialect;
+
+  /// Whether it has no words for tools: they are put in by hand.
+  bool names_no_tools() const { return dialect == read::gcode::Dialect::kMarlin; }
+};
+
+/// Numbers of tools that are put in by hand, and what their order is.
+struct HandTools {
+  std::vector<int> numbers;
+  std::string order;
+};
+
+HandTools as_given(const std::vector<Tool>& tools) {
+  HandTools by_hand{{}, "they are given"};
+  for (const Tool& tool : tools) by_hand.numbers.push_back(tool.number);
+  return by_hand;
+}
+
+HandTools as_worked(const Part& part) {
+  HandTools by_hand{{}, "of the part's work"};
+  for (const Workingstep& step : part.workplan) by_hand.numbers.push_back(tool_of(part, step).number);
+  return by_hand;
+}
+
+/// The program as its control reads it, with nothing above `safe_z`, mm.
+read::gcode::Program read_program(const ProgramText& program, const resolve::PlanOptions& options,
+                                  double safe_z, const HandTools& by_hand) {
   read::gcode::ReadControllerOptions reading;
-  reading.dialect = dialect;
+  reading.dialect = program.dialect;
   reading.home_z = home_z(options.machine);
   reading.safe_z = safe_z;
   reading.places = options.machine.places;
-  if (dialect == read::gcode::Dialect::kMarlin) {
-    for (const Tool& tool : options.tools) reading.hand_tools.push_back(tool.number);
-    reading.hand_tools = tools_by_hand(reading.hand_tools);
-  }
-  auto read = read::gcode::read_gcode(program, program_name, reading);
+  reading.hand_tools = tools_by_hand(by_hand.numbers);
+  auto read = read::gcode::read_gcode(program.text, program.name, reading);
   if (reading.hand_tools.size() > 1)
     read.conditions.push_back(
-        {"tool-by-hand", "the tools are put in by hand in the order they are given, one at each pause", 0});
+        {"tool-by-hand", "the tools are put in by hand in the order " + by_hand.order + ", one at each pause",
+         0});
   return read;
-}
-
-std::vector<int> tools_in_order(const Part& part) {
-  std::vector<int> numbers;
-  for (const Workingstep& step : part.workplan) numbers.push_back(tool_of(part, step).number);
-  return numbers;
 }
 
 }  // namespace
 
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
                           const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect) {
-  read::gcode::ReadControllerOptions reading;
-  reading.dialect = dialect;
-  reading.home_z = home_z(options.machine);
-  reading.safe_z = part.top_z();
-  reading.places = options.machine.places;
   const StrategyTable& strategies = strategies_of(options);
+  const ProgramText text{program, program_name, dialect};
   std::optional<ResolvedPlan> resolved;
-  if (dialect == read::gcode::Dialect::kMarlin) {
-    resolved = resolve::resolve(part, options, strategies);
-    reading.hand_tools = tools_by_hand(tools_in_order(resolved->part));
-  }
-  auto read = read::gcode::read_gcode(program, program_name, reading);
-  if (reading.hand_tools.size() > 1)
-    read.conditions.push_back(
-        {"tool-by-hand", "the tools are put in by hand in the order of the part's work, one at each pause",
-         0});
+  if (text.names_no_tools()) resolved = resolve::resolve(part, options, strategies);
+  auto read = read_program(text, options, part.top_z(), resolved ? as_worked(resolved->part) : HandTools{});
   CheckResult result;
   resolve::PlanOptions asked = numbered_by(read.toolpath, options);
   if (!resolved) resolved = resolved_for(read.toolpath, part, asked, strategies);
@@ -218,7 +220,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.dialect = read.dialect;
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
-  result.findings = judge(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
+  result.findings = check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
                           limits_of_other_tools(result.part, asked));
   add_out_of_reach(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
@@ -228,7 +230,9 @@ CheckResult check_program(const Part& part, const std::string& program, const st
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
                                 const std::string& program_name, const resolve::PlanOptions& options,
                                 std::optional<read::gcode::Dialect> dialect, double top) {
-  read::gcode::Program read = read_alone(program, program_name, options, dialect, stock ? stock->z_top : top);
+  const ProgramText text{program, program_name, dialect};
+  auto read = read_program(text, options, stock ? stock->z_top : top,
+                           text.names_no_tools() ? as_given(options.tools) : HandTools{});
   require_tools(options, read.toolpath, program_name);
   const resolve::PlanOptions asked = numbered_by(read.toolpath, options);
   const ResolvedPlan plan = resolve::resolve_without_part(asked);
@@ -245,7 +249,7 @@ CheckResult check_program_alone(const std::optional<Stock>& stock, const std::st
   for (const auto& open : {below_stock(result.toolpath, *result.part.stock),
                            doubtful_arcs(result.toolpath, result.control, asked.tol)})
     if (open) conditions.push_back(*open);
-  result.findings = judge(result.part, result.toolpath, result.control, conditions, result.dialect, plan,
+  result.findings = check(result.part, result.toolpath, result.control, conditions, result.dialect, plan,
                           limits_of_other_tools(result.part, asked));
   return result;
 }

@@ -13,7 +13,7 @@
 
 namespace clearcut::pipeline {
 
-/// Judges any program text against a part. `tools` replace the part's, as in PlanOptions.
+/// Checks any program text against a part. `tools` replace the part's, as in PlanOptions.
 struct CheckResult {
   Part part;
   Toolpath toolpath;
@@ -26,7 +26,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
                           const resolve::PlanOptions& options,
                           std::optional<read::gcode::Dialect> dialect = {});
 
-/// Judges any program text as far as can be said without a part: rapids, plunges, depths and engagement in `stock`, feeds, spindle
+/// Checks any program text as far as can be said without a part: rapids, plunges, depths and engagement in `stock`, feeds, spindle
 /// and tools, limits and travel, arcs. What is left and what is gouged is not asked (Findings::without_part). Without a stock the
 /// box of what is cut below `top`, mm, is taken, which is the condition "stock". Throws InputError for text that no control
 /// takes, and where no tool is given or nothing is cut below `top` in a stock that is not stated.

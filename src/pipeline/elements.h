@@ -26,7 +26,7 @@ struct ElementsResult {
   std::vector<report::VisitSearch> searches;  ///< in the order they were made
 };
 
-/// Checks the job, tabulates and reduces its elements, orders the visits, and makes a judged program of them.
+/// Checks the job, tabulates and reduces its elements, orders the visits, and makes a checked program of them.
 /// options: post, machine, tol, seed, time_s (longest search for one order, default 2 s) count; the rest
 /// comes from the job. What the reduction leaves uncut is in the findings, as everywhere. Throws InputError
 /// with all faults of the job on one line.

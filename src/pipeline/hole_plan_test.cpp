@@ -319,9 +319,9 @@ TEST(HolePlan, WhatOneToolOfAJobStatesDoesNotBindTheOthers) {
   }
   const PlanResult planned = plan_part(part, options);
   expect_clean(planned);
-  const Findings judged =
+  const Findings checked =
       check_program(part, planned.program, "again", options, read::gcode::Dialect::kLinuxCnc).findings;
-  EXPECT_TRUE(judged.all.clean) << faults_of(judged);
+  EXPECT_TRUE(checked.all.clean) << faults_of(checked);
 }
 
 TEST(Threads, HaveTheSizesOfTheirTables) {

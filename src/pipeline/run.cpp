@@ -17,7 +17,7 @@
 #include "pipeline/certify.h"
 #include "pipeline/contour_results.h"
 #include "pipeline/progress_meter.h"
-#include "pipeline/selection/choice.h"
+#include "pipeline/selection/selection.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"
 #include "pipeline/steps/rounded_places.h"
@@ -83,9 +83,10 @@ class Sizes {
 };
 
 /// The passes of a workingstep layer by layer; what they clear and whether they leave anything goes into `plan`.
-std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature, const Attempt& attempt,
-                                   const ResolvedPlan& job, StepPlan& plan) {
-  const auto strategy = strategy_for(attempt, job.steps[static_cast<std::size_t>(work.workingstep)], job);
+std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
+                                   const StrategyCandidate& candidate, const ResolvedPlan& job,
+                                   StepPlan& plan) {
+  const auto strategy = strategy_for(candidate, job.steps[static_cast<std::size_t>(work.workingstep)], job);
   std::vector<LayerPasses> passes;
   Sizes sizes(job.tol);
   for (const auto& layer : work.layers) {
@@ -94,7 +95,7 @@ std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
                      : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
                                         : strategy(layer.layer));
     passes.back().wall_top = work.wall_top;
-    if (work.meets_others && plan.leaves_nothing && attempt.as_rival)
+    if (work.meets_others && plan.leaves_nothing && candidate.as_rival)
       plan.leaves_nothing = plan::leaves_nothing(passes.back(), layer.layer.tool_radius);
     if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);
     sizes.add(plan, layer.layer, passes.back());
@@ -104,7 +105,7 @@ std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
 }
 
 /// What a strategy makes of one workingstep in so many steps of work. Throws OutOfWork where that is too much.
-StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedPlan& job,
+StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
                    std::uint64_t most_work) {
   const ResolvedStep& step = job.steps[static_cast<std::size_t>(work.workingstep)];
   const WorkBudget budget(most_work);
@@ -114,9 +115,9 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
     plan.section = *work.hole;
     plan.hole = true;
   } else {
-    const auto passes = passes_of(work, feature, attempt, job, plan);
+    const auto passes = passes_of(work, feature, candidate, job, plan);
     const EntryKind entry =
-        !feature.profile && attempt.strategy->limits_engagement ? step.entry_at_limit : step.entry;
+        !feature.profile && candidate.strategy->limits_engagement ? step.entry_at_limit : step.entry;
     plan.hole = feature.profile.has_value();
     plan.section = link_step(passes, work.workingstep, entry, job);
   }
@@ -124,12 +125,12 @@ StepPlan plan_step(const StepWork& work, const Attempt& attempt, const ResolvedP
   return plan;
 }
 
-std::vector<ChoiceStep> choice_steps(const ResolvedPlan& plan, const StrategyTable& strategies) {
-  std::vector<ChoiceStep> steps;
+std::vector<SelectionStep> selection_steps(const ResolvedPlan& plan, const StrategyTable& strategies) {
+  std::vector<SelectionStep> steps;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const auto& step = plan.part.workplan[i];
     steps.push_back({feature_of(plan.part, step).name, static_cast<int>(i), tool_of(plan.part, step).radius(),
-                     plan.steps[i].feed, attempts_for(plan.steps[i], plan, strategies)});
+                     plan.steps[i].feed, candidates_for(plan.steps[i], plan, strategies)});
   }
   return steps;
 }
@@ -149,15 +150,16 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const Tolera
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
 constexpr std::size_t kMostEdgesForRivals = 400;
 
-/// The plan of an attempt, or of a rival that is faster.
-StepPlan fastest_plan(const StepWork& work, const Attempt& attempt, const ResolvedPlan& job,
+/// The plan of an candidate, or of a rival that is faster.
+StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
                       const StrategyTable& strategies, std::uint64_t most_work) {
   const Part& part = job.part;
-  StepPlan best = plan_step(work, attempt, job, most_work);
+  StepPlan best = plan_step(work, candidate, job, most_work);
   const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
-  const bool alone = !attempt.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
+  const bool alone =
+      !candidate.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
-  for (const auto& name : attempt.strategy->rivals) {
+  for (const auto& name : candidate.strategy->rivals) {
     const StrategyEntry* rival = strategies.find(name);
     if (!rival) continue;
     try {
@@ -166,7 +168,7 @@ StepPlan fastest_plan(const StepWork& work, const Attempt& attempt, const Resolv
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
     } catch (const OutOfWork&) {
-      continue;  // the attempt itself stands
+      continue;  // the candidate itself stands
     }
   }
   return best;
@@ -199,11 +201,11 @@ void slow_down_slots(Toolpath& toolpath, const ResolvedPlan& plan) {
   }
 }
 
-Toolpath toolpath_of(const Choice& choice, const ResolvedPlan& plan) {
+Toolpath toolpath_of(const Selection& selection, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   Toolpath toolpath;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    if (!choice.section(i).moves.empty()) toolpath.sections.push_back(choice.section(i));
+    if (!selection.section(i).moves.empty()) toolpath.sections.push_back(selection.section(i));
   }
   if (part.order_free) toolpath.sections = in_short_order(std::move(toolpath.sections), part);
   slow_down_slots(toolpath, plan);
@@ -215,60 +217,62 @@ std::string thousands(std::uint64_t steps) {
   return fmt::format("{} thousand steps of work", steps / 1000);
 }
 
-void report_notes(const Choice& choice, const std::vector<StepWork>& works, const ResolvedPlan& plan,
+void report_notes(const Selection& selection, const std::vector<StepWork>& works, const ResolvedPlan& plan,
                   Part& part) {
   const auto shares = work_shares(works, plan);
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (works[i].done_before) {
-      part.diagnostics.note(feature_of(part, part.workplan[i]).name,
-                            "nothing is cut: the earlier program has left no more than films under 0.007 mm "
-                            "where the cutter can reach");
+      part.diagnostics.note(
+          feature_of(part, part.workplan[i]).name,
+          "nothing is cut: the earlier program has left no more than residuals under 0.007 mm "
+          "where the cutter can reach");
     }
-    for (const auto& name : choice.left_out(i)) {
+    for (const auto& name : selection.left_out(i)) {
       part.diagnostics.note(feature_of(part, part.workplan[i]).name,
                             fmt::format("{} is left out: planning it took more than its share of {}", name,
                                         thousands(shares[i])));
     }
-    const Section& section = choice.section(i);
+    const Section& section = selection.section(i);
     for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
   }
 }
 
 /// Why there are no passes for a workingstep.
-std::string no_passes(std::size_t i, const Choice& choice, const std::vector<StepWork>& works,
+std::string no_passes(std::size_t i, const Selection& selection, const std::vector<StepWork>& works,
                       const ResolvedPlan& plan) {
   const Part& part = plan.part;
   const auto& step = part.workplan[i];
   const std::string& name = feature_of(part, step).name;
-  if (!choice.left_out(i).empty()) {
+  if (!selection.left_out(i).empty()) {
     return fmt::format(
         "planning {} by {} took more than {}; use another --strategy (zigzag takes the least) or a larger "
         "cutter",
-        name, fmt::join(choice.left_out(i), " and "), thousands(work_shares(works, plan)[i]));
+        name, fmt::join(selection.left_out(i), " and "), thousands(work_shares(works, plan)[i]));
   }
   const bool fits =
       tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
   if (!fits || stock::only_plunges(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
   return fmt::format("{} found no passes for {}; use another --strategy, for example contour",
-                     choice.attempt(i).strategy->name, name);
+                     selection.candidate(i).strategy->name, name);
 }
 
-void report_what_does_not_fit(Part& part, const Choice& choice, const std::vector<StepWork>& works,
+void report_what_does_not_fit(Part& part, const Selection& selection, const std::vector<StepWork>& works,
                               const ResolvedPlan& plan) {
   bool nothing = true;
-  for (std::size_t i = 0; i < part.workplan.size(); ++i) nothing = nothing && choice.section(i).moves.empty();
+  for (std::size_t i = 0; i < part.workplan.size(); ++i)
+    nothing = nothing && selection.section(i).moves.empty();
   const bool done_before =
       std::any_of(works.begin(), works.end(), [](const StepWork& work) { return work.done_before; });
   if (nothing && !done_before) {
-    throw InputError(part.source_file, "nothing can be cut: " + no_passes(0, choice, works, plan));
+    throw InputError(part.source_file, "nothing can be cut: " + no_passes(0, selection, works, plan));
   }
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
-    if (!choice.section(i).moves.empty()) continue;
+    if (!selection.section(i).moves.empty()) continue;
     const bool fits =
         tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;
-    part.diagnostics.skip(feature_of(part, step).name, no_passes(i, choice, works, plan));
+    part.diagnostics.skip(feature_of(part, step).name, no_passes(i, selection, works, plan));
   }
 }
 
@@ -282,7 +286,7 @@ bool depends_on_strategy(FaultKind kind) {
 }
 
 /// Takes the next best plan of every workingstep that was not certified clean. False when there was nothing to do.
-bool retry_unclean(Choice& choice, PlanResult& result) {
+bool retry_unclean(Selection& selection, PlanResult& result) {
   bool retried = false;
   for (const auto& feature : result.findings.features) {
     if (feature.figures.clean || feature.workingstep < 0) continue;
@@ -294,8 +298,8 @@ bool retry_unclean(Choice& choice, PlanResult& result) {
     const auto i = static_cast<std::size_t>(feature.workingstep);
     const Tool& tool = tool_of(result.part, result.part.workplan[i]);
     if (tool.corner_radius >= tool.radius()) continue;  // no passes leave a floor flat
-    if (!choice.next(i)) continue;
-    const Attempt& next = choice.attempt(i);
+    if (!selection.next(i)) continue;
+    const StrategyCandidate& next = selection.candidate(i);
     result.part.diagnostics.note(
         feature.name, "was not certified clean at first and is planned again: " + next.strategy->name +
                           (next.stepover.is_given() ? ", stepover " + next.stepover.text : ""));
@@ -339,10 +343,10 @@ void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostic
   }
 }
 
-/// How many attempts the choice may plan before any fallback.
-std::size_t candidates_in(const std::vector<ChoiceStep>& steps) {
+/// How many candidates the selection may plan before any fallback.
+std::size_t candidates_in(const std::vector<SelectionStep>& steps) {
   std::size_t count = 0;
-  for (const ChoiceStep& step : steps) count += step.attempts.contest.size();
+  for (const SelectionStep& step : steps) count += step.candidates.competing.size();
   return count;
 }
 
@@ -360,30 +364,30 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   ProgressMeter meter(options);
   const auto works = step_works(plan);
   const auto shares = work_shares(works, plan);
-  const auto planner = [&](int step, const Attempt& attempt) {
+  const auto planner = [&](int step, const StrategyCandidate& candidate) {
     const auto i = static_cast<std::size_t>(step);
-    StepPlan planned = fastest_plan(works[i], attempt, plan, strategies, shares[i]);
+    StepPlan planned = fastest_plan(works[i], candidate, plan, strategies, shares[i]);
     meter.add();
     return planned;
   };
-  const auto steps = choice_steps(plan, strategies);
+  const auto steps = selection_steps(plan, strategies);
   meter.begin(Stage::kPlanning, candidates_in(steps));
-  Choice choice(steps, planner, plan.threads);
-  report_what_does_not_fit(result.part, choice, works, plan);
+  Selection selection(steps, planner, plan.threads);
+  report_what_does_not_fit(result.part, selection, works, plan);
   Toolpath toolpath;
   do {
     meter.begin(Stage::kCertifying, 1);
-    toolpath = toolpath_of(choice, plan);
+    toolpath = toolpath_of(selection, plan);
     certify(result, toolpath, plan);
     meter.add();
-  } while (retry_unclean(choice, result));
+  } while (retry_unclean(selection, result));
   add_out_of_reach(result.part, plan, result.findings);
   explain_rounded_places(result, plan);
   sign(result, toolpath, plan);
-  report_notes(choice, works, plan, result.part);
+  report_notes(selection, works, plan, result.part);
   result.contours = contours_of(toolpath, plan);
   report_rho(result.contours, plan, result.part);
-  result.contests = choice.contests();
+  result.selections = selection.selections();
   return result;
 }
 

@@ -8,8 +8,8 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/options/resolved_plan.h"
-#include "model/results/contest.h"
 #include "model/results/findings.h"
+#include "model/results/strategy_selection.h"
 #include "read/gcode/dialect.h"
 #include "report/result.h"
 #include "resolve/plan_options.h"
@@ -24,7 +24,8 @@ struct PlanResult {
   ControlTable control;  ///< what the control holds at each move of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
   std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
-  std::vector<Contest> contests;  ///< of each workingstep: which strategies were considered, which was kept
+  std::vector<StrategySelection>
+      selections;  ///< of each workingstep: which strategies were considered, which was kept
 };
 
 /// Plans, posts and certifies a part.

@@ -4,9 +4,9 @@
 #include "base/version.h"
 #include "pipeline/selection/compare.h"
 #include "report/certificate/certificate.h"
-#include "report/contest_table.h"
 #include "report/picture/svg.h"
 #include "report/result.h"
+#include "report/selection_table.h"
 #include "report/sheet/setup_sheet.h"
 #include "report/table.h"
 #include "report/value_table.h"
@@ -57,7 +57,7 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
                               const CertificateBasis& basis) {
   report::CertificateInfo info = certificate_info(options, basis);
   info.program = result.program;
-  info.contests = result.contests;
+  info.selections = result.selections;
   info.values = result.values;
   info.contours = result.contours;
   info.published_s = eq9_time(result);
@@ -95,8 +95,8 @@ std::string write_table(const CheckResult& result, std::size_t width) {
   return report::table(result.part, result.findings, width);
 }
 
-std::string write_contest_table(const PlanResult& result, std::size_t width) {
-  return report::fitted(report::contest_table(result.contests), width);
+std::string write_selection_table(const PlanResult& result, std::size_t width) {
+  return report::fitted(report::selection_table(result.selections), width);
 }
 
 std::string write_picture(const PlanResult& result) {

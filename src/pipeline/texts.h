@@ -39,7 +39,7 @@ std::string write_table(const PlanResult& result, std::size_t width = 120);
 std::string write_table(const CheckResult& result, std::size_t width = 120);
 
 /// What became of the strategies that were considered; lines of ASCII.
-std::string write_contest_table(const PlanResult& result, std::size_t width = 120);
+std::string write_selection_table(const PlanResult& result, std::size_t width = 120);
 
 /// One SVG document: the part, what was cut, what is left, faults. Paths in mm, arcs as arcs.
 std::string write_picture(const PlanResult& result);

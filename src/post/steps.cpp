@@ -136,7 +136,7 @@ double largest_deviation(const PrintGrid& grid) {
   return std::hypot(allowed_aside(grid), grid.step() * std::sqrt(0.5));
 }
 
-/// Controls judge an arc's radii in their own unit: 0.002 mm or 0.0002 inch.
+/// Controls check an arc's radii in their own unit: 0.002 mm or 0.0002 inch.
 StepRules step_rules(const PostOptions& options, int decimals, double largest_radius) {
   return {.grid = PrintGrid(options.inch, decimals),
           .arcs = options.arcs,

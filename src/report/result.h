@@ -1,4 +1,4 @@
-// The result file (SPEC C7): the segments of a toolpath as plain numbers.
+// The result file: the segments of a toolpath as plain numbers.
 #pragma once
 
 #include <optional>

@@ -18,7 +18,7 @@ Toolpath one_section(std::vector<Move> moves) {
 }
 
 TEST(ResultFile, TriangleOfThePaperHasItsFirstContour) {
-  // SPEC G3: first contour (8.6603, 5.0) - (71.3259, 5.0) of the triangle with edge 79.9861, R = 5.
+  // First contour (8.6603, 5.0) - (71.3259, 5.0) of the triangle with edge 79.9861, R = 5.
   sample::Moves m({8.660254, 5}, 0);
   m.to(MoveKind::kCut, {71.325846, 5}, 0);
   EXPECT_EQ(result_file(one_section(m.moves), {"triangle80", {{"P", {5, 12.01, 19.02}}}}),

@@ -120,12 +120,12 @@ std::string load_lines(const Figures& all) {
   return text;
 }
 
-/// What layers leave on leaning walls.
+/// What layers leave on drafted walls.
 std::string scallop_lines(const Findings& findings) {
   std::string text;
   for (const FeatureFindings& feature : findings.features) {
     if (!feature.scallop) continue;
-    text += fmt::format("scallop: {} mm at most on the leaning walls of {}",
+    text += fmt::format("scallop: {} mm at most on the drafted walls of {}",
                         fixed(feature.scallop->height_mm, 3), ascii(feature.name));
     if (feature.scallop->asked_mm)
       text += fmt::format(", {} mm asked for", fixed(*feature.scallop->asked_mm, 3));
@@ -155,7 +155,7 @@ TextTable table_of_tools(const Part& part, const Findings& findings) {
   return text;
 }
 
-/// The block that was judged against.
+/// The block that was checked against.
 std::string stock_line(const Part& part) {
   if (!part.stock) return "";
   const auto range = [](double low, double high) {

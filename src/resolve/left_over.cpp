@@ -15,9 +15,9 @@ constexpr double kSpare = 0.002;
 /// mm. What is narrower than twice this is left out: more than the strip that kSpare leaves along walls.
 constexpr double kSliver = 0.003;
 /// mm. What an earlier program has left no farther than this from what it cut stays: the certificate allows more.
-constexpr double kFilm = 0.007;
+constexpr double kResidual = 0.007;
 /// mm. Half the width of what the chords of swept arcs make of it.
-constexpr double kFilmSliver = 0.001;
+constexpr double kResidualSliver = 0.001;
 /// mm. How far what is planned for a rest reaches over what is cut already.
 constexpr double kOverlap = 0.05;
 /// mm. Height differences that are rounding.
@@ -55,7 +55,7 @@ Regions union_of(std::span<const Loop> loops, const Tolerances& tol) {
   return unite(union_of(loops.first(half), tol), union_of(loops.subspan(half), tol), tol);
 }
 
-/// What the earlier program has cut down to z near `where`, and films beside it.
+/// What the earlier program has cut down to z near `where`, and residuals beside it.
 Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, const Box& where,
                        Tolerances tol) {
   tol.chord = kChord;
@@ -66,7 +66,7 @@ Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, con
     if (tool == part.tools.end()) continue;
     for (const Move& move : section.moves) {
       const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-      if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kFilm, z, loops);
+      if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kResidual, z, loops);
     }
   }
   return loops.empty() ? Regions{} : union_of(loops, tol);
@@ -117,11 +117,11 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer,
       left = intersect(left, within_reach(layer, radius, own_stock + layer.reserve, tol), tol);
   }
   if (own_stock > 0 && !left.empty()) left = intersect(left, inset(layer.allowed, own_stock, tol), tol);
-  const double sliver = earlier ? kFilmSliver : kSliver;
+  const double sliver = earlier ? kResidualSliver : kSliver;
   const Regions thick = inset(left, sliver, tol);
   if (thick.empty()) return thick;
   // Up to the wall over the stock that stays there: targets are bounded by walls or by what is cut.
-  const double grow = sliver + (earlier ? kFilm : 0) + kOverlap + 1.5 * own_stock;
+  const double grow = sliver + (earlier ? kResidual : 0) + kOverlap + 1.5 * own_stock;
   return intersect(dilate(thick, grow, tol), layer.target, tol);
 }
 

@@ -10,7 +10,7 @@ namespace clearcut::resolve {
 /// The part of `layer.target` that the milling steps before `workingstep` on the same feature cannot have reached, less
 /// what `earlier`, a program that has run before, has cut down to the layer. A little more than that at its borders, so that
 /// what is planned for it overlaps; slivers below half of tol.uncut are left out. Of what an earlier program has left, only what
-/// lies in reach of the step's cutter counts, farther than 0.007 mm from what is cut. With leaning walls, and where no earlier
+/// lies in reach of the step's cutter counts, farther than 0.007 mm from what is cut. With drafted walls, and where no earlier
 /// step reaches the layer: all of the target. The part is prepared.
 Regions left_over(const Part& part, int workingstep, const Layer& layer,
                   const std::optional<Toolpath>& earlier, const Tolerances& tol);

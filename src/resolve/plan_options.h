@@ -52,7 +52,7 @@ struct PlanOptions {
   std::optional<Radians> entry_angle;
   std::optional<double> lead;         ///< mm; radius or length of leads into passes along walls, 0: none
   std::optional<Radians> lead_angle;  ///< straight leads, at this angle to the pass; absent: arcs
-  std::optional<double> scallop;      ///< mm; greatest step between layers on leaning walls
+  std::optional<double> scallop;      ///< mm; greatest step between layers on drafted walls
   ShopOptions shop;
   TabOptions tabs;
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own

@@ -181,10 +181,8 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   }
 }
 
-/// Cones, taps, thread mills, reamers and boring bars make their hole at once, whatever stepdown is asked for all work.
 void make_at_once(Operation& operation, const Tool& tool, const Feature& feature) {
-  if (!feature.hole || tool.kind == ToolKind::kDrill || clears_floors(tool)) return;
-  operation.stepdown = std::max(feature.top_z - feature.floor_z, 1e-3);
+  if (is_made_at_once(feature, tool)) operation.stepdown = std::max(feature.top_z - feature.floor_z, 1e-3);
 }
 
 /// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than the
@@ -342,6 +340,10 @@ Part with_tools(Part part, const PlanOptions& options) {
   StepSources sources;
   choose_tools(part, options, sources);
   return part;
+}
+
+bool is_made_at_once(const Feature& feature, const Tool& tool) {
+  return feature.hole && tool.kind != ToolKind::kDrill && !clears_floors(tool);
 }
 
 Part prepare(Part part, const PlanOptions& options) {

@@ -19,6 +19,10 @@ Part prepare(Part part, const PlanOptions& options);
 /// The same; `sources` are afterwards those of every value that does not come from where its operation was read.
 Part prepare(Part part, const PlanOptions& options, StepSources& sources);
 
+/// Whether the tool makes the feature at once, whatever stepdown is asked for all work: cones, taps, thread mills, reamers and
+/// boring bars in holes.
+bool is_made_at_once(const Feature& feature, const Tool& tool);
+
 /// Gives a number to each tool that has none. Throws InputError where two have the same.
 void number_tools(std::vector<Tool>& tools);
 

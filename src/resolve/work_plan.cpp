@@ -72,7 +72,7 @@ Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptio
   Operation& operation = step.operation;
   const Feature& feature = feature_of(part, last);
   const double depth = feature.top_z - feature.floor_z - operation.allowance_floor;
-  // Leaning walls are cut by the edges of layers: one pass at their foot would leave them.
+  // Drafted walls are cut by the edges of layers: one pass at their foot would leave them.
   const bool leans = feature.wall_slope.radians() != 0;
   if (depth > 0 && !leans) {
     operation.stepdown = depth / shop.finish_depths.value_or(1);

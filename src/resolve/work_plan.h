@@ -16,7 +16,7 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
 
 /// For every milled feature the finishing steps asked for, after all others, which leave stock for them: the floor with
 /// the feature's first mill and what is left of it with its narrower ones, then the walls with its last, in
-/// options.shop.finish_depths depths (leaning ones in the layers of roughing) and with leads of half the cutter's radius.
+/// options.shop.finish_depths depths (drafted ones in the layers of roughing) and with leads of half the cutter's radius.
 void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& sources);
 
 }  // namespace clearcut::resolve

@@ -37,42 +37,42 @@ int Attribution::by_section(const Section& section) const {
   return -1;
 }
 
-int Attribution::by_place(const JudgedMove& judged, int previous) const {
-  const Vec2 middle = middle_of(*judged.move);
-  if (previous >= 0 && fits(judged, middle, previous)) return previous;
+int Attribution::by_place(const CheckedMove& checked, int previous) const {
+  const Vec2 middle = middle_of(*checked.move);
+  if (previous >= 0 && fits(checked, middle, previous)) return previous;
   int found = -1;
   for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
-    if (fits(judged, middle, i) && (found < 0 || has_tool(judged, i))) found = i;
+    if (fits(checked, middle, i) && (found < 0 || has_tool(checked, i))) found = i;
   }
   return found;
 }
 
-std::optional<double> Attribution::stepdown_at(const JudgedMove& judged) const {
-  const Vec2 middle = middle_of(*judged.move);
+std::optional<double> Attribution::stepdown_at(const CheckedMove& checked) const {
+  const Vec2 middle = middle_of(*checked.move);
   std::optional<double> of_tool, of_any;
   for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
     const std::optional<double> stepdown = part_.workplan[i].operation.stepdown;
-    if (!stepdown || !fits(judged, middle, i, judged.radius())) continue;
+    if (!stepdown || !fits(checked, middle, i, checked.radius())) continue;
     of_any = std::max(of_any.value_or(0), *stepdown);
-    if (has_tool(judged, i)) of_tool = std::max(of_tool.value_or(0), *stepdown);
+    if (has_tool(checked, i)) of_tool = std::max(of_tool.value_or(0), *stepdown);
   }
   return of_tool ? of_tool : of_any;
 }
 
-bool Attribution::has_tool(const JudgedMove& judged, int workingstep) const {
+bool Attribution::has_tool(const CheckedMove& checked, int workingstep) const {
   const int index = part_.workplan[workingstep].operation.tool;
-  return judged.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
-         &part_.tools[index] == judged.tool;
+  return checked.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
+         &part_.tools[index] == checked.tool;
 }
 
-bool Attribution::fits(const JudgedMove& judged, Vec2 p, int workingstep, double beside) const {
+bool Attribution::fits(const CheckedMove& checked, Vec2 p, int workingstep, double beside) const {
   const int index = part_.workplan[workingstep].feature;
   const Feature& feature = part_.features[index];
-  const double z = judged.low_z();
+  const double z = checked.low_z();
   if (z < feature.floor_z - kHeightSlack || z >= feature.top_z - 1e-6) return false;
   const EdgeTree& outline = outlines_[index];
   // Over open sides and at thin ends the centre runs beside the target.
-  return outline.winding(p) != 0 || outline.nearest(p, judged.radius() + beside + kJustTouches).edge >= 0;
+  return outline.winding(p) != 0 || outline.nearest(p, checked.radius() + beside + kJustTouches).edge >= 0;
 }
 
 }  // namespace clearcut::verify

@@ -20,16 +20,16 @@ class Attribution {
   int by_section(const Section& section) const;
 
   /// `previous`, if the move lies in its feature; else a workingstep for which that is so, if possible with its tool; -1: none.
-  int by_place(const JudgedMove& judged, int previous) const;
+  int by_place(const CheckedMove& checked, int previous) const;
 
   /// mm. The greatest stepdown of all workingsteps whose feature holds the move or is less than a radius away, because work on
   /// one feature reaches into the next; if some of them use the move's tool, of these. Absent where none states a stepdown.
-  std::optional<double> stepdown_at(const JudgedMove& judged) const;
+  std::optional<double> stepdown_at(const CheckedMove& checked) const;
 
  private:
-  bool has_tool(const JudgedMove& judged, int workingstep) const;
+  bool has_tool(const CheckedMove& checked, int workingstep) const;
   /// Whether the cutter at p touches the workingstep's feature, or comes within `beside` mm of it, at the move's depth.
-  bool fits(const JudgedMove& judged, Vec2 p, int workingstep, double beside = 0) const;
+  bool fits(const CheckedMove& checked, Vec2 p, int workingstep, double beside = 0) const;
 
   const Part& part_;
   std::vector<EdgeTree> outlines_;  ///< of the features' targets

@@ -12,8 +12,8 @@ constexpr double kSmoothTurn = 0.01;
 /// mm. Points nearer than this are equal.
 constexpr double kSamePlace = 1e-6;
 
-bool may_round(const JudgedMove& judged) {
-  return judged.feeds() && !judged.move->is_vertical();
+bool may_round(const CheckedMove& checked) {
+  return checked.feeds() && !checked.move->is_vertical();
 }
 
 double turn_between(const Move& before, const Move& after) {
@@ -21,7 +21,7 @@ double turn_between(const Move& before, const Move& after) {
   return std::abs(std::atan2(cross(in, out), dot(in, out)));
 }
 
-bool is_corner(const JudgedMove& before, const JudgedMove& after) {
+bool is_corner(const CheckedMove& before, const CheckedMove& after) {
   return may_round(before) && may_round(after) &&
          distance(before.move->path.to, after.move->path.from) < kSamePlace &&
          turn_between(*before.move, *after.move) > kSmoothTurn;
@@ -35,7 +35,7 @@ Edge bent(const Edge& path, Vec2 from, Vec2 to) {
 
 }  // namespace
 
-std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, const JudgedMove& after,
+std::optional<std::array<Move, 2>> rounded_corner(const CheckedMove& before, const CheckedMove& after,
                                                   double tolerance) {
   if (tolerance <= 0 || !is_corner(before, after)) return std::nullopt;
   const Move &a = *before.move, &b = *after.move;
@@ -59,7 +59,7 @@ std::optional<std::array<Move, 2>> rounded_corner(const JudgedMove& before, cons
   return std::array<Move, 2>{first, second};
 }
 
-double corner_tolerance(std::span<const JudgedMove> moves) {
+double corner_tolerance(std::span<const CheckedMove> moves) {
   double most = 0;
   for (std::size_t i = 1; i < moves.size(); ++i) {
     const double tolerance = std::max(moves[i - 1].path_tolerance, moves[i].path_tolerance);

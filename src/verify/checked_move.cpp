@@ -21,74 +21,74 @@ const Tool* tool_of(const Part& part, int number) {
   return number <= 0 && part.tools.size() == 1 ? &part.tools.front() : nullptr;
 }
 
-void attribute(const Part& part, const Toolpath& toolpath, std::vector<JudgedMove>& moves) {
+void attribute(const Part& part, const Toolpath& toolpath, std::vector<CheckedMove>& moves) {
   const Attribution attribution(part);
   std::size_t k = 0;
   int previous = -1;
   for (const Section& section : toolpath.sections) {
     const int whole = attribution.by_section(section);
     for (std::size_t i = 0; i < section.moves.size(); ++i, ++k) {
-      JudgedMove& judged = moves[k];
-      judged.workingstep = whole;
-      if (whole >= 0 || !judged.feeds()) continue;
-      judged.workingstep = previous = attribution.by_place(judged, previous);
+      CheckedMove& checked = moves[k];
+      checked.workingstep = whole;
+      if (whole >= 0 || !checked.feeds()) continue;
+      checked.workingstep = previous = attribution.by_place(checked, previous);
     }
   }
   // Rapids, and feed moves off all features, belong to the workingstep of the next move, at the end of the last.
   int next = -1;
-  for (auto judged = moves.rbegin(); judged != moves.rend(); ++judged) {
-    if (judged->workingstep < 0) judged->workingstep = next;
-    next = judged->workingstep;
+  for (auto checked = moves.rbegin(); checked != moves.rend(); ++checked) {
+    if (checked->workingstep < 0) checked->workingstep = next;
+    next = checked->workingstep;
   }
   previous = -1;
-  for (JudgedMove& judged : moves) {
-    if (judged.workingstep < 0) judged.workingstep = previous;
-    previous = judged.workingstep;
+  for (CheckedMove& checked : moves) {
+    if (checked.workingstep < 0) checked.workingstep = previous;
+    previous = checked.workingstep;
   }
 }
 
 /// A workingstep that is cut by plunges alone has one layer, at its lowest tip.
-void add_drilled_depths(const Part& part, JudgedProgram& program) {
+void add_drilled_depths(const Part& part, CheckedProgram& program) {
   std::vector<double> lowest(program.layers.size(), part.top_z());
-  for (const JudgedMove& judged : program.moves) {
-    if (judged.workingstep < 0 || !judged.feeds()) continue;
-    double& low = lowest[judged.workingstep];
-    low = std::min(low, judged.low_z());
+  for (const CheckedMove& checked : program.moves) {
+    if (checked.workingstep < 0 || !checked.feeds()) continue;
+    double& low = lowest[checked.workingstep];
+    low = std::min(low, checked.low_z());
   }
   for (std::size_t i = 0; i < lowest.size(); ++i) {
     if (program.layers[i].empty() && lowest[i] < part.top_z()) program.layers[i].push_back(lowest[i]);
   }
 }
 
-void find_layers(const Part& part, JudgedProgram& program) {
+void find_layers(const Part& part, CheckedProgram& program) {
   program.layers.resize(part.workplan.size());
-  for (const JudgedMove& judged : program.moves) {
-    if (judged.workingstep < 0 || !judged.feeds() || !judged.is_flat() || judged.low_z() >= part.top_z())
+  for (const CheckedMove& checked : program.moves) {
+    if (checked.workingstep < 0 || !checked.feeds() || !checked.is_flat() || checked.low_z() >= part.top_z())
       continue;
-    LayerHeights& layers = program.layers[judged.workingstep];
+    LayerHeights& layers = program.layers[checked.workingstep];
     const bool known = std::any_of(layers.begin(), layers.end(),
-                                   [&](double z) { return std::abs(z - judged.low_z()) < kSameLayer; });
-    if (!known) layers.push_back(judged.low_z());
+                                   [&](double z) { return std::abs(z - checked.low_z()) < kSameLayer; });
+    if (!known) layers.push_back(checked.low_z());
   }
   add_drilled_depths(part, program);
   for (LayerHeights& layers : program.layers) std::sort(layers.rbegin(), layers.rend());
 }
 
 /// A move down belongs to the layer that it goes to, moves in between to the layer that was cut before.
-void assign_layers(JudgedProgram& program) {
+void assign_layers(CheckedProgram& program) {
   int layer = 0, workingstep = -1;
-  for (JudgedMove& judged : program.moves) {
-    if (judged.workingstep < 0) continue;
-    const LayerHeights& layers = program.layers[judged.workingstep];
-    if (judged.workingstep != workingstep) layer = 0;
-    workingstep = judged.workingstep;
+  for (CheckedMove& checked : program.moves) {
+    if (checked.workingstep < 0) continue;
+    const LayerHeights& layers = program.layers[checked.workingstep];
+    if (checked.workingstep != workingstep) layer = 0;
+    workingstep = checked.workingstep;
     if (layers.empty()) continue;
-    if (judged.feeds() && judged.low_z() < layers.front() + kSameLayer) {
+    if (checked.feeds() && checked.low_z() < layers.front() + kSameLayer) {
       const auto at = std::find_if(layers.begin(), layers.end(),
-                                   [&](double z) { return z <= judged.low_z() + kSameLayer; });
+                                   [&](double z) { return z <= checked.low_z() + kSameLayer; });
       layer = static_cast<int>(std::min<std::ptrdiff_t>(at - layers.begin(), std::ssize(layers) - 1));
     }
-    judged.layer = layer;
+    checked.layer = layer;
   }
 }
 
@@ -134,39 +134,39 @@ double path_tolerance_of(const ControlState* state, const Machine& machine) {
 }
 
 /// Adds dwells, and the time that tool changes take on this machine.
-void add_waits(const ControlTable& control, const Machine& machine, std::vector<JudgedMove>& moves) {
+void add_waits(const ControlTable& control, const Machine& machine, std::vector<CheckedMove>& moves) {
   if (moves.empty()) return;
   for (const ControlEvent& event : control.events) {
     const double seconds = event.kind == ControlEventKind::kDwell        ? event.seconds
                            : event.kind == ControlEventKind::kToolChange ? machine.tool_change_s
                                                                          : 0;
-    JudgedMove& after = moves[std::min(event.before_move, moves.size() - 1)];
+    CheckedMove& after = moves[std::min(event.before_move, moves.size() - 1)];
     after.waits_s += seconds;
     after.time_s += seconds;
   }
 }
 
 void append_moves(const Part& part, const Toolpath& toolpath, const Machine& machine,
-                  std::vector<JudgedMove>& out, const ControlTable* control) {
+                  std::vector<CheckedMove>& out, const ControlTable* control) {
   const std::size_t begin = out.size();
   for (const Section& section : toolpath.sections) {
     const std::size_t first = out.size() - begin;
     const std::vector<Seconds> times = times_of(section, first, machine, control);
     for (std::size_t i = 0; i < section.moves.size(); ++i) {
-      JudgedMove judged;
-      judged.move = &section.moves[i];
-      judged.tool = tool_of(part, section.tool_number);
-      judged.tool_number = section.tool_number;
-      judged.clockwise = section.spindle_clockwise;
-      judged.rpm = section.spindle_rpm;
+      CheckedMove checked;
+      checked.move = &section.moves[i];
+      checked.tool = tool_of(part, section.tool_number);
+      checked.tool_number = section.tool_number;
+      checked.clockwise = section.spindle_clockwise;
+      checked.rpm = section.spindle_rpm;
       if (control) {
-        judged.control = control->at(first + i);
-        judged.path_tolerance = path_tolerance_of(judged.control, machine);
-        judged.doubt = control->doubt_at(first + i);
+        checked.control = control->at(first + i);
+        checked.path_tolerance = path_tolerance_of(checked.control, machine);
+        checked.doubt = control->doubt_at(first + i);
       }
-      judged.time_s = times[i].seconds();
-      judged.time_naive_s = kinematics::naive_time(section.moves[i], machine).seconds();
-      out.push_back(judged);
+      checked.time_s = times[i].seconds();
+      checked.time_naive_s = kinematics::naive_time(section.moves[i], machine).seconds();
+      out.push_back(checked);
     }
   }
   if (control) add_waits(*control, machine, out);
@@ -174,18 +174,18 @@ void append_moves(const Part& part, const Toolpath& toolpath, const Machine& mac
 
 }  // namespace
 
-JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
-                             const Toolpath* earlier, const ControlTable* control) {
-  JudgedProgram program;
+CheckedProgram checked_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
+                               const Toolpath* earlier, const ControlTable* control) {
+  CheckedProgram program;
   append_moves(part, toolpath, machine, program.moves, control);
   attribute(part, toolpath, program.moves);
   find_layers(part, program);
   assign_layers(program);
   if (earlier == nullptr) return program;
-  std::vector<JudgedMove> own = std::move(program.moves);
+  std::vector<CheckedMove> own = std::move(program.moves);
   program.moves.clear();
   append_moves(part, *earlier, machine, program.moves, nullptr);
-  for (JudgedMove& judged : program.moves) judged.earlier = true;
+  for (CheckedMove& checked : program.moves) checked.earlier = true;
   program.moves.insert(program.moves.end(), own.begin(), own.end());
   return program;
 }

@@ -45,7 +45,7 @@ inline double flat_radius_of(const Tool& tool) {
 }
 
 /// A move of the program, with what is known about it and what checking found.
-struct JudgedMove {
+struct CheckedMove {
   const Move* move = nullptr;
   const Tool* tool = nullptr;  ///< null: unknown
   int tool_number = 0;
@@ -84,15 +84,15 @@ struct JudgedMove {
 using LayerHeights = std::vector<double>;
 
 /// All moves, and the layers of each workingstep.
-struct JudgedProgram {
-  std::vector<JudgedMove> moves;
+struct CheckedProgram {
+  std::vector<CheckedMove> moves;
   std::vector<LayerHeights> layers;  ///< for each workingstep
 };
 
 /// Lists the moves of `toolpath` with their tools, times, workingstep and layer. The workingstep is found by
 /// the section's number, else by its label, else by place and depth. Moves of `earlier` come first and belong
 /// to no workingstep. With `control` every move knows what the control held, and times include waits.
-JudgedProgram judged_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
-                             const Toolpath* earlier = nullptr, const ControlTable* control = nullptr);
+CheckedProgram checked_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
+                               const Toolpath* earlier = nullptr, const ControlTable* control = nullptr);
 
 }  // namespace clearcut::verify

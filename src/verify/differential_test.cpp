@@ -92,7 +92,7 @@ TEST(Differential, GougesAgreeWithDenseSampling) {
 
 // The same while the tip goes down through the floor of a shelf: the part stands from a ring's floor at -1
 // upwards.
-TEST(Differential, RampsAreJudgedByTheFloorTheyPass) {
+TEST(Differential, RampsAreCheckedByTheFloorTheyPass) {
   Part part = pocket_part(testing::rectangle(0, 0, 60, 40), 4, -1);
   part.features.push_back(part.features[0]);
   part.features[1].name = "DEEP";
@@ -120,7 +120,7 @@ TEST(Differential, RampsAreJudgedByTheFloorTheyPass) {
     const auto gouge = gouge_of(finished, {Edge::line(a, b), z0, z1, MoveKind::kRamp, MmPerMin::of(300), 1},
                                 radius, 0.001, false);
     const double depth = gouge ? gouge->depth : 0;
-    // A piece below the shelf is judged at its lowest tip: never less than what sampling finds.
+    // A piece below the shelf is checked at its lowest tip: never less than what sampling finds.
     EXPECT_GE(depth, expected - 0.002) << round;
     if (expected == 0) {
       EXPECT_LE(depth, 0.001) << round;
@@ -217,8 +217,8 @@ TEST(Differential, CoverageBoundsAgreeWithARaster) {
       if (sample.to_legal <= radius + blur && sample.excess > -blur) area_high += cell;
       if (sample.to_legal <= radius + blur)
         thick_high = std::max(thick_high, 2 * std::min(sample.excess, beside) + 2 * blur);
-      const bool in_film = outline[0].boundary_distance(sample.p) < allowance + blur;
-      if (sample.to_legal > radius + blur && sample.excess > blur && !in_film) unreachable_low += cell;
+      const bool in_residual = outline[0].boundary_distance(sample.p) < allowance + blur;
+      if (sample.to_legal > radius + blur && sample.excess > blur && !in_residual) unreachable_low += cell;
     }
     EXPECT_GE(coverage.thickness_mm, thick_low) << round;
     // What is thick is bounded to 5 % of itself.

@@ -13,21 +13,21 @@ double degrees_between(Vec2 a, Vec2 b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / kPi;
 }
 
-void add_lengths(Figures& figures, const JudgedMove& judged) {
-  const Move& move = *judged.move;
+void add_lengths(Figures& figures, const CheckedMove& checked) {
+  const Move& move = *checked.move;
   const double length = move.length();
-  (judged.feeds() ? figures.feed_mm : figures.rapid_mm) += length;
-  if (judged.feeds() && move.is_vertical() && move.z_to < move.z_from) figures.plunge_mm += length;
-  figures.time_s += judged.time_s;
-  figures.waits_s += judged.waits_s;
-  figures.time_naive_s += judged.time_naive_s;
+  (checked.feeds() ? figures.feed_mm : figures.rapid_mm) += length;
+  if (checked.feeds() && move.is_vertical() && move.z_to < move.z_from) figures.plunge_mm += length;
+  figures.time_s += checked.time_s;
+  figures.waits_s += checked.waits_s;
+  figures.time_naive_s += checked.time_naive_s;
 }
 
-void add_turns(Figures& figures, std::span<const JudgedMove* const> moves) {
+void add_turns(Figures& figures, std::span<const CheckedMove* const> moves) {
   const Move* before = nullptr;
-  for (const JudgedMove* judged : moves) {
-    const Move& move = *judged->move;
-    if (!judged->feeds() || move.is_vertical()) {
+  for (const CheckedMove* checked : moves) {
+    const Move& move = *checked->move;
+    if (!checked->feeds() || move.is_vertical()) {
       before = nullptr;
       continue;
     }
@@ -42,12 +42,12 @@ void add_turns(Figures& figures, std::span<const JudgedMove* const> moves) {
   }
 }
 
-void add_retracts(Figures& figures, std::span<const JudgedMove* const> moves, double top_z) {
+void add_retracts(Figures& figures, std::span<const CheckedMove* const> moves, double top_z) {
   bool cutting = false, risen = false;
-  for (const JudgedMove* judged : moves) {
-    const Move& move = *judged->move;
+  for (const CheckedMove* checked : moves) {
+    const Move& move = *checked->move;
     if (cutting && std::max(move.z_from, move.z_to) >= top_z) risen = true;
-    if (judged->feeds() && judged->low_z() < top_z) {
+    if (checked->feeds() && checked->low_z() < top_z) {
       if (risen) ++figures.retracts;
       risen = false;
       cutting = true;
@@ -86,18 +86,18 @@ void add_load(Figures& figures, const MoveLoad& load) {
 
 }  // namespace
 
-Figures figures_of(std::span<const JudgedMove* const> moves, double top_z) {
+Figures figures_of(std::span<const CheckedMove* const> moves, double top_z) {
   Figures figures;
   double cutting_mm = 0, angle_mm_deg = 0, force_mm_n = 0;
-  for (const JudgedMove* judged : moves) {
-    add_lengths(figures, *judged);
-    add_load(figures, judged->load);
-    cutting_mm += judged->load.cutting_mm;
-    angle_mm_deg += judged->load.angle_mm_deg;
-    force_mm_n += judged->load.force_mm_n;
-    if (judged->gouge && judged->gouge->depth > figures.gouge_mm) {
-      figures.gouge_mm = judged->gouge->depth;
-      figures.gouge_at = Place{judged->gouge->point, judged->gouge->z, judged->move->line};
+  for (const CheckedMove* checked : moves) {
+    add_lengths(figures, *checked);
+    add_load(figures, checked->load);
+    cutting_mm += checked->load.cutting_mm;
+    angle_mm_deg += checked->load.angle_mm_deg;
+    force_mm_n += checked->load.force_mm_n;
+    if (checked->gouge && checked->gouge->depth > figures.gouge_mm) {
+      figures.gouge_mm = checked->gouge->depth;
+      figures.gouge_at = Place{checked->gouge->point, checked->gouge->z, checked->move->line};
     }
   }
   if (cutting_mm > 0) figures.engagement.mean_deg = angle_mm_deg / cutting_mm;

@@ -1,4 +1,4 @@
-// Islands, rapids, levels, allowances, open sides: the judge on programs written by hand.
+// Islands, rapids, levels, allowances, open sides: the check on programs written by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -144,15 +144,15 @@ TEST(Verify, RapidsInWhatIsClearedAreFine) {
 }
 
 TEST(Verify, ARapidThatBrushesUncutStockByFiveMicrometresIsNamed) {
-  const auto judged = [](double y) {
+  const auto checked = [](double y) {
     Writer writer;
     writer.enter({10, 25}, 0, -2).feed({40, 25});
     writer.rapid({10, y}, -2);
     return verify_program(square_part(), writer.done(), {});
   };
-  EXPECT_FALSE(has(judged(25), FaultKind::kRapidInMaterial));
-  EXPECT_FALSE(has(judged(25.0005), FaultKind::kRapidInMaterial));
-  EXPECT_TRUE(has(judged(25.005), FaultKind::kRapidInMaterial));
+  EXPECT_FALSE(has(checked(25), FaultKind::kRapidInMaterial));
+  EXPECT_FALSE(has(checked(25.0005), FaultKind::kRapidInMaterial));
+  EXPECT_TRUE(has(checked(25.005), FaultKind::kRapidInMaterial));
 }
 
 TEST(Verify, AMissingLevelIsTooDeep) {

@@ -1,4 +1,4 @@
-// Programs that are wrong by little: the judge must not call them clean.
+// Programs that are wrong by little: the check must not call them clean.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -40,23 +40,23 @@ std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& mov
   return shaped_gouge_of(finished, move, wider, slack);
 }
 
-void judge_gouges(const FinishedPart& finished, std::span<JudgedMove> moves, const Tolerances& tol) {
-  const JudgedMove* before = nullptr;  // the last move, if it is known to end outside the part
-  for (JudgedMove& judged : moves) {
-    if (judged.radius() <= 0) {
+void judge_gouges(const FinishedPart& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
+  const CheckedMove* before = nullptr;  // the last move, if it is known to end outside the part
+  for (CheckedMove& checked : moves) {
+    if (checked.radius() <= 0) {
       before = nullptr;
       continue;
     }
-    if (is_conical(*judged.tool)) {
-      judged.gouge = shaped_gouge_of(finished, *judged.move, *judged.tool, tol.gouge);
+    if (is_conical(*checked.tool)) {
+      checked.gouge = shaped_gouge_of(finished, *checked.move, *checked.tool, tol.gouge);
       before = nullptr;
       continue;
     }
-    const bool joined = before && before->move->path.to == judged.move->path.from &&
-                        before->move->z_to == judged.move->z_from && before->radius() == judged.radius();
-    judged.gouge = gouge_of_mill(finished, *judged.move, *judged.tool, 0, tol.gouge, joined);
-    const bool spared = !judged.gouge || judged.gouge->depth < judged.radius() / 2;
-    before = spared && !judged.gouge.value_or(Gouge{}).floor ? &judged : nullptr;
+    const bool joined = before && before->move->path.to == checked.move->path.from &&
+                        before->move->z_to == checked.move->z_from && before->radius() == checked.radius();
+    checked.gouge = gouge_of_mill(finished, *checked.move, *checked.tool, 0, tol.gouge, joined);
+    const bool spared = !checked.gouge || checked.gouge->depth < checked.radius() / 2;
+    before = spared && !checked.gouge.value_or(Gouge{}).floor ? &checked : nullptr;
   }
 }
 
@@ -66,38 +66,38 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
 }
 
 /// Adds the gouge of a cone that the control may run off its path.
-void judge_shaped_liberty(const FinishedPart& finished, const std::vector<JudgedMove>& all,
-                          JudgedMove& judged, const Tolerances& tol) {
-  const double before = &judged == all.data() ? 0 : (&judged - 1)->path_tolerance;
-  const double off = std::max({judged.doubt, judged.path_tolerance, before});
+void judge_shaped_liberty(const FinishedPart& finished, const std::vector<CheckedMove>& all,
+                          CheckedMove& checked, const Tolerances& tol) {
+  const double before = &checked == all.data() ? 0 : (&checked - 1)->path_tolerance;
+  const double off = std::max({checked.doubt, checked.path_tolerance, before});
   if (off <= 0) return;
   // Off its path in any direction of space, also downwards, a flank comes nearer sideways by this at most.
-  const double aside = off * std::hypot(1.0, flank_slope(*judged.tool));
-  Tool wider = *judged.tool;
+  const double aside = off * std::hypot(1.0, flank_slope(*checked.tool));
+  Tool wider = *checked.tool;
   wider.diameter += 2 * aside;
   wider.tip_diameter += 2 * aside;
-  keep_deeper(judged.gouge, shaped_gouge_of(finished, *judged.move, wider, tol.gouge));
+  keep_deeper(checked.gouge, shaped_gouge_of(finished, *checked.move, wider, tol.gouge));
 }
 
 /// Adds the gouges that the control may make within its tolerance: at rounded corners, on arcs of another radius.
-void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>& all,
-                     std::span<JudgedMove> moves, const Tolerances& tol) {
-  for (JudgedMove& judged : moves) {
-    if (judged.radius() <= 0) continue;
-    if (is_conical(*judged.tool)) {
-      judge_shaped_liberty(finished, all, judged, tol);
+void judge_liberties(const FinishedPart& finished, const std::vector<CheckedMove>& all,
+                     std::span<CheckedMove> moves, const Tolerances& tol) {
+  for (CheckedMove& checked : moves) {
+    if (checked.radius() <= 0) continue;
+    if (is_conical(*checked.tool)) {
+      judge_shaped_liberty(finished, all, checked, tol);
       continue;
     }
-    if (judged.doubt > 0)
-      keep_deeper(judged.gouge,
-                  gouge_of_mill(finished, *judged.move, *judged.tool, judged.doubt, tol.gouge, false));
-    if (&judged == all.data()) continue;
-    const JudgedMove& before = *(&judged - 1);
+    if (checked.doubt > 0)
+      keep_deeper(checked.gouge,
+                  gouge_of_mill(finished, *checked.move, *checked.tool, checked.doubt, tol.gouge, false));
+    if (&checked == all.data()) continue;
+    const CheckedMove& before = *(&checked - 1);
     const auto corner =
-        rounded_corner(before, judged, std::max(before.path_tolerance, judged.path_tolerance));
+        rounded_corner(before, checked, std::max(before.path_tolerance, checked.path_tolerance));
     if (!corner) continue;
     for (const Move& move : *corner)
-      keep_deeper(judged.gouge, gouge_of_mill(finished, move, *judged.tool, 0, tol.gouge, false));
+      keep_deeper(checked.gouge, gouge_of_mill(finished, move, *checked.tool, 0, tol.gouge, false));
   }
 }
 
@@ -106,8 +106,8 @@ void judge_liberties(const FinishedPart& finished, const std::vector<JudgedMove>
 double lower_bound_of(const FeatureWork& work, const Feature& feature) {
   double perimeter = 0;
   for (const Region& region : feature.target) perimeter += length(region.edges());
-  const double lean = std::tan(feature.wall_slope.radians()) * (feature.top_z - feature.floor_z);
-  const double left = (work.allowance_side + lean) * perimeter;
+  const double draft = std::tan(feature.wall_slope.radians()) * (feature.top_z - feature.floor_z);
+  const double left = (work.allowance_side + draft) * perimeter;
   const Coverage& floor = work.floor.coverage;
   const double area = floor.target_mm2 - floor.unreachable_mm2 - left;
   const double r = work.greatest_radius;
@@ -131,19 +131,19 @@ void add_coverage(Figures& figures, const LevelCoverage& level) {
 
 class FindingsBuilder {
  public:
-  FindingsBuilder(const Part& part, const JudgedProgram& program, const std::vector<FeatureWork>& works,
+  FindingsBuilder(const Part& part, const CheckedProgram& program, const std::vector<FeatureWork>& works,
                   const std::vector<CarvingWork>& carvings, const VerifyOptions& options)
       : part_(part), program_(program), works_(works), carvings_(carvings), options_(options) {}
 
   Findings build() {
-    std::vector<const JudgedMove*> all;
-    std::vector<std::vector<const JudgedMove*>> by_step(part_.workplan.size());
-    for (const JudgedMove& judged : program_.moves) {
-      if (judged.earlier) continue;
-      all.push_back(&judged);
-      findings_.move_engagement_deg.push_back(static_cast<float>(judged.load.max_deg));
-      if (options_.material) findings_.move_force_n.push_back(force_of(judged));
-      if (judged.workingstep >= 0) by_step[judged.workingstep].push_back(&judged);
+    std::vector<const CheckedMove*> all;
+    std::vector<std::vector<const CheckedMove*>> by_step(part_.workplan.size());
+    for (const CheckedMove& checked : program_.moves) {
+      if (checked.earlier) continue;
+      all.push_back(&checked);
+      findings_.move_engagement_deg.push_back(static_cast<float>(checked.load.max_deg));
+      if (options_.material) findings_.move_force_n.push_back(force_of(checked));
+      if (checked.workingstep >= 0) by_step[checked.workingstep].push_back(&checked);
     }
     findings_.faults = faults_of_moves(part_, program_, options_);
     for (Fault& fault : faults_of_tabs(part_, program_, options_.tol))
@@ -160,7 +160,7 @@ class FindingsBuilder {
   }
 
  private:
-  void add_feature(int workingstep, const std::vector<const JudgedMove*>& moves) {
+  void add_feature(int workingstep, const std::vector<const CheckedMove*>& moves) {
     const Workingstep& step = part_.workplan[workingstep];
     FeatureFindings feature;
     feature.name = part_.features[step.feature].name;
@@ -171,9 +171,9 @@ class FindingsBuilder {
     }
     feature.figures = figures_of(moves, part_.top_z());
     const LayerHeights& heights = program_.layers[workingstep];
-    std::vector<std::vector<const JudgedMove*>> by_layer(heights.size());
-    for (const JudgedMove* judged : moves) {
-      if (judged->layer >= 0) by_layer[judged->layer].push_back(judged);
+    std::vector<std::vector<const CheckedMove*>> by_layer(heights.size());
+    for (const CheckedMove* checked : moves) {
+      if (checked->layer >= 0) by_layer[checked->layer].push_back(checked);
     }
     for (std::size_t i = 0; i < heights.size(); ++i) {
       feature.layers.push_back({heights[i], figures_of(by_layer[i], part_.top_z())});
@@ -240,7 +240,7 @@ class FindingsBuilder {
   }
 
   const Part& part_;
-  const JudgedProgram& program_;
+  const CheckedProgram& program_;
   const std::vector<FeatureWork>& works_;
   const std::vector<CarvingWork>& carvings_;
   const VerifyOptions& options_;
@@ -251,7 +251,7 @@ class FindingsBuilder {
 
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
   const FinishedPart finished(part);
-  JudgedProgram program = judged_program(part, toolpath, options.machine, options.earlier, options.control);
+  CheckedProgram program = checked_program(part, toolpath, options.machine, options.earlier, options.control);
   std::vector<FeatureWork> works = works_of(part);
   std::vector<CarvingWork> carvings = carvings_of(part);
 
@@ -260,7 +260,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   std::vector<std::function<void()>> tasks = load_tasks(part, program.moves, load, threads);
   const std::size_t gouging = part.is_shape_stated ? program.moves.size() : 0;
   for (std::size_t i = 0; i < gouging; i += kChunk) {
-    const std::span<JudgedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
+    const std::span<CheckedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
     tasks.push_back([&finished, &options, &program, chunk] {
       judge_gouges(finished, chunk, options.tol);
       judge_liberties(finished, program.moves, chunk, options.tol);

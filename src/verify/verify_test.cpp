@@ -1,4 +1,4 @@
-// The judge on programs written by hand: figures, what is left, gouges.
+// The check on programs written by hand: figures, what is left, gouges.
 #include "verify/verify.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(Verify, AMissingWallRingIsNamed) {
   EXPECT_LE(findings.all.uncut_thickness_mm, 0.2 * std::sqrt(2.0) + 0.02);
 }
 
-TEST(Verify, AThinFilmWithinToleranceIsNoFault) {
+TEST(Verify, AThinResidualWithinToleranceIsNoFault) {
   std::vector<double> rings = kRings;
   rings.back() = 22 - 0.004;
   const Findings findings = verify_program(square_part(), square_program(rings), {});
@@ -92,15 +92,15 @@ TEST(Verify, AThinFilmWithinToleranceIsNoFault) {
 
 TEST(Verify, StepoverJustOverTheCuttersWidthLeavesARidge) {
   // Straight passes in an open field of view: a slot of 12.06 mm width in two passes of a 6 mm cutter.
-  const auto judged = [](double gap) {
+  const auto checked = [](double gap) {
     Part part = pocket_part(rectangle(0, 0, 60, 12 + gap), 6, -2);
     Writer writer;
     writer.enter({3, 3}, 0, -2).feed({57, 3}).feed({57, 9 + gap}).feed({3, 9 + gap}).feed({3, 3});
     return verify_program(part, writer.done(), {});
   };
-  EXPECT_TRUE(judged(0).all.clean) << report_of(judged(0));
-  EXPECT_TRUE(judged(-0.06).all.clean);
-  const Findings wide = judged(0.06);
+  EXPECT_TRUE(checked(0).all.clean) << report_of(checked(0));
+  EXPECT_TRUE(checked(-0.06).all.clean);
+  const Findings wide = checked(0.06);
   ASSERT_TRUE(has(wide, FaultKind::kUncut)) << report_of(wide);
   EXPECT_NEAR(wide.all.uncut_thickness_mm, 0.06, 0.016);
   EXPECT_NEAR(wide.all.uncut_mm2, 48 * 0.06, 0.8);
@@ -197,7 +197,7 @@ TEST(Verify, WhatIsOutOfReachIsMeasuredByItsOutline) {
 }
 
 /// Walls that are arcs of 1 to 10 000 m, as arcs fitted to a drawing's straight lines are.
-TEST(Verify, NearlyStraightArcsAreJudgedAsLines) {
+TEST(Verify, NearlyStraightArcsAreCheckedAsLines) {
   for (const double radius : {1e3, 9.8e4, 1e6, 1e7}) {
     for (const double side : {1.0, -1.0}) {
       const double bulge = side * 50 / 4 / radius;

@@ -22,11 +22,11 @@ Figures figures_not_asked(Figures figures) {
 }
 
 /// Heights at which a tool runs level through material, the highest first.
-std::vector<LayerFindings> layers_of(const std::vector<const JudgedMove*>& moves, double top_z) {
-  std::map<long long, std::vector<const JudgedMove*>, std::greater<>> by_height;
-  for (const JudgedMove* judged : moves) {
-    if (judged->cuts() && judged->is_flat() && !judged->move->is_vertical())
-      by_height[std::llround(judged->low_z() / kSameHeight)].push_back(judged);
+std::vector<LayerFindings> layers_of(const std::vector<const CheckedMove*>& moves, double top_z) {
+  std::map<long long, std::vector<const CheckedMove*>, std::greater<>> by_height;
+  for (const CheckedMove* checked : moves) {
+    if (checked->cuts() && checked->is_flat() && !checked->move->is_vertical())
+      by_height[std::llround(checked->low_z() / kSameHeight)].push_back(checked);
   }
   std::vector<LayerFindings> layers;
   for (const auto& [height, own] : by_height)
@@ -36,27 +36,28 @@ std::vector<LayerFindings> layers_of(const std::vector<const JudgedMove*>& moves
 
 }  // namespace
 
-Findings findings_without_part(const Part& part, const JudgedProgram& program, const VerifyOptions& options) {
+Findings findings_without_part(const Part& part, const CheckedProgram& program,
+                               const VerifyOptions& options) {
   Findings findings;
   findings.without_part = true;
-  std::vector<const JudgedMove*> all;
+  std::vector<const CheckedMove*> all;
   std::vector<int> order;  // of the tools' first moves
-  std::map<int, std::vector<const JudgedMove*>> by_tool;
-  for (const JudgedMove& judged : program.moves) {
-    if (judged.earlier) continue;
-    all.push_back(&judged);
-    findings.move_engagement_deg.push_back(static_cast<float>(judged.load.max_deg));
-    if (options.material) findings.move_force_n.push_back(force_of(judged));
-    auto& own = by_tool[judged.tool_number];
-    if (own.empty()) order.push_back(judged.tool_number);
-    own.push_back(&judged);
+  std::map<int, std::vector<const CheckedMove*>> by_tool;
+  for (const CheckedMove& checked : program.moves) {
+    if (checked.earlier) continue;
+    all.push_back(&checked);
+    findings.move_engagement_deg.push_back(static_cast<float>(checked.load.max_deg));
+    if (options.material) findings.move_force_n.push_back(force_of(checked));
+    auto& own = by_tool[checked.tool_number];
+    if (own.empty()) order.push_back(checked.tool_number);
+    own.push_back(&checked);
   }
   findings.faults = faults_of_moves(part, program, options);
   sort_worst_first(findings.faults);
   findings.all = figures_not_asked(figures_of(all, part.top_z()));
   findings.all.clean = findings.faults.empty();
   for (const int number : order) {
-    const std::vector<const JudgedMove*>& own = by_tool[number];
+    const std::vector<const CheckedMove*>& own = by_tool[number];
     FeatureFindings row;
     row.name = "T" + std::to_string(number);
     row.tool_number = number;

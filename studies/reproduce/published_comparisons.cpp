@@ -261,18 +261,18 @@ Reproduction cutter_trend() {
                           {"ours", report::Align::kLeft},
                           {"than loops, theirs", report::Align::kLeft},
                           {"ours", report::Align::kLeft}};
-  const auto judged = [](const std::string& ours, const std::string& printed, const char* why) {
+  const auto checked = [](const std::string& ours, const std::string& printed, const char* why) {
     const bool same = ours == printed;
     return beside(ours, printed, same ? Agreement::kAgrees : Agreement::kExplained, same ? "" : why);
   };
   const std::string bisectors = "4 5 6 7 8 9", loops = "6 7 8 9";
   for (const double feed_per_tooth : kTrendFeeds) {
     result.add({fmt::format("{:g}", feed_per_tooth), bisectors,
-                judged(radii_where_rho_wins(polygon, "bisectors", feed_per_tooth), bisectors,
-                       "the outline and the feed are not printed"),
+                checked(radii_where_rho_wins(polygon, "bisectors", feed_per_tooth), bisectors,
+                        "the outline and the feed are not printed"),
                 loops,
-                judged(radii_where_rho_wins(polygon, "loops", feed_per_tooth), loops,
-                       "our loops are no longer than the rests ask for: they beat rho at every feed")});
+                checked(radii_where_rho_wins(polygon, "loops", feed_per_tooth), loops,
+                        "our loops are no longer than the rests ask for: they beat rho at every feed")});
   }
   result.table.notes.push_back("cutters of 10 mm and more take the same time by all three in print");
   return result;

@@ -61,7 +61,7 @@ order::Solution shortest_visit(const std::vector<Vec2>& points) {
   return solved(problem, *order::length_objective(), 1);
 }
 
-/// Milliseconds to the shortest open path, judged against the printed time of a genetic algorithm.
+/// Milliseconds to the shortest open path, checked against the printed time of a genetic algorithm.
 Cell time_to_optimum(const std::vector<Vec2>& points, const char* printed) {
   const auto solution = shortest_visit(points);
   const bool proven = solution.gap < 1e-9;

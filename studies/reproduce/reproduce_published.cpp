@@ -104,7 +104,7 @@ Reproduction published_fishhead_table() {
   result.table.notes.push_back(fmt::format(
       "published: mean of {} seeds +- 3 sigma / sqrt(n) (eq. 4.11); ours: one seed, the same grid", kSeeds));
   result.table.notes.push_back(
-      "every layer of every feature has a program, judged: the grid leaves a rim, which is the last column");
+      "every layer of every feature has a program, checked: the grid leaves a rim, which is the last column");
   result.table.notes.push_back(
       "clearcut plan examples/fishhead.p21 --strategy tour --stepover 0.5 --stepdown 2 --grid published "
       "--solver "

@@ -1,4 +1,4 @@
-// The published system on its own part, from the file to the judged program, beside ours.
+// The published system on its own part, from the file to the checked program, beside ours.
 #pragma once
 
 #include "studies/reproduce/reproduction.h"

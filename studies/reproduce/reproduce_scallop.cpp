@@ -46,7 +46,7 @@ double equal_layers_scallop(std::size_t layers) {
 
 Reproduction scallop_table() {
   Reproduction result;
-  result.table.title = "Tour table 6.1: scallop height on the leaning walls of the sloped fishhead, mm";
+  result.table.title = "Tour table 6.1: scallop height on the drafted walls of the sloped fishhead, mm";
   result.table.columns = {
       {"specified"}, {"actual, printed"}, {"equal layers"}, {"ours, measured"}, {"layers"}};
   for (const double asked : {0.5, 0.2}) {

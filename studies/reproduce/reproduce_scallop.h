@@ -1,4 +1,4 @@
-// The table of the Tour text about leaning walls.
+// The table of the Tour text about drafted walls.
 #pragma once
 
 #include "studies/reproduce/reproduction.h"

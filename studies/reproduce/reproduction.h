@@ -1,4 +1,4 @@
-// A published table beside our figures, with every printed cell judged.
+// A published table beside our figures, with every printed cell checked.
 #pragma once
 
 #include <string>
@@ -39,7 +39,7 @@ struct Cell {
 /// `reason`: what makes them differ, where that is known. A difference without a reason is marked in the text.
 Cell beside(double ours, double printed, int decimals, const std::string& reason = "");
 
-/// Words instead of figures, judged by the caller.
+/// Words instead of figures, checked by the caller.
 Cell beside(const std::string& ours, const std::string& printed, Agreement agreement,
             const std::string& reason = "");
 

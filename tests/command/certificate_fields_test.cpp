@@ -1,4 +1,4 @@
-// The certificate says all it promises, and the scallop of leaning walls is what was asked for.
+// The certificate says all it promises, and the scallop of drafted walls is what was asked for.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ TEST(CertificateFields, AreAllThereInAllAndPerFeatureAndLayer) {
   }
 }
 
-TEST(LeaningWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
+TEST(DraftedWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {
   resolve::PlanOptions options;
   options.strategy = "contour";
   options.scallop = 0.3;

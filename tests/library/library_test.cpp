@@ -204,7 +204,7 @@ TEST(Library, TakesStrategiesOfOnesOwn) {
   clearcut::PlanOptions options = options_for("walls");
   options.strategies = &table;
   const auto plan = clearcut::plan_part(pocket(), options);
-  EXPECT_EQ(plan.contests.at(0).kept(), "walls");
+  EXPECT_EQ(plan.selections.at(0).kept(), "walls");
   EXPECT_FALSE(plan.findings.all.clean) << "the middle is left to stand, and the certificate says so";
 }
 

@@ -148,7 +148,7 @@ TEST(Contour, ClearsEveryShapeWithEveryCutter) {
   }
 }
 
-/// From file to written program, judged by the verifier.
+/// From file to written program, checked by the verifier.
 TEST(Contour, EveryShapeIsCertifiedClean) {
   for (const auto& [name, part] : pockets()) {
     for (const double diameter : {6.0, 10.0}) {

@@ -64,7 +64,7 @@ double widest_contact_above(const pipeline::PlanResult& result, double feed) {
     for (const Move& move : section.moves) {
       if (is_rapid(move.kind)) continue;
       if (move.feed.mm_per_min() > feed && move.z_from == move.z_to) {
-        Move lifted = move;  // films on the floor are rounding
+        Move lifted = move;  // residuals on the floor are rounding
         lifted.z_from = lifted.z_to = move.z_to + 1e-3;
         for (const double t : {0.02, 0.25, 0.5, 0.75, 0.98})
           widest = std::max(widest, material.engagement(lifted, t, radius - 0.01).angle * 180 / kPi);

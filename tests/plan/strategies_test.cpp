@@ -149,10 +149,10 @@ Regions rectangle(double width, double height) {
       loop_from_points(std::vector<Vec2>{{0, 0}, {width, 0}, {width, height}, {0, height}}), {})};
 }
 
-const Contestant* contestant(const Contest& contest, const std::string& strategy) {
-  const auto found = std::find_if(contest.contestants.begin(), contest.contestants.end(),
-                                  [&](const Contestant& one) { return one.strategy == strategy; });
-  return found == contest.contestants.end() ? nullptr : &*found;
+const CandidateResult* candidate_result(const StrategySelection& selection, const std::string& strategy) {
+  const auto found = std::find_if(selection.candidates.begin(), selection.candidates.end(),
+                                  [&](const CandidateResult& one) { return one.strategy == strategy; });
+  return found == selection.candidates.end() ? nullptr : &*found;
 }
 
 /// Corners of a block that no wall bounds are bounded by nothing that the cutter sweeps.
@@ -193,13 +193,13 @@ TEST(Auto, KeepsTheFastestOfThosePlannedAndListsAll) {
     const Part part = test_support::random_part(random, random.between(3, 8));
     const auto result = pipeline::plan_part(part, options_for("auto"));
     ASSERT_TRUE(result.findings.all.clean) << seed;
-    ASSERT_EQ(result.contests.size(), 1u);
-    const auto& contest = result.contests.front();
-    ASSERT_FALSE(contest.kept().empty());
-    const auto* kept = contestant(contest, contest.kept());
+    ASSERT_EQ(result.selections.size(), 1u);
+    const auto& selection = result.selections.front();
+    ASSERT_FALSE(selection.kept().empty());
+    const auto* kept = candidate_result(selection, selection.kept());
     EXPECT_NEAR(kept->time_s, result.findings.all.time_s, 0.02 * kept->time_s + 0.1) << seed;
     for (const char* name : {"contour", "zigzag", "spiral", "adaptive", "tour"}) {
-      const auto* one = contestant(contest, name);
+      const auto* one = candidate_result(selection, name);
       ASSERT_TRUE(one) << name;
       if (one->time_s > 0) {
         EXPECT_LE(kept->time_s, one->time_s) << seed << " " << name;
@@ -216,8 +216,8 @@ TEST(Auto, LeavesOutOnlyWhatCannotWin) {
   for (const double width : {30.0, 60.0, 110.0}) {
     const Part part =
         test_support::part_of(rectangle(width, 40), rectangle(width, 40), FeatureKind::kClosedPocket, 6);
-    const auto contest = pipeline::plan_part(part, options_for("auto")).contests.front();
-    for (const auto& one : contest.contestants) {
+    const auto selection = pipeline::plan_part(part, options_for("auto")).selections.front();
+    for (const auto& one : selection.candidates) {
       if (one.least_s == 0) continue;
       EXPECT_GE(pipeline::plan_part(part, options_for(one.strategy)).findings.all.time_s, one.least_s)
           << one.strategy;
@@ -231,24 +231,24 @@ TEST(Auto, UnderAnEngagementLimitOnlyStrategiesThatHoldItCount) {
   options.entry = EntryKind::kHelix;
   const auto result = pipeline::plan_part(
       test_support::part_of(rectangle(50, 40), rectangle(50, 40), FeatureKind::kClosedPocket, 6), options);
-  EXPECT_EQ(result.contests.front().kept(), "adaptive");
+  EXPECT_EQ(result.selections.front().kept(), "adaptive");
   EXPECT_EQ(verdict_and_reasons(result.findings), "CLEAN\n");
 }
 
 TEST(Auto, KeepsTheDirectionThatIsAskedFor) {
   const Part part =
       test_support::part_of(rectangle(50, 40), rectangle(50, 40), FeatureKind::kClosedPocket, 6);
-  const auto contestants = [&](const resolve::PlanOptions& options) {
+  const auto candidates = [&](const resolve::PlanOptions& options) {
     std::vector<std::string> names;
-    const auto contest = pipeline::plan_part(part, options).contests.front();
-    for (const auto& one : contest.contestants) names.push_back(one.strategy);
+    const auto selection = pipeline::plan_part(part, options).selections.front();
+    for (const auto& one : selection.candidates) names.push_back(one.strategy);
     return names;
   };
   auto options = options_for("auto");
-  EXPECT_THAT(contestants(options), testing::Contains("zigzag"));
+  EXPECT_THAT(candidates(options), testing::Contains("zigzag"));
   options.direction = CutDirection::kClimb;
-  EXPECT_THAT(contestants(options), testing::Not(testing::Contains("zigzag")));
-  EXPECT_THAT(contestants(options), testing::Contains("contour"));
+  EXPECT_THAT(candidates(options), testing::Not(testing::Contains("zigzag")));
+  EXPECT_THAT(candidates(options), testing::Contains("contour"));
   options.strategy = "zigzag";
   const auto named = pipeline::plan_part(part, options);
   const auto& said = named.part.diagnostics.items();
@@ -269,7 +269,7 @@ TEST(Auto, DoesNotDependOnTheNumberOfThreads) {
   options.threads = 4;
   const auto four = pipeline::plan_part(part, options);
   EXPECT_EQ(one.program, four.program);
-  EXPECT_EQ(one.contests.front().kept(), four.contests.front().kept());
+  EXPECT_EQ(one.selections.front().kept(), four.selections.front().kept());
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ void expect_accepted(const std::string& dialect, const std::string& program) {
   }
 }
 
-/// Plans, compares with the golden program, and judges what stands there.
+/// Plans, compares with the golden program, and checks what stands there.
 Toolpath checked_program(const Case& c, bool inch) {
   const Part part = read::read_part(file_of(c.example), {});
   const resolve::PlanOptions options = options_of(c, inch);
@@ -115,15 +115,15 @@ Toolpath checked_program(const Case& c, bool inch) {
   const std::string wanted = golden(c, inch, planned.program);
   EXPECT_EQ(test_support::first_difference(planned.program, wanted), "");
   if (c.dialect == "marlin" && c.example.has_many_holes) {
-    // Its programs name no tools: read back they are judged with those of the workplan in its order, holes run in another.
+    // Its programs name no tools: read back they are checked with those of the workplan in its order, holes run in another.
     EXPECT_TRUE(planned.findings.all.clean);
     return planned.toolpath;
   }
-  const pipeline::CheckResult judged =
+  const pipeline::CheckResult checked =
       pipeline::check_program(part, wanted, "golden", options, read::gcode::dialect_named(c.dialect));
-  EXPECT_EQ(verdict_and_reasons(judged.findings), "CLEAN\n");
+  EXPECT_EQ(verdict_and_reasons(checked.findings), "CLEAN\n");
   expect_accepted(c.dialect, wanted);
-  return judged.toolpath;
+  return checked.toolpath;
 }
 
 void expect_same_path(const Toolpath& one, const Toolpath& other, double limit) {

@@ -154,7 +154,7 @@ void expect_clean_pockets(const std::string& name, double tool, std::size_t clos
   const pipeline::PlanResult result =
       pipeline::plan_part(read::read_part(example(name), {}), with_tool(tool));
   ASSERT_EQ(result.findings.features.size(), result.part.features.size()) << name;
-  std::size_t judged = 0;
+  std::size_t checked = 0;
   for (std::size_t i = 0; i < result.part.features.size(); ++i) {
     const Feature& feature = result.part.features[i];
     const auto& figures = result.findings.features[i].figures;
@@ -163,9 +163,9 @@ void expect_clean_pockets(const std::string& name, double tool, std::size_t clos
     EXPECT_EQ(figures.rapid_in_material, 0) << name << ": " << feature.name;
     if (feature.kind != FeatureKind::kClosedPocket && feature.kind != FeatureKind::kRoundHole) continue;
     EXPECT_TRUE(figures.clean) << name << ": " << feature.name;
-    ++judged;
+    ++checked;
   }
-  EXPECT_EQ(judged, closed) << name;
+  EXPECT_EQ(checked, closed) << name;
   EXPECT_TRUE(result.findings.all.clean) << name;
 }
 

@@ -43,8 +43,8 @@ TEST(NewStrategy, IsPlannedByNameAndCertifiedClean) {
   options.strategy = "rings";
   const auto result = pipeline::plan_part(pocket(), options);
   test_support::expect_clean(result, "rings");
-  ASSERT_EQ(result.contests.size(), 1U);
-  EXPECT_EQ(result.contests[0].kept(), "rings");
+  ASSERT_EQ(result.selections.size(), 1U);
+  EXPECT_EQ(result.selections[0].kept(), "rings");
 }
 
 TEST(NewStrategy, IsARowOfCompare) {
@@ -58,9 +58,9 @@ TEST(NewStrategy, IsARowOfCompare) {
 TEST(NewStrategy, IsTriedByAuto) {
   const auto result = pipeline::plan_part(pocket(), options_with_rings());
   test_support::expect_clean(result, "auto");
-  const auto& all = result.contests.at(0).contestants;
-  EXPECT_TRUE(
-      std::any_of(all.begin(), all.end(), [](const Contestant& one) { return one.strategy == "rings"; }));
+  const auto& all = result.selections.at(0).candidates;
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(),
+                          [](const CandidateResult& one) { return one.strategy == "rings"; }));
 }
 
 TEST(NewStrategy, IsUnknownWithoutItsRow) {

@@ -14,7 +14,7 @@ struct ShapeFile {
   std::string text;  ///< outline JSON
 };
 
-/// The features of the fishhead, each alone ("fishhead_pocket1", ...; "fishhead_sloped_pocket3" has leaning walls), and plain
+/// The features of the fishhead, each alone ("fishhead_pocket1", ...; "fishhead_sloped_pocket3" has drafted walls), and plain
 /// ones: a square, a triangle, a star, a dumbbell, a rectangle with an island.
 std::vector<ShapeFile> own_shapes();
 

@@ -1,4 +1,4 @@
-// Programs of our own with one thing changed, judged by the verifier and by a raster that shares no code with it.
+// Programs of our own with one thing changed, checked by the verifier and by a raster that shares no code with it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -150,7 +150,7 @@ std::string surely_wrong(const Region& outline, const Toolpath& toolpath) {
   return "";
 }
 
-void judge(const Region& outline, const pipeline::PlanResult& plan, const std::string& text, Tally& tally) {
+void check(const Region& outline, const pipeline::PlanResult& plan, const std::string& text, Tally& tally) {
   resolve::PlanOptions options;
   options.tools = plan.part.tools;
   options.accept = {"out-of-reach"};
@@ -192,7 +192,7 @@ TEST(MutatedPrograms, AreFaultyWhereARasterSaysSo) {
       ASSERT_EQ(verdict_and_reasons(plan.findings), "CLEAN\n") << strategy;
       ASSERT_EQ(surely_wrong(region, plan.toolpath), "") << strategy;
       const Lines lines = lines_of(plan.program);
-      for (int n = 0; n < each; ++n) judge(region, plan, joined(mutated(lines, random)), tally);
+      for (int n = 0; n < each; ++n) check(region, plan, joined(mutated(lines, random)), tally);
     }
   }
   RecordProperty("wrong", tally.wrong);

@@ -1,5 +1,5 @@
-// The judge against programs as they come: planned by us, stripped of every word that is not motion, or
-// spoilt at random and judged a second time by sampling.
+// The check against programs as they come: planned by us, stripped of every word that is not motion, or
+// spoilt at random and checked a second time by sampling.
 #include "verify/verify.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kRadius = 2;
 
-/// 24 x 16 mm with a round island: small enough for the slow judge.
+/// 24 x 16 mm with a round island: small enough for the slow check.
 Part small_part(double depth) {
   const std::vector<Vec2> corners{{0, 0}, {24, 0}, {24, 16}, {0, 16}};
   const Vec2 a{18, 8}, b{15, 8}, c{16.5, 8};
@@ -58,7 +58,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-Findings judged(const Part& part, const std::string& text) {
+Findings checked(const Part& part, const std::string& text) {
   return pipeline::check_program(part, text, "x.ngc", {}, read::gcode::Dialect::kLinuxCnc).findings;
 }
 
@@ -72,7 +72,7 @@ TEST(VerifyPrograms, TheVerdictNeedsNoCommentNorLabel) {
   ASSERT_TRUE(result.findings.all.clean);
   const std::string bare = std::regex_replace(result.program, std::regex("\\([^)]*\\)"), "");
   ASSERT_NE(bare, result.program);
-  const Findings findings = judged(result.part, bare);
+  const Findings findings = checked(result.part, bare);
   EXPECT_TRUE(findings.all.clean);
   EXPECT_EQ(findings.all.uncut_thickness_mm, result.findings.all.uncut_thickness_mm);
   EXPECT_EQ(findings.all.gouge_mm, result.findings.all.gouge_mm);
@@ -123,7 +123,7 @@ TEST(VerifyPrograms, ALevelLeftOutOfTheTextIsFound) {
   ASSERT_TRUE(from != lines.end() && to != lines.end());
   // The whole first level is run in the air: its depth word is replaced.
   for (auto line = from; line != to; ++line) *line = std::regex_replace(*line, std::regex("Z-2"), "Z0.5");
-  const Findings findings = judged(result.part, joined(lines));
+  const Findings findings = checked(result.part, joined(lines));
   EXPECT_TRUE(has(findings, FaultKind::kTooDeep));
   EXPECT_NEAR(findings.all.max_axial_mm, 4, 1e-6);
 }
@@ -220,11 +220,11 @@ std::string spoilt(const std::string& program, Random& random) {
   return joined(lines);
 }
 
-// What correct means: on programs with one wrong coordinate the exact judge finds whatever the slow one
+// What correct means: on programs with one wrong coordinate the exact check finds whatever the slow one
 // finds, and blames nothing that the slow one, blurred by its own step, holds innocent. Gouges are sampled to
 // 0.02 mm along a move, which hides up to 0.1 um beside a wall; what is left is seen on a grid of 0.1 mm,
 // legal centres too.
-TEST(VerifyPrograms, SpoiltProgramsAreJudgedAsSamplingJudgesThem) {
+TEST(VerifyPrograms, SpoiltProgramsAreCheckedAsBySampling) {
   const pipeline::PlanResult result = planned(2);
   ASSERT_TRUE(result.findings.all.clean);
   const Region& region = result.part.features[0].target[0];
@@ -269,7 +269,7 @@ TEST(VerifyPrograms, SpoiltProgramsAreJudgedAsSamplingJudgesThem) {
   EXPECT_LT(refused, 50);
 }
 
-/// Replaces the first line of a program that matches, and judges what that makes of it.
+/// Replaces the first line of a program that matches, and checks what that makes of it.
 Findings with_line(const pipeline::PlanResult& result, const std::string& pattern, const std::string& line) {
   auto lines = lines_of(result.program);
   const auto found = std::find_if(lines.begin(), lines.end(), [&](const std::string& text) {
@@ -277,7 +277,7 @@ Findings with_line(const pipeline::PlanResult& result, const std::string& patter
   });
   EXPECT_NE(found, lines.end()) << pattern;
   *found = line;
-  return judged(result.part, joined(lines));
+  return checked(result.part, joined(lines));
 }
 
 /// A program that cannot be read is not called clean either.

@@ -1,4 +1,4 @@
-"""Programs that are judged without a part: against a stock alone, in the words of every controller."""
+"""Programs that are checked without a part: against a stock alone, in the words of every controller."""
 import re
 
 from writer import ALL, HERE, WORD, Class, nothing

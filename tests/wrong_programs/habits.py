@@ -1,4 +1,4 @@
-"""Programs in the habits of other CAM systems, written for this folder, each with a twin in which one thing is wrong. Judged without
+"""Programs in the habits of other CAM systems, written for this folder, each with a twin in which one thing is wrong. Checked without
 a part."""
 import json
 import shutil

@@ -1,20 +1,12 @@
 // Which options there are, and what help says of them.
 #include <clearcut/plan.h>
+#include <fmt/ranges.h>
 
 #include "arguments/plan_arguments.h"
 #include "arguments/quantities.h"
 #include "arguments/suggest.h"
 
 namespace clearcut::cli {
-namespace {
-
-std::vector<std::string> material_names() {
-  std::vector<std::string> names;
-  for (const WorkMaterial& material : work_materials()) names.push_back(material.name);
-  return names;
-}
-
-}  // namespace
 
 void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
   command.option_defaults()->group("Input");
@@ -116,10 +108,10 @@ void PlanArguments::add_tool_options(CLI::App& command) {
   command.add_option("--engagement", engagement_,
                      "Largest engagement angle of the cutter, degrees (default: no limit)");
   command
-      .add_option(
-          "--material", shop_.material,
-          "Of the work, for feeds and speeds, forces and wear (default: none): " + work_material_names())
-      ->check(one_of(material_names()));
+      .add_option("--material", shop_.material,
+                  "Of the work, for feeds and speeds, forces and wear (default: none): " +
+                      fmt::format("{}", fmt::join(work_material_names(), ", ")))
+      ->check(one_of(work_material_names()));
   command.option_defaults()->group("Search");
   command.add_option("--threads", threads_, "Threads; 0: all cores (default 0)");
 }
@@ -259,7 +251,7 @@ void PlanArguments::add_stage_options(CLI::App& command) {
       ->transform(as_length());
   command.add_option("--finish-depths", shop_.finish_depths,
                      "In how many depths walls are finished (default 1)");
-  command.add_option("--scallop", scallop_, "Steps that layers may leave on leaning walls, mm")
+  command.add_option("--scallop", scallop_, "Steps that layers may leave on drafted walls, mm")
       ->transform(as_length());
 }
 

@@ -137,7 +137,8 @@ int run(PlanCommand command) {
     if (command.output != "-") {
       for (const auto& name : names_not_machined(result.part.diagnostics))
         print_line("NOT MACHINED: " + name);
-      if (options.strategy.value_or("auto") == "auto") print_line(write_contest_table(result, table_width()));
+      if (options.strategy.value_or("auto") == "auto")
+        print_line(write_selection_table(result, table_width()));
       print_line(with_colours(write_table(result, table_width())));
     }
   }

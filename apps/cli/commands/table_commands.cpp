@@ -245,7 +245,7 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
   command->add_flag("--list", state->list, "List the tables and what each costs, and run nothing");
   command->add_flag("--all", state->all, "The long ones, too");
   command->option_defaults()->group("Output");
-  command->add_option("--json", state->json, "Tables with every printed cell judged to write (JSON)")
+  command->add_option("--json", state->json, "Tables with every printed cell checked to write (JSON)")
       ->type_name("FILE");
   command->add_option("--html", state->html, "The same as one page to write")->type_name("FILE");
   command->add_flag("--resume", state->resume,

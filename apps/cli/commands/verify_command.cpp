@@ -43,7 +43,7 @@ std::string dialect_line(const VerifyCommand& command, const CheckResult& result
   return "read as a program for " + std::string(name_of(result.dialect)) + " (--dialect names another)\n";
 }
 
-struct Judged {
+struct Checked {
   std::string program;
   CheckResult result;
   std::string certificate;
@@ -60,9 +60,9 @@ CheckResult checked_alone(const VerifyCommand& command, const std::string& progr
   return check_program_alone(stock, program, command.program, options, dialect_of(command), top);
 }
 
-Judged judged(const VerifyCommand& command) {
+Checked checked(const VerifyCommand& command) {
   const PlanOptions options = command.arguments.options();
-  Judged out;
+  Checked out;
   out.program = read_file(command.program);
   out.result = command.arguments.input().empty()
                    ? checked_alone(command, out.program, options)
@@ -75,7 +75,7 @@ Judged judged(const VerifyCommand& command) {
 }
 
 int run(const VerifyCommand& command) {
-  const Judged found = judged(command);
+  const Checked found = checked(command);
   const CheckResult& result = found.result;
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, found.certificate});
@@ -149,7 +149,7 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
 }  // namespace
 
 void add_verify_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("verify", "Judge any program, against a part or alone");
+  auto* command = app.add_subcommand("verify", "Check any program, against a part or alone");
   command->group("Checking");
   auto state = declare(*command);
   command->callback([state, &exit_code] { exit_code = run(*state); });
@@ -173,7 +173,7 @@ std::string verify_certificate(const std::vector<std::string>& arguments) {
   const auto state = declare(app);
   app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   remember_arguments(arguments);
-  return judged(*state).certificate;
+  return checked(*state).certificate;
 }
 
 }  // namespace clearcut::cli

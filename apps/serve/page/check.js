@@ -18,8 +18,8 @@ function checkOptions() {
 /** What the check can speak of. */
 function whatIsJudged(program, part) {
   if (!program) return 'Choose a program, and its part if there is one.';
-  return part ? 'The program is judged against its part.'
-    : 'Without a part: rapids, plunges, depths, engagement, limits, feeds and spindle are judged in the stock; what is left and what is gouged cannot be said.';
+  return part ? 'The program is checked against its part.'
+    : 'Without a part: rapids, plunges, depths, engagement, limits, feeds and spindle are checked in the stock; what is left and what is gouged cannot be said.';
 }
 
 function showCheckCommand() {

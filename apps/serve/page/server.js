@@ -38,7 +38,7 @@ const pipeline = {
     open();
     return () => { isOver = true; events.close(); };
   },
-  /** Judges a program; gives its last state with certificate and text. */
+  /** Checks a program; gives its last state with certificate and text. */
   check: form => asked('/check', { method: 'POST', body: form }),
   /** What a part holds. */
   info: form => asked('/info', { method: 'POST', body: form }),

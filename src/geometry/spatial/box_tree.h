@@ -59,13 +59,13 @@ class BoxTree {
   /// a box. Both are asked again after each visit, so that `open` may become stricter.
   template <typename Open, typename Visit>
   void descend(Open&& open, Visit&& visit) const {
-    if (count_ > 0) descend_from(1, open, visit);
+    descend_ranges([&](const Box& box, std::uint32_t, std::uint32_t) { return open(box); }, visit);
   }
 
   /// The same; open(box, first, end) is told the numbers that the box holds, first to below end.
   template <typename Open, typename Visit>
   void descend_ranges(Open&& open, Visit&& visit) const {
-    if (count_ > 0) descend_ranges_from(1, 0, leaves_ * kLeaf, open, visit);
+    if (count_ > 0) descend_from(1, 0, leaves_ * kLeaf, open, visit);
   }
 
   /// The box of all.
@@ -75,25 +75,13 @@ class BoxTree {
 
  private:
   template <typename Open, typename Visit>
-  void descend_from(std::size_t node, Open& open, Visit& visit) const {
-    if (!open(boxes_[node])) return;
-    if (node < leaves_) {
-      descend_from(2 * node, open, visit);
-      descend_from(2 * node + 1, open, visit);
-      return;
-    }
-    const auto first = static_cast<std::uint32_t>(node - leaves_) * kLeaf;
-    for (std::uint32_t i = first; i < std::min(first + kLeaf, count_); ++i) visit(i);
-  }
-
-  template <typename Open, typename Visit>
-  void descend_ranges_from(std::size_t node, std::uint32_t first, std::uint32_t size, Open& open,
-                           Visit& visit) const {
+  void descend_from(std::size_t node, std::uint32_t first, std::uint32_t size, Open& open,
+                    Visit& visit) const {
     const std::uint32_t end = std::min(first + size, count_);
     if (first >= end || !open(boxes_[node], first, end)) return;
     if (node < leaves_) {
-      descend_ranges_from(2 * node, first, size / 2, open, visit);
-      descend_ranges_from(2 * node + 1, first + size / 2, size / 2, open, visit);
+      descend_from(2 * node, first, size / 2, open, visit);
+      descend_from(2 * node + 1, first + size / 2, size / 2, open, visit);
       return;
     }
     for (std::uint32_t i = first; i < end; ++i) visit(i);

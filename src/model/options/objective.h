@@ -1,4 +1,4 @@
-// What the order of a grid is judged by.
+// What the order of a grid is checked by.
 #pragma once
 
 #include <optional>

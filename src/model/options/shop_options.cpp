@@ -1,5 +1,7 @@
 #include "model/options/shop_options.h"
 
+#include <fmt/ranges.h>
+
 #include <cmath>
 
 #include "base/error.h"
@@ -81,7 +83,8 @@ void check(const ShopOptions& options, const std::string& prefix) {
   check.require(!depths || (*depths >= 1 && *depths <= 1000 && *depths == std::floor(*depths)),
                 "finish-depths", "must be a whole number, 1 or more");
   check.require(!options.material || work_material_named(*options.material), "material",
-                "'" + options.material.value_or("") + "' is unknown; use one of " + work_material_names());
+                "'" + options.material.value_or("") + "' is unknown; use one of " +
+                    fmt::format("{}", fmt::join(work_material_names(), ", ")));
 }
 
 }  // namespace clearcut::inline model

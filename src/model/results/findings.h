@@ -115,7 +115,7 @@ struct LayerFindings {
   Figures figures;
 };
 
-/// Steps that layers leave on leaning walls, mm square to the wall.
+/// Steps that layers leave on drafted walls, mm square to the wall.
 struct Scallop {
   double height_mm = 0;            ///< the highest; of a flat end, rounded corners leave less
   std::optional<double> asked_mm;  ///< the most that may stand
@@ -129,7 +129,7 @@ struct FeatureFindings {
   double tool_diameter = 0;
   Figures figures;
   std::vector<LayerFindings> layers;    ///< descending z
-  std::optional<Scallop> scallop = {};  ///< of leaning walls
+  std::optional<Scallop> scallop = {};  ///< of drafted walls
 };
 
 struct Findings {

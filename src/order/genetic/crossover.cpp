@@ -6,8 +6,8 @@ namespace clearcut::order {
 
 namespace {
 
-const NamedMakers<std::unique_ptr<Crossover> (*)(const Ground&)>& crossover_makers() {
-  static const NamedMakers<std::unique_ptr<Crossover> (*)(const Ground&)> all{
+const NamedMakers<std::unique_ptr<Crossover> (*)(const OperatorContext&)>& crossover_makers() {
+  static const NamedMakers<std::unique_ptr<Crossover> (*)(const OperatorContext&)> all{
       "crossover", {{"pmx", pmx}, {"ox", ox}, {"erx", erx}, {"cx", cx}, {"eax", eax}}};
   return all;
 }
@@ -19,8 +19,8 @@ const std::vector<std::string>& crossover_names() {
   return names;
 }
 
-std::unique_ptr<Crossover> crossover_named(const std::string& name, const Ground& ground) {
-  return crossover_makers().at(name)(ground);
+std::unique_ptr<Crossover> crossover_named(const std::string& name, const OperatorContext& context) {
+  return crossover_makers().at(name)(context);
 }
 
 }  // namespace clearcut::order

@@ -35,13 +35,13 @@ class Evolution {
   Evolution(const Moves& moves, const Objective& objective, const GeneticOptions& options)
       : options_(options),
         moves_(moves),
-        ground_(moves, options.neighbours),
+        context_(moves, options.neighbours),
         fitness_(moves, objective),
         has_rules_(!moves.problem().precedence.empty()),
         random_(options.seed),
         selection_(selection_named(options.selection)),
-        crossover_(crossover_named(options.crossover, ground_)),
-        mutation_(mutation_named(options.mutation, ground_)),
+        crossover_(crossover_named(options.crossover, context_)),
+        mutation_(mutation_named(options.mutation, context_)),
         replacement_(replacement_named(options.replacement)),
         pool_(first_individuals(), moves.problem().closed()),
         watch_(options.stop) {}
@@ -72,7 +72,7 @@ class Evolution {
   std::vector<Individual> first_individuals() {
     std::vector<Individual> individuals;
     for (Genome& genome :
-         first_population(ground_, options_.population, options_.most_shared, options_.breadth, random_)) {
+         first_population(context_, options_.population, options_.most_shared, options_.breadth, random_)) {
       individuals.push_back({.genome = std::move(genome)});
       fitness_.evaluate(individuals.back());
     }
@@ -80,7 +80,7 @@ class Evolution {
   }
 
   bool is_over() const {
-    return result_.generations >= options_.stop.rounds || ground_.free_count() < 2 || watch_.over();
+    return result_.generations >= options_.stop.rounds || context_.free_count() < 2 || watch_.over();
   }
 
   /// Whether the best individual became better.
@@ -167,7 +167,7 @@ class Evolution {
 
   const GeneticOptions& options_;
   const Moves& moves_;
-  Ground ground_;
+  OperatorContext context_;
   Fitness fitness_;
   bool has_rules_;  ///< precedence: children may be invalid
   Random random_;

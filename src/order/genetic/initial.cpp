@@ -11,9 +11,9 @@ namespace {
 /// Builds one path.
 class Walk {
  public:
-  Walk(const Ground& ground, int breadth)
-      : problem_(ground.moves.problem()),
-        ground_(ground),
+  Walk(const OperatorContext& context, int breadth)
+      : problem_(context.moves.problem()),
+        context_(context),
         breadth_(static_cast<std::size_t>(breadth)),
         waiting_(problem_.points.size(), 0),
         used_(problem_.points.size(), 0) {
@@ -46,7 +46,7 @@ class Walk {
   }
   int next(int at, Random& random) {
     near_.clear();
-    for (const int v : ground_.neighbours.nearest(at)) {
+    for (const int v : context_.neighbours.nearest(at)) {
       if (is_allowed(v)) near_.push_back(v);
       if (near_.size() == breadth_) break;
     }
@@ -73,7 +73,7 @@ class Walk {
   }
 
   const Problem& problem_;
-  const Ground& ground_;
+  const OperatorContext& context_;
   std::size_t breadth_;
   std::vector<int> waiting_;
   std::vector<char> used_;
@@ -92,21 +92,21 @@ double most_similar(const std::vector<Genome>& others, const Genome& genome, boo
 
 }  // namespace
 
-Tour nearest_path(const Ground& ground, int breadth, Random& random) {
-  return Walk(ground, breadth).run(random);
+Tour nearest_path(const OperatorContext& context, int breadth, Random& random) {
+  return Walk(context, breadth).run(random);
 }
 
-std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, int breadth,
-                                     Random& random) {
+std::vector<Genome> first_population(const OperatorContext& context, int count, double most_shared,
+                                     int breadth, Random& random) {
   constexpr int kTries = 10;
   std::vector<Genome> population;
   for (int i = 0; i < count; ++i) {
     Genome best;
     double least = std::numeric_limits<double>::infinity();
     for (int tried = 0; tried < kTries && least > most_shared; ++tried) {
-      Genome genome(nearest_path(ground, breadth, random));
+      Genome genome(nearest_path(context, breadth, random));
       // Up to the least so far the true share counts, so that the least similar can be told.
-      const double shared = most_similar(population, genome, ground.closed(), std::min(least, 1.0));
+      const double shared = most_similar(population, genome, context.closed(), std::min(least, 1.0));
       if (shared >= least) continue;
       least = shared;
       best = std::move(genome);

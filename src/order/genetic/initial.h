@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "order/genetic/ground.h"
+#include "order/genetic/operator_context.h"
 
 namespace clearcut::order {
 
@@ -11,12 +11,12 @@ namespace clearcut::order {
 /// neighbours; where all neighbours are used, it is the nearest unused point. Keeps ends and precedence.
 /// `breadth` 1 is the plain nearest-neighbour path of 3.6.1; equally near points come by their index. O(n) and
 /// O(n) more at each dead end.
-Tour nearest_path(const Ground& ground, int breadth, Random& random);
+Tour nearest_path(const OperatorContext& context, int breadth, Random& random);
 
 /// `count` valid individuals. One that shares more than `most_shared` of its edges with an earlier one is
 /// replaced by a new one from another point; good paths always share more on lattices, so after ten the least
 /// similar is taken.
-std::vector<Genome> first_population(const Ground& ground, int count, double most_shared, int breadth,
-                                     Random& random);
+std::vector<Genome> first_population(const OperatorContext& context, int count, double most_shared,
+                                     int breadth, Random& random);
 
 }  // namespace clearcut::order

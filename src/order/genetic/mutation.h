@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "order/genetic/ground.h"
+#include "order/genetic/operator_context.h"
 
 namespace clearcut::order {
 
@@ -18,19 +18,19 @@ class Mutation {
 };
 
 /// Two random genes switch places.
-std::unique_ptr<Mutation> exchange_mutation(const Ground& ground);
+std::unique_ptr<Mutation> exchange_mutation(const OperatorContext& context);
 /// All genes from one random position to another are reversed.
-std::unique_ptr<Mutation> inversion_mutation(const Ground& ground);
+std::unique_ptr<Mutation> inversion_mutation(const OperatorContext& context);
 /// A random gene gives way to one of the nearest neighbours of the gene before it: the two switch places and
 /// all genes between them are reversed. The published choice.
 ///
 /// Where the neighbour comes earlier on the path than the gene before, the same new edge is made on the other
 /// side: the genes between the two are reversed. The first gene of an open path has none before; there the
 /// genes up to one of its own neighbours are reversed, which brings the two together.
-std::unique_ptr<Mutation> nearest_mutation(const Ground& ground);
+std::unique_ptr<Mutation> nearest_mutation(const OperatorContext& context);
 
 const std::vector<std::string>& mutation_names();
 /// Throws InputError for an unknown name.
-std::unique_ptr<Mutation> mutation_named(const std::string& name, const Ground& ground);
+std::unique_ptr<Mutation> mutation_named(const std::string& name, const OperatorContext& context);
 
 }  // namespace clearcut::order

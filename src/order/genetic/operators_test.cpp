@@ -29,10 +29,10 @@ TEST(Crossover, EveryChildIsAValidOrder) {
       for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const Problem problem = problem_of_kind(kind, 2 + static_cast<int>(seed) * 2, seed);
         const Moves moves(problem);
-        const Ground ground(moves, 24);
-        if (ground.free_count() < 2) continue;
+        const OperatorContext context(moves, 24);
+        if (context.free_count() < 2) continue;
         Random random(seed);
-        const auto crossover = crossover_named(name, ground);
+        const auto crossover = crossover_named(name, context);
         Genome child;
         for (int i = 0; i < 10; ++i) {
           crossover->cross(random_genome(problem, random), random_genome(problem, random), random, child);
@@ -48,11 +48,11 @@ TEST(Crossover, TwoEqualParentsHaveThatChild) {
   for (const char* name : {"pmx", "ox", "cx", "eax"}) {
     const Problem problem = open_problem(20, 3);
     const Moves moves(problem);
-    const Ground ground(moves, 24);
+    const OperatorContext context(moves, 24);
     Random random(1);
     const Genome parent = random_genome(problem, random);
     Genome child;
-    crossover_named(name, ground)->cross(parent, parent, random, child);
+    crossover_named(name, context)->cross(parent, parent, random, child);
     EXPECT_EQ(child.genes(), parent.genes()) << name;
   }
 }
@@ -61,8 +61,8 @@ TEST(Crossover, TwoEqualParentsHaveThatChild) {
 TEST(Crossover, PmxGivesTheTextsOffspring) {
   const Problem problem = open_problem(9, 1);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
-  const auto crossover = pmx(ground);
+  const OperatorContext context(moves, 24);
+  const auto crossover = pmx(context);
   Random random(1);
   bool first_seen = false, second_seen = false;
   Genome child;
@@ -81,8 +81,8 @@ TEST(Crossover, PmxGivesTheTextsOffspring) {
 TEST(Crossover, PmxKeepsMostOfTheFirstParent) {
   const Problem problem = open_problem(40, 2);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
-  const auto crossover = pmx(ground);
+  const OperatorContext context(moves, 24);
+  const auto crossover = pmx(context);
   Random random(5);
   Genome child;
   for (int i = 0; i < 200; ++i) {
@@ -102,8 +102,8 @@ TEST(Crossover, PmxKeepsMostOfTheFirstParent) {
 TEST(Crossover, OxKeepsTheOrderOfTheRest) {
   const Problem problem = open_problem(30, 2);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
-  const auto crossover = ox(ground);
+  const OperatorContext context(moves, 24);
+  const auto crossover = ox(context);
   Random random(5);
   Genome child;
   for (int i = 0; i < 200; ++i) {
@@ -128,8 +128,8 @@ TEST(Crossover, OxKeepsTheOrderOfTheRest) {
 TEST(Crossover, CxGivesEveryPositionAGeneOfOneOfTheParents) {
   const Problem problem = open_problem(30, 2);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
-  const auto crossover = cx(ground);
+  const OperatorContext context(moves, 24);
+  const auto crossover = cx(context);
   Random random(5);
   Genome child;
   for (int i = 0; i < 200; ++i) {
@@ -148,8 +148,8 @@ TEST(Crossover, CxGivesEveryPositionAGeneOfOneOfTheParents) {
 TEST(Crossover, ErxInheritsEdges) {
   const Problem problem = random_problem(60, 2);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
-  const auto crossover = erx(ground);
+  const OperatorContext context(moves, 24);
+  const auto crossover = erx(context);
   Random random(5);
   Genome child;
   double shared = 0;
@@ -170,13 +170,13 @@ TEST(Crossover, ErxInheritsEdges) {
 TEST(Crossover, EaxInheritsEdges) {
   const Problem problem = random_problem(100, 4);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
-  const auto crossover = eax(ground);
+  const OperatorContext context(moves, 24);
+  const auto crossover = eax(context);
   Random random(5);
   Genome child;
   int different = 0;
   for (int i = 0; i < 30; ++i) {
-    const Genome a(nearest_path(ground, 2, random)), b(nearest_path(ground, 2, random));
+    const Genome a(nearest_path(context, 2, random)), b(nearest_path(context, 2, random));
     crossover->cross(a, b, random, child);
     int foreign = 0;
     for (int p = 0; p < 100; ++p) {
@@ -193,10 +193,10 @@ TEST(Mutation, PromisesHold) {
   for (int kind = 0; kind < 3; ++kind) {
     const Problem problem = problem_of_kind(kind, 40, 7);
     const Moves moves(problem);
-    const Ground ground(moves, 6);
+    const OperatorContext context(moves, 6);
     const bool closed = problem.closed();
     for (const std::string& name : mutation_names()) {
-      const auto mutation = mutation_named(name, ground);
+      const auto mutation = mutation_named(name, context);
       Random random(3);
       int changed = 0;
       for (int i = 0; i < 300; ++i) {
@@ -213,8 +213,8 @@ TEST(Mutation, PromisesHold) {
         for (int p = 0; p < edges; ++p) {
           const int a = after.at(p), b = after.at((p + 1) % 40);
           if (has_edge(before, a, b, closed)) continue;
-          const auto& of_a = ground.neighbours.nearest(a);
-          const auto& of_b = ground.neighbours.nearest(b);
+          const auto& of_a = context.neighbours.nearest(a);
+          const auto& of_b = context.neighbours.nearest(b);
           near =
               near || std::count(of_a.begin(), of_a.end(), b) + std::count(of_b.begin(), of_b.end(), a) > 0;
         }

@@ -31,7 +31,7 @@ TEST(Fitness, OfAlteredEdgesEqualsFitnessOfAll) {
       Problem problem = problem_of_kind(kind, n, static_cast<std::uint64_t>(n));
       for (Vec2& p : problem.points) p = {std::round(p.x / 20), std::round(p.y / 20)};
       const Moves moves(problem);
-      const Ground ground(moves, 24);
+      const OperatorContext context(moves, 24);
       for (const auto& objective : objectives()) {
         Fitness fitness(moves, *objective);
         Random random(9);
@@ -40,7 +40,7 @@ TEST(Fitness, OfAlteredEdgesEqualsFitnessOfAll) {
             Individual before{.genome = random_genome(problem, random)};
             fitness.evaluate(before);
             EXPECT_NEAR(before.value, evaluate(*objective, moves, before.genome.genes()), 1e-9);
-            const Rearrangement change = mutation_named(name, ground)->choose(before.genome, random);
+            const Rearrangement change = mutation_named(name, context)->choose(before.genome, random);
             Individual after = before;
             after.genome.apply(change);
             const double priced = before.local + fitness.change(before.genome, change);
@@ -96,9 +96,9 @@ double mean_shared(const std::vector<Genome>& population, bool closed) {
 TEST(FirstPopulation, SharesFewEdgesWherePathsCan) {
   const Problem problem = open_lattice(12, 12);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
+  const OperatorContext context(moves, 24);
   Random random(1);
-  const auto population = first_population(ground, 25, 0.2, 16, random);
+  const auto population = first_population(context, 25, 0.2, 16, random);
   ASSERT_EQ(population.size(), 25u);
   for (std::size_t i = 0; i < population.size(); ++i) {
     EXPECT_TRUE(is_valid(problem, population[i].genes()));
@@ -110,10 +110,10 @@ TEST(FirstPopulation, SharesFewEdgesWherePathsCan) {
 TEST(FirstPopulation, OfPlainPathsTakesTheLeastSimilar) {
   const Problem problem = open_lattice(12, 12);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
+  const OperatorContext context(moves, 24);
   Random random(1), same(1);
-  const auto compared = first_population(ground, 25, 0.2, 1, random);
-  const auto uncompared = first_population(ground, 25, 1, 1, same);
+  const auto compared = first_population(context, 25, 0.2, 1, random);
+  const auto uncompared = first_population(context, 25, 1, 1, same);
   ASSERT_EQ(compared.size(), 25u);
   EXPECT_LT(mean_shared(compared, problem.closed()), mean_shared(uncompared, problem.closed()));
 }
@@ -123,9 +123,9 @@ TEST(FirstPopulation, KeepsEndsAndPrecedenceAndTakesTinyProblems) {
     Problem problem = open_problem(n, 2);
     if (n > 3) problem.start = 1, problem.end = 0, problem.precedence = {{3, 2}};
     const Moves moves(problem);
-    const Ground ground(moves, 24);
+    const OperatorContext context(moves, 24);
     Random random(1);
-    for (const Genome& genome : first_population(ground, 5, 0.2, 1, random))
+    for (const Genome& genome : first_population(context, 5, 0.2, 1, random))
       EXPECT_TRUE(is_valid(problem, genome.genes()));
   }
 }
@@ -133,9 +133,9 @@ TEST(FirstPopulation, KeepsEndsAndPrecedenceAndTakesTinyProblems) {
 TEST(NearestPath, OfBreadthOneGoesToTheNearestUnused) {
   const Problem problem = open_problem(50, 6);
   const Moves moves(problem);
-  const Ground ground(moves, 24);
+  const OperatorContext context(moves, 24);
   Random random(1);
-  const Tour tour = nearest_path(ground, 1, random);
+  const Tour tour = nearest_path(context, 1, random);
   for (std::size_t i = 0; i + 1 < tour.size(); ++i) {
     for (std::size_t j = i + 2; j < tour.size(); ++j)
       EXPECT_LE(moves.length(tour[i], tour[i + 1]), moves.length(tour[i], tour[j]));

@@ -7,7 +7,7 @@ namespace clearcut::order {
 
 namespace {
 constexpr int kLongestSegment = 50;
-constexpr int kKicksBetweenLooks = 64;
+constexpr int kKicksBetweenChecks = 64;
 constexpr int kLargestFree = 150000;    // points; above, one exchange on the whole array is too slow
 constexpr int kLongestRewrite = 50000;  // then
 }  // namespace
@@ -59,7 +59,7 @@ ChainedSearch::Cost ChainedSearch::kick() {
 void ChainedSearch::run(long long kicks, const StopWatch& watch) {
   if (nodes().size() < 8) return;
   for (long long i = 0; i < kicks; ++i) {
-    if (i % kKicksBetweenLooks == 0 && watch.over()) return;
+    if (i % kKicksBetweenChecks == 0 && watch.over()) return;
     const Cost after = cost_ + kick() - search_.improve();
     if (after <= cost_) {
       cost_ = after;

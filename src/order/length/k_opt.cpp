@@ -17,7 +17,7 @@ KOpt::KOpt(const LengthModel& model, std::vector<int> nodes, KOptBreadth breadth
 
 KOpt::Cost KOpt::improve(const StopWatch* watch) {
   gained_ = 0;
-  int looks = 0;
+  int steps = 0;
   while (head_ < queue_.size()) {
     const int node = queue_[head_++];
     queued_[node] = false;
@@ -27,7 +27,7 @@ KOpt::Cost KOpt::improve(const StopWatch* watch) {
       queue_.erase(queue_.begin(), queue_.begin() + static_cast<std::ptrdiff_t>(head_));
       head_ = 0;
     }
-    if (watch && ++looks % 256 == 0 && watch->over()) break;
+    if (watch && ++steps % 256 == 0 && watch->over()) break;
   }
   for (; head_ < queue_.size(); ++head_) queued_[queue_[head_]] = false;
   queue_.clear();

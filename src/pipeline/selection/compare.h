@@ -1,4 +1,4 @@
-// Every strategy and rival on one part, judged alike.
+// Every strategy and rival on one part, checked alike.
 #pragma once
 
 #include <cstddef>

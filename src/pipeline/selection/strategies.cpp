@@ -28,11 +28,11 @@ StrategyTable all_strategies() {
 constexpr const char* kAuto = "auto";
 
 /// The strategy by itself: beside its rivals first, then as it is.
-Attempts attempts_of(const StrategyEntry& strategy, const Stepover& stepover) {
+StrategyCandidates candidates_of(const StrategyEntry& strategy, const Stepover& stepover) {
   const bool beside = !strategy.rivals.empty();
-  Attempts attempts{{{&strategy, stepover, beside && !stepover.is_given()}}, {}};
-  if (beside) attempts.fallbacks.push_back({&strategy, stepover});
-  return attempts;
+  StrategyCandidates candidates{{{&strategy, stepover, beside && !stepover.is_given()}}, {}};
+  if (beside) candidates.fallbacks.push_back({&strategy, stepover});
+  return candidates;
 }
 
 /// Whether "auto" may use a strategy at all: where a direction is asked for only those that keep it.
@@ -46,11 +46,11 @@ bool is_tried(const StrategyEntry& strategy, const ResolvedStep& step, const Res
   return is_usable(strategy, step) && (!plan.engagement_deg || strategy.limits_engagement);
 }
 
-Attempt attempt_of(const StrategyEntry& strategy, const Stepover& stepover) {
-  Attempt attempt{&strategy, strategy.takes_stepover ? stepover : Stepover{}};
-  attempt.beside_rivals = !strategy.rivals.empty() && !stepover.is_given();
-  attempt.briefly = strategy.in_auto == AutoUse::kBriefly;
-  return attempt;
+StrategyCandidate candidate_of(const StrategyEntry& strategy, const Stepover& stepover) {
+  StrategyCandidate candidate{&strategy, strategy.takes_stepover ? stepover : Stepover{}};
+  candidate.beside_rivals = !strategy.rivals.empty() && !stepover.is_given();
+  candidate.briefly = strategy.in_auto == AutoUse::kBriefly;
+  return candidate;
 }
 
 }  // namespace
@@ -88,25 +88,27 @@ std::string description_of(const std::string& strategy, const StrategyTable& tab
   return entry ? entry->description : "the fastest that certifies clean";
 }
 
-Strategy strategy_for(const Attempt& attempt, const ResolvedStep& step, const ResolvedPlan& plan) {
-  return attempt.strategy->make({step, plan, attempt.stepover, attempt.briefly});
+Strategy strategy_for(const StrategyCandidate& candidate, const ResolvedStep& step,
+                      const ResolvedPlan& plan) {
+  return candidate.strategy->make({step, plan, candidate.stepover, candidate.briefly});
 }
 
-Attempts attempts_for(const ResolvedStep& step, const ResolvedPlan& plan, const StrategyTable& table) {
-  if (step.strategy) return attempts_of(*step.strategy, step.stepover);
-  Attempts attempts;
+StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& plan,
+                                  const StrategyTable& table) {
+  if (step.strategy) return candidates_of(*step.strategy, step.stepover);
+  StrategyCandidates candidates;
   for (const bool first : {true, false}) {
     for (const StrategyEntry& entry : table.entries()) {
       if (is_tried(entry, step, plan) && (entry.in_auto == AutoUse::kFirst) == first)
-        attempts.contest.push_back(attempt_of(entry, step.stepover));
+        candidates.competing.push_back(candidate_of(entry, step.stepover));
     }
   }
   for (const StrategyEntry& entry : table.entries()) {
     if (!is_usable(entry, step)) continue;
     for (const std::string& stepover : entry.fallbacks)
-      attempts.fallbacks.push_back({&entry, stepover.empty() ? step.stepover : Stepover{stepover}});
+      candidates.fallbacks.push_back({&entry, stepover.empty() ? step.stepover : Stepover{stepover}});
   }
-  return attempts;
+  return candidates;
 }
 
 }  // namespace clearcut::pipeline

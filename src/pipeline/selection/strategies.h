@@ -30,7 +30,7 @@ std::optional<plan::contour::StepRule> published_rule(const std::string& strateg
 std::string description_of(const std::string& strategy, const StrategyTable& table = built_in_strategies());
 
 /// One way to plan a workingstep.
-struct Attempt {
+struct StrategyCandidate {
   const StrategyEntry* strategy = nullptr;
   Stepover stepover;
   bool beside_rivals = false;  ///< the strategy's rivals are planned too, and the fastest is taken
@@ -38,15 +38,16 @@ struct Attempt {
   bool as_rival = false;  ///< planned beside another: kept only if it is faster and leaves nothing behind
 };
 
-/// The strategy of an attempt with the step's values bound in. Throws InputError for a stepover that means nothing to it.
-Strategy strategy_for(const Attempt& attempt, const ResolvedStep& step, const ResolvedPlan& plan);
+/// The strategy of an candidate with the step's values bound in. Throws InputError for a stepover that means nothing to it.
+Strategy strategy_for(const StrategyCandidate& candidate, const ResolvedStep& step, const ResolvedPlan& plan);
 
 /// What is tried for a workingstep: those among which the fastest is kept, the surest first, and those tried
 /// one after the other where none of them was certified clean.
-struct Attempts {
-  std::vector<Attempt> contest;
-  std::vector<Attempt> fallbacks;
+struct StrategyCandidates {
+  std::vector<StrategyCandidate> competing;
+  std::vector<StrategyCandidate> fallbacks;
 };
-Attempts attempts_for(const ResolvedStep& step, const ResolvedPlan& plan, const StrategyTable& table);
+StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& plan,
+                                  const StrategyTable& table);
 
 }  // namespace clearcut::pipeline

@@ -21,18 +21,21 @@ double tip_of_cone(const Feature& feature, const Tool& tool) {
   return feature.top_z - (feature.hole->diameter / 2 - tool.tip_diameter / 2) / flank_slope(tool);
 }
 
+/// mm that a place which rounding moves by `rounding` mm keeps off: half of what counts as a gouge remains. 0 where it is less
+/// than a gouge.
+double kept_off(double rounding, const ResolvedPlan& plan) {
+  return rounding <= plan.tol.gouge ? 0 : rounding - plan.tol.gouge / 2;
+}
+
 /// mm that a hole's bottom is raised by, so that coarse digits put no tap and no tip lower than half of what counts as a gouge.
 /// 0 where the digits cannot go wrong by as much.
 double raise_of_depth(const ResolvedPlan& plan) {
-  const double rounding = post::rounding_of_lines(plan.post) * std::sqrt(0.5);  // along one axis
-  return rounding <= plan.tol.gouge ? 0 : rounding - plan.tol.gouge / 2;
+  return kept_off(post::rounding_of_lines(plan.post) * std::sqrt(0.5), plan);  // along one axis
 }
 
 /// mm that a cone is raised by for the same reason: its flanks also come nearer where its place is rounded.
 double raise_of_cone(const Tool& tool, const ResolvedPlan& plan) {
-  const double rounding = post::rounding_of_lines(plan.post);
-  const double aside = rounding <= plan.tol.gouge ? 0 : rounding - plan.tol.gouge / 2;
-  return raise_of_depth(plan) + aside / flank_slope(tool);
+  return raise_of_depth(plan) + kept_off(post::rounding_of_lines(plan.post), plan) / flank_slope(tool);
 }
 
 link::ThreadWork thread_work(const Feature& feature, const Tool& tool, double off) {

@@ -55,7 +55,7 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +
                        trimmed(found.tool_diameter, 3) + " mm)";
-    // The area of a profile depends on its cutter, that of leaning walls on the depth.
+    // The area of a profile depends on its cutter, that of drafted walls on the depth.
     if (!feature.profile && feature.wall_slope.radians() == 0) {
       const double fits = largest_that_reaches(feature, found.tool_diameter, tol);
       text += fits > 0 ? "; the largest cutter that reaches all but " + trimmed(allowed_to_stay(whole), 2) +

@@ -33,7 +33,7 @@ double printing_reserve(const ResolvedPlan& plan) {
       {0.0, post::rounding_of(metric) - plan.tol.gouge / 2, post::rounding_of(inch) - plan.tol.gouge / 2});
 }
 
-/// Whether rapids may come down through the feature after it is cut: to another one under it, or between leaning
+/// Whether rapids may come down through the feature after it is cut: to another one under it, or between drafted
 /// walls to layers that begin elsewhere.
 bool is_bare(const Part& part, const Feature& feature) {
   if (feature.wall_slope.radians() != 0) return true;
@@ -82,7 +82,7 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
     layer.holes = holes;
     if (part.stock) layer.stock = part.stock->plan;
     Regions stands = standing.above(layer.z);
-    // It stands in the outline at the top: between leaning walls there is less.
+    // It stands in the outline at the top: between drafted walls there is less.
     if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, plan.tol);
     if (stands.empty() && closed_all_round(feature)) {
       keep_what_others_missed(layer, index, met, plan);

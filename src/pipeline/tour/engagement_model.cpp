@@ -83,7 +83,7 @@ class RasterEngagement final : public EngagementModel {
     double sum = 0;
     std::size_t steps = 0;
     for (std::size_t i = 1; i < move.size(); ++i) {
-      look_along(move[i] - move[i - 1]);
+      sample_along(move[i] - move[i - 1]);
       trail_.clear();
       cleared_at_ = pixel_of(move[i - 1]);
       line_pixels(pixel_of(move[i - 1]), pixel_of(move[i]), [&](Pixel at) { trail_.push_back(at); });
@@ -132,7 +132,7 @@ class RasterEngagement final : public EngagementModel {
       }
     }
   }
-  void look_along(Vec2 direction) {
+  void sample_along(Vec2 direction) {
     leading_.clear();
     std::copy_if(circle_.begin(), circle_.end(), std::back_inserter(leading_), [&](Pixel p) {
       return dot(direction, {1.0 * p.x, 1.0 * p.y}) > 0;

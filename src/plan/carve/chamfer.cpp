@@ -41,7 +41,7 @@ class EdgeChamferer {
 
   ChamferTracks chamfer() {
     std::optional<ChamferTracks> best;
-    const double most = std::min({kTipBelow, cone_above_foot(), foot() - chamfer_.room_floor - kOverFloor});
+    const double most = std::min({kTipBelow, cone_above_foot(), foot() - chamfer_.free_floor - kOverFloor});
     for (double below = std::max(0.0, most);; below = std::max(0.0, below - kTipStep)) {
       ChamferTracks tracks = tracks_with(below);
       if (!best || tracks.left_mm < best->left_mm) best = std::move(tracks);
@@ -66,7 +66,7 @@ class EdgeChamferer {
     const double radius = radius_at(below);
     // Where the cone at the chamfer's foot does not fit into a corner of the area, the chamfer ends before it.
     std::vector<Track> runs;
-    for (const Region& room : chamfer_.room) {
+    for (const Region& room : chamfer_.free_beside) {
       for (const Region& centers : inset(room, radius + shape_.aside, tol_)) {
         add_runs(centers.outer(), runs, out.left_mm);
         for (const Loop& island : centers.islands()) add_runs(island, runs, out.left_mm);

@@ -62,7 +62,7 @@ Case random_case(int seed, const Tolerances& tol) {
   out.chamfer.air_inside = seed % 2 == 0;
   out.chamfer.depth = depth(random);
   out.chamfer.reach = kMill;
-  out.chamfer.room_floor = -6;
+  out.chamfer.free_floor = -6;
   out.shape.slope = std::tan(half_angle(random) * kPi / 180);
   out.shape.tip_radius = tip(random);
   out.shape.tool_radius = 6;
@@ -70,10 +70,10 @@ Case random_case(int seed, const Tolerances& tol) {
   const Regions within{Region::from_valid_loops(out.chamfer.line, {})};
   const double width = out.chamfer.depth * out.shape.slope;
   if (out.chamfer.air_inside) {
-    out.chamfer.room = opened(within, kMill, tol);
+    out.chamfer.free_beside = opened(within, kMill, tol);
     out.standing.push_back({0, dilate(within, width, tol)});
   } else {
-    out.chamfer.room = subtract(dilate(within, 8, tol), closed(within, kMill, tol), tol);
+    out.chamfer.free_beside = subtract(dilate(within, 8, tol), closed(within, kMill, tol), tol);
     Regions left;
     for (const Region& region : within) {
       for (Region& one : inset(region, width, tol)) left.push_back(std::move(one));
@@ -130,11 +130,11 @@ class ChamfersOfRandomOutlines : public ::testing::TestWithParam<int> {};
 
 TEST_P(ChamfersOfRandomOutlines, NeitherGougeNorLeaveTheirEdge) {
   const Tolerances tol;
-  int edges_judged = 0;
+  int edges_checked = 0;
   for (int seed = GetParam(); seed < 1000; seed += 4) {
     const Case c = random_case(seed, tol);
     const ChamferTracks tracks = chamfer_edge(c.chamfer, c.shape, c.standing, tol);
-    if (c.chamfer.room.empty()) continue;
+    if (c.chamfer.free_beside.empty()) continue;
     ASSERT_EQ(tracks.sets.size(), 1u) << seed;
     if (tracks.left_mm > 0) continue;  // a part too thin for its chamfer
     std::vector<std::vector<Vec2>> paths;
@@ -164,11 +164,11 @@ TEST_P(ChamfersOfRandomOutlines, NeitherGougeNorLeaveTheirEdge) {
           if (!reached) continue;
           EXPECT_LE(height, ideal + 0.0025 / c.shape.slope + 0.001) << "seed " << seed << " left";
         }
-        edges_judged += reached;
+        edges_checked += reached;
       }
     }
   }
-  EXPECT_GT(edges_judged, 5000);
+  EXPECT_GT(edges_checked, 5000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Quarters, ChamfersOfRandomOutlines, ::testing::Range(0, 4));

@@ -239,10 +239,10 @@ class FeatureWriter {
   std::string slot() {
     const auto band = band_of(out_, region_, stock_);
     if (!band) return open_pocket();
-    const std::string lean = slope();
-    const std::string radius = lean == kUnset ? kUnset : length_measure(out_, 0);
-    const std::string profile =
-        out_.add("SQUARE_U_PROFILE", {kUnset, length_measure(out_, band->width), radius, lean, radius, lean});
+    const std::string draft = slope();
+    const std::string radius = draft == kUnset ? kUnset : length_measure(out_, 0);
+    const std::string profile = out_.add(
+        "SQUARE_U_PROFILE", {kUnset, length_measure(out_, band->width), radius, draft, radius, draft});
     const std::string course = linear_path(out_, common_, band->from, band->to);
     return entity("SLOT", {course, profile, p21_list({band->from_end, band->to_end})});
   }

@@ -30,7 +30,7 @@ struct Traits {
   bool arcs_stated = false;  ///< G91.1
 };
 
-void look(const Block& block, std::string_view line, Traits& traits) {
+void note_traits(const Block& block, std::string_view line, Traits& traits) {
   traits.percent = traits.percent || block.percent;
   if (block.has('O') && traits.percent) {
     traits.tape = true;
@@ -75,7 +75,7 @@ Dialect recognised(std::string_view text, const std::string& file_name) {
   std::string_view line;
   Block block;
   try {
-    while (!traits.end && lines.next(line) && reader.next(block)) look(block, line, traits);
+    while (!traits.end && lines.next(line) && reader.next(block)) note_traits(block, line, traits);
   } catch (const InputError&) {
     // The reader itself says what is wrong, where it is not behind the end.
   }

@@ -11,7 +11,7 @@
 namespace clearcut::read {
 namespace {
 
-constexpr long long kMostLooks = 50'000'000;
+constexpr long long kMostTests = 50'000'000;
 
 bool same_edge(const Edge& a, const Edge& b, double gap) {
   const auto near = [gap](Vec2 p, Vec2 q) { return distance(p, q) <= gap; };
@@ -80,22 +80,22 @@ std::optional<Edge> united(const Edge& a, const Edge& b, double gap) {
   return std::nullopt;
 }
 
-/// One round of giving up what is shared; call until nothing changes. `looks` counts down: knots of overlapping edges
+/// One round of giving up what is shared; call until nothing changes. `tests_left` counts down: knots of overlapping edges
 /// are no drawing, and stay as they are.
 class OverlapRound {
  public:
   OverlapRound(std::vector<RawCurve>& edges, const EdgeIndex& outlines, double gap, Mends& mends,
-               long long& looks)
+               long long& tests_left)
       : edges_(edges),
         outlines_(outlines),
         gap_(gap),
         mends_(mends),
-        looks_(looks),
+        tests_left_(tests_left),
         ends_(gap),
         used_(edges.size()) {}
 
   bool run() {
-    looks_ -= static_cast<long long>(edges_.size());
+    tests_left_ -= static_cast<long long>(edges_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       ends_.add(at(i).from, static_cast<std::uint32_t>(2 * i));
       ends_.add(at(i).to, static_cast<std::uint32_t>(2 * i + 1));
@@ -103,7 +103,7 @@ class OverlapRound {
     const std::vector<Loop> loops = edges_as_loops(edges_);
     const EdgeIndex index(loops);
     bool changed = false;
-    for (std::size_t i = 0; i < edges_.size() && looks_ > 0; ++i) {
+    for (std::size_t i = 0; i < edges_.size() && tests_left_ > 0; ++i) {
       if (used_[i] || !(dangles(at(i).from) || dangles(at(i).to))) continue;
       changed = on_outline(i) || on_another(i, index) || changed;
     }
@@ -139,7 +139,7 @@ class OverlapRound {
     bool found = false;
     outlines_.visit(at(i).box().grown(gap_), [&](EdgeId id) {
       found = runs_along(at(i), outlines_.edge(id), gap_);
-      return !found && --looks_ > 0;
+      return !found && --tests_left_ > 0;
     });
     if (found) drop(i, at(i).length());
     return found;
@@ -150,7 +150,7 @@ class OverlapRound {
     std::optional<Edge> whole;
     index.visit(at(i).box().grown(gap_), [&](EdgeId id) {
       const auto j = static_cast<std::size_t>(id.loop);
-      if (j == i || used_[j]) return --looks_ > 0;
+      if (j == i || used_[j]) return --tests_left_ > 0;
       if (runs_along(at(i), at(j), gap_)) {
         whole = at(j);
       } else if (runs_along(at(j), at(i), gap_)) {
@@ -159,7 +159,7 @@ class OverlapRound {
         whole = united(at(i), at(j), gap_);
       }
       if (whole) other = id.loop;
-      return other < 0 && --looks_ > 0;
+      return other < 0 && --tests_left_ > 0;
     });
     if (other < 0) return false;
     const auto j = static_cast<std::size_t>(other);
@@ -173,7 +173,7 @@ class OverlapRound {
   const EdgeIndex& outlines_;
   double gap_;
   Mends& mends_;
-  long long& looks_;
+  long long& tests_left_;
   BoxIndex ends_;
   std::vector<bool> used_;
   std::vector<std::size_t> dropped_;
@@ -190,8 +190,8 @@ std::optional<std::vector<RawCurve>> without_overlaps(const std::vector<RawCurve
   for (const RawLoop& loop : loops) outlines.push_back(loop.loop);
   const EdgeIndex index(outlines);
   std::vector<RawCurve> edges = single_edges(curves);
-  long long looks = kMostLooks;
-  while (OverlapRound(edges, index, gap, shared, looks).run()) {
+  long long tests_left = kMostTests;
+  while (OverlapRound(edges, index, gap, shared, tests_left).run()) {
   }
   if (shared.empty()) return std::nullopt;
   shared.report(where, diagnostics);

@@ -45,11 +45,12 @@ void read_bosses(const Node& feature, std::size_t argument, const Frame& frame, 
       context.note("the boss begins below the feature's top; it is left standing at full height", boss);
     const Loop outline = closed_profile(boss.needed_ref(5, "boundary"), true, context);
     draft.bosses.push_back(planar_map(placed).path(outline));
-    const double slope = context.lean(boss.number(6).value_or(0));
+    const double slope = context.draft_angle(boss.number(6).value_or(0));
     check_slope(boss, slope);
     if (slope > draft.wall_slope.radians()) {
-      context.warn("the boss's walls lean more than the feature's; all walls are cut with the larger angle",
-                   boss);
+      context.warn(
+          "the boss's walls have draft more than the feature's; all walls are cut with the larger angle",
+          boss);
       draft.wall_slope = Radians::of(slope);
     }
   }
@@ -62,7 +63,7 @@ void read_boundary(const Node& profile, const Frame& frame, Draft& draft, Contex
 }
 
 void read_pocket_walls(const Node& feature, Draft& draft, Context& context) {
-  const double slope = context.lean(feature.number(6).value_or(0));
+  const double slope = context.draft_angle(feature.number(6).value_or(0));
   check_slope(feature, slope);
   draft.wall_slope = Radians::of(slope);
   const auto bottom = feature.ref(7);
@@ -164,7 +165,7 @@ void read_slot(const Node& feature, const Frame& frame, Draft& draft, Context& c
   if (draft.course.empty()) feature.fail("the course of travel has no length; correct it");
   const CrossSection section = cross_section(feature.needed_ref(6, "swept shape"), context);
   draft.width = section.width;
-  draft.wall_slope = Radians::of(section.lean);
+  draft.wall_slope = Radians::of(section.draft);
   draft.raised_floor = section.rounded_below;
   const std::vector<Node> ends = feature.refs(7);
   const bool loop = !ends.empty() && ends[0].is("LOOP_SLOT_END_TYPE");
@@ -198,11 +199,11 @@ std::optional<double> floor_diameter(const Node& feature, double diameter, doubl
   if (taper->is("DIAMETER_TAPER")) return taper->needed_length(0, "final diameter");
   if (!taper->is("ANGLE_TAPER"))
     taper->fail("not a taper that can be read; give a DIAMETER_TAPER or an ANGLE_TAPER");
-  const double lean = context.lean(taper->needed_number(0, "angle"));
-  return diameter - 2 * depth * std::tan(lean);
+  const double angle = context.draft_angle(taper->needed_number(0, "angle"));
+  return diameter - 2 * depth * std::tan(angle);
 }
 
-/// A hole that narrows is a round pocket with leaning walls.
+/// A hole that narrows is a round pocket with drafted walls.
 void read_taper(const Node& feature, double diameter, Draft& draft, Context& context) {
   const double depth = -draft.depth_z;
   const auto floor = floor_diameter(feature, diameter, depth, context);

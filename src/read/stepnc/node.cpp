@@ -242,7 +242,7 @@ double Context::angle(double value) const {
   return degrees ? value * kPi / 180.0 : value;
 }
 
-double Context::lean(double value) const {
+double Context::draft_angle(double value) const {
   return degrees || std::abs(value) >= kPi / 2 ? value * kPi / 180.0 : value;
 }
 

@@ -85,7 +85,7 @@ class Context {
   /// File's angle to radians.
   double angle(double value) const;
   /// The same for an angle that must be below 90 degrees: larger values are degrees in any file.
-  double lean(double value) const;
+  double draft_angle(double value) const;
   /// Notes that hold for many entities are given once, with the entities' labels; see flush().
   void note(const std::string& what, const Node& node) { gather(Severity::kNote, what, node); }
   void warn(const std::string& what, const Node& node) { gather(Severity::kWarning, what, node); }

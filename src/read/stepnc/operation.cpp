@@ -248,7 +248,7 @@ std::optional<double> positive(std::optional<double> value) {
 /// An angle of a way into or out of the material, where it is stated.
 std::optional<Radians> path_angle(const Node& strategy, std::size_t argument, const Context& context) {
   const auto angle = strategy.number(argument);
-  return angle && *angle > 0 ? std::optional(Radians::of(context.lean(*angle))) : std::nullopt;
+  return angle && *angle > 0 ? std::optional(Radians::of(context.draft_angle(*angle))) : std::nullopt;
 }
 
 /// Leads of passes along walls; ours are the same on the way in and out. False for other strategies.

@@ -119,7 +119,7 @@ Json layer(const LayerFindings& findings) {
   return json;
 }
 
-Json contestant(const Contestant& one) {
+Json candidate_result(const CandidateResult& one) {
   Json json;
   json["strategy"] = one.strategy;
   json["stepover"] = one.stepover;
@@ -131,22 +131,23 @@ Json contestant(const Contestant& one) {
 }
 
 /// Which strategy was kept for a workingstep, and all that were considered.
-void add_contest(Json& json, const std::vector<Contest>& contests, int workingstep) {
-  for (const Contest& contest : contests) {
-    if (contest.workingstep != workingstep) continue;
-    json["strategy"] = contest.kept();
+void add_selections(Json& json, const std::vector<StrategySelection>& selections, int workingstep) {
+  for (const StrategySelection& selection : selections) {
+    if (selection.workingstep != workingstep) continue;
+    json["strategy"] = selection.kept();
     json["candidates"] = Json::array();
-    for (const Contestant& one : contest.contestants) json["candidates"].push_back(contestant(one));
+    for (const CandidateResult& one : selection.candidates)
+      json["candidates"].push_back(candidate_result(one));
   }
 }
 
-Json feature(const FeatureFindings& findings, const std::vector<Contest>& contests) {
+Json feature(const FeatureFindings& findings, const std::vector<StrategySelection>& selections) {
   Json json;
   json["name"] = findings.name;
   json["workingstep"] = findings.workingstep;
   json["tool_number"] = findings.tool_number;
   json["tool_diameter"] = number(findings.tool_diameter);
-  add_contest(json, contests, findings.workingstep);
+  add_selections(json, selections, findings.workingstep);
   add_figures(json, findings.figures);
   if (findings.scallop) {
     json["scallop_mm"] = number(findings.scallop->height_mm);
@@ -241,7 +242,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   json["clean"] = all_finite(findings.all) && verdict_of(findings) == Verdict::kClean;
   json["features"] = Json::array();
   for (const FeatureFindings& one : findings.features)
-    json["features"].push_back(feature(one, info.contests));
+    json["features"].push_back(feature(one, info.selections));
   json["faults"] = Json::array();
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
   add_contours(json, info);

@@ -10,8 +10,8 @@
 #include "model/machine.h"
 #include "model/options/resolved_plan.h"
 #include "model/part.h"
-#include "model/results/contest.h"
 #include "model/results/findings.h"
+#include "model/results/strategy_selection.h"
 #include "report/result.h"
 
 namespace clearcut::report {
@@ -31,17 +31,19 @@ struct CertificateInfo {
   std::vector<std::string> arguments;  ///< of the command, as typed
   std::vector<CertificateFile> inputs;
   std::string program_name;
-  std::string program;  ///< the text that was judged
+  std::string program;  ///< the text that was checked
   std::string dialect;  ///< of the control that it was read as
   bool dialect_stated = true;
   Machine machine;
   Tolerances tolerances;
   std::optional<double> engagement_limit_deg;
   std::optional<std::string> material;
-  std::vector<Contest> contests;  ///< of the workingsteps; empty when a program of unknown origin was judged
+  std::vector<StrategySelection>
+      selections;  ///< of the workingsteps; empty when a program of unknown origin was checked
   std::vector<ContourLevels> contours = {};  ///< with the coefficients of published methods
   std::optional<double> published_s = {};    ///< CPO-rho eq. 9; absent: not asked
-  std::vector<ResolvedValue> values = {};  ///< of the plan; empty when a program of unknown origin was judged
+  std::vector<ResolvedValue> values =
+      {};  ///< of the plan; empty when a program of unknown origin was checked
 };
 
 /// Shape   one JSON object: what it rests on, the figures of the whole, `features` (each with its figures and

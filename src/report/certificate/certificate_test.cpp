@@ -117,7 +117,7 @@ TEST(Certificate, ListsTheStrategiesConsideredForAFeature) {
   findings.features[0].workingstep = 0;
   findings.features[1].workingstep = 1;
   CertificateInfo shown = info();
-  shown.contests = {
+  shown.selections = {
       {"pocket",
        1,
        {{"zigzag", "", Outcome::kKept, 12.5, 200, 0}, {"spiral", "0.5", Outcome::kCannotWin, 0, 0, 14}}}};

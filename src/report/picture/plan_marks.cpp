@@ -95,13 +95,13 @@ void draw_worst_places(SvgWriter& svg, const PlanView& view,
                        const std::vector<const FeatureFindings*>& findings) {
   for (const FeatureFindings* one : findings) {
     const Figures& f = one->figures;
-    const char* judged = f.clean ? report::palette::kFaint : report::palette::kBad;
+    const char* checked = f.clean ? report::palette::kFaint : report::palette::kBad;
     if (f.engagement.max_at) {
       draw_place(svg, view, *f.engagement.max_at, fixed(f.engagement.max_deg, 0) + "\u00b0",
                  report::palette::kFaint);
     }
     if (f.uncut_at && f.uncut_thickness_mm >= kLeastShown) {
-      draw_place(svg, view, *f.uncut_at, "left \u2264 " + fixed(f.uncut_thickness_mm, 3), judged);
+      draw_place(svg, view, *f.uncut_at, "left \u2264 " + fixed(f.uncut_thickness_mm, 3), checked);
     }
     if (f.gouge_at && f.gouge_mm >= kLeastShown) {
       draw_place(svg, view, *f.gouge_at, "gouge " + fixed(f.gouge_mm, 3),

@@ -215,7 +215,7 @@ void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int fea
   if (f.wall_slope.radians() > 0) outline_regions(svg, view, floor_target(f), 0.7);
 }
 
-/// Leaning walls are cut layer by layer, so there all layers are shown.
+/// Drafted walls are cut layer by layer, so there all layers are shown.
 void draw_feature_lines(SvgWriter& svg, const PlanView& view, const Job& job, int feature) {
   const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
   const bool all_layers = job.all_layers || f.wall_slope.radians() > 0;

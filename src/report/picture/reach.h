@@ -18,7 +18,7 @@ struct Reach {
 /// Cost: one Clearance of the feature's allowed area.
 Reach reach_of(const Job& job, int feature);
 
-/// The outlines at the floor: smaller than those at the top where walls lean.
+/// The outlines at the floor: smaller than those at the top where walls have draft.
 Regions floor_target(const Feature& feature);
 Regions floor_allowed(const Feature& feature);
 

@@ -57,11 +57,12 @@ void draw_panel(SvgWriter& svg, const Job& job, int feature, const PlanView& vie
   const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
   const auto findings = findings_of(job.part, job.findings, feature);
   const double y = view.corner.y - kCaptionHeight;
-  const char* judged = findings.empty()     ? report::palette::kFaint
-                       : is_clean(findings) ? report::palette::kGood
-                                            : report::palette::kBad;
-  svg.leaf("circle",
-           {{"cx", svg_number(view.corner.x + 7)}, {"cy", svg_number(y + 16)}, {"r", "7"}, {"fill", judged}});
+  const char* checked = findings.empty()     ? report::palette::kFaint
+                        : is_clean(findings) ? report::palette::kGood
+                                             : report::palette::kBad;
+  svg.leaf(
+      "circle",
+      {{"cx", svg_number(view.corner.x + 7)}, {"cy", svg_number(y + 16)}, {"r", "7"}, {"fill", checked}});
   svg.text({view.corner.x + 22, y + 22}, fmt::format("{}  {}", feature + 1, shortened(f.name, 40)),
            text_style(18, report::palette::kInk, "bold"));
   svg.text({view.corner.x + view.width, y + 22}, depths_of(f, findings),

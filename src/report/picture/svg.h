@@ -1,4 +1,4 @@
-// A picture of the job that a person can judge it by.
+// A picture of the job that a person can check it by.
 #pragma once
 
 #include <string>

@@ -170,7 +170,7 @@ std::vector<LegendRow> legend_rows(const Job& job) {
   rows.push_back({Kind::kArea, report::palette::kGouge, "gouged"});
   const auto leans = [](const Feature& f) { return f.wall_slope.radians() > 0; };
   if (std::any_of(part.features.begin(), part.features.end(), leans)) {
-    rows.push_back({Kind::kArea, report::palette::kWall, "leaning wall"});
+    rows.push_back({Kind::kArea, report::palette::kWall, "drafted wall"});
   }
   rows.push_back({Kind::kArea, report::palette::kMaterial, "material that stays"});
   return rows;

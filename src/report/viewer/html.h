@@ -12,7 +12,7 @@ namespace clearcut::report {
 
 struct HtmlOptions {
   Machine machine;      ///< for the time of each move
-  std::string program;  ///< text of the program that was judged; shown line by line when Move::line is known
+  std::string program;  ///< text of the program that was checked; shown line by line when Move::line is known
 };
 
 /// Shape   a well-formed HTML page (also XML) that takes material away move by move, shaded by depth, true to

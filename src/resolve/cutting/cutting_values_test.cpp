@@ -119,7 +119,7 @@ TEST(CuttingValues, LeaveWhatIsStatedAndSayWhereItIsFarOff) {
   EXPECT_THAT(fast.told.warnings[0], HasSubstr("stated as 4000 mm/min"));
   stated.feed = MmPerMin::of(200);
   EXPECT_EQ(filled(tool, of("aluminium"), 3, stated).told.warnings.size(), 1U);
-  stated.spindle_rpm = 24000;  // the feed is judged by the speed that is used: 0.0125 * 3 * 24000 = 900
+  stated.spindle_rpm = 24000;  // the feed is checked by the speed that is used: 0.0125 * 3 * 24000 = 900
   stated.feed = MmPerMin::of(900);
   EXPECT_EQ(filled(tool, of("titanium"), 3, stated).told.warnings.size(), 1U);
 }

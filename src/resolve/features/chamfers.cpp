@@ -26,7 +26,7 @@ constexpr double kBesideStock = 50;
 /// mm of a wall that has to stand below a chamfer.
 constexpr double kLeastWall = 0.01;
 /// mm along a line between the places where its wall is looked for.
-constexpr double kLook = 2;
+constexpr double kSampleStep = 2;
 
 Regions joined(const Regions& a, const Regions& b, const Tolerances& tol) {
   return a.empty() ? b : b.empty() ? a : unite(a, b, tol);
@@ -68,18 +68,18 @@ class WallFinder {
     foot_ = feature_.top_z - chamfer.depth;
     collect();
     chamfer.air_inside = side();
-    chamfer.room.clear();
+    chamfer.free_beside.clear();
     chamfer.reach = kBesideStock / 2;
-    chamfer.room_floor = -HUGE_VAL;
+    chamfer.free_floor = -HUGE_VAL;
     bool cut_out = false;
     for (const int i : beside_line()) {
       const Feature& other = part_.features[static_cast<std::size_t>(i)];
       const auto hole = stock::round_hole_of(other, tol_);
       const auto radius = hole ? std::nullopt : corner_radius_of(part_, i);
       const Regions cleared = radius ? cleared_of(other, *radius, tol_) : other.target;
-      chamfer.room = joined(chamfer.room, cleared, tol_);
+      chamfer.free_beside = joined(chamfer.free_beside, cleared, tol_);
       chamfer.reach = std::min(chamfer.reach, hole ? hole->radius : radius.value_or(chamfer.reach));
-      chamfer.room_floor = std::max(chamfer.room_floor, other.floor_z);
+      chamfer.free_floor = std::max(chamfer.free_floor, other.floor_z);
       cut_out = cut_out || (other.profile && other.profile->side != ProfileSide::kOn);
     }
     if (stock_beside_) add_stock_side();
@@ -105,13 +105,13 @@ class WallFinder {
     });
   }
 
-  template <typename Look>
-  void along(Look look) const {
+  template <typename Sampling>
+  void along(Sampling sample) const {
     for (const Edge& edge : feature_.chamfer->line) {
-      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.length() / kLook)));
+      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.length() / kSampleStep)));
       for (int i = 0; i < pieces; ++i) {
         const double t = (i + 0.5) / pieces;
-        look(edge.at(t), left_of(edge.tangent_at(t)) * kBeside);
+        sample(edge.at(t), left_of(edge.tangent_at(t)) * kBeside);
       }
     }
   }
@@ -159,8 +159,8 @@ class WallFinder {
     Chamfer& chamfer = *feature_.chamfer;
     const Box& plan = part_.stock->plan;
     const Region beside = frame_around(plan, kBesideStock);
-    chamfer.room = joined(chamfer.room, {beside}, tol_);
-    chamfer.room_floor = std::max(chamfer.room_floor, part_.stock->z_bottom);
+    chamfer.free_beside = joined(chamfer.free_beside, {beside}, tol_);
+    chamfer.free_floor = std::max(chamfer.free_floor, part_.stock->z_bottom);
   }
 
   Part& part_;

@@ -36,32 +36,32 @@ const Tool* carver_of(const Part& part, int feature) {
   return carver;
 }
 
-class CarvingJudge {
+class CarvingCheck {
  public:
-  CarvingJudge(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work)
+  CarvingCheck(const Part& part, const CheckedProgram& program, const Tolerances& tol, CarvingWork& work)
       : feature_(part.features[static_cast<std::size_t>(work.feature)]),
         carver_(*carver_of(part, work.feature)),
         tol_(tol),
         work_(work),
         outline_(feature_.target) {
     const Box here = box(feature_.target);
-    for (const JudgedMove& judged : program.moves) {
-      if (!judged.feeds() || !judged.tool || judged.radius() <= 0 || judged.low_z() >= feature_.top_z)
+    for (const CheckedMove& checked : program.moves) {
+      if (!checked.feeds() || !checked.tool || checked.radius() <= 0 || checked.low_z() >= feature_.top_z)
         continue;
-      const Move& move = *judged.move;
+      const Move& move = *checked.move;
       const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-      if (!path.grown(judged.radius()).overlaps(here)) continue;
+      if (!path.grown(checked.radius()).overlaps(here)) continue;
       work_.any_cut = true;
-      const bool cone = is_conical(*judged.tool) || judged.tool->kind == ToolKind::kBallEndMill;
-      if (cone) shaped_.add(move, *judged.tool);
+      const bool cone = is_conical(*checked.tool) || checked.tool->kind == ToolKind::kBallEndMill;
+      if (cone) shaped_.add(move, *checked.tool);
       if (!cone && std::max(move.z_from, move.z_to) <= feature_.floor_z + tol_.uncut)
-        floor_mills_.push_back(move.path), floor_radii_.push_back(flat_radius_of(*judged.tool));
+        floor_mills_.push_back(move.path), floor_radii_.push_back(flat_radius_of(*checked.tool));
     }
     mill_tree_ = EdgeTree(floor_mills_);
     for (const double radius : floor_radii_) widest_mill_ = std::max(widest_mill_, radius);
   }
 
-  void judge_engraving() {
+  void check_engraving() {
     const double bound = kLineSpacing / 2 * (is_conical(carver_) ? 1 / flank_slope(carver_) : 0);
     for (const Edge& edge : feature_.profile->line) {
       const int steps = std::max(1, static_cast<int>(std::ceil(edge.length() / kLineSpacing)));
@@ -73,7 +73,7 @@ class CarvingJudge {
     }
   }
 
-  void judge_v_carving() {
+  void check_v_carving() {
     slope_ = flank_slope(carver_);
     tip_ = carver_.tip_diameter / 2;
     widest_ = tip_ + (feature_.top_z - feature_.floor_z) * slope_;
@@ -223,15 +223,16 @@ std::vector<CarvingWork> carvings_of(const Part& part) {
   return works;
 }
 
-void judge_carving(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work) {
+void judge_carving(const Part& part, const CheckedProgram& program, const Tolerances& tol,
+                   CarvingWork& work) {
   if (part.features[static_cast<std::size_t>(work.feature)].chamfer)
     return judge_chamfer(part, program, tol, work);
-  CarvingJudge judge(part, program, tol, work);
+  CarvingCheck check(part, program, tol, work);
   if (!work.any_cut) return;
   if (part.features[static_cast<std::size_t>(work.feature)].profile) {
-    judge.judge_engraving();
+    check.check_engraving();
   } else {
-    judge.judge_v_carving();
+    check.check_v_carving();
   }
   if (std::isinf(work.left_mm))
     work.left_mm = part.top_z() - part.features[static_cast<std::size_t>(work.feature)].floor_z;

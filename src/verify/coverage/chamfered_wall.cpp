@@ -16,9 +16,9 @@ constexpr double kOnSide = 0.005;
 /// Shares of the chamfer's width at which its depth is checked. At the top, 1, there is nothing to cut.
 constexpr double kAcross[] = {0, 0.5, 0.9};
 
-class ChamferJudge {
+class ChamferCheck {
  public:
-  ChamferJudge(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work)
+  ChamferCheck(const Part& part, const CheckedProgram& program, const Tolerances& tol, CarvingWork& work)
       : part_(part),
         feature_(part.features[static_cast<std::size_t>(work.feature)]),
         tol_(tol),
@@ -26,25 +26,25 @@ class ChamferJudge {
         slope_(std::tan(feature_.wall_slope.radians())),
         line_(std::vector<Edge>(feature_.chamfer->line)) {
     const Box here = line_.box();
-    for (const JudgedMove& judged : program.moves) {
-      if (!judged.feeds() || !judged.tool || judged.radius() <= 0 || judged.low_z() >= feature_.top_z)
+    for (const CheckedMove& checked : program.moves) {
+      if (!checked.feeds() || !checked.tool || checked.radius() <= 0 || checked.low_z() >= feature_.top_z)
         continue;
-      const Move& move = *judged.move;
+      const Move& move = *checked.move;
       const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-      if (!path.grown(judged.radius() + width()).overlaps(here)) continue;
-      if (is_conical(*judged.tool)) {
+      if (!path.grown(checked.radius() + width()).overlaps(here)) continue;
+      if (is_conical(*checked.tool)) {
         work_.any_cut = true;
-        cones_.add(move, *judged.tool);
-      } else if (low_all_along(judged) <= feature_.floor_z + tol_.uncut) {
+        cones_.add(move, *checked.tool);
+      } else if (low_all_along(checked) <= feature_.floor_z + tol_.uncut) {
         mills_.push_back(move.is_vertical() ? Edge::line(move.path.from, move.path.from) : move.path);
-        radii_.push_back(judged.radius());
+        radii_.push_back(checked.radius());
       }
     }
     for (const double radius : radii_) widest_ = std::max(widest_, radius);
     mill_tree_ = EdgeTree(mills_);
   }
 
-  void judge() {
+  void check() {
     const double out = feature_.chamfer->air_inside == (signed_area(feature_.chamfer->line) > 0) ? -1 : 1;
     for (const Edge& edge : line_.edges()) {
       const int steps = std::max(1, static_cast<int>(std::ceil(edge.length() / kSpacing)));
@@ -58,9 +58,9 @@ class ChamferJudge {
  private:
   double width() const { return feature_.chamfer->depth * slope_; }
 
-  static double low_all_along(const JudgedMove& judged) {
-    const Move& move = *judged.move;
-    return move.is_vertical() ? judged.low_z() : std::max(move.z_from, move.z_to);
+  static double low_all_along(const CheckedMove& checked) {
+    const Move& move = *checked.move;
+    return move.is_vertical() ? checked.low_z() : std::max(move.z_from, move.z_to);
   }
 
   bool is_wall(Vec2 p) const {
@@ -109,9 +109,10 @@ class ChamferJudge {
 
 }  // namespace
 
-void judge_chamfer(const Part& part, const JudgedProgram& program, const Tolerances& tol, CarvingWork& work) {
-  ChamferJudge judge(part, program, tol, work);
-  if (work.any_cut) judge.judge();
+void judge_chamfer(const Part& part, const CheckedProgram& program, const Tolerances& tol,
+                   CarvingWork& work) {
+  ChamferCheck check(part, program, tol, work);
+  if (work.any_cut) check.check();
 }
 
 }  // namespace clearcut::verify

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "verify/coverage/swath_cover.h"
-#include "verify/coverage/wall_film.h"
+#include "verify/coverage/wall_residual.h"
 #include "verify/part/legal_centers.h"
 
 namespace clearcut::verify {
@@ -36,7 +36,7 @@ class CoverageProof {
   /// `fine`: counts residuals down to a fraction of the tolerance, to measure the area of what is left.
   CoverageProof(const CoverageQuestion& question, const Tolerances& tol, bool fine)
       : question_(question),
-        film_(question),
+        residual_(question),
         tol_(tol),
         widest_(fine ? tol.uncut / kFineShare
                      : std::max(widest_left(tol) - question.path_tolerance, widest_left(tol) / 2)),
@@ -140,7 +140,7 @@ class CoverageProof {
     if (beside_target(cell, parents.outline, near.outline)) return true;
     ConvexPolygon part = part_in_target(cell, near.outline);
     if (part.empty()) return true;
-    if (film_.may_be() && film_.holds_on_one_wall(part, cell.center, cell.reach())) return true;
+    if (residual_.may_be() && residual_.holds_on_one_wall(part, cell.center, cell.reach())) return true;
     if (cell.half <= question_.flat && take_covered(part, near.swaths)) return true;
     const bool within_reach = list_legals(cell, part, parents.legals, near.legals);
     if (cell.legality == Legality::kNone) {
@@ -332,7 +332,7 @@ class CoverageProof {
   }
 
   bool count_unreachable(const Cell& cell, const Near& near) {
-    if (cell.on_outline || film_.may_be()) return count_corner(cell, near);
+    if (cell.on_outline || residual_.may_be()) return count_corner(cell, near);
     result_.unreachable_mm2 += 4 * cell.half * cell.half;
     return true;
   }
@@ -356,12 +356,13 @@ class CoverageProof {
     const double area = 4 * cell.half * cell.half;
     const bool beyond = least > question_.flat;
     if (2 * cell.half <= question_.flat / kCornerCells) {
-      if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) && !film_.holds(cell.center)) {
+      if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) &&
+          !residual_.holds(cell.center)) {
         result_.unreachable_mm2 += area;
       }
       return true;
     }
-    if (cell.on_outline || least - cell.reach() <= question_.flat || film_.may_be()) return false;
+    if (cell.on_outline || least - cell.reach() <= question_.flat || residual_.may_be()) return false;
     result_.unreachable_mm2 += area;
     return true;
   }
@@ -383,7 +384,7 @@ class CoverageProof {
   }
 
   const CoverageQuestion& question_;
-  const WallFilm film_;
+  const WallResidual residual_;
   const Tolerances& tol_;
   const double widest_;  ///< mm; what is left up to this width is no fault
   const double slack_;   ///< mm; what lies at most this far outside a swath is not too wide

@@ -38,10 +38,10 @@ void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
 }
 
 /// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`.
-void append_swaths(const JudgedMove& judged, double z, double level, std::vector<Swath>& out) {
-  const Move& move = *judged.move;
-  const double tip = move.is_vertical() ? judged.low_z() : std::max(move.z_from, move.z_to);
-  const double radius = radius_at(*judged.tool, level - tip);
+void append_swaths(const CheckedMove& checked, double z, double level, std::vector<Swath>& out) {
+  const Move& move = *checked.move;
+  const double tip = move.is_vertical() ? checked.low_z() : std::max(move.z_from, move.z_to);
+  const double radius = radius_at(*checked.tool, level - tip);
   if (radius <= 0) return;
   if (move.is_vertical()) return out.push_back({move.path, radius});
   double t0 = 0, t1 = 1;
@@ -58,28 +58,28 @@ void append_swaths(const JudgedMove& judged, double z, double level, std::vector
 }
 
 /// Whether a feed move comes near the target with its tip at or below z.
-bool counts_at(const JudgedMove& judged, double z, const Box& target, const Tolerances& tol) {
-  if (!judged.feeds() || !judged.tool || judged.low_z() > z) return false;
-  const Move& move = *judged.move;
+bool counts_at(const CheckedMove& checked, double z, const Box& target, const Tolerances& tol) {
+  if (!checked.feeds() || !checked.tool || checked.low_z() > z) return false;
+  const Move& move = *checked.move;
   const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-  return path.grown(judged.radius() + 2 * tol.uncut).overlaps(target);
+  return path.grown(checked.radius() + 2 * tol.uncut).overlaps(target);
 }
 
 /// What feed moves sweep at a level. Tips up to tol.uncut above it count. Only moves within 2 tol.uncut of
 /// the target count, because what farther ones leave is thick.
-std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<JudgedMove>& moves,
+std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<CheckedMove>& moves,
                              const Tolerances& tol) {
   const double z = level + tol.uncut;
   std::vector<Swath> swaths;
-  for (const JudgedMove& judged : moves) {
-    if (counts_at(judged, z, target, tol)) append_swaths(judged, z, level, swaths);
+  for (const CheckedMove& checked : moves) {
+    if (counts_at(checked, z, target, tol)) append_swaths(checked, z, level, swaths);
   }
   return swaths;
 }
 
 /// mm; how far the control may leave the paths of these moves at most: it rounds corners, or runs another
 /// arc.
-double liberty_at(double z, const Box& target, const std::vector<JudgedMove>& moves, const Tolerances& tol) {
+double liberty_at(double z, const Box& target, const std::vector<CheckedMove>& moves, const Tolerances& tol) {
   double most = 0;
   for (std::size_t i = 0; i < moves.size(); ++i) {
     if (!counts_at(moves[i], z, target, tol)) continue;
@@ -91,12 +91,12 @@ double liberty_at(double z, const Box& target, const std::vector<JudgedMove>& mo
 }
 
 /// mm; how far above the level the highest level move lies that is taken to have cut it.
-double height_above(double level, const Box& target, const std::vector<JudgedMove>& moves,
+double height_above(double level, const Box& target, const std::vector<CheckedMove>& moves,
                     const Tolerances& tol) {
   double most = 0;
-  for (const JudgedMove& judged : moves) {
-    const bool counts = judged.is_flat() && counts_at(judged, level + tol.uncut, target, tol);
-    if (counts) most = std::max(most, judged.low_z() - level);
+  for (const CheckedMove& checked : moves) {
+    const bool counts = checked.is_flat() && counts_at(checked, level + tol.uncut, target, tol);
+    if (counts) most = std::max(most, checked.low_z() - level);
   }
   return most;
 }
@@ -141,13 +141,13 @@ Coverage both(const Coverage& a, const Coverage& b) {
   return worse;
 }
 
-class WorkJudge {
+class WorkCheck {
  public:
-  WorkJudge(const Part& part, const FinishedPart& finished, const JudgedProgram& program,
+  WorkCheck(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
             const VerifyOptions& options)
       : part_(part), finished_(finished), program_(program), options_(options) {}
 
-  void judge_level(const FeatureWork& work, LevelCoverage& level) const {
+  void check_level(const FeatureWork& work, LevelCoverage& level) const {
     if (work.smallest_radius <= 0) return;
     const Tolerances& tol = options_.tol;
     const Feature& feature = part_.features[work.feature];
@@ -188,7 +188,7 @@ class WorkJudge {
  private:
   const Part& part_;
   const FinishedPart& finished_;
-  const JudgedProgram& program_;
+  const CheckedProgram& program_;
   const VerifyOptions& options_;
 };
 
@@ -210,13 +210,13 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
   if (feature.wall_slope.radians() <= 0) return std::nullopt;
   Scallop scallop{0, work.scallop, feature.top_z};
   double above = feature.top_z;
-  const auto look_at = [&](double z) {
+  const auto add_level = [&](double z) {
     const double step = (above - z) * std::sin(feature.wall_slope.radians());
     if (step > scallop.height_mm) scallop.height_mm = step, scallop.z = z;
     above = z;
   };
-  for (const LevelCoverage& layer : work.layers) look_at(layer.z);
-  look_at(work.floor.z);
+  for (const LevelCoverage& layer : work.layers) add_level(layer.z);
+  add_level(work.floor.z);
   return scallop;
 }
 
@@ -251,19 +251,19 @@ std::vector<FeatureWork> works_of(const Part& part) {
   return works;
 }
 
-void judge_works(const Part& part, const FinishedPart& finished, const JudgedProgram& program,
+void judge_works(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
                  const VerifyOptions& options, std::vector<FeatureWork>& works, Tasks beside) {
-  const WorkJudge judge(part, finished, program, options);
+  const WorkCheck check(part, finished, program, options);
   const auto add_layer_tasks = [&](FeatureWork& work, Tasks& tasks) {
-    judge.add_layers(work);
+    check.add_layers(work);
     for (LevelCoverage& layer : work.layers) {
-      tasks.push_back([&judge, &work, &layer] { judge.judge_level(work, layer); });
+      tasks.push_back([&check, &work, &layer] { check.check_level(work, layer); });
     }
   };
   Tasks first = std::move(beside);
   for (FeatureWork& work : works) {
-    first.push_back([&judge, &work] { judge.judge_level(work, work.floor); });
-    if (judge.leans(work)) add_layer_tasks(work, first);
+    first.push_back([&check, &work] { check.check_level(work, work.floor); });
+    if (check.leans(work)) add_layer_tasks(work, first);
   }
   run_all(first, options.threads, options.cancel);
 

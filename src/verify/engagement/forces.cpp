@@ -54,27 +54,27 @@ ThinWall behind(const Wall& wall, const std::vector<Wall>& walls) {
 
 }  // namespace
 
-void add_forces(JudgedMove& judged, const Bite& bite, const WorkMaterial& material) {
-  const double feed = judged.move->feed.mm_per_min(), radius = judged.radius();
-  if (judged.rpm <= 0 || feed <= 0 || judged.tool->teeth <= 0 || bite.contact.angle <= 0) return;
-  if (!judged.load.forces) judged.load.forces = CuttingLoad{};
-  CuttingLoad& load = *judged.load.forces;
-  const double per_tooth = feed / (judged.rpm * judged.tool->teeth);
-  const double width = width_of_cut(bite.contact, radius);
-  const double chip = std::max(kThinnestChip, per_tooth * width / (radius * bite.contact.angle));
+void add_forces(CheckedMove& checked, const CutSample& sample, const WorkMaterial& material) {
+  const double feed = checked.move->feed.mm_per_min(), radius = checked.radius();
+  if (checked.rpm <= 0 || feed <= 0 || checked.tool->teeth <= 0 || sample.contact.angle <= 0) return;
+  if (!checked.load.forces) checked.load.forces = CuttingLoad{};
+  CuttingLoad& load = *checked.load.forces;
+  const double per_tooth = feed / (checked.rpm * checked.tool->teeth);
+  const double width = width_of_cut(sample.contact, radius);
+  const double chip = std::max(kThinnestChip, per_tooth * width / (radius * sample.contact.angle));
   const double specific = material.kc11 * std::pow(chip, -material.mc);
-  const double speed = kPi * 2 * radius * judged.rpm / 1000;                       // m/min
-  const double power = specific * bite.axial * width * feed / 60000;               // W
+  const double speed = kPi * 2 * radius * checked.rpm / 1000;                      // m/min
+  const double power = specific * sample.axial * width * feed / 60000;             // W
   const double force = power * 60 / speed;                                         // N
   const double life = std::pow(material.taylor_c / speed, 1 / material.taylor_n);  // min
-  load.energy_j += specific * bite.axial * width * bite.length / 1000;
-  load.removed_mm3 += bite.axial * width * bite.length;
-  load.wear += bite.length / feed * bite.contact.angle / (2 * kPi) / life;
+  load.energy_j += specific * sample.axial * width * sample.length / 1000;
+  load.removed_mm3 += sample.axial * width * sample.length;
+  load.wear += sample.length / feed * sample.contact.angle / (2 * kPi) / life;
   load.max_power_w = std::max(load.max_power_w, power);
-  judged.load.force_mm_n += force * bite.length;
+  checked.load.force_mm_n += force * sample.length;
   if (force <= load.max_force_n) return;
   load.max_force_n = force;
-  load.max_force_at = bite.at;
+  load.max_force_at = sample.at;
 }
 
 std::optional<ThinWall> thinnest_wall(const FinishedPart& part, double force, const WorkMaterial& material) {

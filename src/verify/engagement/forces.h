@@ -11,7 +11,7 @@
 namespace clearcut::verify {
 
 /// What the cutter engages on a short piece of a level move.
-struct Bite {
+struct CutSample {
   stock::CutterEngagement contact;
   double axial = 0;   ///< mm of depth in material
   double length = 0;  ///< mm of path; 0: a point that is only compared with the worst
@@ -20,7 +20,7 @@ struct Bite {
 
 /// Adds such a piece to the forces of a move. Nothing if spindle speed, teeth or feed are unknown. Source:
 /// docs/forces.md.
-void add_forces(JudgedMove& judged, const Bite& bite, const WorkMaterial& material);
+void add_forces(CheckedMove& checked, const CutSample& sample, const WorkMaterial& material);
 
 /// The wall of the finished part that bends most if half of `force` N, the part that presses on the wall,
 /// acts on its top; nothing if no wall bends by more than 0.02 mm. Considers walls up to 20 mm thick.
@@ -28,8 +28,8 @@ void add_forces(JudgedMove& judged, const Bite& bite, const WorkMaterial& materi
 std::optional<ThinWall> thinnest_wall(const FinishedPart& part, double force, const WorkMaterial& material);
 
 /// N; the largest of the move, 0 where it does not cut.
-inline float force_of(const JudgedMove& judged) {
-  return judged.load.forces ? static_cast<float>(judged.load.forces->max_force_n) : 0;
+inline float force_of(const CheckedMove& checked) {
+  return checked.load.forces ? static_cast<float>(checked.load.forces->max_force_n) : 0;
 }
 
 }  // namespace clearcut::verify

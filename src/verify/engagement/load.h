@@ -23,17 +23,17 @@ struct LoadOptions {
 /// Runs the program through the stock, move by move, and fills every move's `load`.
 ///
 /// Engagement is measured at the middle of steps of at most R/10 and 0.25 mm, and on both sides of corners,
-/// with a circle smaller than the cutter by kFilm, so that touching a wall that is already cut does not
+/// with a circle smaller than the cutter by kResidual, so that touching a wall that is already cut does not
 /// count. It counts on moves that change z by less than they advance, except on entries: moves that go down
 /// at 0.17 degrees or more, and level moves over such ramps. Rapids and plunges are checked with the whole
 /// area of their cutter.
 ///
 /// Cost    O(length / step * moves near).
-void measure_load(const Part& part, std::vector<JudgedMove>& moves, const LoadOptions& options);
+void measure_load(const Part& part, std::vector<CheckedMove>& moves, const LoadOptions& options);
 
 /// The same as tasks for up to `threads` threads, which together fill what measure_load fills: each runs the program as far
 /// as its part of the moves, which alone it measures. The load does not depend on how many there are. References are kept.
-std::vector<std::function<void()>> load_tasks(const Part& part, std::vector<JudgedMove>& moves,
+std::vector<std::function<void()>> load_tasks(const Part& part, std::vector<CheckedMove>& moves,
                                               const LoadOptions& options, int threads);
 
 }  // namespace clearcut::verify

@@ -30,7 +30,7 @@ TEST(Load, IsTheSameInHoweverManyPartsItIsMeasured) {
   const Part part = pocket_part(rectangle(0, 0, 270, 170), 10, -3);
   const Toolpath toolpath = long_program();
   const LoadOptions options{{}, 100.0, {}, {}};
-  JudgedProgram whole = judged_program(part, toolpath, {}, nullptr, nullptr), parts = whole;
+  CheckedProgram whole = checked_program(part, toolpath, {}, nullptr, nullptr), parts = whole;
   measure_load(part, whole.moves, options);
   const auto tasks = load_tasks(part, parts.moves, options, 4);
   ASSERT_GT(tasks.size(), 1U);
@@ -57,7 +57,7 @@ TEST(Load, OfAShortProgramIsMeasuredInOnePart) {
   Writer writer;
   writer.enter({10, 10}, 0, -1).feed({40, 10});
   const Toolpath toolpath = writer.done();
-  JudgedProgram program = judged_program(part, toolpath, {}, nullptr, nullptr);
+  CheckedProgram program = checked_program(part, toolpath, {}, nullptr, nullptr);
   EXPECT_EQ(load_tasks(part, program.moves, {}, 8).size(), 1U);
 }
 

@@ -43,44 +43,44 @@ class FaultFinder {
       least_stepdown_ = std::min(least_stepdown_, limits.stepdown.value_or(least_stepdown_));
   }
 
-  std::optional<Fault> gouge(const JudgedMove& judged) const {
-    if (!judged.gouge || judged.gouge->depth <= options_.tol.gouge) return std::nullopt;
-    const Gouge& gouge = *judged.gouge;
-    const Place place{gouge.point, gouge.z, judged.move->line};
+  std::optional<Fault> gouge(const CheckedMove& checked) const {
+    if (!checked.gouge || checked.gouge->depth <= options_.tol.gouge) return std::nullopt;
+    const Gouge& gouge = *checked.gouge;
+    const Place place{gouge.point, gouge.z, checked.move->line};
     const std::string owner =
         gouge.feature >= 0 ? "the wall of " + part_.features[gouge.feature].name : "the part";
     const std::string what = gouge.floor ? "goes " + mm(gouge.depth) + " below where the part begins"
                                          : "goes " + mm(gouge.depth) + " into " + owner;
-    return fault(FaultKind::kGouge, judged, place, gouge.depth,
-                 (judged.feeds() ? "The cutter " : "A rapid ") + what);
+    return fault(FaultKind::kGouge, checked, place, gouge.depth,
+                 (checked.feeds() ? "The cutter " : "A rapid ") + what);
   }
 
-  std::optional<Fault> rapid(const JudgedMove& judged) const {
-    if (!judged.load.rapid_contact) return std::nullopt;
-    return fault(FaultKind::kRapidInMaterial, judged, *judged.load.rapid_contact, judged.move->length(),
+  std::optional<Fault> rapid(const CheckedMove& checked) const {
+    if (!checked.load.rapid_contact) return std::nullopt;
+    return fault(FaultKind::kRapidInMaterial, checked, *checked.load.rapid_contact, checked.move->length(),
                  "A rapid passes through material");
   }
 
-  std::optional<Fault> holder(const JudgedMove& judged) const {
-    if (!judged.load.holder_contact) return std::nullopt;
-    return fault(FaultKind::kHolder, judged, *judged.load.holder_contact, judged.move->length(),
-                 judged.load.is_shank ? "The shank above the flutes runs into material"
-                                      : "The holder runs into material");
+  std::optional<Fault> holder(const CheckedMove& checked) const {
+    if (!checked.load.holder_contact) return std::nullopt;
+    return fault(FaultKind::kHolder, checked, *checked.load.holder_contact, checked.move->length(),
+                 checked.load.is_shank ? "The shank above the flutes runs into material"
+                                       : "The holder runs into material");
   }
 
-  std::optional<Fault> depth(const JudgedMove& judged) const {
-    if (judged.load.axial_mm <= least_stepdown_ + kStepdownSlack) return std::nullopt;
-    const std::optional<double> stepdown = stepdown_of(judged);
-    if (!stepdown || judged.load.axial_mm <= *stepdown + kStepdownSlack) return std::nullopt;
+  std::optional<Fault> depth(const CheckedMove& checked) const {
+    if (checked.load.axial_mm <= least_stepdown_ + kStepdownSlack) return std::nullopt;
+    const std::optional<double> stepdown = stepdown_of(checked);
+    if (!stepdown || checked.load.axial_mm <= *stepdown + kStepdownSlack) return std::nullopt;
     return fault(
-        FaultKind::kTooDeep, judged, judged.load.axial_at, judged.load.axial_mm,
-        "A pass takes " + mm(judged.load.axial_mm) + " at once where the stepdown is " + mm(*stepdown));
+        FaultKind::kTooDeep, checked, checked.load.axial_at, checked.load.axial_mm,
+        "A pass takes " + mm(checked.load.axial_mm) + " at once where the stepdown is " + mm(*stepdown));
   }
 
-  std::optional<Fault> travel(const JudgedMove& judged) const {
+  std::optional<Fault> travel(const CheckedMove& checked) const {
     if (!options_.machine.travel) return std::nullopt;
     const auto& limits = *options_.machine.travel;
-    const Move& move = *judged.move;
+    const Move& move = *checked.move;
     Box box = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
     const double low[] = {box.min.x, box.min.y, std::min(move.z_from, move.z_to)};
     const double high[] = {box.max.x, box.max.y, std::max(move.z_from, move.z_to)};
@@ -91,37 +91,38 @@ class FaultFinder {
       if (over > most + 1e-9) most = over, axis = i;
     }
     if (axis < 0) return std::nullopt;
-    return fault(FaultKind::kOutsideTravel, judged, {move.path.to, move.z_to, move.line}, most,
+    return fault(FaultKind::kOutsideTravel, checked, {move.path.to, move.z_to, move.line}, most,
                  std::string("A move leaves the machine's ") + "XYZ"[axis] + " travel by " + mm(most));
   }
 
-  std::optional<Fault> feed(const JudgedMove& judged) const {
-    if (!judged.feeds() || judged.move->feed.mm_per_min() > 0) return std::nullopt;
-    return fault(FaultKind::kNoFeed, judged, {judged.move->path.from, judged.move->z_from, judged.move->line},
-                 judged.move->length(), "A feed move has no feed");
+  std::optional<Fault> feed(const CheckedMove& checked) const {
+    if (!checked.feeds() || checked.move->feed.mm_per_min() > 0) return std::nullopt;
+    return fault(FaultKind::kNoFeed, checked,
+                 {checked.move->path.from, checked.move->z_from, checked.move->line}, checked.move->length(),
+                 "A feed move has no feed");
   }
 
-  std::optional<Fault> tool(const JudgedMove& judged) const {
-    if (!judged.feeds() || (judged.tool && judged.tool->diameter > 0)) return std::nullopt;
-    return fault(FaultKind::kWrongTool, judged,
-                 {judged.move->path.from, judged.move->z_from, judged.move->line}, 0,
-                 "Tool " + std::to_string(judged.tool_number) + " is not among the " +
+  std::optional<Fault> tool(const CheckedMove& checked) const {
+    if (!checked.feeds() || (checked.tool && checked.tool->diameter > 0)) return std::nullopt;
+    return fault(FaultKind::kWrongTool, checked,
+                 {checked.move->path.from, checked.move->z_from, checked.move->line}, 0,
+                 "Tool " + std::to_string(checked.tool_number) + " is not among the " +
                      (part_.is_shape_stated ? "part's tools" : "tools that were given") +
                      "; nothing is known of its moves");
   }
 
  private:
   /// mm; what is stated for the tool, else for the work at this place.
-  std::optional<double> stepdown_of(const JudgedMove& judged) const {
+  std::optional<double> stepdown_of(const CheckedMove& checked) const {
     const auto limits =
-        judged.tool ? options_.tool_limits.find(judged.tool->number) : options_.tool_limits.end();
+        checked.tool ? options_.tool_limits.find(checked.tool->number) : options_.tool_limits.end();
     if (limits != options_.tool_limits.end() && limits->second.stepdown) return limits->second.stepdown;
-    return attribution_.stepdown_at(judged);
+    return attribution_.stepdown_at(checked);
   }
 
-  Fault fault(FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+  Fault fault(FaultKind kind, const CheckedMove& checked, const Place& place, double size,
               const std::string& what) const {
-    return fault_of(part_, kind, judged, place, size, what);
+    return fault_of(part_, kind, checked, place, size, what);
   }
 
   const Part& part_;
@@ -132,7 +133,7 @@ class FaultFinder {
 };
 
 /// Adds one fault for each run of successive moves of one workingstep with that fault.
-void collect(const std::vector<JudgedMove>& moves, const MoveJudge& judge, std::vector<Fault>& out) {
+void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, std::vector<Fault>& out) {
   std::optional<Fault> run;
   int run_length = 0, workingstep = -1;
   const auto finish = [&] {
@@ -142,10 +143,10 @@ void collect(const std::vector<JudgedMove>& moves, const MoveJudge& judge, std::
     run.reset();
     run_length = 0;
   };
-  for (const JudgedMove& judged : moves) {
-    std::optional<Fault> found = judge(judged);
-    if (!found || judged.workingstep != workingstep) finish();
-    workingstep = judged.workingstep;
+  for (const CheckedMove& checked : moves) {
+    std::optional<Fault> found = check(checked);
+    if (!found || checked.workingstep != workingstep) finish();
+    workingstep = checked.workingstep;
     if (!found) continue;
     ++run_length;
     if (!run || found->size > run->size) run = std::move(found);
@@ -163,7 +164,7 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
            {corner, scallop->z, 0},
            scallop->height_mm,
            feature.name + ": the layers leave steps of " + mm(scallop->height_mm) +
-               " on the leaning wall above z " + trimmed(scallop->z, 3) + " where " + mm(*work.scallop) +
+               " on the drafted wall above z " + trimmed(scallop->z, 3) + " where " + mm(*work.scallop) +
                " is allowed."}};
 }
 
@@ -184,29 +185,29 @@ std::ptrdiff_t severity(FaultKind kind) {
 
 }  // namespace
 
-Fault fault_of(const Part& part, FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+Fault fault_of(const Part& part, FaultKind kind, const CheckedMove& checked, const Place& place, double size,
                const std::string& what) {
-  const std::string feature = name_of_work(part, judged.workingstep);
-  const std::string whose = judged.earlier    ? "in the program before: "
+  const std::string feature = name_of_work(part, checked.workingstep);
+  const std::string whose = checked.earlier   ? "in the program before: "
                             : feature.empty() ? ""
                                               : feature + ": ";
   return {kind, feature, place, size, whose + what + at(place) + "."};
 }
 
-std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
+std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options) {
   const FaultFinder finder(part, options);
-  std::vector<MoveJudge> judges{[&](const JudgedMove& m) { return finder.gouge(m); },
-                                [&](const JudgedMove& m) { return finder.rapid(m); },
-                                [&](const JudgedMove& m) { return finder.holder(m); },
-                                [&](const JudgedMove& m) { return keep_out_fault(part, m); },
-                                [&](const JudgedMove& m) { return finder.depth(m); },
-                                [&](const JudgedMove& m) { return finder.travel(m); },
-                                [&](const JudgedMove& m) { return finder.feed(m); },
-                                [&](const JudgedMove& m) { return finder.tool(m); }};
-  for (MoveJudge& judge : state_judges(part, program, options)) judges.push_back(std::move(judge));
+  std::vector<MoveCheck> checks{[&](const CheckedMove& m) { return finder.gouge(m); },
+                                [&](const CheckedMove& m) { return finder.rapid(m); },
+                                [&](const CheckedMove& m) { return finder.holder(m); },
+                                [&](const CheckedMove& m) { return keep_out_fault(part, m); },
+                                [&](const CheckedMove& m) { return finder.depth(m); },
+                                [&](const CheckedMove& m) { return finder.travel(m); },
+                                [&](const CheckedMove& m) { return finder.feed(m); },
+                                [&](const CheckedMove& m) { return finder.tool(m); }};
+  for (MoveCheck& check : state_checks(part, program, options)) checks.push_back(std::move(check));
   std::vector<Fault> faults;
-  for (const MoveJudge& judge : judges) collect(program.moves, judge, faults);
+  for (const MoveCheck& check : checks) collect(program.moves, check, faults);
   return faults;
 }
 

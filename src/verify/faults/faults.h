@@ -11,13 +11,13 @@
 namespace clearcut::verify {
 
 /// A fault of one move; its sentence names the place and the workingstep.
-Fault fault_of(const Part& part, FaultKind kind, const JudgedMove& judged, const Place& place, double size,
+Fault fault_of(const Part& part, FaultKind kind, const CheckedMove& checked, const Place& place, double size,
                const std::string& what);
 
 /// Faults of single moves: gouges, rapids in material, plunges, passes that are too deep, travel, missing
 /// feeds and tools, and wrong states of the control. Successive moves with the same fault give one fault, at
 /// the worst of them.
-std::vector<Fault> faults_of_moves(const Part& part, const JudgedProgram& program,
+std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options);
 
 /// The level at which most is left, under walls with draft; the floor otherwise.

@@ -7,7 +7,7 @@ namespace clearcut::verify {
 namespace {
 
 /// mm. The distance of a wall with draft from its outline may change by this over a piece of a sloping move.
-constexpr double kLeanError = 1e-4;
+constexpr double kDraftError = 1e-4;
 
 double edge_distance(const Edge& path, const Edge& wall) {
   return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
@@ -34,14 +34,14 @@ class LevelJudge {
       : part_(part), radius_(radius), slack_(slack) {}
 
   /// The deepest gouge of a path whose tip is at z all along.
-  std::optional<Gouge> judge(const Edge& path, double z, bool free_start) {
+  std::optional<Gouge> check(const Edge& path, double z, bool free_start) {
     worst_.reset();
     worst_wall_ = nullptr;
-    const double judged_z = z + slack_;
-    if (judged_z >= part_.top_z()) return std::nullopt;
+    const double checked_z = z + slack_;
+    if (checked_z >= part_.top_z()) return std::nullopt;
     const bool point = path.from == path.to;
     const double half = point ? 0 : path.length() / 2;
-    part_.wall_tree().within(point ? path.from : path.at(0.5), half + radius_ + part_.greatest_lean(),
+    part_.wall_tree().within(point ? path.from : path.at(0.5), half + radius_ + part_.greatest_draft_offset(),
                              [&](int i) { against_wall(path, half, z, part_.walls()[i]); });
     if (!free_start) against_inside(path.from, z);
     if (worst_ && path.from != path.to) {
@@ -55,7 +55,7 @@ class LevelJudge {
  private:
   void against_wall(const Edge& path, double half, double z, const Wall& wall) {
     if (!wall.stands_at(z + slack_)) return;
-    const double farthest = radius_ + wall.lean(z);
+    const double farthest = radius_ + wall.draft_offset(z);
     if (distance(wall.edge, path.from == path.to ? path.from : path.at(0.5)) >= farthest + half) return;
     const double apart = edge_distance(path, wall.edge);
     if (apart >= farthest) return;
@@ -69,7 +69,7 @@ class LevelJudge {
   double apart_from(const Edge& path, double apart, double z, const Wall& wall) const {
     if (wall.slope <= 0) return apart;
     if (wall.flat_from || wall.flat_to) return part_.apart(wall, z, path);
-    return apart - part_.lean(wall, z, nearest_place(path, wall.edge));
+    return apart - part_.draft_offset(wall, z, nearest_place(path, wall.edge));
   }
 
   /// The centre itself may be inside the part, behind a wall or below a floor.
@@ -93,26 +93,27 @@ class LevelJudge {
   const Wall* worst_wall_ = nullptr;
 };
 
-class GougeJudge {
+class GougeCheck {
  public:
-  GougeJudge(const FinishedPart& part, double radius, double slack)
+  GougeCheck(const FinishedPart& part, double radius, double slack)
       : part_(part), level_(part, radius, slack) {}
 
-  void judge(const Edge& path, double z_from, double z_to, bool free_start) {
+  void check(const Edge& path, double z_from, double z_to, bool free_start) {
     const double low = std::min(z_from, z_to);
     if (low >= part_.top_z()) return;
     const double span = std::abs(z_to - z_from);
-    const std::optional<Gouge> found = level_.judge(path, low, free_start);
+    const std::optional<Gouge> found = level_.check(path, low, free_start);
     if (!found) return;
     // Walls with draft are nearer at the lowest tip than at earlier ones, so the piece is divided before it
     // is reported.
-    const bool may_lean = part_.greatest_lean() > 0 && span > kLeanError && path.from != path.to;
-    if (may_lean && path.length() > kLeanError) {
+    const bool may_be_drafted =
+        part_.greatest_draft_offset() > 0 && span > kDraftError && path.from != path.to;
+    if (may_be_drafted && path.length() > kDraftError) {
       const Vec2 middle = path.at(0.5);
       const double z = (z_from + z_to) / 2;
       if (middle != path.from && middle != path.to) {
-        judge(path.part(0, 0.5), z_from, z, free_start);
-        judge(path.part(0.5, 1), z, z_to, false);
+        check(path.part(0, 0.5), z_from, z, free_start);
+        check(path.part(0.5, 1), z, z_to, false);
         return;
       }
     }
@@ -144,19 +145,19 @@ std::vector<double> cuts_at_heights(const FinishedPart& part, const Move& move, 
 
 std::optional<Gouge> gouge_of(const FinishedPart& part, const Move& move, double radius, double slack,
                               bool free_start) {
-  GougeJudge judge(part, radius, slack);
+  GougeCheck check(part, radius, slack);
   if (move.is_vertical() || move.z_from == move.z_to) {
-    judge.judge(move.path, move.z_from, move.z_to, free_start && move.z_from == move.z_to);
-    return judge.worst();
+    check.check(move.path, move.z_from, move.z_to, free_start && move.z_from == move.z_to);
+    return check.worst();
   }
   const std::vector<double> cuts = cuts_at_heights(part, move, slack);
   const double dz = move.z_to - move.z_from;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
     const Edge piece = cuts.size() == 2 ? move.path : move.path.part(cuts[i], cuts[i + 1]);
     const double z0 = move.z_from + dz * cuts[i], z1 = move.z_from + dz * cuts[i + 1];
-    judge.judge(piece, z0, z1, false);
+    check.check(piece, z0, z1, false);
   }
-  return judge.worst();
+  return check.worst();
 }
 
 }  // namespace clearcut::verify

@@ -17,21 +17,21 @@ constexpr double kFeedShare = 0.005;
 /// mm. Diameters and pitches that differ by less are the same.
 constexpr double kSameSize = 0.005;
 
-class HoleJudge {
+class HoleCheck {
  public:
-  HoleJudge(const Feature& feature, const JudgedProgram& program, const VerifyOptions& options)
+  HoleCheck(const Feature& feature, const CheckedProgram& program, const VerifyOptions& options)
       : feature_(feature), hole_(*feature.hole), program_(program), options_(options) {
     for (std::size_t i = 0; i < program.moves.size(); ++i) {
-      const JudgedMove& judged = program.moves[i];
-      if (!judged.feeds() || !judged.tool || judged.low_z() >= feature.top_z) continue;
-      const Move& move = *judged.move;
+      const CheckedMove& checked = program.moves[i];
+      if (!checked.feeds() || !checked.tool || checked.low_z() >= feature.top_z) continue;
+      const Move& move = *checked.move;
       if (move.is_vertical() && distance(move.path.from, hole_.center) <= kOnAxis) upright_.push_back(i);
-      const bool mills = judged.tool->kind == ToolKind::kThreadMill;
-      if (mills && distance(move.path.from, hole_.center) < hole_.diameter) mills_.push_back(&judged);
+      const bool mills = checked.tool->kind == ToolKind::kThreadMill;
+      if (mills && distance(move.path.from, hole_.center) < hole_.diameter) mills_.push_back(&checked);
     }
   }
 
-  std::vector<Fault> judge() {
+  std::vector<Fault> check() {
     if (hole_.kind == HoleKind::kTapped) {
       judge_tap();
     } else if (hole_.kind == HoleKind::kThreadMilled) {
@@ -45,7 +45,7 @@ class HoleJudge {
   }
 
  private:
-  const JudgedMove& at(std::size_t i) const { return program_.moves[i]; }
+  const CheckedMove& at(std::size_t i) const { return program_.moves[i]; }
 
   void add(FaultKind kind, double size, double z, int line, const std::string& text) {
     faults_.push_back({kind,
@@ -104,17 +104,17 @@ class HoleJudge {
   void judge_tap() {
     double lowest = std::numeric_limits<double>::infinity();
     for (const std::size_t i : upright_) {
-      const JudgedMove& judged = at(i);
-      if (judged.tool->kind != ToolKind::kTap) continue;
-      if (!is_the_tap(*judged.tool)) {
-        add(FaultKind::kTapping, 0, judged.low_z(), judged.move->line,
-            "T" + std::to_string(judged.tool_number) + " is no tap " + hole_.thread->name);
+      const CheckedMove& checked = at(i);
+      if (checked.tool->kind != ToolKind::kTap) continue;
+      if (!is_the_tap(*checked.tool)) {
+        add(FaultKind::kTapping, 0, checked.low_z(), checked.move->line,
+            "T" + std::to_string(checked.tool_number) + " is no tap " + hole_.thread->name);
         continue;
       }
-      lowest = std::min(lowest, judged.low_z());
-      judge_feed(judged);
-      const bool down = judged.move->z_to < judged.move->z_from;
-      judge_turn(judged, down);
+      lowest = std::min(lowest, checked.low_z());
+      judge_feed(checked);
+      const bool down = checked.move->z_to < checked.move->z_from;
+      judge_turn(checked, down);
       if (down) judge_way_out(i);
     }
     if (std::isinf(lowest)) return add_missing("no tap " + hole_.thread->name + " comes down on its axis");
@@ -124,37 +124,38 @@ class HoleJudge {
               trimmed(feature_.floor_z, 3) + " for a full thread to z " + trimmed(hole_.full_z, 3));
   }
 
-  static double rpm_of(const JudgedMove& judged) {
-    return judged.control ? judged.control->spindle_rpm : judged.rpm;
+  static double rpm_of(const CheckedMove& checked) {
+    return checked.control ? checked.control->spindle_rpm : checked.rpm;
   }
 
-  void judge_feed(const JudgedMove& judged) {
-    const double wanted = judged.tool->pitch * rpm_of(judged), feed = judged.move->feed.mm_per_min();
+  void judge_feed(const CheckedMove& checked) {
+    const double wanted = checked.tool->pitch * rpm_of(checked), feed = checked.move->feed.mm_per_min();
     if (std::abs(feed - wanted) <= kFeedShare * wanted) return;
-    add(FaultKind::kTapping, std::abs(feed - wanted) / std::max(1.0, rpm_of(judged)), judged.move->z_to,
-        judged.move->line,
-        "the tap feeds " + trimmed(feed, 2) + " mm/min where its pitch of " + trimmed(judged.tool->pitch, 4) +
-            " mm at " + trimmed(rpm_of(judged), 0) + " rpm asks for " + trimmed(wanted, 2));
+    add(FaultKind::kTapping, std::abs(feed - wanted) / std::max(1.0, rpm_of(checked)), checked.move->z_to,
+        checked.move->line,
+        "the tap feeds " + trimmed(feed, 2) + " mm/min where its pitch of " +
+            trimmed(checked.tool->pitch, 4) + " mm at " + trimmed(rpm_of(checked), 0) + " rpm asks for " +
+            trimmed(wanted, 2));
   }
 
   /// Into the hole a tap must turn as its hand asks; out of it the other way, by a spindle word or by its cycle.
-  void judge_turn(const JudgedMove& judged, bool down) {
-    if (!judged.control || (!down && turned_by_cycle(judged))) return;
+  void judge_turn(const CheckedMove& checked, bool down) {
+    if (!checked.control || (!down && turned_by_cycle(checked))) return;
     const SpindleState into =
         hole_.thread->left_hand ? SpindleState::kCounterClockwise : SpindleState::kClockwise;
     const SpindleState out =
         hole_.thread->left_hand ? SpindleState::kClockwise : SpindleState::kCounterClockwise;
-    if (judged.control->spindle == (down ? into : out)) return;
-    add(FaultKind::kTapping, 0, judged.move->z_to, judged.move->line,
+    if (checked.control->spindle == (down ? into : out)) return;
+    add(FaultKind::kTapping, 0, checked.move->z_to, checked.move->line,
         down ? "the spindle does not turn the way that this tap cuts"
              : "the tap comes out while the spindle still turns as on its way in");
   }
 
-  bool turned_by_cycle(const JudgedMove& judged) const {
+  bool turned_by_cycle(const CheckedMove& checked) const {
     if (!options_.control) return true;
     const auto own = std::find_if(program_.moves.begin(), program_.moves.end(),
-                                  [](const JudgedMove& one) { return !one.earlier; });
-    const auto index = static_cast<std::size_t>(&judged - &*own);
+                                  [](const CheckedMove& one) { return !one.earlier; });
+    const auto index = static_cast<std::size_t>(&checked - &*own);
     return std::any_of(options_.control->events.begin(), options_.control->events.end(),
                        [&](const ControlEvent& event) {
                          return event.kind == ControlEventKind::kTapTurnsBack && event.before_move == index;
@@ -184,10 +185,10 @@ class HoleJudge {
 
   const Feature& feature_;
   const HoleForm& hole_;
-  const JudgedProgram& program_;
+  const CheckedProgram& program_;
   const VerifyOptions& options_;
   std::vector<std::size_t> upright_;  ///< feed moves on the axis
-  std::vector<const JudgedMove*> mills_;
+  std::vector<const CheckedMove*> mills_;
   std::vector<Fault> faults_;
 };
 
@@ -198,12 +199,12 @@ bool is_worked(const Part& part, int feature) {
 
 }  // namespace
 
-std::vector<Fault> faults_of_holes(const Part& part, const JudgedProgram& program,
+std::vector<Fault> faults_of_holes(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options) {
   std::vector<Fault> faults;
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     if (!part.features[i].hole || !is_worked(part, static_cast<int>(i))) continue;
-    for (Fault& fault : HoleJudge(part.features[i], program, options).judge())
+    for (Fault& fault : HoleCheck(part.features[i], program, options).check())
       faults.push_back(std::move(fault));
   }
   return faults;

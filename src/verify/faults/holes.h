@@ -17,7 +17,7 @@ namespace clearcut::verify {
 /// Threads      See thread_helix.h.
 ///
 /// What is cut too deep or too wide is a gouge (see gouge.h). Cost O(holes * moves near them).
-std::vector<Fault> faults_of_holes(const Part& part, const JudgedProgram& program,
+std::vector<Fault> faults_of_holes(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options);
 
 }  // namespace clearcut::verify

@@ -30,9 +30,7 @@ std::array<Cylinder, 3> cylinders_of(const Tool& tool) {
 /// mm; of a path in plan from a box, 0 within.
 double distance_of(const Edge& path, const Box& box) {
   if (box.contains(path.from) || box.contains(path.to)) return 0;
-  if (path.from == path.to)
-    return std::hypot(std::max({box.min.x - path.from.x, path.from.x - box.max.x, 0.0}),
-                      std::max({box.min.y - path.from.y, path.from.y - box.max.y, 0.0}));
+  if (path.from == path.to) return box.distance_to(path.from);
   const std::array<Vec2, 4> corners{box.min, Vec2{box.max.x, box.min.y}, box.max, Vec2{box.min.x, box.max.y}};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 4; ++i)
@@ -50,26 +48,26 @@ std::optional<Edge> path_below(const Move& move, double z) {
 }
 
 /// mm that the tool comes into the block, seen from above; 0 if it stays away.
-double depth_in(const KeepOut& block, const JudgedMove& judged, double radius, double above) {
-  const auto path = path_below(*judged.move, block.top_z - above - kTouch);
+double depth_in(const KeepOut& block, const CheckedMove& checked, double radius, double above) {
+  const auto path = path_below(*checked.move, block.top_z - above - kTouch);
   return path ? radius - distance_of(*path, block.plan) : 0;
 }
 
 }  // namespace
 
-std::optional<Fault> keep_out_fault(const Part& part, const JudgedMove& judged) {
+std::optional<Fault> keep_out_fault(const Part& part, const CheckedMove& checked) {
   for (const KeepOut& block : part.keep_outs) {
     double most = 0;
     const char* what = "";
-    const auto cylinders = judged.tool ? cylinders_of(*judged.tool) : std::array<Cylinder, 3>{};
+    const auto cylinders = checked.tool ? cylinders_of(*checked.tool) : std::array<Cylinder, 3>{};
     constexpr std::array<const char*, 3> kNames{"The cutter", "The shank", "The holder"};
     for (std::size_t i = 0; i < cylinders.size(); ++i) {
-      const double depth = depth_in(block, judged, cylinders[i].radius, cylinders[i].above);
+      const double depth = depth_in(block, checked, cylinders[i].radius, cylinders[i].above);
       if (depth > std::max(most, kTouch)) most = depth, what = kNames[i];
     }
     if (most <= 0) continue;
-    const Place place{judged.move->path.to, judged.low_z(), judged.move->line};
-    return fault_of(part, FaultKind::kKeepOut, judged, place, most,
+    const Place place{checked.move->path.to, checked.low_z(), checked.move->line};
+    return fault_of(part, FaultKind::kKeepOut, checked, place, most,
                     std::string(what) + " comes " + trimmed(most, 3) + " mm into the clamp at x " +
                         trimmed(block.plan.min.x, 3) + " to " + trimmed(block.plan.max.x, 3) + ", y " +
                         trimmed(block.plan.min.y, 3) + " to " + trimmed(block.plan.max.y, 3));

@@ -23,26 +23,26 @@ double nearest_height(const Wall& wall, const Tool& tool, double z, double low, 
 }
 
 /// mm; how far a cutter with its tip at z has to stay from the outline of a wall.
-double distance_needed(const Wall& wall, const Tool& tool, double z, bool leans_here) {
+double distance_needed(const Wall& wall, const Tool& tool, double z, bool is_drafted_here) {
   if (z >= wall.z_high) return 0;
-  if (!leans_here || wall.slope <= 0) return radius_at(tool, wall.z_high - z);
+  if (!is_drafted_here || wall.slope <= 0) return radius_at(tool, wall.z_high - z);
   const double low = std::max(z, wall.z_low), high = std::max(low, std::min(wall.z_high, wall.top_z));
   const double height = nearest_height(wall, tool, z, low, high);
   // Above its outline the wall is upright, up to z_high.
-  return std::max(radius_at(tool, height - z) + wall.lean(height), radius_at(tool, wall.z_high - z));
+  return std::max(radius_at(tool, height - z) + wall.draft_offset(height), radius_at(tool, wall.z_high - z));
 }
 
-class ShapedJudge {
+class ShapedCheck {
  public:
-  ShapedJudge(const FinishedPart& part, const Move& move, const Tool& tool, double slack)
+  ShapedCheck(const FinishedPart& part, const Move& move, const Tool& tool, double slack)
       : part_(part), move_(move), tool_(tool), slack_(slack) {
     half_ = move.is_vertical() ? 0 : move.path.length() / 2;
   }
 
-  std::optional<Gouge> judge() {
+  std::optional<Gouge> check() {
     const double low = std::min(move_.z_from, move_.z_to);
     if (low >= part_.top_z()) return std::nullopt;
-    part_.wall_tree().within(at(0.5), half_ + tool_.radius() + part_.greatest_lean(),
+    part_.wall_tree().within(at(0.5), half_ + tool_.radius() + part_.greatest_draft_offset(),
                              [&](int i) { against_wall(part_.walls()[static_cast<std::size_t>(i)]); });
     for (const double t : {0.0, 0.5, 1.0}) against_inside(t);
     return worst_;
@@ -74,36 +74,37 @@ class ShapedJudge {
 
   void against_wall(const Wall& wall) {
     double worst_t = 0, worst = -HUGE_VAL;
-    const auto look = [&](double t) {
+    const auto sample = [&](double t) {
       const double e = excess(wall, t);
       if (e > worst) worst = e, worst_t = t;
       return e;
     };
-    const double first = look(0), last = look(1);
+    const double first = sample(0), last = sample(1);
     if (!move_.is_vertical()) {
       const double rate = rate_beside(wall);
       if ((first + last + rate) / 2 <= 0) return;
       if (!wall.edge.is_arc() && !move_.path.is_arc()) {
-        by_sections(look, below_top(wall));
+        by_sections(sample, below_top(wall));
       } else {
-        by_halves(look, {0, first}, {1, last}, rate, worst);
+        by_halves(sample, {0, first}, {1, last}, rate, worst);
       }
     }
     if (worst > 0) keep(wall, worst_t, worst);
   }
 
   /// Golden section search. Below the wall's top the excess is concave, because the distance from the wall is convex.
-  template <typename Look>
-  static void by_sections(Look look, std::array<double, 2> range) {
+  template <typename Sampling>
+  static void by_sections(Sampling sample, std::array<double, 2> range) {
     auto [low, high] = range;
-    double a = high - kGolden * (high - low), b = low + kGolden * (high - low), fa = look(a), fb = look(b);
+    double a = high - kGolden * (high - low), b = low + kGolden * (high - low), fa = sample(a),
+           fb = sample(b);
     for (int i = 0; i < kSections; ++i) {
       if (fa < fb) {
         low = a, a = b, fa = fb;
-        fb = look(b = low + kGolden * (high - low));
+        fb = sample(b = low + kGolden * (high - low));
       } else {
         high = b, b = a, fb = fa;
-        fa = look(a = high - kGolden * (high - low));
+        fa = sample(a = high - kGolden * (high - low));
       }
     }
   }
@@ -112,15 +113,15 @@ class ShapedJudge {
     double t, excess;
   };
 
-  template <typename Look>
-  void by_halves(Look look, Sample a, Sample b, double rate, const double& worst) {
+  template <typename Sampling>
+  void by_halves(Sampling sample, Sample a, Sample b, double rate, const double& worst) {
     const double change = rate * (b.t - a.t);
     const double above = (a.excess + b.excess + change) / 2;
     if (above <= std::max(slack_ / 2, worst) || change < kShortest) return;
     const double t = (a.t + b.t) / 2;
-    const Sample middle{t, look(t)};
-    by_halves(look, a, middle, rate, worst);
-    by_halves(look, middle, b, rate, worst);
+    const Sample middle{t, sample(t)};
+    by_halves(sample, a, middle, rate, worst);
+    by_halves(sample, middle, b, rate, worst);
   }
 
   void keep(const Wall& wall, double t, double sideways) {
@@ -159,7 +160,7 @@ double lowest_place(const Move& move, const Tool& tool, Vec2 p) {
 
 std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move, const Tool& tool,
                                      double slack) {
-  return ShapedJudge(part, move, tool, slack).judge();
+  return ShapedCheck(part, move, tool, slack).check();
 }
 
 std::optional<double> height_at(const Tool& tool, double distance) {
@@ -183,7 +184,7 @@ double CutHeights::at(Vec2 p) const {
     const Move& move = *entries_[i].move;
     const Tool& tool = *entries_[i].tool;
     if (std::min(move.z_from, move.z_to) >= lowest) continue;
-    const auto look = [&](double t) {
+    const auto sample = [&](double t) {
       const double c = std::clamp(t, 0.0, 1.0);
       const Vec2 center = move.is_vertical() ? move.path.from : move.path.at(c);
       const double z =
@@ -191,14 +192,14 @@ double CutHeights::at(Vec2 p) const {
       if (const auto above = height_at(tool, distance(center, p))) lowest = std::min(lowest, z + *above);
     };
     if (move.is_vertical()) {
-      look(0);
+      sample(0);
       continue;
     }
-    look(nearest(move.path, p).t);
+    sample(nearest(move.path, p).t);
     if (move.z_from == move.z_to) continue;
-    look(0);
-    look(1);
-    if (is_conical(tool) && !move.path.is_arc()) look(lowest_place(move, tool, p));
+    sample(0);
+    sample(1);
+    if (is_conical(tool) && !move.path.is_arc()) sample(lowest_place(move, tool, p));
   }
   return lowest;
 }

@@ -22,132 +22,134 @@ constexpr double kPlungeSlope = 1;
 /// than one degree, and the distance of the samples may hide half a degree.
 constexpr double kDegreeSlack = 2;
 
-Place end_of(const JudgedMove& judged) {
-  return {judged.move->path.to, judged.move->z_to, judged.move->line};
+Place end_of(const CheckedMove& checked) {
+  return {checked.move->path.to, checked.move->z_to, checked.move->line};
 }
 
-class StateJudge {
+class StateCheck {
  public:
-  StateJudge(const Part& part, const JudgedProgram& program, const VerifyOptions& options)
+  StateCheck(const Part& part, const CheckedProgram& program, const VerifyOptions& options)
       : part_(part), options_(options), changed_by_changer_(changer_tools(options)) {
     find_lengths(program);
     find_short_waits(program);
   }
 
-  std::optional<Fault> length(const JudgedMove& judged) const {
-    if (!judged.control || !judged.cuts()) return std::nullopt;
-    const ToolLength& length = judged.control->length;
-    const std::string tool = "T" + std::to_string(judged.tool_number);
+  std::optional<Fault> length(const CheckedMove& checked) const {
+    if (!checked.control || !checked.cuts()) return std::nullopt;
+    const ToolLength& length = checked.control->length;
+    const std::string tool = "T" + std::to_string(checked.tool_number);
     const bool numbered = length.kind == LengthKind::kNumbered || length.kind == LengthKind::kOfTool;
-    if (numbered && judged.tool_number > 0 && length.h != judged.tool_number) {
+    if (numbered && checked.tool_number > 0 && length.h != checked.tool_number) {
       const std::string h = std::to_string(length.h);
       if (length.kind == LengthKind::kOfTool && length.h == 0) return std::nullopt;
       if (accepted("tool-length-h" + h)) return std::nullopt;
-      return fault(FaultKind::kToolLength, judged, 0,
+      return fault(FaultKind::kToolLength, checked, 0,
                    tool + " cuts with the length H" + h + " of another tool");
     }
     const bool off = length.kind == LengthKind::kOff || length.kind == LengthKind::kUnstated;
-    if (!off || !length_needed(judged) || accepted("tool-length-off")) return std::nullopt;
-    return fault(FaultKind::kToolLength, judged, 0,
+    if (!off || !length_needed(checked) || accepted("tool-length-off")) return std::nullopt;
+    return fault(FaultKind::kToolLength, checked, 0,
                  tool + (length.kind == LengthKind::kOff ? " cuts with its length taken back (G49)"
                                                          : " cuts without its length (G43)"));
   }
 
-  std::optional<Fault> spindle(const JudgedMove& judged) const {
-    if (!judged.control || !judged.cuts()) return std::nullopt;
-    if (judged.control->spindle == SpindleState::kOff)
-      return fault(FaultKind::kSpindleOff, judged, judged.move->length(),
+  std::optional<Fault> spindle(const CheckedMove& checked) const {
+    if (!checked.control || !checked.cuts()) return std::nullopt;
+    if (checked.control->spindle == SpindleState::kOff)
+      return fault(FaultKind::kSpindleOff, checked, checked.move->length(),
                    "The spindle stands while the cutter feeds into material");
-    if (judged.control->spindle_rpm <= 0)
-      return fault(FaultKind::kSpindleOff, judged, judged.move->length(),
+    if (checked.control->spindle_rpm <= 0)
+      return fault(FaultKind::kSpindleOff, checked, checked.move->length(),
                    "The spindle was started without a speed (S)");
-    if (short_waits_.count(&judged) > 0)
-      return fault(FaultKind::kSpindleOff, judged, judged.move->length(),
+    if (short_waits_.count(&checked) > 0)
+      return fault(FaultKind::kSpindleOff, checked, checked.move->length(),
                    "The spindle has had less than the " + trimmed(options_.machine.spindle_wait_s, 2) +
                        " s that the machine needs to start");
     return std::nullopt;
   }
 
-  std::optional<Fault> direction(const JudgedMove& judged) const {
-    if (!judged.control || !judged.cuts() || judged.control->spindle == SpindleState::kOff)
+  std::optional<Fault> direction(const CheckedMove& checked) const {
+    if (!checked.control || !checked.cuts() || checked.control->spindle == SpindleState::kOff)
       return std::nullopt;
-    const bool clockwise = judged.control->spindle == SpindleState::kClockwise;
-    if (may_turn(judged, clockwise)) return std::nullopt;
-    return fault(FaultKind::kSpindleDirection, judged, 0,
+    const bool clockwise = checked.control->spindle == SpindleState::kClockwise;
+    if (may_turn(checked, clockwise)) return std::nullopt;
+    return fault(FaultKind::kSpindleDirection, checked, 0,
                  std::string("The spindle turns ") + (clockwise ? "clockwise" : "counter-clockwise") +
                      " with a cutter made for the other way");
   }
 
-  std::optional<Fault> speed(const JudgedMove& judged) const {
-    if (!judged.control || !judged.cuts()) return std::nullopt;
+  std::optional<Fault> speed(const CheckedMove& checked) const {
+    if (!checked.control || !checked.cuts()) return std::nullopt;
     const auto& of_machine = options_.machine.max_spindle_rpm;
-    if (of_machine && is_beyond(judged, *of_machine)) return too_fast(judged, "the machine has", *of_machine);
-    if (!judged.tool || !judged.tool->max_spindle_rpm) return std::nullopt;
-    const double of_tool = *judged.tool->max_spindle_rpm;
-    if (!is_beyond(judged, of_tool)) return std::nullopt;
-    return too_fast(judged, "T" + std::to_string(judged.tool->number) + " may have", of_tool);
+    if (of_machine && is_beyond(checked, *of_machine))
+      return too_fast(checked, "the machine has", *of_machine);
+    if (!checked.tool || !checked.tool->max_spindle_rpm) return std::nullopt;
+    const double of_tool = *checked.tool->max_spindle_rpm;
+    if (!is_beyond(checked, of_tool)) return std::nullopt;
+    return too_fast(checked, "T" + std::to_string(checked.tool->number) + " may have", of_tool);
   }
 
-  static bool is_beyond(const JudgedMove& judged, double most_rpm) {
-    return judged.control->spindle_rpm > most_rpm * (1 + kSpeedRounding);
+  static bool is_beyond(const CheckedMove& checked, double most_rpm) {
+    return checked.control->spindle_rpm > most_rpm * (1 + kSpeedRounding);
   }
 
-  Fault too_fast(const JudgedMove& judged, const std::string& whose, double most_rpm) const {
-    return fault(FaultKind::kSpindleSpeed, judged, 0,
-                 "The spindle is asked for " + trimmed(judged.control->spindle_rpm, 0) + " rpm where " +
+  Fault too_fast(const CheckedMove& checked, const std::string& whose, double most_rpm) const {
+    return fault(FaultKind::kSpindleSpeed, checked, 0,
+                 "The spindle is asked for " + trimmed(checked.control->spindle_rpm, 0) + " rpm where " +
                      whose + " " + trimmed(most_rpm, 0));
   }
 
-  std::optional<Fault> plunge(const JudgedMove& judged) const {
-    const MoveLoad& load = judged.load;
+  std::optional<Fault> plunge(const CheckedMove& checked) const {
+    const MoveLoad& load = checked.load;
     if (load.plunge_contact)
-      return fault_of(part_, FaultKind::kPlungeTooFast, judged, *load.plunge_contact, judged.move->length(),
+      return fault_of(part_, FaultKind::kPlungeTooFast, checked, *load.plunge_contact, checked.move->length(),
                       "A cutter that may not plunge goes straight down into material");
-    if (!judged.cuts() || !judged.tool || judged.slope() <= 0) return std::nullopt;
-    if (!judged.tool->center_cutting && judged.slope() > steepest_of(judged) * (1 + kSpeedRounding)) {
-      return fault(FaultKind::kPlungeTooFast, judged, judged.move->length(),
+    if (!checked.cuts() || !checked.tool || checked.slope() <= 0) return std::nullopt;
+    if (!checked.tool->center_cutting && checked.slope() > steepest_of(checked) * (1 + kSpeedRounding)) {
+      return fault(FaultKind::kPlungeTooFast, checked, checked.move->length(),
                    "A cutter that may not plunge enters material at " +
-                       trimmed(std::atan(judged.slope()) * 180 / kPi, 2) + " degrees");
+                       trimmed(std::atan(checked.slope()) * 180 / kPi, 2) + " degrees");
     }
-    return plunge_feed(judged);
+    return plunge_feed(checked);
   }
 
-  std::optional<Fault> flutes(const JudgedMove& judged) const {
-    if (!judged.cuts() || !judged.tool || !judged.tool->flute_length) return std::nullopt;
-    if (judged.tool->kind == ToolKind::kThreadMill)
+  std::optional<Fault> flutes(const CheckedMove& checked) const {
+    if (!checked.cuts() || !checked.tool || !checked.tool->flute_length) return std::nullopt;
+    if (checked.tool->kind == ToolKind::kThreadMill)
       return std::nullopt;  // its neck is narrower than its teeth
-    const double depth = std::max(judged.load.axial_mm, part_.top_z() - judged.low_z());
-    if (depth <= *judged.tool->flute_length + kHeightSlack) return std::nullopt;
-    return fault(FaultKind::kBeyondFlutes, judged, depth,
+    const double depth = std::max(checked.load.axial_mm, part_.top_z() - checked.low_z());
+    if (depth <= *checked.tool->flute_length + kHeightSlack) return std::nullopt;
+    return fault(FaultKind::kBeyondFlutes, checked, depth,
                  "Cuts " + trimmed(depth, 3) + " mm deep with flutes of " +
-                     trimmed(*judged.tool->flute_length, 3) + " mm");
+                     trimmed(*checked.tool->flute_length, 3) + " mm");
   }
 
-  std::optional<Fault> stock(const JudgedMove& judged) const {
-    if (!part_.is_shape_stated) return beyond_any_way_through(judged);
-    if (!part_.stock || !judged.feeds()) return std::nullopt;
+  std::optional<Fault> stock(const CheckedMove& checked) const {
+    if (!part_.is_shape_stated) return beyond_any_way_through(checked);
+    if (!part_.stock || !checked.feeds()) return std::nullopt;
     double lowest = part_.stock->z_bottom;
     for (const Feature& feature : part_.features) {
       if (feature.through) lowest = std::min(lowest, feature.floor_z);
     }
-    const double below = lowest - judged.low_z();
-    if (below <= kHeightSlack || !judged.cuts()) return std::nullopt;
+    const double below = lowest - checked.low_z();
+    if (below <= kHeightSlack || !checked.cuts()) return std::nullopt;
     return fault(
-        FaultKind::kBeyondStock, judged, below,
+        FaultKind::kBeyondStock, checked, below,
         "The cutter goes " + trimmed(below, 3) + " mm below the bottom of the stock, into what it lies on");
   }
 
-  std::optional<Fault> engagement(const JudgedMove& judged) const {
+  std::optional<Fault> engagement(const CheckedMove& checked) const {
     const auto limit = options_.engagement_limit_deg;
-    if (!limit || judged.load.max_deg <= *limit + kDegreeSlack) return std::nullopt;
-    return fault_of(part_, FaultKind::kOverEngagement, judged, judged.load.max_at, judged.load.over_limit_mm,
-                    "The cutter is engaged by " + trimmed(judged.load.max_deg, 1) + " degrees where " +
+    if (!limit || checked.load.max_deg <= *limit + kDegreeSlack) return std::nullopt;
+    return fault_of(part_, FaultKind::kOverEngagement, checked, checked.load.max_at,
+                    checked.load.over_limit_mm,
+                    "The cutter is engaged by " + trimmed(checked.load.max_deg, 1) + " degrees where " +
                         trimmed(*limit, 1) + " are the limit");
   }
 
  private:
-  Fault fault(FaultKind kind, const JudgedMove& judged, double size, const std::string& what) const {
-    return fault_of(part_, kind, judged, end_of(judged), size, what);
+  Fault fault(FaultKind kind, const CheckedMove& checked, double size, const std::string& what) const {
+    return fault_of(part_, kind, checked, end_of(checked), size, what);
   }
 
   bool accepted(const std::string& name) const {
@@ -155,15 +157,15 @@ class StateJudge {
   }
 
   /// Where nothing says what goes through: a rapid below the stock, or more than a way through needs.
-  std::optional<Fault> beyond_any_way_through(const JudgedMove& judged) const {
-    const bool rises = !judged.feeds() && judged.move->z_to > judged.move->z_from;
+  std::optional<Fault> beyond_any_way_through(const CheckedMove& checked) const {
+    const bool rises = !checked.feeds() && checked.move->z_to > checked.move->z_from;
     if (!part_.stock || rises) return std::nullopt;
-    const double below = part_.stock->z_bottom - judged.low_z();
+    const double below = part_.stock->z_bottom - checked.low_z();
     const double allowed =
-        !judged.feeds() ? 0 : kUsualBreakthrough + (judged.tool ? point_length(*judged.tool) : 0);
+        !checked.feeds() ? 0 : kUsualBreakthrough + (checked.tool ? point_length(*checked.tool) : 0);
     if (below <= allowed + kHeightSlack) return std::nullopt;
-    return fault(FaultKind::kBeyondStock, judged, below,
-                 (judged.feeds() ? "The cutter goes " : "A rapid goes ") + trimmed(below, 3) +
+    return fault(FaultKind::kBeyondStock, checked, below,
+                 (checked.feeds() ? "The cutter goes " : "A rapid goes ") + trimmed(below, 3) +
                      " mm below the bottom of the stock, into what it lies on");
   }
 
@@ -178,33 +180,33 @@ class StateJudge {
   }
 
   /// Finds the first move with a tool length; from it on, cutting without one is a fault.
-  void find_lengths(const JudgedProgram& program) {
-    for (const JudgedMove& judged : program.moves) {
-      if (!judged.control) continue;
-      const LengthKind kind = judged.control->length.kind;
+  void find_lengths(const CheckedProgram& program) {
+    for (const CheckedMove& checked : program.moves) {
+      if (!checked.control) continue;
+      const LengthKind kind = checked.control->length.kind;
       if (first_with_length_ == nullptr && kind != LengthKind::kOff && kind != LengthKind::kUnstated)
-        first_with_length_ = &judged;
+        first_with_length_ = &checked;
     }
   }
 
-  bool length_needed(const JudgedMove& judged) const {
-    if (first_with_length_ != nullptr && &judged >= first_with_length_) return true;
+  bool length_needed(const CheckedMove& checked) const {
+    if (first_with_length_ != nullptr && &checked >= first_with_length_) return true;
     return options_.needs_tool_length ? !changed_by_changer_.empty() : changed_by_changer_.size() > 1;
   }
 
   /// Finds the first cuts after starts of the spindle that come sooner than the machine needs.
-  void find_short_waits(const JudgedProgram& program) {
+  void find_short_waits(const CheckedProgram& program) {
     const double needed = options_.machine.spindle_wait_s;
     if (!options_.control || needed <= 0) return;
     const auto own = std::find_if(program.moves.begin(), program.moves.end(),
-                                  [](const JudgedMove& judged) { return !judged.earlier; });
+                                  [](const CheckedMove& checked) { return !checked.earlier; });
     const auto& events = options_.control->events;
     for (std::size_t i = 0; i < events.size(); ++i) {
       if (events[i].kind != ControlEventKind::kSpindleStart) continue;
       if (static_cast<std::ptrdiff_t>(events[i].before_move) >= program.moves.end() - own) continue;
       const auto begin = own + static_cast<std::ptrdiff_t>(events[i].before_move);
       const auto cut =
-          std::find_if(begin, program.moves.end(), [](const JudgedMove& judged) { return judged.cuts(); });
+          std::find_if(begin, program.moves.end(), [](const CheckedMove& checked) { return checked.cuts(); });
       if (cut == program.moves.end()) continue;
       double waited = 0;
       for (std::size_t k = i + 1; k < events.size(); ++k) {
@@ -216,59 +218,59 @@ class StateJudge {
   }
 
   /// Whether the step works with the tool of the move.
-  bool drives(const Workingstep& step, const JudgedMove& judged) const {
+  bool drives(const Workingstep& step, const CheckedMove& checked) const {
     const int index = step.operation.tool;
-    return judged.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
-           part_.tools[static_cast<std::size_t>(index)].number == judged.tool->number;
+    return checked.tool && index >= 0 && index < static_cast<int>(part_.tools.size()) &&
+           part_.tools[static_cast<std::size_t>(index)].number == checked.tool->number;
   }
 
   /// Whether some operation of the tool turns this way; where it has none, whether the tool itself does.
-  bool may_turn(const JudgedMove& judged, bool clockwise) const {
+  bool may_turn(const CheckedMove& checked, bool clockwise) const {
     bool any = false;
     for (const Workingstep& step : part_.workplan) {
-      if (!drives(step, judged)) continue;
+      if (!drives(step, checked)) continue;
       any = true;
       if (step.operation.cutting.spindle_clockwise == clockwise) return true;
     }
     if (any) return false;
     const auto limits =
-        judged.tool ? options_.tool_limits.find(judged.tool->number) : options_.tool_limits.end();
+        checked.tool ? options_.tool_limits.find(checked.tool->number) : options_.tool_limits.end();
     return clockwise == (limits == options_.tool_limits.end() || limits->second.is_clockwise);
   }
 
   /// Tangent of the steepest entry angle that an operation of the tool states, at least the default.
-  double steepest_of(const JudgedMove& judged) const {
+  double steepest_of(const CheckedMove& checked) const {
     double steepest = kSteepestEntry;
     for (const Workingstep& step : part_.workplan) {
-      if (step.operation.entry_angle && drives(step, judged))
+      if (step.operation.entry_angle && drives(step, checked))
         steepest = std::max(steepest, std::tan(step.operation.entry_angle->radians()));
     }
     return steepest;
   }
 
   /// mm/min; the highest plunge feed that is stated for the tool or for an operation with it.
-  std::optional<double> plunge_feed_of(const JudgedMove& judged) const {
+  std::optional<double> plunge_feed_of(const CheckedMove& checked) const {
     std::optional<double> most;
-    const auto limits = options_.tool_limits.find(judged.tool->number);
+    const auto limits = options_.tool_limits.find(checked.tool->number);
     if (limits != options_.tool_limits.end() && limits->second.plunge_feed)
       most = limits->second.plunge_feed->mm_per_min();
     for (const Workingstep& step : part_.workplan) {
       const auto& feed = step.operation.cutting.plunge_feed;
-      if (!feed || !drives(step, judged)) continue;
+      if (!feed || !drives(step, checked)) continue;
       most = std::max(most.value_or(0), feed->mm_per_min());
     }
     return most;
   }
 
-  std::optional<Fault> plunge_feed(const JudgedMove& judged) const {
+  std::optional<Fault> plunge_feed(const CheckedMove& checked) const {
     // Holes are made at the cutting feed; that of a tap is checked in holes.cpp, against its speed.
-    if (makes_holes(*judged.tool) || judged.tool->kind == ToolKind::kTap || judged.slope() < kPlungeSlope)
+    if (makes_holes(*checked.tool) || checked.tool->kind == ToolKind::kTap || checked.slope() < kPlungeSlope)
       return std::nullopt;
-    const auto most = plunge_feed_of(judged);
-    const double slope = judged.slope(), feed = judged.move->feed.mm_per_min();
+    const auto most = plunge_feed_of(checked);
+    const double slope = checked.slope(), feed = checked.move->feed.mm_per_min();
     const double down = std::isinf(slope) ? feed : feed * slope / std::hypot(1, slope);
     if (!most || down <= *most * (1 + kSpeedRounding) + 0.01) return std::nullopt;
-    return fault(FaultKind::kPlungeTooFast, judged, judged.move->length(),
+    return fault(FaultKind::kPlungeTooFast, checked, checked.move->length(),
                  "Goes down into material at " + trimmed(down, 1) +
                      " mm/min where the tool's plunge feed is " + trimmed(*most, 1));
   }
@@ -276,23 +278,23 @@ class StateJudge {
   const Part& part_;
   const VerifyOptions& options_;
   std::set<int> changed_by_changer_;
-  const JudgedMove* first_with_length_ = nullptr;
-  std::set<const JudgedMove*> short_waits_;
+  const CheckedMove* first_with_length_ = nullptr;
+  std::set<const CheckedMove*> short_waits_;
 };
 
 }  // namespace
 
-std::vector<MoveJudge> state_judges(const Part& part, const JudgedProgram& program,
+std::vector<MoveCheck> state_checks(const Part& part, const CheckedProgram& program,
                                     const VerifyOptions& options) {
-  const auto judge = std::make_shared<const StateJudge>(part, program, options);
-  using Rule = std::optional<Fault> (StateJudge::*)(const JudgedMove&) const;
-  std::vector<MoveJudge> judges;
+  const auto check = std::make_shared<const StateCheck>(part, program, options);
+  using Rule = std::optional<Fault> (StateCheck::*)(const CheckedMove&) const;
+  std::vector<MoveCheck> checks;
   for (const Rule rule :
-       {&StateJudge::length, &StateJudge::spindle, &StateJudge::direction, &StateJudge::speed,
-        &StateJudge::plunge, &StateJudge::flutes, &StateJudge::stock, &StateJudge::engagement}) {
-    judges.push_back([judge, rule](const JudgedMove& judged) { return (judge.get()->*rule)(judged); });
+       {&StateCheck::length, &StateCheck::spindle, &StateCheck::direction, &StateCheck::speed,
+        &StateCheck::plunge, &StateCheck::flutes, &StateCheck::stock, &StateCheck::engagement}) {
+    checks.push_back([check, rule](const CheckedMove& checked) { return (check.get()->*rule)(checked); });
   }
-  return judges;
+  return checks;
 }
 
 }  // namespace clearcut::verify

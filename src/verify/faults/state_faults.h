@@ -13,11 +13,11 @@
 namespace clearcut::verify {
 
 /// Returns the fault of one move with respect to one rule, if it has one.
-using MoveJudge = std::function<std::optional<Fault>(const JudgedMove&)>;
+using MoveCheck = std::function<std::optional<Fault>(const CheckedMove&)>;
 
 /// One function for each rule. They keep references to all arguments. Only moves that remove material have
 /// faults.
-std::vector<MoveJudge> state_judges(const Part& part, const JudgedProgram& program,
+std::vector<MoveCheck> state_checks(const Part& part, const CheckedProgram& program,
                                     const VerifyOptions& options);
 
 /// mm; how far below the stock a cut that goes through it may reach where no part says what goes through. Beyond it is a fault,

@@ -39,8 +39,8 @@ ControlTable table(const std::function<void(ControlState&)>& change = {}) {
   return control;
 }
 
-Findings judged(const Part& part, const Toolpath& toolpath, const ControlTable& control,
-                VerifyOptions options = {}) {
+Findings checked(const Part& part, const Toolpath& toolpath, const ControlTable& control,
+                 VerifyOptions options = {}) {
   options.control = &control;
   return verify_program(part, toolpath, options);
 }
@@ -57,13 +57,13 @@ std::string first(const Findings& findings) {
 }
 
 TEST(StateFaults, ARightProgramHasNone) {
-  const Findings findings = judged(pocket(), pocketing(), table());
+  const Findings findings = checked(pocket(), pocketing(), table());
   EXPECT_TRUE(findings.faults.empty()) << first(findings);
 }
 
 TEST(StateFaults, SpindleOffWithoutSpeedOrTheWrongWay) {
   const auto with = [](const std::function<void(ControlState&)>& change) {
-    return judged(pocket(), pocketing(), table(change));
+    return checked(pocket(), pocketing(), table(change));
   };
   EXPECT_TRUE(has(with([](ControlState& s) { s.spindle = SpindleState::kOff; }), FaultKind::kSpindleOff));
   EXPECT_TRUE(has(with([](ControlState& s) { s.spindle_rpm = 0; }), FaultKind::kSpindleOff));
@@ -71,56 +71,56 @@ TEST(StateFaults, SpindleOffWithoutSpeedOrTheWrongWay) {
   EXPECT_TRUE(has(with(left), FaultKind::kSpindleDirection));
   Part part = pocket();
   part.workplan[0].operation.cutting.spindle_clockwise = false;
-  EXPECT_FALSE(has(judged(part, pocketing(), table(left)), FaultKind::kSpindleDirection));
+  EXPECT_FALSE(has(checked(part, pocketing(), table(left)), FaultKind::kSpindleDirection));
 }
 
 TEST(StateFaults, SpindleBeyondTheMachineAndTooShortAWait) {
   VerifyOptions options;
   options.machine.max_spindle_rpm = 8000;
-  EXPECT_TRUE(has(judged(pocket(), pocketing(), table(), options), FaultKind::kSpindleSpeed));
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), table(), options), FaultKind::kSpindleSpeed));
   options.machine.max_spindle_rpm = 10000;
   Part limited = pocket();
   limited.tools[0].max_spindle_rpm = 8000;
-  EXPECT_TRUE(has(judged(limited, pocketing(), table(), options), FaultKind::kSpindleSpeed));
+  EXPECT_TRUE(has(checked(limited, pocketing(), table(), options), FaultKind::kSpindleSpeed));
   limited.tools[0].max_spindle_rpm = 10000;
-  EXPECT_FALSE(has(judged(limited, pocketing(), table(), options), FaultKind::kSpindleSpeed));
+  EXPECT_FALSE(has(checked(limited, pocketing(), table(), options), FaultKind::kSpindleSpeed));
   options.machine.spindle_wait_s = 3;
   ControlTable control = table();
   control.events.push_back({ControlEventKind::kSpindleStart, 0, 1, 0, 1});
-  EXPECT_TRUE(has(judged(pocket(), pocketing(), control, options), FaultKind::kSpindleOff));
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), control, options), FaultKind::kSpindleOff));
   control.events.push_back({ControlEventKind::kDwell, 0, 2, 3, 1});
-  const Findings waited = judged(pocket(), pocketing(), control, options);
+  const Findings waited = checked(pocket(), pocketing(), control, options);
   EXPECT_TRUE(waited.faults.empty()) << first(waited);
   EXPECT_EQ(waited.all.waits_s, 3);
 }
 
 TEST(StateFaults, LengthOfAnotherToolAndNone) {
   const ControlTable other = table([](ControlState& s) { s.length = {LengthKind::kNumbered, 5, 0}; });
-  EXPECT_TRUE(has(judged(pocket(), pocketing(), other), FaultKind::kToolLength));
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), other), FaultKind::kToolLength));
   VerifyOptions accepting;
   accepting.accepted = {"tool-length-h5"};
-  EXPECT_FALSE(has(judged(pocket(), pocketing(), other, accepting), FaultKind::kToolLength));
+  EXPECT_FALSE(has(checked(pocket(), pocketing(), other, accepting), FaultKind::kToolLength));
   ControlTable none = table();
   none.events.push_back({ControlEventKind::kToolChange, 0, 1, 0, 1});
   VerifyOptions needing;
   needing.needs_tool_length = true;
-  EXPECT_TRUE(has(judged(pocket(), pocketing(), none, needing), FaultKind::kToolLength));
-  EXPECT_FALSE(has(judged(pocket(), pocketing(), none), FaultKind::kToolLength)) << "one tool, touched off";
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), none, needing), FaultKind::kToolLength));
+  EXPECT_FALSE(has(checked(pocket(), pocketing(), none), FaultKind::kToolLength)) << "one tool, touched off";
 }
 
 TEST(StateFaults, PlungeFeedFlutesAndStock) {
   Part part = pocket();
   part.workplan[0].operation.cutting.plunge_feed = MmPerMin::of(250);
-  EXPECT_TRUE(has(judged(part, pocketing(), table()), FaultKind::kPlungeTooFast));
+  EXPECT_TRUE(has(checked(part, pocketing(), table()), FaultKind::kPlungeTooFast));
   part.workplan[0].operation.cutting.plunge_feed = MmPerMin::of(300);
-  EXPECT_FALSE(has(judged(part, pocketing(), table()), FaultKind::kPlungeTooFast));
+  EXPECT_FALSE(has(checked(part, pocketing(), table()), FaultKind::kPlungeTooFast));
   part.tools[0].flute_length = 1.5;
-  EXPECT_TRUE(has(judged(part, pocketing(), table()), FaultKind::kBeyondFlutes));
+  EXPECT_TRUE(has(checked(part, pocketing(), table()), FaultKind::kBeyondFlutes));
   part.tools[0].flute_length = 2;
-  EXPECT_FALSE(has(judged(part, pocketing(), table()), FaultKind::kBeyondFlutes));
-  EXPECT_FALSE(has(judged(part, pocketing(), table()), FaultKind::kBeyondStock));
+  EXPECT_FALSE(has(checked(part, pocketing(), table()), FaultKind::kBeyondFlutes));
+  EXPECT_FALSE(has(checked(part, pocketing(), table()), FaultKind::kBeyondStock));
   part.stock->z_bottom = -1;
-  EXPECT_TRUE(has(judged(part, pocketing(), table()), FaultKind::kBeyondStock));
+  EXPECT_TRUE(has(checked(part, pocketing(), table()), FaultKind::kBeyondStock));
 }
 
 /// Down by 2 mm within 1 um of advance.
@@ -130,7 +130,7 @@ TEST(StateFaults, ASteepEntryIsAPlunge) {
   const auto entered = [&](double advance) {
     Writer writer;
     writer.rapid({0, 0}, 10).rapid({0, 0}, 1).feed({advance, 0}, -2, 300);
-    return judged(part, writer.done(), table());
+    return checked(part, writer.done(), table());
   };
   EXPECT_TRUE(has(entered(0.001), FaultKind::kPlungeTooFast));
   EXPECT_TRUE(has(entered(6), FaultKind::kPlungeTooFast)) << "26 degrees";
@@ -140,13 +140,13 @@ TEST(StateFaults, ASteepEntryIsAPlunge) {
 TEST(StateFaults, EngagementAboveTheLimitAndUnderAWave) {
   VerifyOptions options;
   options.engagement_limit_deg = 90;
-  EXPECT_TRUE(has(judged(pocket(), pocketing(), table(), options), FaultKind::kOverEngagement));
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), table(), options), FaultKind::kOverEngagement));
   // A slot that falls and rises by half a micrometre is a slot.
   Writer writer;
   writer.rapid({-8, 0}, 10).rapid({-8, 0}, 1).feed({-8, 0}, -2, 300);
   for (int i = 1; i <= 16; ++i) writer.feed({-8.0 + i, 0}, i % 2 != 0 ? -2.0005 : -2);
   const Findings wave =
-      judged(pocket_part(rectangle(-20, -10, 20, 10), 6, -2), writer.done(), table(), options);
+      checked(pocket_part(rectangle(-20, -10, 20, 10), 6, -2), writer.done(), table(), options);
   EXPECT_GT(wave.all.engagement.max_deg, 170);
   EXPECT_TRUE(has(wave, FaultKind::kOverEngagement));
 }
@@ -156,23 +156,23 @@ TEST(Blending, EntersWhatIsLeftAndGouges) {
   const auto within = [](double tolerance) {
     return table([&](ControlState& s) { s.path = {PathMode::kTolerance, tolerance, {}}; });
   };
-  const Findings fine = judged(pocket(), pocketing(), within(0.002));
+  const Findings fine = checked(pocket(), pocketing(), within(0.002));
   EXPECT_TRUE(fine.faults.empty()) << first(fine);
   EXPECT_EQ(fine.all.path_tolerance_mm, 0.002);
-  EXPECT_TRUE(has(judged(pocket(), pocketing(), within(0.5)), FaultKind::kUncut));
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), within(0.5)), FaultKind::kUncut));
   // Round a sharp corner of the part, outside of it: what is cut off the corner is cut off the part.
   Part part = pocket_part(rectangle(0, 0, 40, 40), 6, -2);
   part.features[0].target = part.features[0].allowed = {Region::from_valid_loops(
       loop_from_points(std::vector<Vec2>{{0, 0}, {40, 0}, {40, 20}, {20, 20}, {20, 40}, {0, 40}}), {})};
   Writer writer;
   writer.enter({37, 16.9}, 0, -2).feed({16.9, 16.9}).feed({16.9, 37});
-  EXPECT_FALSE(has(judged(part, writer.done(), within(0)), FaultKind::kGouge));
-  const Findings round = judged(part, writer.done(), within(2));
+  EXPECT_FALSE(has(checked(part, writer.done(), within(0)), FaultKind::kGouge));
+  const Findings round = checked(part, writer.done(), within(2));
   EXPECT_TRUE(has(round, FaultKind::kGouge));
   EXPECT_GT(round.all.gouge_mm, 0.1);
 }
 
-TEST(ArcsOfTwoRadii, AreJudgedOnTheWorstReading) {
+TEST(ArcsOfTwoRadii, AreCheckedOnTheWorstReading) {
   const Part part = pocket_part({Region::from_valid_loops(circle_loop({0, 0}, 10), {})}, 6, -2);
   Writer writer;
   writer.enter({7, 0}, 0, -2)
@@ -180,11 +180,11 @@ TEST(ArcsOfTwoRadii, AreJudgedOnTheWorstReading) {
       .arc({7, 0}, {0, 0}, Turn::kCounterClockwise);
   const Toolpath toolpath = writer.done();
   ControlTable control = table();
-  EXPECT_FALSE(has(judged(part, toolpath, control), FaultKind::kGouge));
+  EXPECT_FALSE(has(checked(part, toolpath, control), FaultKind::kGouge));
   std::size_t arc = 0;
   while (!toolpath.sections[0].moves[arc].path.is_arc()) ++arc;
   control.arcs.push_back({arc, 0.0023});
-  EXPECT_TRUE(has(judged(part, toolpath, control), FaultKind::kGouge));
+  EXPECT_TRUE(has(checked(part, toolpath, control), FaultKind::kGouge));
 }
 
 }  // namespace

@@ -18,20 +18,20 @@ struct Lowest {
   int line = 0;
 };
 
-void lower(const JudgedMove& judged, Vec2 at, Lowest& lowest) {
-  const Move& move = *judged.move;
-  if (judged.radius() <= 0 || judged.low_z() >= lowest.z) return;
-  const auto look = [&](double t) {
+void lower(const CheckedMove& checked, Vec2 at, Lowest& lowest) {
+  const Move& move = *checked.move;
+  if (checked.radius() <= 0 || checked.low_z() >= lowest.z) return;
+  const auto sample = [&](double t) {
     const Vec2 center = move.is_vertical() ? move.path.from : move.path.at(t);
-    if (distance(center, at) >= judged.radius()) return;
-    const double z = move.is_vertical() ? judged.low_z() : move.z_from + (move.z_to - move.z_from) * t;
+    if (distance(center, at) >= checked.radius()) return;
+    const double z = move.is_vertical() ? checked.low_z() : move.z_from + (move.z_to - move.z_from) * t;
     if (z < lowest.z) lowest = {z, move.line};
   };
-  if (move.is_vertical()) return look(0);
-  if (!move.path.box().grown(judged.radius()).contains(at)) return;
-  look(nearest(move.path, at).t);
-  if (judged.is_flat()) return;
-  for (int i = 0; i <= kPlaces; ++i) look(static_cast<double>(i) / kPlaces);
+  if (move.is_vertical()) return sample(0);
+  if (!move.path.box().grown(checked.radius()).contains(at)) return;
+  sample(nearest(move.path, at).t);
+  if (checked.is_flat()) return;
+  for (int i = 0; i <= kPlaces; ++i) sample(static_cast<double>(i) / kPlaces);
 }
 
 std::string place_of(const Tab& tab, int line) {
@@ -42,13 +42,13 @@ std::string place_of(const Tab& tab, int line) {
 
 }  // namespace
 
-std::vector<Fault> faults_of_tabs(const Part& part, const JudgedProgram& program, const Tolerances& tol) {
+std::vector<Fault> faults_of_tabs(const Part& part, const CheckedProgram& program, const Tolerances& tol) {
   std::vector<Fault> faults;
   for (const Feature& feature : part.features) {
     if (!feature.profile) continue;
     for (const Tab& tab : feature.profile->tabs) {
       Lowest lowest;
-      for (const JudgedMove& judged : program.moves) lower(judged, tab.center, lowest);
+      for (const CheckedMove& checked : program.moves) lower(checked, tab.center, lowest);
       if (std::abs(lowest.z - tab.top_z) <= tol.uncut) continue;
       const double under = tab.bottom_z + feature.profile->beyond;
       const double asked = tab.top_z - under, height = std::min(lowest.z, feature.top_z + asked) - under;

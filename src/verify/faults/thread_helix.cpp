@@ -32,17 +32,17 @@ class ThreadJudge {
     slack_ = kPitchShare * pitch_ + kThreadHeightSlack;
   }
 
-  std::vector<ThreadDefect> judge(const std::vector<const JudgedMove*>& moves) {
-    for (const JudgedMove* judged : moves) find_helix(*judged);
+  std::vector<ThreadDefect> check(const std::vector<const CheckedMove*>& moves) {
+    for (const CheckedMove* checked : moves) find_helix(*checked);
     if (!origin_) return {nothing(moves)};
-    for (const JudgedMove* judged : moves) look_along(*judged);
-    look_at_heights();
+    for (const CheckedMove* checked : moves) sample_along(*checked);
+    sample_at_heights();
     return std::move(defects_);
   }
 
  private:
-  double reach(const JudgedMove& judged, Vec2 at) const {
-    return distance(at, hole_.center) + judged.radius();
+  double reach(const CheckedMove& checked, Vec2 at) const {
+    return distance(at, hole_.center) + checked.radius();
   }
 
   bool is_about_axis(const Move& move) const {
@@ -50,10 +50,10 @@ class ThreadJudge {
   }
 
   /// Takes z0 and the heights that have a thread from arcs about the axis at the full radius, and checks their pitch.
-  void find_helix(const JudgedMove& judged) {
-    const Move& move = *judged.move;
+  void find_helix(const CheckedMove& checked) {
+    const Move& move = *checked.move;
     if (!is_about_axis(move)) return;
-    const double short_of = hole_.diameter / 2 - reach(judged, move.path.from);
+    const double short_of = hole_.diameter / 2 - reach(checked, move.path.from);
     if (short_of > kRadiusSlack) {
       narrowest_ = std::max(narrowest_, short_of);
       return;
@@ -67,7 +67,7 @@ class ThreadJudge {
               : "rises " + trimmed(rise, 4) + " mm a turn where the pitch is " + trimmed(pitch_, 4) + " mm");
       return;
     }
-    const Tool& tool = *judged.tool;
+    const Tool& tool = *checked.tool;
     const double rows =
         tool.pitch > 0 && tool.flute_length ? std::floor(*tool.flute_length / tool.pitch + 1e-9) : 1;
     cut_.push_back(
@@ -82,13 +82,13 @@ class ThreadJudge {
   }
 
   /// Adds a defect if the mill reaches into the wall at a place off the helix.
-  void look_along(const JudgedMove& judged) {
-    const Move& move = *judged.move;
+  void sample_along(const CheckedMove& checked) {
+    const Move& move = *checked.move;
     for (int i = 0; i <= kThreadPlaces; ++i) {
       const double t = static_cast<double>(i) / kThreadPlaces;
       const Vec2 p = move.is_vertical() ? move.path.from : move.path.at(t);
       const double z = move.z_from + (move.z_to - move.z_from) * t;
-      const double r = reach(judged, p);
+      const double r = reach(checked, p);
       if (z >= top_ || r <= minor_radius_ + minor_tolerance(*hole_.thread)) continue;
       const double off = std::abs(whole_turns_off(on_helix(p, z) - *origin_, pitch_));
       if (off <= slack_) continue;
@@ -98,7 +98,7 @@ class ThreadJudge {
   }
 
   /// Adds a defect if the turns, one above the other, have a gap or do not reach from full_z to the top.
-  void look_at_heights() {
+  void sample_at_heights() {
     std::sort(cut_.begin(), cut_.end());
     double low = hole_.full_z;
     for (const auto& [from, to] : cut_) {
@@ -115,7 +115,7 @@ class ThreadJudge {
       add(ThreadDefect::Kind::kShallow, top_ - low, 0, "is not cut above z " + trimmed(low, 3));
   }
 
-  ThreadDefect nothing(const std::vector<const JudgedMove*>& moves) const {
+  ThreadDefect nothing(const std::vector<const CheckedMove*>& moves) const {
     if (narrowest_ > 0)
       return {ThreadDefect::Kind::kNarrow, narrowest_,
               "the mill stays " + trimmed(narrowest_, 3) + " mm short of its diameter of " +
@@ -142,8 +142,8 @@ class ThreadJudge {
 }  // namespace
 
 std::vector<ThreadDefect> defects_of_thread(const Feature& feature,
-                                            const std::vector<const JudgedMove*>& moves) {
-  return ThreadJudge(feature).judge(moves);
+                                            const std::vector<const CheckedMove*>& moves) {
+  return ThreadJudge(feature).check(moves);
 }
 
 }  // namespace clearcut::verify

@@ -25,6 +25,6 @@ struct ThreadDefect {
 ///         in and out that no thread is cut through.
 /// Depth   Turns at the full radius must follow each other from full_z to the top; many rows of teeth count with their length.
 std::vector<ThreadDefect> defects_of_thread(const Feature& feature,
-                                            const std::vector<const JudgedMove*>& moves);
+                                            const std::vector<const CheckedMove*>& moves);
 
 }  // namespace clearcut::verify

@@ -23,7 +23,7 @@ Vec2 left_normal_at_middle(const Edge& edge) {
 }
 
 /// The edges of a chamfer's strip that lie away from the wall to be chamfered: only there the strip's wall has draft.
-EdgeTree leaning_edges(const Feature& feature) {
+EdgeTree drafted_edges(const Feature& feature) {
   const double half = feature.chamfer->depth * std::tan(feature.wall_slope.radians()) / 2;
   const EdgeTree line(std::vector<Edge>(feature.chamfer->line));
   std::vector<Edge> edges;
@@ -43,7 +43,7 @@ double distance_of(const Edge& path, const Edge& wall) {
 
 std::vector<Edge> Wall::flat_ends(double z) const {
   std::vector<Edge> ends;
-  const double far = lean(z);
+  const double far = draft_offset(z);
   if (far <= 0) return ends;
   if (flat_from) ends.push_back(Edge::line(edge.from, edge.from + left_of(edge.tangent_at(0)) * far));
   if (flat_to) ends.push_back(Edge::line(edge.to + left_of(edge.tangent_at(1)) * far, edge.to));
@@ -73,8 +73,8 @@ void FinishedPart::add_feature(const Feature& feature, int index) {
   shape.top = feature.top_z;
   shape.slope = std::tan(feature.wall_slope.radians());
   shape.single = feature.allowed.size() <= 1;
-  if (feature.chamfer) shape.leaning = leaning_edges(feature);
-  greatest_lean_ = std::max(greatest_lean_, (shape.top - shape.floor) * shape.slope);
+  if (feature.chamfer) shape.drafted = drafted_edges(feature);
+  greatest_draft_offset_ = std::max(greatest_draft_offset_, (shape.top - shape.floor) * shape.slope);
   shapes_.push_back(std::move(shape));
 }
 
@@ -93,9 +93,9 @@ bool FinishedPart::holds(const Shape& shape, Vec2 p) const {
   return shape.box.contains(p) && shape.outline.winding(p) != 0;
 }
 
-bool FinishedPart::leans_at(const Shape& shape, const Edge& piece) {
+bool FinishedPart::is_drafted_at(const Shape& shape, const Edge& piece) {
   if (shape.slope <= 0) return false;
-  return shape.leaning.empty() || shape.leaning.nearest(piece.at(0.5)).distance < kProbe;
+  return shape.drafted.empty() || shape.drafted.nearest(piece.at(0.5)).distance < kProbe;
 }
 
 bool FinishedPart::is_inside(int feature, Vec2 p) const {
@@ -108,16 +108,16 @@ bool FinishedPart::is_inside(int feature, Vec2 p) const {
 double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   if (shape.slope <= 0) return shape.floor;
   const double far = (shape.top - shape.floor) * shape.slope;
-  const EdgeTree& edges = shape.leaning.empty() ? shape.outline : shape.leaning;
+  const EdgeTree& edges = shape.drafted.empty() ? shape.outline : shape.drafted;
   const double d = std::min(far, edges.nearest(p, far).distance);
   return std::max(shape.floor, shape.top - d / shape.slope);
 }
 
 /// mm; how far the wall stands inside its outline for a cutter at p. Beyond an end that the stock's side cuts off
 /// square the value is such that p is as far from the wall as it is from that end.
-double FinishedPart::lean_inside(const Wall& wall, double z, Vec2 p) const {
-  const double lean = wall.lean(z);
-  if (!wall.flat_from && !wall.flat_to) return lean;
+double FinishedPart::draft_offset_inside(const Wall& wall, double z, Vec2 p) const {
+  const double draft = wall.draft_offset(z);
+  if (!wall.flat_from && !wall.flat_to) return draft;
   const double from_outline = distance(wall.edge, p);
   for (const Edge& end : wall.flat_ends(z)) {
     const Vec2 corner = wall.flat_from && end.from == wall.edge.from ? end.from : end.to;
@@ -125,20 +125,20 @@ double FinishedPart::lean_inside(const Wall& wall, double z, Vec2 p) const {
     const bool beyond = dot(p - corner, outward) > 0 && from_outline >= distance(corner, p) - kProbe;
     if (beyond) return std::max(0.0, from_outline - distance(end, p));
   }
-  return lean;
+  return draft;
 }
 
 double FinishedPart::apart(const Wall& wall, double z, const Edge& path) const {
   double least = distance_of(path, wall.edge);
-  const double lean = wall.lean(z);
-  if (lean <= 0) return least;
-  for (const Edge& top : parallel(wall.edge, lean, 0)) {
+  const double draft = wall.draft_offset(z);
+  if (draft <= 0) return least;
+  for (const Edge& top : parallel(wall.edge, draft, 0)) {
     if (top.from != top.to) least = std::min(least, distance_of(path, top));
   }
   for (const Edge& end : wall.flat_ends(z)) least = std::min(least, distance_of(path, end));
   const auto round = [&](Vec2 corner) {
     const double d = path.from == path.to ? distance(path.from, corner) : distance(path, corner);
-    least = std::min(least, d - lean);
+    least = std::min(least, d - draft);
   };
   if (!wall.flat_from) round(wall.edge.from);
   if (!wall.flat_to) round(wall.edge.to);
@@ -206,12 +206,12 @@ void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
   const Vec2 middle = piece.at(0.5), aside = left_normal_at_middle(piece) * kProbe;
   const double left = height_beside(middle + aside, index, true);
   const double right = height_beside(middle - aside, index, false);
-  if (leans_at(shape, piece)) return add_leaning_wall(piece, shape, left, right);
+  if (is_drafted_at(shape, piece)) return add_drafted_wall(piece, shape, left, right);
   if (left < right) walls_.push_back({piece, left, right, shape.feature});
   if (right < left) walls_.push_back({piece.reversed(), right, left, shape.feature});
 }
 
-void FinishedPart::add_leaning_wall(const Edge& piece, const Shape& shape, double left, double right) {
+void FinishedPart::add_drafted_wall(const Edge& piece, const Shape& shape, double left, double right) {
   // Beside the stock there are no walls with draft, and the stock's own sides are upright.
   if (left == kNothing && right == kNothing) return;
   if (left == kNothing) return walls_.push_back({piece, left, right, shape.feature});

@@ -24,7 +24,7 @@ struct Wall {
   bool flat_to = false;
 
   bool stands_at(double z) const { return z_low <= z && z < z_high; }
-  double lean(double z) const { return slope > 0 ? std::max(0.0, top_z - z) * slope : 0.0; }
+  double draft_offset(double z) const { return slope > 0 ? std::max(0.0, top_z - z) * slope : 0.0; }
   /// The ends of the wall at height z where the stock's side cuts it off: lines from or to the outline, free
   /// on their left.
   std::vector<Edge> flat_ends(double z) const;
@@ -49,12 +49,13 @@ class FinishedPart {
   /// All heights of floors and tops, ascending.
   const std::vector<double>& heights() const { return heights_; }
   /// mm; the greatest distance of a wall with draft from its outline, at any height.
-  double greatest_lean() const { return greatest_lean_; }
+  double greatest_draft_offset() const { return greatest_draft_offset_; }
 
   /// mm; how far a wall at height z stands inside its outline for a cutter at p. Walls with draft do so only
   /// towards the feature that they bound.
-  double lean(const Wall& wall, double z, Vec2 p) const {
-    return wall.slope > 0 && z < wall.top_z && is_inside(wall.feature, p) ? lean_inside(wall, z, p) : 0.0;
+  double draft_offset(const Wall& wall, double z, Vec2 p) const {
+    return wall.slope > 0 && z < wall.top_z && is_inside(wall.feature, p) ? draft_offset_inside(wall, z, p)
+                                                                          : 0.0;
   }
   /// mm; distance from a path (or point, from == to) to a wall at height z.
   double apart(const Wall& wall, double z, const Edge& path) const;
@@ -76,7 +77,7 @@ class FinishedPart {
     double floor = 0;
     double top = 0;
     double slope = 0;
-    EdgeTree leaning;    ///< the edges whose walls have draft, if some have none
+    EdgeTree drafted;    ///< the edges whose walls have draft, if some have none
     bool single = true;  ///< whether it is one region: its edges then have it on their left only
   };
 
@@ -87,11 +88,11 @@ class FinishedPart {
   std::vector<double> cuts_of(const Edge& edge, int shape, const EdgeTree& all,
                               const std::vector<int>& owner) const;
   /// Whether the wall at a piece of the shape's outline has draft.
-  static bool leans_at(const Shape& shape, const Edge& piece);
+  static bool is_drafted_at(const Shape& shape, const Edge& piece);
   bool holds(const Shape& shape, Vec2 p) const;
   double height_in(const Shape& shape, Vec2 p) const;
-  double lean_inside(const Wall& wall, double z, Vec2 p) const;
-  void add_leaning_wall(const Edge& piece, const Shape& shape, double left, double right);
+  double draft_offset_inside(const Wall& wall, double z, Vec2 p) const;
+  void add_drafted_wall(const Edge& piece, const Shape& shape, double left, double right);
   bool is_beside_stock(Vec2 p) const;
   double height_beside(Vec2 p, int own, bool inside_own) const;
 
@@ -100,7 +101,7 @@ class FinishedPart {
   EdgeTree tree_;
   std::vector<double> heights_;
   double top_z_ = 0;
-  double greatest_lean_ = 0;
+  double greatest_draft_offset_ = 0;
   std::optional<Box> stock_;
 };
 

@@ -52,7 +52,7 @@ LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, con
                            const Tolerances& tol)
     : part_(part), z_(z), reach_(reach) {
   std::vector<int> walls;
-  part.wall_tree().overlapping(area.grown(reach + part.greatest_lean()), [&](int i) {
+  part.wall_tree().overlapping(area.grown(reach + part.greatest_draft_offset()), [&](int i) {
     if (part.walls()[i].stands_at(z)) walls.push_back(i);
   });
   for (const Allowances& allowed : kAllowances) {
@@ -72,7 +72,7 @@ LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, con
 void LegalCenters::add_wall_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     const Wall& wall = part_.walls()[i];
-    for (const Edge& curve : parallel(wall.edge, reach_ + wall.lean(z_), point_)) {
+    for (const Edge& curve : parallel(wall.edge, reach_ + wall.draft_offset(z_), point_)) {
       if (curve.from == curve.to) {
         add_fit_point(curve.from);
       } else {
@@ -92,7 +92,7 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     const Wall& wall = part_.walls()[i];
     const Vec2 corner = wall.edge.to, heading = wall.edge.tangent_at(1);
-    const double d = reach_ + wall.lean(z_);
+    const double d = reach_ + wall.draft_offset(z_);
     bool matched = false;
     auto next = std::lower_bound(starts.begin(), starts.end(), corner.x - kCorner,
                                  [](const auto& start, double x) { return start.first.x < x; });
@@ -180,30 +180,30 @@ TrimmedCurve LegalCenters::legal_parts(const Edge& curve, int wall, double allow
     cut_by_wall(left, part_.walls()[hit.edge], upright);
   }
   if (left.empty()) return left;
-  part_.wall_tree().within(left.middle(), upright + part_.greatest_lean() + left.half(), [&](int i) {
+  part_.wall_tree().within(left.middle(), upright + part_.greatest_draft_offset() + left.half(), [&](int i) {
     if (!left.empty()) cut_by_wall(left, part_.walls()[i], upright);
   });
   return left;
 }
 
 void LegalCenters::cut_by_wall(TrimmedCurve& left, const Wall& wall, double upright) const {
-  const double farthest = upright + wall.lean(z_);
+  const double farthest = upright + wall.draft_offset(z_);
   if (!wall.stands_at(z_) || distance(wall.edge, left.middle()) >= farthest + left.half()) return;
   left.add_cuts(wall.edge, upright);
   if (farthest > upright) left.add_cuts(wall.edge, farthest);
   for (const Edge& end : wall.flat_ends(z_)) left.add_cuts(end, upright);
-  left.keep([&](Vec2 p) { return distance(wall.edge, p) >= upright + part_.lean(wall, z_, p); });
+  left.keep([&](Vec2 p) { return distance(wall.edge, p) >= upright + part_.draft_offset(wall, z_, p); });
 }
 
 /// mm; the least distance - reach over all walls, if it is negative; else 0.
 double LegalCenters::clearance_over_reach(Vec2 p) const {
   double least = 0;
-  const double far = reach_ + part_.greatest_lean();
+  const double far = reach_ + part_.greatest_draft_offset();
   part_.wall_tree().nearest(p, far, [&](int i) {
     const Wall& wall = part_.walls()[i];
     if (!wall.stands_at(z_)) return false;
     const double apart = distance(wall.edge, p) - reach_;
-    if (apart < wall.lean(z_)) least = std::min(least, apart - part_.lean(wall, z_, p));
+    if (apart < wall.draft_offset(z_)) least = std::min(least, apart - part_.draft_offset(wall, z_, p));
     return false;
   });
   return least;

@@ -11,7 +11,7 @@
 namespace clearcut::test_support {
 namespace {
 
-/// mm. Nearer to walls and floors nothing is judged: programs are rounded, and material may stay in films.
+/// mm. Nearer to walls and floors nothing is checked: programs are rounded, and material may stay in residuals.
 constexpr double kSlack = 0.012;
 /// Directions in which a place is looked for from where the cutter reaches.
 constexpr int kDirections = 24;
@@ -27,7 +27,7 @@ struct Cell {
   double design = 0;   ///< height that the part keeps here
   double reached = 0;  ///< height down to which a cutter of the work certainly reaches
   double height = 0;   ///< of what is certainly still there
-  bool sure = true;    ///< far enough from all walls to judge
+  bool sure = true;    ///< far enough from all walls to check
 };
 
 class HeightField {

@@ -6,11 +6,11 @@ namespace {
 
 class Cx final : public Crossover {
  public:
-  explicit Cx(const Ground& ground) : ground_(ground) {}
+  explicit Cx(const OperatorContext& context) : context_(context) {}
 
   void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
     genes_ = first.genes();
-    const int begin = ground_.any_position(random);
+    const int begin = context_.any_position(random);
     int p = begin;
     do {
       genes_[static_cast<std::size_t>(p)] = second.at(p);
@@ -20,14 +20,14 @@ class Cx final : public Crossover {
   }
 
  private:
-  const Ground& ground_;
+  const OperatorContext& context_;
   Tour genes_;
 };
 
 }  // namespace
 
-std::unique_ptr<Crossover> cx(const Ground& ground) {
-  return std::make_unique<Cx>(ground);
+std::unique_ptr<Crossover> cx(const OperatorContext& context) {
+  return std::make_unique<Cx>(context);
 }
 
 }  // namespace clearcut::order

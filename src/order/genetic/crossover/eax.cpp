@@ -12,9 +12,9 @@ constexpr int kSmallest = 8;  // nodes; below, tours have hardly any AB-cycles
 
 class Eax final : public Crossover {
  public:
-  explicit Eax(const Ground& ground)
-      : ground_(ground),
-        model_(ground.moves.problem(), kCandidates),
+  explicit Eax(const OperatorContext& context)
+      : context_(context),
+        model_(context.moves.problem(), kCandidates),
         assembly_(model_),
         cycles_(model_.size()) {}
 
@@ -30,7 +30,7 @@ class Eax final : public Crossover {
     relink(links);
     Tour tour = model_.to_problem(nodes_of(links));
     align(tour, first);
-    if (is_valid(ground_.moves.problem(), tour)) child.assign(std::move(tour));
+    if (is_valid(context_.moves.problem(), tour)) child.assign(std::move(tour));
   }
 
  private:
@@ -55,17 +55,17 @@ class Eax final : public Crossover {
       return count;
     };
     const auto begin_as_parent = [&](Tour& genes) {
-      if (ground_.closed())
+      if (context_.closed())
         std::rotate(genes.begin(), std::find(genes.begin(), genes.end(), parent.at(0)), genes.end());
     };
     begin_as_parent(tour);
-    if (ground_.free_count() < parent.size()) return;  // fixed ends give the direction
+    if (context_.free_count() < parent.size()) return;  // fixed ends give the direction
     Tour backwards(tour.rbegin(), tour.rend());
     begin_as_parent(backwards);
     if (agreeing(backwards) > agreeing(tour)) tour = std::move(backwards);
   }
 
-  const Ground& ground_;
+  const OperatorContext& context_;
   LengthModel model_;
   Assembly assembly_;
   AbCycles cycles_;
@@ -74,8 +74,8 @@ class Eax final : public Crossover {
 
 }  // namespace
 
-std::unique_ptr<Crossover> eax(const Ground& ground) {
-  return std::make_unique<Eax>(ground);
+std::unique_ptr<Crossover> eax(const OperatorContext& context) {
+  return std::make_unique<Eax>(context);
 }
 
 }  // namespace clearcut::order

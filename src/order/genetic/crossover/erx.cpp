@@ -32,15 +32,15 @@ class Unused {
 
 class Erx final : public Crossover {
  public:
-  explicit Erx(const Ground& ground) : ground_(ground) {}
+  explicit Erx(const OperatorContext& context) : context_(context) {}
 
   void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
     unused_.fill(first.genes());
     genes_.clear();
-    for (int p = 0; p < ground_.first; ++p) add(first.at(p));
-    const int end = ground_.last + 1 < first.size() ? first.at(ground_.last + 1) : -1;
+    for (int p = 0; p < context_.first; ++p) add(first.at(p));
+    const int end = context_.last + 1 < first.size() ? first.at(context_.last + 1) : -1;
     if (end >= 0) unused_.take(end);
-    while (static_cast<int>(genes_.size()) <= ground_.last) {
+    while (static_cast<int>(genes_.size()) <= context_.last) {
       add(genes_.empty() ? unused_.any(random) : next(first, second, random));
     }
     if (end >= 0) genes_.push_back(end);
@@ -61,7 +61,7 @@ class Erx final : public Crossover {
         const int other = neighbour(*parent, gene, step);
         if (other < 0 || !unused_.has(other)) continue;
         edges[edge_count++] = other;
-        if (ground_.moves.is_straight(gene, other)) legal[legal_count++] = other;
+        if (context_.moves.is_straight(gene, other)) legal[legal_count++] = other;
       }
     }
     if (legal_count > 0) return legal[random.below(legal_count)];
@@ -70,18 +70,18 @@ class Erx final : public Crossover {
   int neighbour(const Genome& genome, int gene, int step) const {
     const int p = genome.place(gene) + step;
     if (p >= 0 && p < genome.size()) return genome.at(p);
-    return ground_.closed() ? genome.at(p < 0 ? genome.size() - 1 : 0) : -1;
+    return context_.closed() ? genome.at(p < 0 ? genome.size() - 1 : 0) : -1;
   }
 
-  const Ground& ground_;
+  const OperatorContext& context_;
   Unused unused_;
   Tour genes_;
 };
 
 }  // namespace
 
-std::unique_ptr<Crossover> erx(const Ground& ground) {
-  return std::make_unique<Erx>(ground);
+std::unique_ptr<Crossover> erx(const OperatorContext& context) {
+  return std::make_unique<Erx>(context);
 }
 
 }  // namespace clearcut::order

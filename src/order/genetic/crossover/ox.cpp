@@ -8,10 +8,10 @@ namespace {
 
 class Ox final : public Crossover {
  public:
-  explicit Ox(const Ground& ground) : ground_(ground) {}
+  explicit Ox(const OperatorContext& context) : context_(context) {}
 
   void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
-    const auto [low, high] = std::minmax({ground_.any_position(random), ground_.any_position(random)});
+    const auto [low, high] = std::minmax({context_.any_position(random), context_.any_position(random)});
     genes_ = first.genes();
     int to = 0;
     for (int from = 0; from < first.size(); ++from) {
@@ -25,14 +25,14 @@ class Ox final : public Crossover {
   }
 
  private:
-  const Ground& ground_;
+  const OperatorContext& context_;
   Tour genes_;
 };
 
 }  // namespace
 
-std::unique_ptr<Crossover> ox(const Ground& ground) {
-  return std::make_unique<Ox>(ground);
+std::unique_ptr<Crossover> ox(const OperatorContext& context) {
+  return std::make_unique<Ox>(context);
 }
 
 }  // namespace clearcut::order

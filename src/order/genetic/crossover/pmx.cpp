@@ -8,10 +8,10 @@ namespace {
 
 class Pmx final : public Crossover {
  public:
-  explicit Pmx(const Ground& ground) : ground_(ground) {}
+  explicit Pmx(const OperatorContext& context) : context_(context) {}
 
   void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
-    const auto [low, high] = std::minmax({ground_.any_position(random), ground_.any_position(random)});
+    const auto [low, high] = std::minmax({context_.any_position(random), context_.any_position(random)});
     child = first;
     for (int p = low; p <= high; ++p) {
       if (child.at(p) != second.at(p)) child.swap(p, child.place(second.at(p)));
@@ -19,13 +19,13 @@ class Pmx final : public Crossover {
   }
 
  private:
-  const Ground& ground_;
+  const OperatorContext& context_;
 };
 
 }  // namespace
 
-std::unique_ptr<Crossover> pmx(const Ground& ground) {
-  return std::make_unique<Pmx>(ground);
+std::unique_ptr<Crossover> pmx(const OperatorContext& context) {
+  return std::make_unique<Pmx>(context);
 }
 
 }  // namespace clearcut::order

@@ -51,7 +51,7 @@ struct Wedge {
   RemainingStock remaining;
 };
 
-TEST(RoundCorner, GoesFromWallToWallWithinTheLimitAndLeavesNoMoreThanTheFilm) {
+TEST(RoundCorner, GoesFromWallToWallWithinTheLimitAndLeavesNoMoreThanTheResidual) {
   Random random(7);
   for (int i = 0; i < 60; ++i) {
     const double limit = random.between(0.8, 1.4);

@@ -95,7 +95,7 @@ void ModeWords::set_other(int code, const Block& block) {
   } else if (code == 51) {
     control_.condition(
         "blending",
-        "G5.1 lets the control smooth the path within a bound of its own; the exact path is judged");
+        "G5.1 lets the control smooth the path within a bound of its own; the exact path is checked");
   } else if (group == Group::kUnknown) {
     control_.refuse(g_word(code) + " is not read; post the program without it");
   }
@@ -214,7 +214,7 @@ void ModeWords::end(int m) {
   if (m == 20 || m == 300) control_.ended = true;
   if (m != 990) return;
   control_.ended = true;
-  control_.condition("m99", "M99 begins the program again from where it ends; the first run is judged");
+  control_.condition("m99", "M99 begins the program again from where it ends; the first run is checked");
 }
 
 void ModeWords::dwell(const Block& block) {

@@ -9,7 +9,7 @@ namespace clearcut::read::gcode {
 
 using Axes = std::array<double, 3>;
 
-/// The frame that is judged is that of the work; `shift` leads there from the program's words. All mm.
+/// The frame that is checked is that of the work; `shift` leads there from the program's words. All mm.
 class Frame {
  public:
   static constexpr int kSystems = 9;  ///< G54 to G59.3

@@ -20,7 +20,7 @@ enum class Group {
   kOffset,
   kOnce,  ///< words that use the axis words for something else than motion
   kCompensation,
-  kSilent  ///< no effect on the path that is judged
+  kSilent  ///< no effect on the path that is checked
 };
 Group group_of(int code);
 /// Modal groups, whose words exclude each other.

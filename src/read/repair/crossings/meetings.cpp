@@ -42,7 +42,7 @@ class Search {
   std::optional<std::vector<Meeting>> run(long long budget) {
     for (std::size_t l = 0; l < loops_.size(); ++l) {
       for (std::size_t e = 0; e < loops_[l].size() && found_.size() < most_; ++e) {
-        look_about({static_cast<int>(l), static_cast<int>(e)});
+        find_meetings_near({static_cast<int>(l), static_cast<int>(e)});
         if (pairs_ > budget) return std::nullopt;
       }
     }
@@ -50,7 +50,7 @@ class Search {
   }
 
  private:
-  void look_about(EdgeId id) {
+  void find_meetings_near(EdgeId id) {
     std::vector<EdgeId> later;
     for (const Box& box : index_.boxes(id)) {
       index_.visit(box.grown(kTouch), [&](EdgeId other) {

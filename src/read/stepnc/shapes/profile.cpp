@@ -130,14 +130,14 @@ CrossSection cross_section(const Node& profile, Context& context) {
     section.width = positive_length(profile, 1, "profile length");
   } else if (profile.is("SQUARE_U_PROFILE")) {
     section.width = positive_length(profile, 1, "width");
-    section.lean =
-        std::max(context.lean(profile.number(3).value_or(0)), context.lean(profile.number(5).value_or(0)));
+    section.draft = std::max(context.draft_angle(profile.number(3).value_or(0)),
+                             context.draft_angle(profile.number(5).value_or(0)));
     const double fillet = std::max(profile.length(2).value_or(0), profile.length(4).value_or(0));
-    if (section.lean < 0)
+    if (section.draft < 0)
       profile.fail("walls that overhang (negative angle) cannot be milled from above; correct it");
-    if (section.lean > 0)
+    if (section.draft > 0)
       context.warn(
-          "slot with leaning walls: its width is taken at the top, so that nothing is cut away that should "
+          "slot with drafted walls: its width is taken at the top, so that nothing is cut away that should "
           "stay",
           profile);
     if (fillet > 0) context.note("floor fillets are left to the cutter's own corner radius", profile);

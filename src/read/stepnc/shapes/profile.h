@@ -19,7 +19,7 @@ Path open_profile(const Node& profile, Context& context);
 /// What a cross-section, swept along a path, amounts to for a flat-ended cutter.
 struct CrossSection {
   double width = 0;          ///< mm at the top
-  double lean = 0;           ///< radians from vertical, both sides
+  double draft = 0;          ///< radians from vertical, both sides
   double rounded_below = 0;  ///< mm above the lowest point from where the sides are no longer prismatic
 };
 /// Throws InputError for sections without a prismatic part (VEE, TEE, general).

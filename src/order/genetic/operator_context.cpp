@@ -1,4 +1,4 @@
-#include "order/genetic/ground.h"
+#include "order/genetic/operator_context.h"
 
 #include <algorithm>
 
@@ -53,7 +53,8 @@ int LegalNeighbours::pick(int gene, Random& random) const {
   return other;
 }
 
-Ground::Ground(const Moves& on, int neighbour_count) : moves(on), neighbours(on, neighbour_count) {
+OperatorContext::OperatorContext(const Moves& on, int neighbour_count)
+    : moves(on), neighbours(on, neighbour_count) {
   const Problem& problem = on.problem();
   first = problem.start >= 0 ? 1 : 0;
   last = problem.size() - 1 - (problem.end >= 0 ? 1 : 0);

@@ -15,7 +15,7 @@ enum class Outcome {
   kNotTried      ///< not planned: not made for such a feature, hardly to win there, or it has no passes
 };
 
-struct Contestant {
+struct CandidateResult {
   std::string strategy;
   std::string stepover;  ///< "" where the strategy decides
   Outcome outcome = Outcome::kNotTried;
@@ -25,10 +25,10 @@ struct Contestant {
 };
 
 /// All that was considered for one workingstep, the fastest plan first.
-struct Contest {
+struct StrategySelection {
   std::string feature;
   int workingstep = -1;
-  std::vector<Contestant> contestants;
+  std::vector<CandidateResult> candidates;
 
   /// Name of the strategy that was kept; "" when there is none.
   std::string kept() const;

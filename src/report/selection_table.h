@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "model/results/contest.h"
+#include "model/results/strategy_selection.h"
 #include "report/text_table.h"
 
 namespace clearcut::report {
 
 /// One row a feature and strategy: time, feed length, what became of it. Times with ">" are bounds of what was not
 /// planned because it cannot win.
-TextTable contest_table(const std::vector<Contest>& contests);
+TextTable selection_table(const std::vector<StrategySelection>& selections);
 
 }  // namespace clearcut::report

@@ -1,13 +1,13 @@
-#include "model/results/contest.h"
+#include "model/results/strategy_selection.h"
 
 #include <algorithm>
 
 namespace clearcut::inline model {
 
-std::string Contest::kept() const {
-  const auto found = std::find_if(contestants.begin(), contestants.end(),
-                                  [](const Contestant& one) { return one.outcome == Outcome::kKept; });
-  return found == contestants.end() ? "" : found->strategy;
+std::string StrategySelection::kept() const {
+  const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                  [](const CandidateResult& one) { return one.outcome == Outcome::kKept; });
+  return found == candidates.end() ? "" : found->strategy;
 }
 
 const char* name_of(Outcome outcome) {

@@ -1,4 +1,4 @@
-// Walls that lean and pockets in layers: the judge on programs written by hand.
+// Drafted walls and pockets in layers: what is checked of programs written by hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ using testing::square_program;
 using testing::Writer;
 
 /// A slot through the whole stock, 10 mm wide at the top, its walls 1 mm nearer at the floor.
-Part leaning_slot() {
+Part drafted_slot() {
   Part part = pocket_part(rectangle(0, 15, 60, 25), 6, -4);
   part.stock = Stock{{{0, 0}, {60, 40}}, -20, 0};
   const Region around = rectangle(-1000, -1000, 1060, 1040)[0];
@@ -42,7 +42,7 @@ Toolpath slot_program(double low, double high, std::optional<double> across = {}
 }
 
 TEST(Verify, LeaningWallsEndAtTheSideOfTheStock) {
-  const Part part = leaning_slot();
+  const Part part = drafted_slot();
   const Findings right = verify_program(part, slot_program(19, 21), {});
   EXPECT_TRUE(right.all.clean) << report_of(right);
   EXPECT_LE(right.all.unreachable_mm2, 0.1);

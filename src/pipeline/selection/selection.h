@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/move.h"
-#include "model/results/contest.h"
+#include "model/results/strategy_selection.h"
 #include "pipeline/selection/strategies.h"
 
 namespace clearcut::pipeline {
@@ -24,41 +24,41 @@ struct StepPlan {
 };
 
 /// A workingstep with what is tried for it, its tool and feed as far as bounds need them.
-struct ChoiceStep {
+struct SelectionStep {
   std::string feature;
   int workingstep = 0;
   double tool_radius = 0;
   MmPerMin feed;
-  Attempts attempts;
+  StrategyCandidates candidates;
 };
 
-using StepPlanner = std::function<StepPlan(int workingstep, const Attempt& attempt)>;
+using StepPlanner = std::function<StepPlan(int workingstep, const StrategyCandidate& candidate)>;
 
 /// The plans of all workingsteps. What is chosen depends on the plans alone, not on clocks or threads.
-class Choice {
+class Selection {
  public:
-  /// Plans the first two attempts of every step, then those others that may be faster by their least length and are worth
+  /// Plans the first two candidates of every step, then those others that may be faster by their least length and are worth
   /// the effort; all in parallel on `threads`. Throws what the planner throws for a step's first strategy.
-  Choice(std::vector<ChoiceStep> steps, StepPlanner planner, int threads);
+  Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads);
 
   const Section& section(std::size_t step) const;
   /// Takes the next best plan after one that was not certified clean: a slower one, else a fallback. False when
   /// nothing is left, and the last plan stays.
   bool next(std::size_t step);
-  const Attempt& attempt(std::size_t step) const;
+  const StrategyCandidate& candidate(std::size_t step) const;
   /// Names of strategies whose planning took too much work.
   std::vector<std::string> left_out(std::size_t step) const;
-  std::vector<Contest> contests() const;
+  std::vector<StrategySelection> selections() const;
 
  private:
-  struct Try {
-    Attempt attempt;
+  struct PlannedCandidate {
+    StrategyCandidate candidate;
     StepPlan plan;
     double least_s = 0;
     Outcome outcome = Outcome::kNotTried;
   };
-  struct Candidates {
-    std::vector<Try> tries;  ///< planned ones first, fastest first
+  struct RankedCandidates {
+    std::vector<PlannedCandidate> all;  ///< planned ones first, fastest first
     std::size_t at = 0;
     std::size_t planned = 0;
     std::size_t fallbacks = 0;  ///< used
@@ -66,13 +66,13 @@ class Choice {
   void plan_first();
   void plan_others();
   void rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work);
-  void sort(Candidates& candidates) const;
-  void plan_into(std::size_t step, Try& one) const;
+  void sort(RankedCandidates& ranked) const;
+  void plan_into(std::size_t step, PlannedCandidate& one) const;
 
-  std::vector<ChoiceStep> steps_;
+  std::vector<SelectionStep> steps_;
   StepPlanner planner_;
   int threads_;
-  std::vector<Candidates> candidates_;
+  std::vector<RankedCandidates> ranked_;
 };
 
 }  // namespace clearcut::pipeline

@@ -27,13 +27,13 @@ class LegalNeighbours {
   std::vector<std::vector<int>> lists_;
 };
 
-struct Ground {
+struct OperatorContext {
   const Moves& moves;
   LegalNeighbours neighbours;
   int first = 0;  ///< positions that operators may change: first..last; fixed ends lie outside
   int last = 0;
 
-  Ground(const Moves& on, int neighbour_count);
+  OperatorContext(const Moves& on, int neighbour_count);
   bool closed() const { return moves.problem().closed(); }
   int free_count() const { return last - first + 1; }
   int any_position(Random& random) const {

@@ -7,12 +7,12 @@
 namespace clearcut::verify {
 
 /// That material at the height of a question. Keeps a reference to the question.
-class WallFilm {
+class WallResidual {
  public:
-  explicit WallFilm(const CoverageQuestion& question) : question_(question) {}
+  explicit WallResidual(const CoverageQuestion& question) : question_(question) {}
 
   /// Whether there may be any.
-  bool may_be() const { return question_.allowance > 0 || question_.part->greatest_lean() > 0; }
+  bool may_be() const { return question_.allowance > 0 || question_.part->greatest_draft_offset() > 0; }
   /// Whether p lies in what is to be left on a wall.
   bool holds(Vec2 p) const;
   /// Whether all of `polygon`, which lies within `reach` mm of `center`, lies in what is to be left on one wall.

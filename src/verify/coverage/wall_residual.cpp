@@ -1,4 +1,4 @@
-#include "verify/coverage/wall_film.h"
+#include "verify/coverage/wall_residual.h"
 
 #include <algorithm>
 
@@ -8,26 +8,26 @@ namespace clearcut::verify {
 namespace {
 
 /// mm. Smaller differences come from rounding.
-constexpr double kFilmRounding = 1e-9;
+constexpr double kResidualRounding = 1e-9;
 
 }  // namespace
 
-bool WallFilm::holds(Vec2 p) const {
+bool WallResidual::holds(Vec2 p) const {
   if (!may_be()) return false;
-  const double lean = question_.part->greatest_lean();
+  const double draft = question_.part->greatest_draft_offset();
   bool found = false;
   const std::vector<Wall>& walls = question_.part->walls();
-  question_.part->wall_tree().nearest(p, question_.allowance + lean, [&](int i) {
+  question_.part->wall_tree().nearest(p, question_.allowance + draft, [&](int i) {
     found = found || (walls[i].stands_at(question_.z) &&
                       distance(walls[i].edge, p) <
-                          question_.allowance + question_.part->lean(walls[i], question_.z, p));
+                          question_.allowance + question_.part->draft_offset(walls[i], question_.z, p));
     return false;
   });
   return found;
 }
 
-bool WallFilm::holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, double reach) const {
-  const double greatest = question_.allowance + question_.part->greatest_lean();
+bool WallResidual::holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, double reach) const {
+  const double greatest = question_.allowance + question_.part->greatest_draft_offset();
   const std::vector<Wall>& walls = question_.part->walls();
   bool found = false;
   question_.part->wall_tree().nearest(center, greatest, [&](int i) {
@@ -37,18 +37,19 @@ bool WallFilm::holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, doub
   return found;
 }
 
-bool WallFilm::wall_holds(const Wall& wall, const ConvexPolygon& polygon, Vec2 center, double reach) const {
-  const double film = question_.allowance + wall.lean(question_.z);
+bool WallResidual::wall_holds(const Wall& wall, const ConvexPolygon& polygon, Vec2 center,
+                              double reach) const {
+  const double residual = question_.allowance + wall.draft_offset(question_.z);
   if (wall.edge.is_arc()) {
-    if (distance(wall.edge, center) + reach > film) return false;
-  } else if (excess_over(polygon, {wall.edge, film}) > kFilmRounding) {
+    if (distance(wall.edge, center) + reach > residual) return false;
+  } else if (excess_over(polygon, {wall.edge, residual}) > kResidualRounding) {
     return false;
   }
   const std::vector<Edge> ends = wall.flat_ends(question_.z);
   return std::all_of(ends.begin(), ends.end(), [&](const Edge& end) {
     const Vec2 outward = left_of(end.tangent_at(0));
     return std::all_of(polygon.points().begin(), polygon.points().end(),
-                       [&](Vec2 p) { return dot(p - end.from, outward) <= kFilmRounding; });
+                       [&](Vec2 p) { return dot(p - end.from, outward) <= kResidualRounding; });
   });
 }
 

@@ -1,0 +1,162 @@
+#include "pipeline/selection/selection.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/work_budget.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// So many of the candidates are planned in any case.
+constexpr std::size_t kFirst = 2;
+/// mm. What a strategy has to travel at least, from the area that can be cleared.
+double least_way(const StrategyEntry& strategy, const ClearedSize& size, double radius) {
+  return strategy.least_length ? strategy.least_length(size, radius) : size.reached_mm2 / (2 * radius);
+}
+
+/// Edges of an outline up to which planning once more is not felt.
+constexpr double kFewEdges = 150;
+
+/// Whether planning a strategy that may win is worth its effort: the more edges, the more room it must have between its
+/// least time and the best known.
+bool is_worthwhile(const StrategyEntry& strategy, const ClearedSize& known, double least_s, double best_s,
+                   double radius) {
+  if (strategy.is_small_enough && !strategy.is_small_enough(known, radius)) return false;
+  const double size = std::pow(std::max(1.0, static_cast<double>(known.edges) / kFewEdges), 0.125);
+  return best_s > strategy.margin * size * least_s;
+}
+
+template <typename Work>
+void in_parallel(std::size_t count, int threads, Work&& work) {
+  on_threads(threads, [&] { parallel_for(std::size_t{0}, count, work); });
+}
+
+}  // namespace
+
+Selection::Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads)
+    : steps_(std::move(steps)), planner_(std::move(planner)), threads_(threads), ranked_(steps_.size()) {
+  for (std::size_t step = 0; step < steps_.size(); ++step) {
+    for (const auto& candidate : steps_[step].candidates.competing)
+      ranked_[step].all.push_back({candidate, {}, 0, Outcome::kNotTried});
+  }
+  plan_first();
+  plan_others();
+  for (auto& ranked : ranked_) sort(ranked);
+}
+
+/// Strategies but the first may refuse what was asked for: then they are not in the selection.
+void Selection::plan_into(std::size_t step, PlannedCandidate& one) const {
+  const bool first = one.candidate.strategy == steps_[step].candidates.competing.front().strategy;
+  try {
+    one.plan = planner_(steps_[step].workingstep, one.candidate);
+    if (!one.plan.section.moves.empty()) one.outcome = Outcome::kOutrun;
+  } catch (const InputError&) {
+    if (first) throw;
+  } catch (const OutOfWork&) {
+    one.plan = {};
+    one.outcome = Outcome::kTooMuchWork;
+  }
+}
+
+void Selection::plan_first() {
+  std::vector<std::pair<std::size_t, std::size_t>> work;
+  for (std::size_t step = 0; step < steps_.size(); ++step) {
+    for (std::size_t k = 0; k < std::min(kFirst, ranked_[step].all.size()); ++k) work.emplace_back(step, k);
+  }
+  in_parallel(work.size(), threads_,
+              [&](std::size_t i) { plan_into(work[i].first, ranked_[work[i].first].all[work[i].second]); });
+}
+
+/// Adds the candidates of a step that may be faster than the first ones to `work`.
+void Selection::rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work) {
+  auto& all = ranked_[step].all;
+  const StepPlan& known = all.front().plan;
+  const double radius = steps_[step].tool_radius;
+  if (known.hole || known.rest || known.section.moves.empty()) return;
+  // Where the cutter has hardly room to move there is nothing to choose.
+  if (known.size.reached_mm2 < 8 * radius * radius) return;
+  double best = known.time_s;
+  for (std::size_t k = 1; k < std::min(kFirst, all.size()); ++k) best = std::min(best, all[k].plan.time_s);
+  for (std::size_t k = kFirst; k < all.size(); ++k) {
+    const StrategyEntry& strategy = *all[k].candidate.strategy;
+    if (!known.pocket && !strategy.tried_when_open) continue;
+    all[k].least_s = least_way(strategy, known.size, radius) / steps_[step].feed.mm_per_s();
+    if (all[k].least_s >= best) {
+      all[k].outcome = Outcome::kCannotWin;
+    } else if (is_worthwhile(strategy, known.size, all[k].least_s, best, radius)) {
+      work.emplace_back(step, k);
+    }
+  }
+}
+
+void Selection::plan_others() {
+  std::vector<std::pair<std::size_t, std::size_t>> work;
+  for (std::size_t step = 0; step < steps_.size(); ++step) rate_others(step, work);
+  in_parallel(work.size(), threads_,
+              [&](std::size_t i) { plan_into(work[i].first, ranked_[work[i].first].all[work[i].second]); });
+}
+
+/// Holes come out the same whatever the strategy, so the first stays in front.
+void Selection::sort(RankedCandidates& ranked) const {
+  auto& all = ranked.all;
+  if (all.front().plan.hole) all.resize(1);
+  std::stable_sort(all.begin(), all.end(), [](const PlannedCandidate& a, const PlannedCandidate& b) {
+    const bool a_planned = !a.plan.section.moves.empty(), b_planned = !b.plan.section.moves.empty();
+    return a_planned != b_planned ? a_planned : a_planned && a.plan.time_s < b.plan.time_s;
+  });
+  ranked.planned = static_cast<std::size_t>(std::count_if(
+      all.begin(), all.end(), [](const PlannedCandidate& one) { return !one.plan.section.moves.empty(); }));
+  if (ranked.planned > 0) all.front().outcome = Outcome::kKept;
+}
+
+const Section& Selection::section(std::size_t step) const {
+  return ranked_[step].all[ranked_[step].at].plan.section;
+}
+
+const StrategyCandidate& Selection::candidate(std::size_t step) const {
+  return ranked_[step].all[ranked_[step].at].candidate;
+}
+
+std::vector<std::string> Selection::left_out(std::size_t step) const {
+  std::vector<std::string> names;
+  for (const auto& one : ranked_[step].all) {
+    if (one.outcome == Outcome::kTooMuchWork) names.push_back(one.candidate.strategy->name);
+  }
+  return names;
+}
+
+bool Selection::next(std::size_t step) {
+  auto& ranked = ranked_[step];
+  const auto& fallbacks = steps_[step].candidates.fallbacks;
+  if (ranked.planned == 0 || ranked.all[ranked.at].plan.hole) return false;
+  if (ranked.at + 1 >= ranked.planned) {
+    if (ranked.fallbacks == fallbacks.size()) return false;
+    PlannedCandidate fallback{fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried};
+    plan_into(step, fallback);
+    const auto place = ranked.all.begin() + static_cast<std::ptrdiff_t>(ranked.planned++);
+    ranked.all.insert(place, std::move(fallback));
+  }
+  ranked.all[ranked.at].outcome = Outcome::kNotClean;
+  ranked.all[++ranked.at].outcome = Outcome::kKept;
+  return true;
+}
+
+std::vector<StrategySelection> Selection::selections() const {
+  std::vector<StrategySelection> selections;
+  for (std::size_t step = 0; step < steps_.size(); ++step) {
+    StrategySelection selection{steps_[step].feature, steps_[step].workingstep, {}};
+    for (const auto& one : ranked_[step].all) {
+      const bool planned = !one.plan.section.moves.empty();
+      selection.candidates.push_back({one.candidate.strategy->name, one.candidate.stepover.text, one.outcome,
+                                      planned ? one.plan.time_s : 0,
+                                      planned ? feed_length(one.plan.section) : 0, one.least_s});
+    }
+    selections.push_back(std::move(selection));
+  }
+  return selections;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,51 @@
+#include "pipeline/selection/selection.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "base/work_budget.h"
+#include "model/strategy_entry.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+StrategyEntry named(const char* name) {
+  StrategyEntry entry;
+  entry.name = name;
+  return entry;
+}
+
+std::vector<SelectionStep> one_step(std::vector<StrategyCandidate> selection) {
+  StrategyCandidates candidates;
+  candidates.competing = std::move(selection);
+  return {{"pocket", 0, 5, MmPerMin::of(1000), candidates}};
+}
+
+TEST(Selection, AStrategyThatTakesTooMuchWorkIsLeftOutByNameAndTheOthersAnswer) {
+  const StrategyEntry contour = named("contour"), zigzag = named("zigzag");
+  const auto planner = [](int, const StrategyCandidate& candidate) {
+    const WorkBudget budget(10);
+    StepPlan plan;
+    WorkBudget::spend(candidate.strategy->name == "contour" ? 11 : 10);
+    plan.section.moves.emplace_back();
+    plan.time_s = 1;
+    return plan;
+  };
+  const Selection selection(one_step({{&contour, {}}, {&zigzag, {}}}), planner, 1);
+  EXPECT_EQ(selection.candidate(0).strategy->name, "zigzag");
+  EXPECT_FALSE(selection.section(0).moves.empty());
+  EXPECT_EQ(selection.left_out(0), std::vector<std::string>{"contour"});
+  EXPECT_EQ(selection.selections().front().candidates.back().outcome, Outcome::kTooMuchWork);
+}
+
+TEST(Selection, WhereAllTakeTooMuchWorkNothingIsPlanned) {
+  const StrategyEntry contour = named("contour");
+  const auto planner = [](int, const StrategyCandidate&) -> StepPlan { throw OutOfWork("too much"); };
+  const Selection selection(one_step({{&contour, {}}}), planner, 1);
+  EXPECT_TRUE(selection.section(0).moves.empty());
+  EXPECT_EQ(selection.left_out(0), std::vector<std::string>{"contour"});
+}
+
+}  // namespace
+}  // namespace clearcut::pipeline
