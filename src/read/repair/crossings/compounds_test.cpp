@@ -1,9 +1,11 @@
 // Filled paths whose outlines touch, share corners and run along each other, beside the winding numbers of sampled points.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
+#include "base/error.h"
 #include "base/random.h"
 #include "base/text/format.h"
 #include "base/units.h"
@@ -75,6 +77,11 @@ struct Scene {
   }
 };
 
+int scenes() {
+  const char* asked = std::getenv("CLEARCUT_RANDOM_PARTS");
+  return asked ? std::atoi(asked) : 250;
+}
+
 bool covers(const Regions& regions, Vec2 p) {
   for (const Region& region : regions)
     if (region.contains(p)) return true;
@@ -107,8 +114,7 @@ TEST(Compounds, AHoleThatTouchesItsOutlineStaysAHole) {
 
 TEST(Compounds, AreWhatTheirFillRuleSaysHoweverTheirOutlinesMeet) {
   Random random(11);
-  const char* asked = std::getenv("CLEARCUT_RANDOM_PARTS");
-  for (int n = 0; n < (asked ? std::atoi(asked) : 250); ++n) {
+  for (int n = 0; n < scenes(); ++n) {
     SCOPED_TRACE(n);
     const Scene scene(random);
     const bool nonzero = (random.unit() < 0.5);
@@ -127,6 +133,35 @@ TEST(Compounds, AreWhatTheirFillRuleSaysHoweverTheirOutlinesMeet) {
           << (nonzero ? " nonzero" : " even-odd");
     }
   }
+}
+
+/// Outlines of a drawing that are not mended bound what the even-odd rule says, whatever they touch.
+TEST(Outlines, AreAreasByTheEvenOddRuleUnlessAMendIsSaid) {
+  Random random(12);
+  int plain = 0;
+  for (int n = 0; n < scenes(); ++n) {
+    SCOPED_TRACE(n);
+    const Scene scene(random);
+    std::vector<RawCurve> curves;
+    for (const Loop& loop : scene.loops) curves.push_back({loop, true, "outline", {}});
+    Diagnostics diagnostics;
+    Regions regions;
+    try {
+      regions = repair(curves, {}, diagnostics);
+    } catch (const InputError&) {
+      continue;
+    }
+    const auto& items = diagnostics.items();
+    const auto is_mend = [](const Diagnostic& item) { return item.severity == Severity::kRepair; };
+    if (std::any_of(items.begin(), items.end(), is_mend)) continue;
+    ++plain;
+    for (int k = 0; k < 60; ++k) {
+      const Vec2 p = Vec2{random.between(-14, 14), random.between(-14, 14)} * scene.scale;
+      if (scene.distance_to(p) < 0.02 * scene.scale) continue;
+      ASSERT_EQ(covers(regions, p), scene.winding(p) % 2 != 0) << scene.text() << "at " << p.x << " " << p.y;
+    }
+  }
+  EXPECT_GT(plain, scenes() / 10);
 }
 
 }  // namespace
