@@ -41,10 +41,22 @@ class PlanArguments {
   /// The paths alone.
   std::vector<std::string> input_paths() const;
   const SolidOptions& solid() const { return solid_; }
-  /// The job file, when the input is one.
+  /// The job file, when the input is one; of several set-ups the chosen one.
   std::optional<JobFile> job() const;
 
+  /// Of a job: how many [[setup]] it has; 0 where it is one set-up.
+  int setup_count() const;
+  /// From 1; as --setup does.
+  void choose_setup(int number) { setup_ = number; }
+  bool is_setup_chosen() const { return setup_ > 0; }
+  /// A set-up before the chosen one has been planned: what it leaves is the stock.
+  void add_machined(MachinedSetup setup) { machined_.push_back(std::move(setup)); }
+  /// Of the set-up that was read.
+  const SetupPlace& place() const { return place_; }
+
  private:
+  Part read_setup(const JobFile& whole) const;
+  std::vector<MachinedSetup> machined_before(const JobFile& whole) const;
   ReadOptions read_options() const;
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
@@ -60,6 +72,12 @@ class PlanArguments {
   ShopOptions shop(const ShopOptions& of_job) const;
 
   std::string input_;
+  std::optional<std::string> zero_;
+  int setup_ = 0;
+  std::vector<std::string> earlier_setups_;
+  std::vector<MachinedSetup> machined_;
+  mutable SetupPlace place_;
+  mutable std::optional<CarriedStock> carried_;
   Sources typed_;
   mutable StepChoices step_published_;  ///< likewise
   mutable StepSources step_sources_;    ///< of the part that was read

@@ -123,6 +123,8 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
   const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const bool finishing = finishes(step.operation) && resolve::follows_milling(part, index);
+  const bool met = resolve::meets_earlier(part, index, plan.earlier);
+  const std::optional<Toolpath> earlier = met ? plan.earlier : std::nullopt;
   std::vector<LayerLeft> out;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const bool last = i + 1 == layers.size();
@@ -130,8 +132,8 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
     LayerLeft one{layers[i]};
     const bool whole_floor =
         finishing && last && !step.operation.rest && step.operation.kind != OperationKind::kSideFinishing;
-    if (!whole_floor && (finishing || step.operation.rest || plan.earlier)) {
-      const Regions left = resolve::left_over(part, index, one.layer, plan.earlier, plan.tol);
+    if (!whole_floor && (finishing || step.operation.rest || met)) {
+      const Regions left = resolve::left_over(part, index, one.layer, earlier, plan.tol);
       one.walls_only =
           finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan.tol);
       if (!one.walls_only) one.layer.target = left;
