@@ -64,7 +64,7 @@ TEST(Setups, EachHasItsProgramAndAllHaveOneVerdict) {
   EXPECT_THAT(read_file(drawn.folder.path("part-1.ngc")), HasSubstr("G54"));
   const std::string second = read_file(drawn.folder.path("part-2.ngc"));
   EXPECT_THAT(second, HasSubstr("G55"));
-  EXPECT_THAT(second, HasSubstr("set-up 2 of 2 underside"));
+  EXPECT_THAT(second, HasSubstr("SET-UP 2 OF 2 UNDERSIDE"));
   EXPECT_THAT(read_file(drawn.folder.path("part-2.json")), HasSubstr("CLEAN"));
   const std::string sheet = read_file(drawn.folder.path("sheet.html"));
   EXPECT_THAT(sheet, HasSubstr("set-up 1 of 2 top"));

@@ -17,6 +17,18 @@
 
 namespace clearcut::cli {
 
+/// Which of several set-ups of a job is meant, and what is known of those before it.
+struct ChosenSetup {
+  int number = 0;                             ///< from 1; 0: none was chosen
+  std::vector<std::string> earlier_programs;  ///< of the set-ups before, in order
+  std::vector<MachinedSetup> machined;        ///< those that have been planned
+  SetupPlace place;                           ///< of the set-up that was read
+  std::optional<CarriedStock> carried;        ///< what the ones before leave to it
+};
+
+/// How many [[setup]] a job file has; 0 for other files and jobs of one set-up.
+int setup_count_of(const std::string& input);
+
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {
  public:
@@ -44,15 +56,8 @@ class PlanArguments {
   /// The job file, when the input is one; of several set-ups the chosen one.
   std::optional<JobFile> job() const;
 
-  /// Of a job: how many [[setup]] it has; 0 where it is one set-up.
-  int setup_count() const;
-  /// From 1; as --setup does.
-  void choose_setup(int number) { setup_ = number; }
-  bool is_setup_chosen() const { return setup_ > 0; }
-  /// A set-up before the chosen one has been planned: what it leaves is the stock.
-  void add_machined(MachinedSetup setup) { machined_.push_back(std::move(setup)); }
-  /// Of the set-up that was read.
-  const SetupPlace& place() const { return place_; }
+  /// As --setup and --earlier-setup say, or a caller.
+  ChosenSetup& setup() const { return setup_; }
 
  private:
   Part read_setup(const JobFile& whole) const;
@@ -73,11 +78,7 @@ class PlanArguments {
 
   std::string input_;
   std::optional<std::string> zero_;
-  int setup_ = 0;
-  std::vector<std::string> earlier_setups_;
-  std::vector<MachinedSetup> machined_;
-  mutable SetupPlace place_;
-  mutable std::optional<CarriedStock> carried_;
+  mutable ChosenSetup setup_;
   Sources typed_;
   mutable StepChoices step_published_;  ///< likewise
   mutable StepSources step_sources_;    ///< of the part that was read

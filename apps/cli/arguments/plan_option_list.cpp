@@ -20,11 +20,11 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   command.add_option(
       "--origin", zero_,
       "Zero of the program: corner or centre of the top of the block, or X,Y,Z (default: the file's)");
-  command.add_option("--setup", setup_, "Which set-up of a job that has several (from 1)")
+  command.add_option("--setup", setup_.number, "Which set-up of a job that has several (from 1)")
       ->check(CLI::Range(1, 100));
   command
       .add_option(
-          "--earlier-setup", earlier_setups_,
+          "--earlier-setup", setup_.earlier_programs,
           "Programs of the set-ups before that one, in order (repeatable): its stock is what they leave")
       ->type_name("FILE");
   command.add_option("--unit", unit_, "Unit of a drawing that names none: mm, cm, m, inch, px")

@@ -156,9 +156,10 @@ std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) 
   for (int number = 1; number <= count; ++number) {
     PlannedSetup one{command, {}, {}};
     PlanArguments& arguments = one.command.arguments;
-    arguments.choose_setup(number);
+    arguments.setup().number = number;
     for (const PlannedSetup& before : setups)
-      arguments.add_machined({before.result.part, before.result.toolpath, before.command.arguments.place()});
+      arguments.setup().machined.push_back(
+          {before.result.part, before.result.toolpath, before.command.arguments.setup().place});
     number_outputs(one.command, number);
     const Part part = arguments.read();
     one.options = arguments.options();
@@ -180,7 +181,7 @@ std::vector<std::string> inputs_of_setups(const PlanCommand& command, int count)
   std::vector<std::string> inputs = command.arguments.input_paths();
   for (int number = 1; number <= count; ++number) {
     PlanArguments one = command.arguments;
-    one.choose_setup(number);
+    one.setup().number = number;
     for (const std::string& path : one.input_paths()) inputs.push_back(path);
   }
   return inputs;
@@ -213,7 +214,7 @@ std::vector<OutputFile> files_of_setups(const std::vector<PlannedSetup>& setups,
 }
 
 void refuse_for_setups(const PlanCommand& command, int count) {
-  if (command.arguments.is_setup_chosen())
+  if (command.arguments.setup().number > 0)
     throw InputError("--setup", "the set-ups of a job are planned together; leave it out");
   if (command.output.empty() && !command.explain)
     throw InputError("--output", "is missing; name the program to write");
@@ -244,7 +245,7 @@ int run_setups(const PlanCommand& command, int count) {
 
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
-  if (const int setups = command.arguments.setup_count()) return run_setups(command, setups);
+  if (const int setups = setup_count_of(command.arguments.input())) return run_setups(command, setups);
   const Part part = command.arguments.read();
   const PlanOptions options = command.arguments.options();
   if (command.output.empty() && command.explain) return explain(part, options);

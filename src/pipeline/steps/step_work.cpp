@@ -170,6 +170,12 @@ bool meets_others(const Part& part, const Feature& feature) {
   });
 }
 
+/// Whether all that was cut before was cut in earlier set-ups.
+bool is_carried_alone(const Toolpath& earlier) {
+  return std::all_of(earlier.sections.begin(), earlier.sections.end(),
+                     [](const Section& section) { return section.carried_below.has_value(); });
+}
+
 StepWork step_work(int index, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   StepWork work;
@@ -184,6 +190,8 @@ StepWork step_work(int index, const ResolvedPlan& plan) {
   work.hole = hole_step(standing, index, plan);
   work.layers = layers_left(standing, index, plan);
   work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
+  // A hole that an earlier set-up drilled is not drilled again.
+  if (work.done_before && is_carried_alone(*plan.earlier)) work.hole.reset();
   return work;
 }
 

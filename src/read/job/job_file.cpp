@@ -368,6 +368,7 @@ JobFile read_setups(const DataValue& root, const std::string& file_name) {
     setups.push_back(std::move(job));
   }
   JobFile job = setups.front();
+  job.setup_number = 0;
   job.setups = std::move(setups);
   return job;
 }
