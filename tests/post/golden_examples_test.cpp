@@ -51,8 +51,6 @@ constexpr Example kExamples[] = {
     {"sign.dxf", "sign", "vbit:60deg:10", std::nullopt},
     {"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3},
     {"flange.toml", "flange", std::nullopt, std::nullopt, true},
-    {"inlay_hole.dxf", "inlay_hole", "vbit:60deg:10 endmill:3", std::nullopt},
-    {"inlay_plug.dxf", "inlay_plug", "vbit:60deg:10 endmill:3", std::nullopt},
     {"gland.toml", "gland", std::nullopt, std::nullopt, true},
     {"inch_plate.dxf", "inch_plate", "endmill:0.25in drill:0.201in", std::nullopt, true}};
 constexpr Example kFivePockets{"five_pockets.toml", "five_pockets", std::nullopt, std::nullopt};
