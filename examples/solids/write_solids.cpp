@@ -1,11 +1,12 @@
 // Writes bracket.step (the pocket of bracket.json in a block), nested.step, awkward.step, where much is not for a cutter
-// from above, on_edge.step and sideways.step, which must be turned, disc.step, which fills no box, and the assembly
-// plate_and_pins.step.
+// from above, on_edge.step and sideways.step, which must be turned, disc.step, which fills no box, two_sided.step, which takes
+// two set-ups, and the assembly plate_and_pins.step.
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -126,6 +127,26 @@ TopoDS_Shape disc() {
   return BRepAlgoAPI_Cut(shape, swept(Region::from_valid_loops(circle({0, 0}, 3), {}), 6));
 }
 
+/// A bracket that is milled from two sides: a pocket with a boss and a hole through it, a step with two holes above; below a
+/// pocket, and counterbores about the holes.
+TopoDS_Shape two_sided() {
+  const Vec2 boss{32, 30}, low{77, 15}, high{77, 45};
+  TopoDS_Shape shape = swept(Region::from_valid_loops(rounded({{0, 0}, {90, 60}}, 6), {}), 16);
+  const auto cut = [&](const TopoDS_Shape& tool) { shape = BRepAlgoAPI_Cut(shape, tool); };
+  const auto from_below = [&](const Loop& outline, double depth) {
+    gp_Trsf down;
+    down.SetTranslation(gp_Vec(0, 0, depth - 16));
+    return BRepBuilderAPI_Transform(swept(Region::from_valid_loops(outline, {}), depth), down).Shape();
+  };
+  cut(swept(Region::from_valid_loops(rounded({{10, 10}, {54, 50}}, 6), {circle(boss, 8)}), 6));
+  cut(BRepPrimAPI_MakeBox(gp_Pnt(64, -1, -5), gp_Pnt(91, 61, 1)));
+  for (const Vec2 hole : {low, high}) cut(swept(Region::from_valid_loops(circle(hole, 3.3), {}), 16));
+  cut(swept(Region::from_valid_loops(circle(boss, 4), {}), 16));
+  cut(from_below(rounded({{8, 8}, {56, 52}}, 6), 4));
+  for (const Vec2 hole : {low, high}) cut(from_below(circle(hole, 6), 5));
+  return shape;
+}
+
 struct NamedShape {
   const char* name;  ///< of the product; null for the kernel's own
   TopoDS_Shape shape;
@@ -185,6 +206,7 @@ int main(int argc, char** argv) {
   write(on_edge(), folder / "on_edge.step");
   write(sideways(), folder / "sideways.step");
   write(disc(), folder / "disc.step");
+  write(two_sided(), folder / "two_sided.step");
   write(plate_and_pins(), folder / "plate_and_pins.step");
   return 0;
 }

@@ -4,11 +4,13 @@
 #include "clearcut/geometry.h"
 #include "model/machine.h"
 #include "model/part.h"
+#include "model/setup_place.h"
 #include "model/tool.h"
 #include "post/part/outline_writer.h"
 #include "post/part/stepnc_writer.h"
 #include "post/post.h"
 #include "read/job/job_file.h"
+#include "read/job/job_setups.h"
 #include "read/job/machine_file.h"
 #include "read/read_part.h"
 #include "read/tools/tool_library.h"
@@ -35,9 +37,13 @@ using read::JobFile;
 using read::JobOutput;
 using read::OperationRule;
 using read::part_of_job;
+using read::part_of_setup;
 using read::read_job;
 using read::read_job_text;
 using read::tools_of_job;
+using read::with_zero_at;
+using read::zero_of;
+using read::ZeroPoint;
 
 // Tools and machines.
 using read::CuttingPreset;

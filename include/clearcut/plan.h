@@ -15,6 +15,7 @@
 #include "pipeline/selection/compare.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/selection/tool_sets.h"
+#include "pipeline/setups/carried_stock.h"
 #include "resolve/names.h"
 #include "resolve/plan_options.h"
 #include "resolve/prepare.h"
@@ -22,7 +23,10 @@
 
 namespace clearcut {
 
+using pipeline::carried_stock;
+using pipeline::CarriedStock;
 using pipeline::cutting_of_tools;
+using pipeline::MachinedSetup;
 using pipeline::options_of_job;
 using pipeline::plan_part;
 using pipeline::PlanResult;

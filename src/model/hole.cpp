@@ -146,4 +146,20 @@ double minor_tolerance(const Thread& thread) {
   return (p <= 0.8 ? 433 * p - 190 * std::pow(p, 1.22) : 230 * std::pow(p, 0.7)) / 1000;
 }
 
+double root_diameter(const Thread& thread) {
+  constexpr double kRootBelowMajor = 1.226869;  // 2 * 17/24 * sqrt(3)/2
+  return thread.diameter - kRootBelowMajor * thread.pitch;
+}
+
+/// ISO 965-1: es = -(15 + 11 P) um, Td = 180 P^(2/3) - 3.15 / sqrt(P) um.
+double crest_tolerance(const Thread& thread) {
+  const double p = thread.pitch;
+  return (15 + 11 * p + 180 * std::pow(p, 2.0 / 3) - 3.15 / std::sqrt(p)) / 1000;
+}
+
+double approach_beside(const Thread& thread) {
+  constexpr double kBesideCrest = 1;  // mm
+  return 0.75 * (thread.diameter - root_diameter(thread)) + kBesideCrest;
+}
+
 }  // namespace clearcut::inline model

@@ -22,7 +22,7 @@ enum class HoleKind {
 /// "drill", "spot", "ream", "bore", "counterbore", "countersink", "tap", "thread".
 const char* name_of(HoleKind kind);
 
-/// An internal thread of 60 degrees: ISO metric or unified. mm.
+/// A thread of 60 degrees, internal or external: ISO metric or unified. mm.
 struct Thread {
   std::string name;     ///< "M6", "M20x1.5", "UNC1/4"
   double diameter = 0;  ///< major
@@ -39,6 +39,13 @@ double minor_diameter(const Thread& thread);
 /// mm; by how much it may be wider: tolerance 6H of ISO 965-1, 2B of unified threads is near it.
 double minor_tolerance(const Thread& thread);
 
+/// mm; at the root of the external thread: d3 = d - 1.2269 P.
+double root_diameter(const Thread& thread);
+/// mm; by how much the boss of an external thread may be narrower than the thread: its tolerance 6g of ISO 965-1.
+double crest_tolerance(const Thread& thread);
+/// mm beside the root of an external thread at which a thread mill comes down.
+double approach_beside(const Thread& thread);
+
 /// What a layer or an option says of its circles.
 struct HoleRequest {
   HoleKind kind = HoleKind::kDrilled;
@@ -47,6 +54,7 @@ struct HoleRequest {
   bool through = false;
   bool chip_break = false;     ///< pecks break the chip instead of clearing it
   std::optional<double> peck;  ///< units of the drawing
+  bool external = false;       ///< threads: about a boss
 };
 
 /// What one hole has to be; its feature's floor_z is where the tool's end goes down to. mm.
@@ -58,6 +66,7 @@ struct HoleForm {
   std::optional<Thread> thread;
   bool chip_break = false;
   std::optional<double> peck;
+  bool external = false;  ///< a thread about a boss: what stands beside it is cleared before
 };
 
 }  // namespace clearcut::inline model

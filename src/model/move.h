@@ -1,6 +1,7 @@
 // One motion of the machine.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct Section {
   bool coolant = false;
   std::vector<Move> moves;           ///< joined end to start, except that the first may begin anywhere
   std::vector<std::string> notes{};  ///< what was asked for and could not be done; not part of the program
+  /// Cuts that an earlier set-up made, seen in a later one: mm, the height below which nothing of it is left. They count for features
+  /// that begin no higher; infinite where nothing is left at any height. Absent for all other cuts; not part of the program.
+  std::optional<double> carried_below{};
   /// mm from the walls, ascending: where contours of offset outlines run; not part of the program.
   std::vector<double> contours{};
 };

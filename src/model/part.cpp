@@ -34,6 +34,8 @@ const char* name_of(FeatureKind kind) {
       return "v_carving";
     case FeatureKind::kChamfer:
       return "chamfer";
+    case FeatureKind::kExternalThread:
+      return "external_thread";
   }
   return "feature";
 }

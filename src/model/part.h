@@ -30,8 +30,9 @@ enum class FeatureKind {
   kOutsideProfile,
   kInsideProfile,
   kEngraving,
-  kVCarving,  ///< as deep as a cone's width at the top allows
-  kChamfer    ///< the edge of a wall broken by a cone
+  kVCarving,       ///< as deep as a cone's width at the top allows
+  kChamfer,        ///< the edge of a wall broken by a cone
+  kExternalThread  ///< about a boss
 };
 const char* name_of(FeatureKind kind);
 
@@ -58,6 +59,7 @@ struct ProfileCut {
 /// Lettering and ornament whose depth is that of a cone that touches the outline on both sides.
 struct VCarving {
   std::optional<double> limit;  ///< mm below the top: a flat floor where the cone would go deeper
+  double start = 0;             ///< mm below the top: there the outline is as drawn, and above it wider
 };
 
 /// The edge of a wall that is to be broken. The wall runs down from `line`; how wide the chamfer is follows from the cone.

@@ -268,7 +268,7 @@ void report_what_does_not_fit(Part& part, const Selection& selection, const std:
   }
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
-    if (!selection.section(i).moves.empty()) continue;
+    if (!selection.section(i).moves.empty() || works[i].done_before) continue;
     const bool fits =
         tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
@@ -64,6 +65,20 @@ void shape_carving(Feature& feature, const Tool& bit, double widest) {
   feature.floor_z = feature.top_z - depth_of(feature, bit, widest);
 }
 
+/// A plug for an inlay: its outline is as drawn `start` below the top, so that its walls, which lean outwards, lie farther in at the
+/// top. At the border of the carved area nothing is widened beyond what may be cut.
+void widen_to_start(Feature& feature, const Tool& bit, const Tolerances& tol) {
+  const double start = feature.carving->start;
+  if (start <= 0) return;
+  if (feature.carving->limit && *feature.carving->limit <= start)
+    throw InputError(
+        feature.name,
+        fmt::format("it is carved {} mm deep and its outline is as drawn at {} mm: carve deeper, "
+                    "as in VCARVE_START1_D2.5",
+                    trimmed(*feature.carving->limit, 3), trimmed(start, 3)));
+  feature.target = feature.allowed = dilate(feature.target, start * flank_slope(bit), tol);
+}
+
 Workingstep floor_step(const Workingstep& step, int mill, const Part& part, const PlanOptions& options,
                        StepSources& sources) {
   Workingstep out = step;
@@ -109,6 +124,7 @@ void shape_carvings(Part& part, const PlanOptions& options, StepSources& sources
     if (feature.carving && !is_conical(tool))
       throw InputError(feature.name, "V-carving needs a V-bit; give one, for example --tool vbit:60deg:6");
     if (feature.carving) {
+      widen_to_start(feature, tool, options.tol);
       const double widest = widest_clearance(feature.target, options.tol);
       shape_carving(feature, tool, widest);
       const double floor_from = tool.tip_diameter / 2 + (feature.top_z - feature.floor_z) * flank_slope(tool);

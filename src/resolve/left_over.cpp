@@ -55,15 +55,20 @@ Regions union_of(std::span<const Loop> loops, const Tolerances& tol) {
   return unite(union_of(loops.first(half), tol), union_of(loops.subspan(half), tol), tol);
 }
 
-/// What the earlier program has cut down to z near `where`, and residuals beside it.
-Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, const Box& where,
+/// Whether cuts of an earlier set-up reach up to a feature that begins at `top`; those of a program always do.
+bool counts(const Section& section, double top) {
+  return !section.carried_below || *section.carried_below >= top;
+}
+
+/// What the earlier program has cut down to z near `where`, for a feature that begins at `top`, and residuals beside it.
+Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, double top, const Box& where,
                        Tolerances tol) {
   tol.chord = kChord;
   std::vector<Loop> loops;
   for (const Section& section : toolpath.sections) {
     const auto tool = std::find_if(part.tools.begin(), part.tools.end(),
                                    [&](const Tool& t) { return t.number == section.tool_number; });
-    if (tool == part.tools.end()) continue;
+    if (tool == part.tools.end() || !counts(section, top)) continue;
     for (const Move& move : section.moves) {
       const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
       if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kResidual, z, loops);
@@ -111,7 +116,8 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer,
   }
   const double own_stock = own.operation.allowance_side;
   if (earlier && !left.empty()) {
-    left = subtract(left, cut_by_program(*earlier, part, layer.z, box(left), tol), tol);
+    left = subtract(
+        left, cut_by_program(*earlier, part, layer.z, feature_of(part, own).top_z, box(left), tol), tol);
     const double radius = tool_of(part, own).radius();
     if (!left.empty())
       left = intersect(left, within_reach(layer, radius, own_stock + layer.reserve, tol), tol);
@@ -123,6 +129,22 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer,
   // Up to the wall over the stock that stays there: targets are bounded by walls or by what is cut.
   const double grow = sliver + (earlier ? kResidual : 0) + kOverlap + 1.5 * own_stock;
   return intersect(dilate(thick, grow, tol), layer.target, tol);
+}
+
+bool meets_earlier(const Part& part, int workingstep, const std::optional<Toolpath>& earlier) {
+  if (!earlier) return false;
+  const Feature& feature = feature_of(part, step_at(part, workingstep));
+  const Box here = box(feature.target);
+  return std::any_of(earlier->sections.begin(), earlier->sections.end(), [&](const Section& section) {
+    if (!section.carried_below) return true;
+    const auto tool = std::find_if(part.tools.begin(), part.tools.end(),
+                                   [&](const Tool& t) { return t.number == section.tool_number; });
+    return counts(section, feature.top_z) && tool != part.tools.end() &&
+           std::any_of(section.moves.begin(), section.moves.end(), [&](const Move& move) {
+             const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+             return path.grown(tool->radius()).overlaps(here);
+           });
+  });
 }
 
 bool follows_milling(const Part& part, int workingstep) {

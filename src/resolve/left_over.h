@@ -19,6 +19,10 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer,
 /// 0: inside it).
 Regions swept(const Regions& allowed, double radius, double stock, double more, const Tolerances& tol);
 
+/// Whether `earlier` may have cut anything of a workingstep's feature: a program on the same set-up always may, cuts of other
+/// set-ups where they come near.
+bool meets_earlier(const Part& part, int workingstep, const std::optional<Toolpath>& earlier);
+
 /// Whether an earlier step of the workplan mills the same feature.
 bool follows_milling(const Part& part, int workingstep);
 

@@ -53,7 +53,9 @@ std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions&
   if (!options.earlier) return used;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     used[i] = std::any_of(options.earlier->sections.begin(), options.earlier->sections.end(),
-                          [&](const Section& section) { return section.tool_number == tools[i].number; });
+                          [&](const Section& section) {
+                            return section.tool_number == tools[i].number && !section.carried_below;
+                          });
   }
   if (std::all_of(used.begin(), used.end(), [](char u) { return u; })) std::fill(used.begin(), used.end(), 0);
   return used;

@@ -1,6 +1,7 @@
 #include "resolve/resolve.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text/format.h"
 #include "resolve/names.h"
@@ -26,6 +27,11 @@ double crossing_z(const Part& part, const Operation& operation) {
   const double asked = operation.retract_z.value_or(top + kCrossing);
   return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
 }
+
+/// What a machinist would choose in metal: passes at 45 % of the diameter, which is an engagement of 84 degrees; the cutter goes down
+/// along a helix; climb milling is kept; nothing is cut full width where clearing can do without.
+constexpr double kMachinistStepover = 0.45;
+const Source kMachinist{Origin::kDerived, "the style machinist"};
 
 /// A choice with where it comes from.
 template <typename Value>
@@ -110,6 +116,24 @@ void resolve_entry(ResolvedStep& step, const Operation& operation, const Feature
   step.helix_narrowest = shop.helix_narrowest;
 }
 
+/// Fills what nobody has said of an operation; `sources`: of its values.
+void take_entry_of_style(Operation& operation, const Feature& feature, const Tool& tool,
+                         const PlanOptions& options, Sources& sources) {
+  if (!options.shop.is_machinist() || !clears_floors(tool) || operation.entry || feature.profile) return;
+  operation.entry = EntryKind::kHelix;
+  sources.set("entry", kMachinist);
+}
+
+void take_style(ResolvedStep& step, const Tool& tool, const PlanOptions& options, Sources& sources) {
+  // A strategy that is named goes by its own rules.
+  if (!options.shop.is_machinist() || !clears_floors(tool) || step.strategy) return;
+  step.is_direction_asked = true;
+  if (step.stepover.is_given()) return;
+  step.stepover = {trimmed(kMachinistStepover, 2)};
+  sources.set("stepover", kMachinist);
+  step.aimed_engagement_deg = std::acos(1 - 2 * kMachinistStepover) * 180 / kPi;
+}
+
 void resolve_published(ResolvedStep& step, const Workingstep& planned, const PlanOptions& options) {
   const auto own = options.step_published.find(step_key(planned));
   PublishedChoices choices = own == options.step_published.end() ? PublishedChoices{} : own->second;
@@ -190,10 +214,13 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
     Sources own = sources[step_key(planned)];
     own.set("strategy", strategy.source);
     own.set("stepover", stepover.source);
+    take_entry_of_style(plan.part.workplan[i].operation, feature_of(plan.part, planned),
+                        tool_of(plan.part, planned), options, own);
     ResolvedStep step = resolve_step(plan.part, planned, options);
     step.strategy = strategy.value;
     step.stepover = stepover.value;
     step.is_direction_asked = is_asked(own.find("direction"));
+    take_style(step, tool_of(plan.part, planned), options, own);
     resolve_strokes(step, planned.operation, options);
     plan.steps.push_back(std::move(step));
     list_step(plan, static_cast<int>(i), own, options);

@@ -203,6 +203,8 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
   list.add("rest", text_of(shop.rest.value_or(false)), "", shop.rest.has_value(), "no");
   list.add("finish", name_of(plan.finish), "", shop.finish.has_value(), "none");
   list.add("material", shop.material.value_or("none"), "", shop.material.has_value(), "none: no forces");
+  list.add("style", shop.is_machinist() ? "machinist" : "fastest", "", shop.style.has_value(),
+           shop.is_machinist() ? "machinist: the work is a metal" : "fastest");
   list.add("after", plan.earlier ? "a program" : "none", "", plan.earlier.has_value(), "none");
 }
 

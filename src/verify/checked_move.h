@@ -53,12 +53,13 @@ struct CheckedMove {
   double rpm = 0;
   /// Belongs to a program that ran before: it removes material, but is not in the figures.
   bool earlier = false;
-  int workingstep = -1;                   ///< the one that it belongs to; -1: none. Used for grouping only
-  int layer = -1;                         ///< index among the workingstep's layers
-  const ControlState* control = nullptr;  ///< what the control held at this move; null: unknown
-  double path_tolerance = 0;              ///< mm; the control may round the corners at both ends by this
-  double doubt = 0;                       ///< mm; how far the control's arc may lie from the written one
-  double time_s = 0;                      ///< with the waits before the move
+  std::optional<double> carried_below = {};  ///< of cuts that an earlier set-up made, see Section
+  int workingstep = -1;                      ///< the one that it belongs to; -1: none. Used for grouping only
+  int layer = -1;                            ///< index among the workingstep's layers
+  const ControlState* control = nullptr;     ///< what the control held at this move; null: unknown
+  double path_tolerance = 0;                 ///< mm; the control may round the corners at both ends by this
+  double doubt = 0;                          ///< mm; how far the control's arc may lie from the written one
+  double time_s = 0;                         ///< with the waits before the move
   double waits_s = 0;
   double time_naive_s = 0;
   std::optional<Gouge> gouge;
@@ -66,6 +67,10 @@ struct CheckedMove {
 
   bool feeds() const { return !is_rapid(move->kind); }
   double radius() const { return tool ? tool->radius() : 0; }
+  /// Whether it is a cut of an earlier set-up: it was checked there.
+  bool is_carried() const { return carried_below.has_value(); }
+  /// Whether what it removed is gone from z on down.
+  bool counts_below(double z) const { return !carried_below || *carried_below >= z; }
   double low_z() const { return std::min(move->z_from, move->z_to); }
   bool is_flat() const { return move->z_from == move->z_to; }
   /// Whether a feed move was found to remove material.

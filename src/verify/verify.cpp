@@ -40,7 +40,21 @@ std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& mov
   return shaped_gouge_of(finished, move, wider, slack);
 }
 
-void judge_gouges(const FinishedPart& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
+/// The part as it has to come out, and with external threads as their own mills may cut them; null where there are none.
+struct Finished {
+  const FinishedPart& plain;
+  const FinishedPart* threaded;
+  const FinishedPart& for_tool(const Tool& tool) const {
+    return threaded && tool.kind == ToolKind::kThreadMill ? *threaded : plain;
+  }
+};
+
+bool has_external_threads(const Part& part) {
+  return std::any_of(part.features.begin(), part.features.end(),
+                     [](const Feature& feature) { return feature.kind == FeatureKind::kExternalThread; });
+}
+
+void judge_gouges(const Finished& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
   const CheckedMove* before = nullptr;  // the last move, if it is known to end outside the part
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) {
@@ -48,13 +62,15 @@ void judge_gouges(const FinishedPart& finished, std::span<CheckedMove> moves, co
       continue;
     }
     if (is_conical(*checked.tool)) {
-      checked.gouge = shaped_gouge_of(finished, *checked.move, *checked.tool, tol.gouge);
+      checked.gouge =
+          shaped_gouge_of(finished.for_tool(*checked.tool), *checked.move, *checked.tool, tol.gouge);
       before = nullptr;
       continue;
     }
     const bool joined = before && before->move->path.to == checked.move->path.from &&
                         before->move->z_to == checked.move->z_from && before->radius() == checked.radius();
-    checked.gouge = gouge_of_mill(finished, *checked.move, *checked.tool, 0, tol.gouge, joined);
+    checked.gouge =
+        gouge_of_mill(finished.for_tool(*checked.tool), *checked.move, *checked.tool, 0, tol.gouge, joined);
     const bool spared = !checked.gouge || checked.gouge->depth < checked.radius() / 2;
     before = spared && !checked.gouge.value_or(Gouge{}).floor ? &checked : nullptr;
   }
@@ -66,8 +82,8 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
 }
 
 /// Adds the gouge of a cone that the control may run off its path.
-void judge_shaped_liberty(const FinishedPart& finished, const std::vector<CheckedMove>& all,
-                          CheckedMove& checked, const Tolerances& tol) {
+void judge_shaped_liberty(const Finished& finished, const std::vector<CheckedMove>& all, CheckedMove& checked,
+                          const Tolerances& tol) {
   const double before = &checked == all.data() ? 0 : (&checked - 1)->path_tolerance;
   const double off = std::max({checked.doubt, checked.path_tolerance, before});
   if (off <= 0) return;
@@ -76,11 +92,12 @@ void judge_shaped_liberty(const FinishedPart& finished, const std::vector<Checke
   Tool wider = *checked.tool;
   wider.diameter += 2 * aside;
   wider.tip_diameter += 2 * aside;
-  keep_deeper(checked.gouge, shaped_gouge_of(finished, *checked.move, wider, tol.gouge));
+  keep_deeper(checked.gouge,
+              shaped_gouge_of(finished.for_tool(*checked.tool), *checked.move, wider, tol.gouge));
 }
 
 /// Adds the gouges that the control may make within its tolerance: at rounded corners, on arcs of another radius.
-void judge_liberties(const FinishedPart& finished, const std::vector<CheckedMove>& all,
+void judge_liberties(const Finished& finished, const std::vector<CheckedMove>& all,
                      std::span<CheckedMove> moves, const Tolerances& tol) {
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) continue;
@@ -89,15 +106,16 @@ void judge_liberties(const FinishedPart& finished, const std::vector<CheckedMove
       continue;
     }
     if (checked.doubt > 0)
-      keep_deeper(checked.gouge,
-                  gouge_of_mill(finished, *checked.move, *checked.tool, checked.doubt, tol.gouge, false));
+      keep_deeper(checked.gouge, gouge_of_mill(finished.for_tool(*checked.tool), *checked.move, *checked.tool,
+                                               checked.doubt, tol.gouge, false));
     if (&checked == all.data()) continue;
     const CheckedMove& before = *(&checked - 1);
     const auto corner =
         rounded_corner(before, checked, std::max(before.path_tolerance, checked.path_tolerance));
     if (!corner) continue;
     for (const Move& move : *corner)
-      keep_deeper(checked.gouge, gouge_of_mill(finished, move, *checked.tool, 0, tol.gouge, false));
+      keep_deeper(checked.gouge,
+                  gouge_of_mill(finished.for_tool(*checked.tool), move, *checked.tool, 0, tol.gouge, false));
   }
 }
 
@@ -251,6 +269,9 @@ class FindingsBuilder {
 
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
   const FinishedPart finished(part);
+  // What thread mills alone may cut; the same where no thread is cut about a boss.
+  std::optional<FinishedPart> with_threads;
+  if (has_external_threads(part)) with_threads.emplace(part, true);
   CheckedProgram program = checked_program(part, toolpath, options.machine, options.earlier, options.control);
   std::vector<FeatureWork> works = works_of(part);
   std::vector<CarvingWork> carvings = carvings_of(part);
@@ -261,10 +282,11 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   const std::size_t gouging = part.is_shape_stated ? program.moves.size() : 0;
   for (std::size_t i = 0; i < gouging; i += kChunk) {
     const std::span<CheckedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
-    tasks.push_back([&finished, &options, &program, chunk] {
-      judge_gouges(finished, chunk, options.tol);
-      judge_liberties(finished, program.moves, chunk, options.tol);
-    });
+    tasks.push_back(
+        [all = Finished{finished, with_threads ? &*with_threads : nullptr}, &options, &program, chunk] {
+          judge_gouges(all, chunk, options.tol);
+          judge_liberties(all, program.moves, chunk, options.tol);
+        });
   }
   for (CarvingWork& work : carvings)
     tasks.push_back([&part, &program, &options, &work] { judge_carving(part, program, options.tol, work); });

@@ -1,6 +1,7 @@
 // The examples, planned for every controller in millimetres and inches: byte for byte as in
 // tests/golden/examples, read back from there and certified clean. bracket.json, .svg and .step are the same part as
-// bracket.dxf and need its programs only; flange.toml has every kind of hole; five_pockets.toml is a job of elements, whose grid leaves corners by design.
+// bracket.dxf and need its programs only; flange.toml has every kind of hole; gland.toml threads inside and outside; two_sided.toml, which has two set-ups, is in
+// tests/command/setups_test.cpp; five_pockets.toml is a job of elements, whose grid leaves corners by design.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -40,15 +41,18 @@ struct Example {
 };
 
 constexpr Example kBracket{"bracket.dxf", "bracket", "endmill:6", 2.5};
-constexpr Example kExamples[] = {kBracket,
-                                 {"bracket.toml", "bracket_job", std::nullopt, std::nullopt},
-                                 {"fishhead.p21", "fishhead", std::nullopt, 50},
-                                 {"fishhead_sloped.p21", "fishhead_sloped", std::nullopt, 50},
-                                 {"nested.step", "nested", "endmill:6", 8},
-                                 {"awkward.step", "awkward", "endmill:4", 8},
-                                 {"sign.dxf", "sign", "vbit:60deg:10", std::nullopt},
-                                 {"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3},
-                                 {"flange.toml", "flange", std::nullopt, std::nullopt, true}};
+constexpr Example kExamples[] = {
+    kBracket,
+    {"bracket.toml", "bracket_job", std::nullopt, std::nullopt},
+    {"fishhead.p21", "fishhead", std::nullopt, 50},
+    {"fishhead_sloped.p21", "fishhead_sloped", std::nullopt, 50},
+    {"nested.step", "nested", "endmill:6", 8},
+    {"awkward.step", "awkward", "endmill:4", 8},
+    {"sign.dxf", "sign", "vbit:60deg:10", std::nullopt},
+    {"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3},
+    {"flange.toml", "flange", std::nullopt, std::nullopt, true},
+    {"gland.toml", "gland", std::nullopt, std::nullopt, true},
+    {"inch_plate.dxf", "inch_plate", "endmill:0.25in drill:0.201in", std::nullopt, true}};
 constexpr Example kFivePockets{"five_pockets.toml", "five_pockets", std::nullopt, std::nullopt};
 
 struct Case {
@@ -72,7 +76,8 @@ resolve::PlanOptions options_of(const Case& c, bool inch) {
   resolve::PlanOptions options;
   if (c.example.file == std::string("bracket.toml"))
     options.machine = read::read_job(file_of(c.example)).machine;
-  if (c.example.file == std::string("flange.toml"))
+  if (c.example.file == std::string("inch_plate.dxf")) options.tabs.count = 4;
+  if (c.example.file == std::string("flange.toml") || c.example.file == std::string("gland.toml"))
     options = pipeline::options_of_job(read::read_job(file_of(c.example)));
   std::istringstream tools(c.example.tool.value_or(""));
   for (std::string tool; tools >> tool;) options.tools.push_back(resolve::parse_tool(tool));

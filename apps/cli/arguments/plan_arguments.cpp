@@ -40,6 +40,19 @@ Vec2 point_of(const std::string& text, const char* option) {
   return point;
 }
 
+/// "corner", "centre", or "X,Y,Z".
+ZeroPoint zero_point_of(const std::string& text) {
+  ZeroPoint zero;
+  if (text == "corner" || text == "centre") {
+    zero.place = text;
+    return zero;
+  }
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &zero.point[0], &zero.point[1], &zero.point[2], &rest) != 3)
+    throw InputError("--origin", "'" + text + "' is unknown; use corner, centre, or X,Y,Z in mm");
+  return zero;
+}
+
 /// A tool library and the files that its tools lie in.
 void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
   files.push_back({"tools", library.string()});
@@ -95,13 +108,25 @@ ReadOptions PlanArguments::read_options() const {
 Part PlanArguments::read_overview(DrawingOverview& overview) const {
   ReadOptions options = read_options();
   options.overview = &overview;
+  if (setup_.number > 0) return part_of_job(*job(), options);
   return read_part(input_, options);
 }
 
 Part PlanArguments::read() const {
-  const auto from_job = job();
-  Part part = from_job ? part_of_job(*from_job, read_options(), step_sources_, step_published_)
-                       : read_part(input_, read_options());
+  auto from_job = job();
+  const auto zero = zero_ ? std::optional(zero_point_of(*zero_)) : std::nullopt;
+  if (from_job && zero) from_job->zero = zero;
+  Part part;
+  if (setup_.number > 0) {
+    if (zero)
+      throw InputError("--origin", "each set-up of a job has its own; write origin = ... in its [[setup]]");
+    part = read_setup(read_job(input_));
+  } else if (from_job) {
+    part = part_of_job(*from_job, read_options(), step_sources_, step_published_);
+  } else {
+    part = read_part(input_, read_options());
+    if (zero) part = with_zero_at(std::move(part), zero_of(part, *zero));
+  }
   if (clearance_z_) part.clearance_z = clearance_z_;
   part.diagnostics.append(library().diagnostics);
   return part;
@@ -109,7 +134,52 @@ Part PlanArguments::read() const {
 
 std::optional<JobFile> PlanArguments::job() const {
   if (std::filesystem::path(input_).extension() != ".toml") return std::nullopt;
-  return read_job(input_);
+  JobFile job = read_job(input_);
+  if (setup_.number == 0) return job;
+  if (setup_.number > static_cast<int>(job.setups.size()))
+    throw InputError("--setup",
+                     std::to_string(setup_.number) + ": " + input_ + " has " +
+                         (job.setups.empty() ? "no [[setup]]" : std::to_string(job.setups.size())));
+  return job.setups[static_cast<std::size_t>(setup_.number - 1)];
+}
+
+int setup_count_of(const std::string& input) {
+  if (std::filesystem::path(input).extension() != ".toml") return 0;
+  return static_cast<int>(read_job(input).setups.size());
+}
+
+/// The part of the chosen set-up on what the set-ups before have left.
+Part PlanArguments::read_setup(const JobFile& whole) const {
+  Part part =
+      part_of_setup(whole, setup_.number, read_options(), setup_.place, step_sources_, step_published_);
+  if (setup_.number == 1) return part;
+  setup_.carried =
+      carried_stock(setup_.machined.empty() ? machined_before(whole) : setup_.machined, setup_.place, part);
+  part.stock = setup_.carried->block;
+  part.diagnostics.note("set-up", setup_.carried->told);
+  return part;
+}
+
+/// From the programs that --earlier-setup names.
+std::vector<MachinedSetup> PlanArguments::machined_before(const JobFile& whole) const {
+  if (static_cast<int>(setup_.earlier_programs.size()) != setup_.number - 1)
+    throw InputError("--setup", "set-up " + std::to_string(setup_.number) + " begins with what " +
+                                    std::to_string(setup_.number - 1) + " before it " +
+                                    (setup_.number > 2 ? "leave" : "leaves") +
+                                    "; name their programs in order with --earlier-setup");
+  std::vector<MachinedSetup> machined;
+  for (int number = 1; number < setup_.number; ++number) {
+    MachinedSetup one;
+    StepSources sources;
+    StepChoices published;
+    one.part = part_of_setup(whole, number, read_options(), one.place, sources, published);
+    const std::vector<Tool> given = tools();
+    if (!given.empty()) one.part.tools = given, resolve::number_tools(one.part.tools);
+    const auto index = static_cast<std::size_t>(number - 1);
+    one.toolpath = read_earlier_program(setup_.earlier_programs[index], machine(whole.setups[index].machine));
+    machined.push_back(std::move(one));
+  }
+  return machined;
 }
 
 std::vector<Tool> PlanArguments::tools() const {
@@ -136,6 +206,7 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
   if (job && !tool_library_ && job->tool_library) add_library(*job->tool_library, files);
   if (machine_file_) files.push_back({"machine", *machine_file_});
   if (job && !machine_file_ && job->machine_file) files.push_back({"machine", job->machine_file->string()});
+  for (const std::string& program : setup_.earlier_programs) files.push_back({"earlier program", program});
   if (after_) files.push_back({"earlier program", *after_});
   if (job && !after_ && job->after) files.push_back({"earlier program", job->after->string()});
   return files;
@@ -191,6 +262,10 @@ PlanOptions PlanArguments::options() const {
   const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
   // The height that the program calls home is the machine's, which may be another than the job's.
   if (earlier && (after_ || machine_file_)) options.earlier = read_earlier_program(*earlier, options.machine);
+  if (setup_.number > 1 && !setup_.carried) read();
+  if (setup_.carried && options.earlier)
+    throw InputError("--after", "the set-ups of a job know what the ones before leave; leave it out");
+  if (setup_.carried) options.earlier = setup_.carried->sweeps;
   add_places(keep_outs_, predrilled_, options);
   if (direction_) options.direction = direction_named(*direction_, "--direction");
   options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;

@@ -17,6 +17,18 @@
 
 namespace clearcut::cli {
 
+/// Which of several set-ups of a job is meant, and what is known of those before it.
+struct ChosenSetup {
+  int number = 0;                             ///< from 1; 0: none was chosen
+  std::vector<std::string> earlier_programs;  ///< of the set-ups before, in order
+  std::vector<MachinedSetup> machined;        ///< those that have been planned
+  SetupPlace place;                           ///< of the set-up that was read
+  std::optional<CarriedStock> carried;        ///< what the ones before leave to it
+};
+
+/// How many [[setup]] a job file has; 0 for other files and jobs of one set-up.
+int setup_count_of(const std::string& input);
+
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {
  public:
@@ -41,10 +53,15 @@ class PlanArguments {
   /// The paths alone.
   std::vector<std::string> input_paths() const;
   const SolidOptions& solid() const { return solid_; }
-  /// The job file, when the input is one.
+  /// The job file, when the input is one; of several set-ups the chosen one.
   std::optional<JobFile> job() const;
 
+  /// As --setup and --earlier-setup say, or a caller.
+  ChosenSetup& setup() const { return setup_; }
+
  private:
+  Part read_setup(const JobFile& whole) const;
+  std::vector<MachinedSetup> machined_before(const JobFile& whole) const;
   ReadOptions read_options() const;
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
@@ -60,6 +77,8 @@ class PlanArguments {
   ShopOptions shop(const ShopOptions& of_job) const;
 
   std::string input_;
+  std::optional<std::string> zero_;
+  mutable ChosenSetup setup_;
   Sources typed_;
   mutable StepChoices step_published_;  ///< likewise
   mutable StepSources step_sources_;    ///< of the part that was read

@@ -17,6 +17,16 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   } else {
     command.add_option(input_name, input_, "Part the program is for")->required()->type_name("FILE");
   }
+  command.add_option(
+      "--origin", zero_,
+      "Zero of the program: corner or centre of the top of the block, or X,Y,Z (default: the file's)");
+  command.add_option("--setup", setup_.number, "Which set-up of a job that has several (from 1)")
+      ->check(CLI::Range(1, 100));
+  command
+      .add_option(
+          "--earlier-setup", setup_.earlier_programs,
+          "Programs of the set-ups before that one, in order (repeatable): its stock is what they leave")
+      ->type_name("FILE");
   command.add_option("--unit", unit_, "Unit of a drawing that names none: mm, cm, m, inch, px")
       ->check(for_example({"mm", "cm", "m", "inch", "px"}));
   command.add_option("--layer", layers_, "Layer of a drawing to read (repeatable; default all)");
@@ -133,6 +143,12 @@ void PlanArguments::add_strategy_options(CLI::App& command) {
           "auto (default), contour, zigzag, spiral, adaptive, tour, or a published method: lom, rho, second, "
           "lom-corrected, rho-corrected, fixed, loops, pwid, single, double, bisectors")
       ->check(one_of(strategy_names()));
+  command
+      .add_option(
+          "--style", shop_.style,
+          "machinist (default where --material is a metal): helix, 45 % stepover, climb, no full width; or "
+          "fastest (default otherwise)")
+      ->check(one_of({"machinist", "fastest"}));
   command
       .add_option("--stepover", stepover_,
                   "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "

@@ -119,8 +119,133 @@ PlanResult planned(const PlanCommand& command, const Part& part, PlanOptions opt
   }
 }
 
+/// What a run says of its plan.
+void tell(const PlanCommand& command, const PlanResult& result, const PlanOptions& options) {
+  if (command.explain) print_line(write_values(result.part, result.values, table_width()));
+  if (command.quiet) {
+    if (command.output != "-") print_line(with_colours(verdict_and_reasons(result.findings)));
+    return;
+  }
+  print(result.part.diagnostics, true);
+  if (command.output == "-") return;
+  for (const auto& name : names_not_machined(result.part.diagnostics)) print_line("NOT MACHINED: " + name);
+  if (options.strategy.value_or("auto") == "auto") print_line(write_selection_table(result, table_width()));
+  print_line(with_colours(write_table(result, table_width())));
+}
+
+/// One of several set-ups: its question and its plan.
+struct PlannedSetup {
+  PlanCommand command;
+  PlanOptions options;
+  PlanResult result;
+};
+
+/// "part.ngc" of the second set-up is "part-2.ngc".
+void number_outputs(PlanCommand& command, int setup) {
+  for (auto* path : {&command.output, &command.certificate, &command.svg, &command.html, &command.result}) {
+    if (path->empty()) continue;
+    const std::filesystem::path file(*path);
+    const std::string name = file.stem().string() + "-" + std::to_string(setup) + file.extension().string();
+    *path = (file.parent_path() / name).string();
+  }
+}
+
+/// The set-ups of a job one after the other, each on what those before leave.
+std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) {
+  std::vector<PlannedSetup> setups;
+  for (int number = 1; number <= count; ++number) {
+    PlannedSetup one{command, {}, {}};
+    PlanArguments& arguments = one.command.arguments;
+    arguments.setup().number = number;
+    for (const PlannedSetup& before : setups)
+      arguments.setup().machined.push_back(
+          {before.result.part, before.result.toolpath, before.command.arguments.setup().place});
+    number_outputs(one.command, number);
+    const Part part = arguments.read();
+    one.options = arguments.options();
+    if (one.options.post.program_number) *one.options.post.program_number += number - 1;
+    one.result = planned(one.command, part, one.options);
+    setups.push_back(std::move(one));
+  }
+  return setups;
+}
+
+int explain_setups(const PlanCommand& command, int count) {
+  for (const PlannedSetup& one : planned_setups(command, count))
+    print_line(write_values(one.result.part, one.result.values, table_width()));
+  return kClean;
+}
+
+/// Every file that the set-ups rest on.
+std::vector<std::string> inputs_of_setups(const PlanCommand& command, int count) {
+  std::vector<std::string> inputs = command.arguments.input_paths();
+  for (int number = 1; number <= count; ++number) {
+    PlanArguments one = command.arguments;
+    one.setup().number = number;
+    for (const std::string& path : one.input_paths()) inputs.push_back(path);
+  }
+  return inputs;
+}
+
+/// What is written of them but the sheet.
+std::vector<std::string> output_names_of_setups(PlanCommand command, int count) {
+  command.sheet.clear();
+  std::vector<std::string> names;
+  for (int number = 1; number <= count; ++number) {
+    PlanCommand one = command;
+    number_outputs(one, number);
+    for (const std::string& name : output_names(one)) names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<OutputFile> files_of_setups(const std::vector<PlannedSetup>& setups, const std::string& sheet) {
+  std::vector<OutputFile> files;
+  std::vector<std::string> sheets;
+  for (const PlannedSetup& one : setups) {
+    PlanCommand others = one.command;
+    others.sheet.clear();
+    for (OutputFile& file : output_files(others, one.options, one.result)) files.push_back(std::move(file));
+    if (!sheet.empty())
+      sheets.push_back(write_setup_sheet(one.result, one.options, file_name(one.command.output)));
+  }
+  if (!sheet.empty()) files.push_back({sheet, joined_setup_sheets(sheets)});
+  return files;
+}
+
+void refuse_for_setups(const PlanCommand& command, int count) {
+  if (command.arguments.setup().number > 0)
+    throw InputError("--setup", "the set-ups of a job are planned together; leave it out");
+  if (command.output.empty() && !command.explain)
+    throw InputError("--output", "is missing; name the program to write");
+  if (command.output == "-")
+    throw InputError("--output",
+                     std::to_string(count) + " set-ups are as many programs; name a file for them");
+}
+
+/// A program for each set-up, and one sheet with a page for each.
+int run_setups(const PlanCommand& command, int count) {
+  refuse_for_setups(command, count);
+  if (command.output.empty()) return explain_setups(command, count);
+  std::vector<std::string> names = output_names_of_setups(command, count);
+  if (!command.sheet.empty()) names.push_back(command.sheet);
+  const std::vector<std::string> inputs = inputs_of_setups(command, count);
+  check_outputs(names, inputs);
+  const std::vector<PlannedSetup> setups = planned_setups(command, count);
+  write_outputs(files_of_setups(setups, command.sheet), inputs);
+  Verdict worst = Verdict::kClean;
+  for (const PlannedSetup& one : setups) {
+    print_line(one.result.part.name + ": " + one.command.output);
+    tell(one.command, one.result, one.options);
+    worst = std::max(worst, verdict_of(one.result.findings));
+  }
+  print_line(with_colours(std::to_string(count) + " set-ups, verdict: " + name_of(worst)));
+  return worst == Verdict::kClean ? kClean : kFault;
+}
+
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
+  if (const int setups = setup_count_of(command.arguments.input())) return run_setups(command, setups);
   const Part part = command.arguments.read();
   const PlanOptions options = command.arguments.options();
   if (command.output.empty() && command.explain) return explain(part, options);
@@ -129,19 +254,7 @@ int run(PlanCommand command) {
   check_outputs(output_names(command), inputs);
   const PlanResult result = planned(command, part, options);
   write_outputs(output_files(command, options, result), inputs);
-  if (command.explain) print_line(write_values(result.part, result.values, table_width()));
-  if (command.quiet) {
-    if (command.output != "-") print_line(with_colours(verdict_and_reasons(result.findings)));
-  } else {
-    print(result.part.diagnostics, true);
-    if (command.output != "-") {
-      for (const auto& name : names_not_machined(result.part.diagnostics))
-        print_line("NOT MACHINED: " + name);
-      if (options.strategy.value_or("auto") == "auto")
-        print_line(write_selection_table(result, table_width()));
-      print_line(with_colours(write_table(result, table_width())));
-    }
-  }
+  tell(command, result, options);
   return exit_code_of(result.findings);
 }
 

@@ -16,10 +16,11 @@ class ThreadPath {
   ThreadPath(const ThreadWork& thread, const LinkOptions& options)
       : thread_(thread),
         options_(options),
-        wall_(thread.center + Vec2{thread.radius - options.tool_radius, 0}),
-        list_(thread.center, options.safe_z) {
+        wall_(thread.center + Vec2{thread.radius + (thread.external ? 1 : -1) * options.tool_radius, 0}),
+        away_(thread.external ? wall_ + Vec2{thread.aside, 0} : thread.center),
+        list_(away_, options.safe_z) {
     const bool climbs = (options.direction == CutDirection::kClimb) == options.spindle_clockwise;
-    turn_ = climbs ? Turn::kCounterClockwise : Turn::kClockwise;
+    turn_ = climbs != thread.external ? Turn::kCounterClockwise : Turn::kClockwise;
     // A right-hand thread rises counter-clockwise.
     rises_ = (turn_ == Turn::kCounterClockwise) != thread.left_hand;
   }
@@ -42,25 +43,39 @@ class ThreadPath {
  private:
   double step() const { return rises_ ? thread_.pitch : -thread_.pitch; }
 
+  /// mm that the helix rises along a way in or out. In a hole that is a quarter of a turn seen from the axis. About a boss it is on the
+  /// helix at the root and where the teeth come to the crests, and nearly so between.
+  double rise_of_lead() const {
+    if (!thread_.external) return step() / 4;
+    const double half = thread_.aside / 2;
+    const double along =
+        std::acos(std::max(-1.0, 1 - (thread_.crest - thread_.radius) / half));  // of the half circle
+    const double seen =
+        std::atan2(half * std::sin(along), distance(wall_, thread_.center) + half * (1 - std::cos(along)));
+    return step() * seen / (2 * along);
+  }
+
   void add_helix(double z, int turns) {
-    const double begin = z - step() / 4;
+    const double begin = z - rise_of_lead();
     if (list_.z() > thread_.z_top + kAbove) list_.vertical(thread_.z_top + kAbove, MoveKind::kRapid, {});
     list_.vertical(begin, MoveKind::kPlunge, options_.plunge_feed);
-    half_circle(thread_.center, wall_, z, MoveKind::kLeadIn);
+    half_circle(away_, wall_, z, MoveKind::kLeadIn);
     for (int i = 1; i <= turns; ++i)
       list_.circle(thread_.center, turn_, z + i * step(), MoveKind::kCut, options_.feed);
     const double end = z + turns * step();
-    half_circle(wall_, thread_.center, end + step() / 4, MoveKind::kLeadOut);
+    half_circle(wall_, away_, end + rise_of_lead(), MoveKind::kLeadOut);
   }
 
   void half_circle(Vec2 from, Vec2 to, double z, MoveKind kind) {
-    const Move move{Edge::arc(from, to, lerp(from, to, 0.5), turn_), list_.z(), z, kind, options_.feed, 0};
+    const Turn opposite = turn_ == Turn::kClockwise ? Turn::kCounterClockwise : Turn::kClockwise;
+    const Edge path = Edge::arc(from, to, lerp(from, to, 0.5), thread_.external ? opposite : turn_);
+    const Move move{path, list_.z(), z, kind, options_.feed, 0};
     list_.append({move});
   }
 
   const ThreadWork& thread_;
   const LinkOptions& options_;
-  Vec2 wall_;
+  Vec2 wall_, away_;
   MoveList list_;
   Turn turn_ = Turn::kCounterClockwise;
   bool rises_ = true;

@@ -52,6 +52,8 @@ struct ResolvedStep {
   std::optional<double> helix_narrowest;  ///< likewise
   double lead = 0;                        ///< radius of arcs, length of lines; 0: none
   std::optional<Radians> lead_angle;      ///< of lines against the pass; absent: arcs
+  /// Degrees that clearing keeps to, and what "auto" tries first because it does; no limit: where it cannot be kept, more is no fault.
+  std::optional<double> aimed_engagement_deg = {};
   double cross_z = 0;                     ///< where rapids cross between passes; absolute
   std::optional<bool> bisector_passages;  ///< of contour methods; absent: the method decides
   VisitSolver solver;                     ///< of the strategy tour

@@ -43,6 +43,12 @@ std::optional<double> ShopOptions::widest_helix(std::optional<double> operation_
   return 2 * *operation_radius;
 }
 
+bool ShopOptions::is_machinist() const {
+  if (style) return *style == "machinist";
+  const auto work = material ? work_material_named(*material) : std::nullopt;
+  return work && work->has_forces();
+}
+
 ShopOptions ShopOptions::or_else(const ShopOptions& other) const {
   ShopOptions out = *this;
   fill(out.helix_widest, other.helix_widest);
@@ -59,6 +65,7 @@ ShopOptions ShopOptions::or_else(const ShopOptions& other) const {
   fill(out.finish_stock_floor, other.finish_stock_floor);
   fill(out.finish_depths, other.finish_depths);
   fill(out.material, other.material);
+  fill(out.style, other.style);
   return out;
 }
 
@@ -82,6 +89,9 @@ void check(const ShopOptions& options, const std::string& prefix) {
   const auto& depths = options.finish_depths;
   check.require(!depths || (*depths >= 1 && *depths <= 1000 && *depths == std::floor(*depths)),
                 "finish-depths", "must be a whole number, 1 or more");
+  const auto& style = options.style;
+  check.require(!style || *style == "machinist" || *style == "fastest", "style",
+                "must be machinist or fastest");
   check.require(!options.material || work_material_named(*options.material), "material",
                 "'" + options.material.value_or("") + "' is unknown; use one of " +
                     fmt::format("{}", fmt::join(work_material_names(), ", ")));

@@ -24,8 +24,12 @@ struct ShopOptions {
   std::optional<double> finish_depths;  ///< number of depths in which walls are finished
   std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
 
+  std::optional<std::string> style;  ///< "machinist", "fastest": what is done where nobody says how
+
   /// The widest helix, mm, where an operation states a greatest radius of its own: these options come first.
   std::optional<double> widest_helix(std::optional<double> operation_radius) const;
+  /// Whether cuts are those that a machinist would choose: said, or else where the work is a metal.
+  bool is_machinist() const;
   /// These, and where one is absent that of `other`.
   ShopOptions or_else(const ShopOptions& other) const;
 };

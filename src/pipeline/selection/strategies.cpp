@@ -37,10 +37,11 @@ bool is_usable(const StrategyEntry& strategy, const ResolvedStep& step) {
   return strategy.in_auto != AutoUse::kNever && (!step.is_direction_asked || strategy.keeps_direction);
 }
 
-/// Whether "auto" tries it before any fallback: where the engagement is limited only those that keep the limit, since the
+/// Whether "auto" tries it before any fallback: where the engagement is limited, or aimed at, only those that keep it, since the
 /// others begin with a slot.
 bool is_tried(const StrategyEntry& strategy, const ResolvedStep& step, const ResolvedPlan& plan) {
-  return is_usable(strategy, step) && (!plan.engagement_deg || strategy.limits_engagement);
+  const bool keeps = plan.engagement_deg || step.aimed_engagement_deg;
+  return is_usable(strategy, step) && (!keeps || strategy.limits_engagement);
 }
 
 StrategyCandidate candidate_of(const StrategyEntry& strategy, const Stepover& stepover) {

@@ -42,7 +42,10 @@ link::ThreadWork thread_work(const Feature& feature, const Tool& tool, double of
   const HoleForm& hole = *feature.hole;
   link::ThreadWork work;
   work.center = hole.center;
-  work.radius = hole.diameter / 2 - off;
+  work.external = hole.external;
+  work.radius = hole.external ? root_diameter(*hole.thread) / 2 + off : hole.diameter / 2 - off;
+  work.crest = hole.diameter / 2;
+  work.aside = approach_beside(*hole.thread);
   work.pitch = hole.thread->pitch;
   work.left_hand = hole.thread->left_hand;
   work.z_top = feature.top_z;

@@ -123,6 +123,8 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
   const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const bool finishing = finishes(step.operation) && resolve::follows_milling(part, index);
+  const bool met = resolve::meets_earlier(part, index, plan.earlier);
+  const std::optional<Toolpath> earlier = met ? plan.earlier : std::nullopt;
   std::vector<LayerLeft> out;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const bool last = i + 1 == layers.size();
@@ -130,8 +132,8 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
     LayerLeft one{layers[i]};
     const bool whole_floor =
         finishing && last && !step.operation.rest && step.operation.kind != OperationKind::kSideFinishing;
-    if (!whole_floor && (finishing || step.operation.rest || plan.earlier)) {
-      const Regions left = resolve::left_over(part, index, one.layer, plan.earlier, plan.tol);
+    if (!whole_floor && (finishing || step.operation.rest || met)) {
+      const Regions left = resolve::left_over(part, index, one.layer, earlier, plan.tol);
       one.walls_only =
           finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan.tol);
       if (!one.walls_only) one.layer.target = left;
@@ -168,6 +170,12 @@ bool meets_others(const Part& part, const Feature& feature) {
   });
 }
 
+/// Whether all that was cut before was cut in earlier set-ups.
+bool is_carried_alone(const Toolpath& earlier) {
+  return std::all_of(earlier.sections.begin(), earlier.sections.end(),
+                     [](const Section& section) { return section.carried_below.has_value(); });
+}
+
 StepWork step_work(int index, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   StepWork work;
@@ -182,6 +190,8 @@ StepWork step_work(int index, const ResolvedPlan& plan) {
   work.hole = hole_step(standing, index, plan);
   work.layers = layers_left(standing, index, plan);
   work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
+  // A hole that an earlier set-up drilled is not drilled again.
+  if (work.done_before && is_carried_alone(*plan.earlier)) work.hole.reset();
   return work;
 }
 

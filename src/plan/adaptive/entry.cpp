@@ -10,6 +10,8 @@ namespace {
 
 Strategy make(const StrategyRequest& request) {
   AdaptiveOptions options;
+  if (request.step.aimed_engagement_deg)
+    options.engagement = Radians::of_degrees(*request.step.aimed_engagement_deg);
   if (request.plan.engagement_deg) options.engagement = Radians::of_degrees(*request.plan.engagement_deg);
   options.start = request.plan.start;
   options.cancel = request.plan.cancel;

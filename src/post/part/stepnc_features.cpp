@@ -175,6 +175,7 @@ class FeatureWriter {
       case FeatureKind::kClosedPocket:
       case FeatureKind::kVCarving:
       case FeatureKind::kChamfer:
+      case FeatureKind::kExternalThread:
         return closed_pocket();
       case FeatureKind::kPlanarFace:
         return planar_face();

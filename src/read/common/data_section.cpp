@@ -131,6 +131,11 @@ std::vector<double> DataSection::numbers(const std::string& key) {
   return out;
 }
 
+bool DataSection::is_list(const std::string& key) {
+  const DataValue* value = ask(key);
+  return value && value->is_array();
+}
+
 bool DataSection::is_number(const std::string& key) {
   const DataValue* value = ask(key);
   return value && value->is_number();

@@ -69,8 +69,10 @@ Feature feature_of(const DrawnGroup& group, Region region, double depth, const R
 Regions islands_of(std::vector<DrawnGroup>& groups, const ReadOptions& options, Diagnostics& diagnostics) {
   Regions islands;
   for (DrawnGroup& group : groups) {
-    if (group.role != LayerRole::kIsland) continue;
-    const Regions more = repair(std::move(group.curves), repair_options(group, options), diagnostics);
+    // A thread's boss stays standing as an island does, and is a feature besides.
+    if (group.role != LayerRole::kIsland && !is_external_thread(group)) continue;
+    std::vector<RawCurve> curves = group.curves;
+    const Regions more = repair(std::move(curves), repair_options(group, options), diagnostics);
     islands = islands.empty() ? more : unite(islands, more, options.tol);
   }
   return islands;
@@ -199,6 +201,7 @@ Feature carving_of(const DrawnGroup& group, Region region, const ReadOptions& op
   feature.kind = FeatureKind::kVCarving;
   feature.target = {std::move(region)};
   feature.allowed = feature.target;
+  carving.start = group.start;
   feature.carving = carving;
   return feature;
 }
@@ -422,7 +425,8 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   for (ShapedGroup& one : shaped) {
     const LayerRole role = one.group.role;
     if (role == LayerRole::kStock || role == LayerRole::kIgnore || role == LayerRole::kProfile) continue;
-    if (!islands.empty() && role != LayerRole::kChamfer && near_any(islands, one.regions))
+    const bool stands = role == LayerRole::kChamfer || is_external_thread(one.group);
+    if (!islands.empty() && !stands && near_any(islands, one.regions))
       one.regions = subtract(one.regions, islands, options.tol);
     add_group_features(one, options, part.diagnostics, features);
   }

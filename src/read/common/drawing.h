@@ -19,6 +19,7 @@ struct LayerMeaning {
   bool says_role = false;       ///< a word of the name does
   std::optional<double> depth;  ///< in units of the drawing
   std::optional<double> top;    ///< in units of the drawing
+  std::optional<double> start;  ///< of V-carving, likewise
   std::optional<HoleRequest> hole;
 };
 /// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
@@ -37,6 +38,7 @@ struct DrawnGroup {
   bool says_role = false;                      ///< somebody said it: the name, a rule, an option
   std::optional<double> depth;                 ///< mm
   std::optional<double> top;                   ///< mm
+  double start = 0;                            ///< mm; of V-carving: how far down its outline is as drawn
   std::optional<LayerRule> broken_edges = {};  ///< its outlines get a chamfer besides
   std::optional<HoleRequest> hole = {};
   std::vector<RawCurve> curves;

@@ -77,6 +77,7 @@ std::optional<HoleRequest> holes_of(std::string_view text) {
     if (const auto kind = hole_kind_of_word(word)) request.kind = *kind, any = true;
     if (word == "THRU" || word == "THROUGH") request.through = any = true;
     if (word == "LH") left = true;
+    if (word == "EXTERNAL" || word == "EXT") request.external = true;
     if (word == "DIA") request.diameter = leading_number(rest), any = true;
     if (word == "PECK" || word == "CHIP") {
       request.chip_break = word == "CHIP";
@@ -128,6 +129,9 @@ LayerMeaning meaning_of_layer(std::string_view name) {
     }
     if (word == "D" || word == "DEPTH") {
       if (const auto depth = leading_number(rest)) meaning.depth = std::abs(*depth);
+    }
+    if (word == "START") {
+      if (const auto start = leading_number(rest)) meaning.start = std::abs(*start);
     }
     if (word == "TOP") {
       if (const auto top = leading_number(rest)) meaning.top = top;

@@ -8,6 +8,7 @@
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
+#include "read/job/job_setups.h"
 #include "read/job/machine_file.h"
 #include "read/repair/repair.h"
 
@@ -120,6 +121,24 @@ void read_solid_options(DataSection& section, SolidOptions& solid) {
   solid.breakthrough = section.not_negative("breakthrough");
 }
 
+/// "corner", "centre", or [x, y, z].
+std::optional<ZeroPoint> zero_point(DataSection& section) {
+  if (!section.has("origin")) return std::nullopt;
+  const std::vector<double> point =
+      section.is_list("origin") ? section.numbers("origin") : std::vector<double>{};
+  if (point.size() == 3) return ZeroPoint{"", {point[0], point[1], point[2]}};
+  if (section.is_list("origin")) section.fail_at("origin", "needs three numbers, [x, y, z]");
+  static const std::vector<std::string> places{"corner", "centre"};
+  return ZeroPoint{places[*section.choice("origin", places)], {}};
+}
+
+/// "G55" as 55.
+std::optional<int> work_offset_of(DataSection& section) {
+  static const std::vector<std::string> offsets{"G54", "G55", "G56", "G57", "G58", "G59"};
+  const auto chosen = section.choice("work_offset", offsets);
+  return chosen ? std::optional(54 + static_cast<int>(*chosen)) : std::nullopt;
+}
+
 void read_part_section(DataSection section, JobFile& job) {
   const auto file = section.text("file");
   if (!file || file->empty()) section.fail("file is missing; add file = \"part.dxf\"");
@@ -141,6 +160,7 @@ void read_part_section(DataSection section, JobFile& job) {
   const auto open = section.choice("open_curves", {"refuse", "skip"});
   if (open && *open == 1) read.open_curves = OpenCurves::kSkip;
   read_solid_options(section, read.solid);
+  job.zero = zero_point(section);
   section.refuse_unknown();
 }
 
@@ -213,6 +233,7 @@ JobOutput output_of(DataSection section) {
   out.program = section.text("program");
   out.post = section.text("post");
   out.inch = section.flag("inch");
+  out.work_offset = work_offset_of(section);
   if (const auto decimals = section.positive("decimals")) out.decimals = decimals_of(section, *decimals);
   out.arcs = section.flag("arcs");
   out.tool_change = section.flag("tool_change");
@@ -244,6 +265,7 @@ ShopOptions shop_of(DataSection& section) {
   shop.finish_stock_floor = section.not_negative("finish_stock_floor");
   shop.finish_depths = section.positive("finish_depths");
   shop.material = section.text("material");
+  shop.style = section.text("style");
   return shop;
 }
 
@@ -306,8 +328,10 @@ void note_sources(const DataValue& root, JobFile& job) {
 
 }  // namespace
 
-JobFile read_job_text(std::string_view text, const std::string& file_name) {
-  const DataValue root = parse_toml(text, file_name);
+namespace {
+
+/// A job of one set-up.
+JobFile read_one_setup(const DataValue& root, const std::string& file_name) {
   DataSection section(root, file_name, "");
   JobFile job;
   job.file = file_name;
@@ -331,6 +355,31 @@ JobFile read_job_text(std::string_view text, const std::string& file_name) {
   section.refuse_unknown();
   note_sources(root, job);
   return job;
+}
+
+/// As the first set-up, with all of them in it.
+JobFile read_setups(const DataValue& root, const std::string& file_name) {
+  std::vector<JobFile> setups;
+  const DataValue& tables = *root.find("setup");
+  for (const DataValue& one : jobs_of_setups(root, file_name)) {
+    const DataValue& table = tables.items[setups.size()];
+    JobFile job = read_one_setup(one, file_name);
+    if (const DataValue* name = table.find("name")) job.setup_name = name->text;
+    job.has_own_stock = table.find("stock") != nullptr;
+    job.setup_number = static_cast<int>(setups.size()) + 1;
+    setups.push_back(std::move(job));
+  }
+  JobFile job = setups.front();
+  job.setup_number = 0;
+  job.setups = std::move(setups);
+  return job;
+}
+
+}  // namespace
+
+JobFile read_job_text(std::string_view text, const std::string& file_name) {
+  const DataValue root = parse_toml(text, file_name);
+  return root.find("setup") ? read_setups(root, file_name) : read_one_setup(root, file_name);
 }
 
 JobFile read_job(const std::filesystem::path& file) {

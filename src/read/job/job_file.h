@@ -13,6 +13,7 @@
 #include "model/options/published_solver.h"
 #include "model/options/shop_options.h"
 #include "model/part.h"
+#include "read/moved_part.h"
 #include "read/read_options.h"
 #include "read/tools/tool_library.h"
 
@@ -53,6 +54,7 @@ struct OperationRule {
 struct JobOutput {
   std::optional<std::string> program, post, certificate, svg, report, setup_sheet, result;
   std::optional<bool> inch;
+  std::optional<int> work_offset;  ///< 54 to 59
   // Switches of the post.
   std::optional<int> decimals;
   std::optional<bool> arcs, tool_change, length_offset, exact_stop;
@@ -90,6 +92,12 @@ struct JobFile {
   std::optional<std::string> objective;
   std::optional<double> time_s;
   std::optional<std::uint64_t> seed;
+  std::optional<ZeroPoint> zero;  ///< absent: that of the part's file
+  std::string setup_name;         ///< of one of several set-ups
+  int setup_number = 0;           ///< from 1; 0: the job is one set-up
+  bool has_own_stock = false;     ///< the set-up states where its block lies
+  std::vector<JobFile>
+      setups;  ///< [[setup]]: each a job of its own; the job itself is then as the first of them
   std::vector<std::string> accept;  ///< conditions that hold at the machine, by name
   Sources sources;  ///< of the keys of [plan], [machine] and [output], and of its machine file
 };

@@ -326,6 +326,9 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   if (capitals(job.part_file.extension().string()) == ".TOML") {
     throw InputError(job.file, "the part of a job cannot be a job; name the drawing or program");
   }
+  if (!job.setups.empty())
+    throw InputError(job.file, "it has " + std::to_string(job.setups.size()) +
+                                   " set-ups; say which, for example with --setup 1");
   ReadOptions options = merged(job.read, over);
   // What stands around a solid belongs to its features: its reader sets the stock itself.
   if (job.stock) options.solid.stock = requested(*job.stock);
@@ -342,6 +345,8 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   part.keep_outs = job.keep_outs;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
   Dresser(job, part, sources, published).run();
+  // Among set-ups the zero is moved once it is known how they lie.
+  if (job.zero && job.setup_number == 0) part = with_zero_at(std::move(part), zero_of(part, *job.zero));
   return part;
 }
 

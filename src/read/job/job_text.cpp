@@ -141,6 +141,7 @@ const char* const kRest = R"(
 # finish = "walls"         # walls, floor, all: finishing after everything else
 # finish_stock = 0.3       # mm left on walls for it; finish_stock_floor = 0.2
 # finish_depths = 1        # in how many depths walls are finished
+# style = "machinist"      # in metals; or fastest: what is chosen where nobody says how
 # material = "steel"       # for feeds, speeds and forces: aluminium, brass, steel, alloy-steel, stainless, cast-iron, titanium,
                            # plastic, softwood, hardwood, mdf
 # clearance = 10           # z of rapid travel, mm
@@ -175,6 +176,7 @@ const char* const kRest = R"(
 [output]
 # program = "out.ngc"
 # post = "linuxcnc"        # grbl, fanuc, haas, heidenhain, mach3, mach4, marlin
+# work_offset = "G54"      # to G59
 # inch = false
 # decimals = 4             # of coordinates; default: what the controller resolves
 # arcs = true              # false: lines only

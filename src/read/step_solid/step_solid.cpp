@@ -200,7 +200,8 @@ void Finder::report_through() {
   part_.diagnostics.warn(file_name_, std::to_string(count) + " cut(s) go through, " + below +
                                          ": keep table, vice and clamps away from there");
   const bool freed = std::any_of(features.begin(), features.end(), [&](const Feature& feature) {
-    return feature.kind == FeatureKind::kOutsideProfile && goes_round(feature, solid_.plan);
+    return feature.kind == FeatureKind::kOutsideProfile && feature.floor_z <= stock_.z_bottom &&
+           goes_round(feature, solid_.plan);
   });
   if (freed)
     part_.diagnostics.warn(file_name_,

@@ -252,4 +252,15 @@ std::string setup_sheet(const Part& part, const Toolpath& toolpath, const Findin
          Sheet(part, toolpath, findings, info).body() + "</body>\n</html>\n";
 }
 
+std::string joined_setup_sheets(const std::vector<std::string>& sheets) {
+  const std::string begin = "<body>\n", end = "</body>\n";
+  std::string page = sheets.front().substr(0, sheets.front().find(begin) + begin.size());
+  for (const std::string& sheet : sheets) {
+    const std::size_t from = sheet.find(begin) + begin.size();
+    page += "<section style=\"break-after: page\">\n" + sheet.substr(from, sheet.rfind(end) - from) +
+            "</section>\n";
+  }
+  return page + end + "</html>\n";
+}
+
 }  // namespace clearcut::report

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/move.h"
 #include "model/part.h"
@@ -24,5 +25,8 @@ struct SetupSheetInfo {
 /// Cost    O(moves), and that of the picture.
 std::string setup_sheet(const Part& part, const Toolpath& toolpath, const Findings& findings,
                         const SetupSheetInfo& info);
+
+/// Sheets of one job as one page that prints each on a sheet of its own.
+std::string joined_setup_sheets(const std::vector<std::string>& sheets);
 
 }  // namespace clearcut::report

@@ -69,15 +69,15 @@ int tap_for(const std::vector<Tool>& tools, const Thread& thread) {
   });
 }
 
-int thread_mill_for(const std::vector<Tool>& tools, const Thread& thread) {
+int thread_mill_for(const std::vector<Tool>& tools, const Thread& thread, bool external) {
   return best_tool(
       tools,
       [&](const Tool& tool) {
         return tool.kind == ToolKind::kThreadMill &&
-               tool.diameter < minor_diameter(thread) - kBesideThreadMill &&
+               (external || tool.diameter < minor_diameter(thread) - kBesideThreadMill) &&
                (tool.pitch == 0 || std::abs(tool.pitch - thread.pitch) < kSamePitch);
       },
-      [](const Tool& tool) { return -tool.diameter; });
+      [external](const Tool& tool) { return external ? tool.diameter : -tool.diameter; });
 }
 
 int cone_for(const std::vector<Tool>& tools, const HoleForm& hole) {

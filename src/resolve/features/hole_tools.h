@@ -24,8 +24,8 @@ int tool_where(const std::vector<Tool>& tools, const std::function<bool(const To
 /// The reamer, boring bar, counterbore or drill of the hole's width that its kind asks for; -1 for none.
 int tool_of_kind(const std::vector<Tool>& tools, const HoleForm& hole);
 int tap_for(const std::vector<Tool>& tools, const Thread& thread);
-/// The widest that fits the thread's pitch and its minor diameter.
-int thread_mill_for(const std::vector<Tool>& tools, const Thread& thread);
+/// The widest that fits the thread's pitch and its minor diameter; about a boss the narrowest that fits its pitch.
+int thread_mill_for(const std::vector<Tool>& tools, const Thread& thread, bool external = false);
 /// The smallest cone as wide as the hole: countersinks rather by a chamfer mill, spots by a spot drill.
 int cone_for(const std::vector<Tool>& tools, const HoleForm& hole);
 /// The drill nearest to the best width among those that may be.

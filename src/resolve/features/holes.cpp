@@ -8,6 +8,8 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "geometry/boolean.h"
+#include "geometry/rectangle.h"
 #include "resolve/features/hole_tools.h"
 #include "resolve/tool_cutting.h"
 #include "stock/round_hole.h"
@@ -62,7 +64,7 @@ class HoleShaper {
     if (kind == HoleKind::kTapped) {
       shape_tapped(step);
     } else if (kind == HoleKind::kThreadMilled) {
-      shape_thread(step);
+      feature_of(step).hole->external ? shape_external_thread(step) : shape_thread(step);
     } else if (kind == HoleKind::kCountersunk || kind == HoleKind::kSpotted) {
       shape_cone(step);
     } else {
@@ -154,6 +156,54 @@ class HoleShaper {
     set_depth(feature, kUnderThread * thread.pitch);
     if (feature.through && part_.stock) feature.hole->full_z = part_.stock->z_bottom;
     add_pilot(step, pilot_before(thread), feature.floor_z);
+  }
+
+  /// What the mill needs beside the boss has to be cleared before, a pitch and a quarter below the thread.
+  void shape_external_thread(Workingstep& step) {
+    const Thread thread = *feature_of(step).hole->thread;
+    const int mill = thread_mill_for(part_.tools, thread, true);
+    if (mill < 0)
+      throw InputError(feature_of(step).name,
+                       fmt::format("its thread {} is to be milled; give a thread mill, for "
+                                   "example --tool threadmill:10",
+                                   thread.name));
+    take_tool(step, mill);
+    Feature& feature = feature_of(step);
+    refuse_faced_boss(feature);
+    set_depth(feature, kUnderThread * thread.pitch);
+    const double beside = part_.tools[static_cast<std::size_t>(mill)].diameter + approach_beside(thread);
+    if (!is_cleared_about(feature, root_diameter(thread) / 2 + beside))
+      throw InputError(
+          feature.name,
+          fmt::format("its mill needs {} mm all round the root of the thread, cleared down to z {}; add a "
+                      "pocket about the boss, deepen it, or take a narrower thread mill",
+                      trimmed(beside, 2), trimmed(feature.floor_z, 3)));
+  }
+
+  /// Facing leaves no bosses: what is above it is gone.
+  static void refuse_faced_boss(const Feature& thread) {
+    if (thread.top_z > thread.hole->full_z + kSame) return;
+    throw InputError(
+        thread.name,
+        fmt::format("its boss is faced off down to z {}; make that a pocket up to the edge of the stock",
+                    trimmed(thread.top_z, 3)));
+  }
+
+  /// Whether pockets, or nothing of the stock, lie about a thread's boss as deep as the thread's mill goes.
+  bool is_cleared_about(const Feature& thread, double radius) const {
+    constexpr double kSliver = 1e-3;  // mm2
+    const Vec2 center = thread.hole->center;
+    Regions missing{
+        Region::from_valid_loops(disc_about(center, radius).outer(), {thread.target.front().outer()})};
+    for (const Feature& other : part_.features) {
+      if (missing.empty() || other.hole || other.profile || other.chamfer ||
+          other.floor_z > thread.floor_z + kSame)
+        continue;
+      missing = subtract(missing, other.allowed, options_.tol);
+    }
+    if (part_.stock && !missing.empty())
+      missing = intersect(missing, {rectangular_region(part_.stock->plan)}, options_.tol);
+    return area(missing) < kSliver;
   }
 
   /// The cone ends where the hole begins that it is about, or in its tip.

@@ -57,17 +57,25 @@ void append_swaths(const CheckedMove& checked, double z, double level, std::vect
   }
 }
 
+/// The box around a feature's target, and where its material begins.
+struct Around {
+  explicit Around(const Feature& feature) : box(clearcut::box(feature.target)), top_z(feature.top_z) {}
+  Box box;
+  double top_z;
+};
+
 /// Whether a feed move comes near the target with its tip at or below z.
-bool counts_at(const CheckedMove& checked, double z, const Box& target, const Tolerances& tol) {
-  if (!checked.feeds() || !checked.tool || checked.low_z() > z) return false;
+bool counts_at(const CheckedMove& checked, double z, const Around& target, const Tolerances& tol) {
+  if (!checked.feeds() || !checked.tool || checked.low_z() > z || !checked.counts_below(target.top_z))
+    return false;
   const Move& move = *checked.move;
   const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-  return path.grown(checked.radius() + 2 * tol.uncut).overlaps(target);
+  return path.grown(checked.radius() + 2 * tol.uncut).overlaps(target.box);
 }
 
 /// What feed moves sweep at a level. Tips up to tol.uncut above it count. Only moves within 2 tol.uncut of
 /// the target count, because what farther ones leave is thick.
-std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<CheckedMove>& moves,
+std::vector<Swath> swaths_at(double level, const Around& target, const std::vector<CheckedMove>& moves,
                              const Tolerances& tol) {
   const double z = level + tol.uncut;
   std::vector<Swath> swaths;
@@ -79,7 +87,8 @@ std::vector<Swath> swaths_at(double level, const Box& target, const std::vector<
 
 /// mm; how far the control may leave the paths of these moves at most: it rounds corners, or runs another
 /// arc.
-double liberty_at(double z, const Box& target, const std::vector<CheckedMove>& moves, const Tolerances& tol) {
+double liberty_at(double z, const Around& target, const std::vector<CheckedMove>& moves,
+                  const Tolerances& tol) {
   double most = 0;
   for (std::size_t i = 0; i < moves.size(); ++i) {
     if (!counts_at(moves[i], z, target, tol)) continue;
@@ -91,7 +100,7 @@ double liberty_at(double z, const Box& target, const std::vector<CheckedMove>& m
 }
 
 /// mm; how far above the level the highest level move lies that is taken to have cut it.
-double height_above(double level, const Box& target, const std::vector<CheckedMove>& moves,
+double height_above(double level, const Around& target, const std::vector<CheckedMove>& moves,
                     const Tolerances& tol) {
   double most = 0;
   for (const CheckedMove& checked : moves) {
@@ -155,9 +164,10 @@ class WorkCheck {
     question.part = &finished_;
     question.target = &feature.target;
     question.z = level.z + tol.gouge;
-    question.swaths = swaths_at(level.z, box(feature.target), program_.moves, tol);
-    question.path_tolerance = liberty_at(level.z + tol.uncut, box(feature.target), program_.moves, tol);
-    question.above = height_above(level.z, box(feature.target), program_.moves, tol);
+    const Around target(feature);
+    question.swaths = swaths_at(level.z, target, program_.moves, tol);
+    question.path_tolerance = liberty_at(level.z + tol.uncut, target, program_.moves, tol);
+    question.above = height_above(level.z, target, program_.moves, tol);
     level.any_cut = !question.swaths.empty();
     bool first = true;
     for (const FinestWork& finest : finest_works(part_, work, level.z, tol)) {

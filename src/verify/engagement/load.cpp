@@ -345,7 +345,8 @@ void measure_moves(const Part& part, std::vector<CheckedMove>& moves, std::size_
   LoadMeter meter(material, options);
   for (std::size_t i = 0; i < last; ++i) {
     throw_if_cancelled(options.cancel);
-    if (i < first) {
+    if (!moves[i].counts_below(part.top_z())) continue;  // a hollow under material
+    if (i < first || moves[i].is_carried()) {
       meter.pass_over(moves[i]);
     } else {
       meter.measure(moves[i]);

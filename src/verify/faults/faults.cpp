@@ -144,7 +144,7 @@ void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, std:
     run_length = 0;
   };
   for (const CheckedMove& checked : moves) {
-    std::optional<Fault> found = check(checked);
+    std::optional<Fault> found = checked.is_carried() ? std::nullopt : check(checked);
     if (!found || checked.workingstep != workingstep) finish();
     workingstep = checked.workingstep;
     if (!found) continue;

@@ -24,10 +24,11 @@ class HoleCheck {
     for (std::size_t i = 0; i < program.moves.size(); ++i) {
       const CheckedMove& checked = program.moves[i];
       if (!checked.feeds() || !checked.tool || checked.low_z() >= feature.top_z) continue;
+      if (!checked.counts_below(feature.top_z)) continue;
       const Move& move = *checked.move;
       if (move.is_vertical() && distance(move.path.from, hole_.center) <= kOnAxis) upright_.push_back(i);
       const bool mills = checked.tool->kind == ToolKind::kThreadMill;
-      if (mills && distance(move.path.from, hole_.center) < hole_.diameter) mills_.push_back(&checked);
+      if (mills && distance(move.path.from, hole_.center) < around(*checked.tool)) mills_.push_back(&checked);
     }
   }
 
@@ -45,6 +46,10 @@ class HoleCheck {
   }
 
  private:
+  /// mm from the axis within which a thread mill is at work on it.
+  double around(const Tool& mill) const {
+    return hole_.external ? hole_.diameter / 2 + mill.diameter : hole_.diameter;
+  }
   const CheckedMove& at(std::size_t i) const { return program_.moves[i]; }
 
   void add(FaultKind kind, double size, double z, int line, const std::string& text) {
@@ -172,7 +177,8 @@ class HoleCheck {
   }
 
   void judge_thread() {
-    if (mills_.empty()) return add_missing("no thread mill works in it");
+    if (mills_.empty())
+      return add_missing(hole_.external ? "no thread mill works about it" : "no thread mill works in it");
     for (const ThreadDefect& defect : defects_of_thread(feature_, mills_)) {
       const FaultKind kind = defect.kind == ThreadDefect::Kind::kNothing   ? FaultKind::kNothingCut
                              : defect.kind == ThreadDefect::Kind::kShallow ? FaultKind::kUncut

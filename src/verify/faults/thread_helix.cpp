@@ -1,6 +1,7 @@
 // Symbols
 //
-//   P     pitch, mm; d major diameter, d1 = d - 5/8 sqrt(3) P minor diameter of the basic profile (ISO 68-1)
+//   P     pitch, mm; d major diameter, d1 = d - 5/8 sqrt(3) P minor diameter of the basic profile (ISO 68-1),
+//         d3 = d - 17/24 sqrt(3) P at the root of external threads
 //   z0    mm; height of the helix at the angle 0 about the axis; each turn adds P
 #include "verify/faults/thread_helix.h"
 
@@ -41,8 +42,25 @@ class ThreadJudge {
   }
 
  private:
+  /// mm from the axis to where the teeth reach: in holes outwards, about bosses inwards.
   double reach(const CheckedMove& checked, Vec2 at) const {
-    return distance(at, hole_.center) + checked.radius();
+    return distance(at, hole_.center) + (hole_.external ? -checked.radius() : checked.radius());
+  }
+
+  /// mm; the radius that the teeth have to reach.
+  double full_radius() const {
+    return hole_.external ? root_diameter(*hole_.thread) / 2 : hole_.diameter / 2;
+  }
+
+  /// mm by which teeth at that radius are short of the full thread.
+  double short_of_full(double reached) const {
+    return hole_.external ? reached - full_radius() : full_radius() - reached;
+  }
+
+  /// Whether teeth at that radius are in the material of the thread, and not in what its tolerance leaves open.
+  bool is_in_thread(double reached) const {
+    if (hole_.external) return reached < hole_.diameter / 2 - crest_tolerance(*hole_.thread);
+    return reached > minor_radius_ + minor_tolerance(*hole_.thread);
   }
 
   bool is_about_axis(const Move& move) const {
@@ -53,7 +71,7 @@ class ThreadJudge {
   void find_helix(const CheckedMove& checked) {
     const Move& move = *checked.move;
     if (!is_about_axis(move)) return;
-    const double short_of = hole_.diameter / 2 - reach(checked, move.path.from);
+    const double short_of = short_of_full(reach(checked, move.path.from));
     if (short_of > kRadiusSlack) {
       narrowest_ = std::max(narrowest_, short_of);
       return;
@@ -88,8 +106,7 @@ class ThreadJudge {
       const double t = static_cast<double>(i) / kThreadPlaces;
       const Vec2 p = move.is_vertical() ? move.path.from : move.path.at(t);
       const double z = move.z_from + (move.z_to - move.z_from) * t;
-      const double r = reach(checked, p);
-      if (z >= top_ || r <= minor_radius_ + minor_tolerance(*hole_.thread)) continue;
+      if (z >= top_ || !is_in_thread(reach(checked, p))) continue;
       const double off = std::abs(whole_turns_off(on_helix(p, z) - *origin_, pitch_));
       if (off <= slack_) continue;
       return add(ThreadDefect::Kind::kHelix, off, move.line,
@@ -119,7 +136,7 @@ class ThreadJudge {
     if (narrowest_ > 0)
       return {ThreadDefect::Kind::kNarrow, narrowest_,
               "the mill stays " + trimmed(narrowest_, 3) + " mm short of its diameter of " +
-                  trimmed(hole_.diameter, 3) + " mm",
+                  trimmed(2 * full_radius(), 3) + " mm",
               moves.front()->move->line};
     return {ThreadDefect::Kind::kNothing, top_ - hole_.full_z, "no thread mill turns about its axis", 0};
   }

@@ -50,9 +50,12 @@ std::vector<Edge> Wall::flat_ends(double z) const {
   return ends;
 }
 
-FinishedPart::FinishedPart(const Part& part) : top_z_(top_of(part)) {
+FinishedPart::FinishedPart(const Part& part, bool with_threads) : top_z_(top_of(part)) {
   if (part.stock) add_stock(*part.stock);
-  for (std::size_t i = 0; i < part.features.size(); ++i) add_feature(part.features[i], static_cast<int>(i));
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    if (part.features[i].kind == FeatureKind::kExternalThread && !with_threads) continue;
+    add_feature(part.features[i], static_cast<int>(i));
+  }
   find_walls();
   for (const Shape& shape : shapes_) {
     if (shape.feature < 0) continue;

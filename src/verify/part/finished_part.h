@@ -41,7 +41,8 @@ struct Wall {
 ///         there, too.
 class FinishedPart {
  public:
-  explicit FinishedPart(const Part& part);
+  /// `with_threads`: external threads are cut, as their own mills may; all others must leave the boss whole.
+  explicit FinishedPart(const Part& part, bool with_threads = false);
 
   double top_z() const { return top_z_; }
   const std::vector<Wall>& walls() const { return walls_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/text/format.h"
 #include "geometry/region.h"
 #include "read/repair/mends.h"
 
@@ -14,6 +15,34 @@ Region disc_about(Vec2 center, double radius) {
   return Region::from_valid_loops(
       {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)},
       {});
+}
+
+/// A thread about a boss: what it cuts is the ring between the root and the drawn circle.
+void form_external_thread(Feature& feature, const HoleRequest& request, const std::string& place) {
+  const Thread& thread = *request.thread;
+  const double drawn = *feature.hole_diameter;
+  constexpr double kRounding = 0.005;  // mm
+  if (drawn > thread.diameter + kRounding || drawn < thread.diameter - crest_tolerance(thread) - kRounding)
+    throw InputError(place, "the boss of its thread " + thread.name + " is drawn " + trimmed(drawn, 3) +
+                                " mm wide; draw it " + trimmed(thread.diameter - crest_tolerance(thread), 3) +
+                                " to " + trimmed(thread.diameter, 3) + " mm");
+  if (request.through)
+    throw InputError(place,
+                     "a thread about a boss cannot go through; say how far down it is full, as in "
+                     "THREAD_M20_EXTERNAL_D12");
+  HoleForm form;
+  form.kind = HoleKind::kThreadMilled;
+  form.center = feature.target.front().outer().front().center;
+  form.diameter = thread.diameter;
+  form.full_z = feature.floor_z;
+  form.thread = thread;
+  form.external = true;
+  feature.kind = FeatureKind::kExternalThread;
+  feature.hole_diameter.reset();
+  const Region ring = Region::from_valid_loops(disc_about(form.center, drawn / 2).outer(),
+                                               {disc_about(form.center, root_diameter(thread) / 2).outer()});
+  feature.target = feature.allowed = {ring};
+  feature.hole = form;
 }
 
 std::optional<double> thickness_of(const std::vector<ShapedGroup>& groups, const ReadOptions& options) {
@@ -31,6 +60,8 @@ void form_hole(Feature& feature, const HoleRequest& request, const std::string& 
                      "it is to be threaded and names no thread there is a table for; name the layer like "
                      "TAP_M6_D12, THREAD_M20x1.5_THRU, TAP_UNC1-4_D12 or TAP_#10-24_D10");
   }
+  if (request.external && request.kind == HoleKind::kThreadMilled)
+    return form_external_thread(feature, request, place);
   HoleForm form;
   form.kind = request.kind;
   form.center = feature.target.front().outer().front().center;
@@ -52,6 +83,10 @@ std::optional<HoleRequest> scaled(std::optional<HoleRequest> request, double mm_
   if (request->diameter) *request->diameter *= mm_per_unit;
   if (request->peck) *request->peck *= mm_per_unit;
   return request;
+}
+
+bool is_external_thread(const DrawnGroup& group) {
+  return group.hole && group.hole->external && group.hole->kind == HoleKind::kThreadMilled;
 }
 
 bool needs_no_depth(const HoleRequest& request) {

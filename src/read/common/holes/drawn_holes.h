@@ -10,6 +10,9 @@ namespace clearcut::read {
 /// The request with its lengths in mm.
 std::optional<HoleRequest> scaled(std::optional<HoleRequest> request, double mm_per_unit);
 
+/// Whether its circles are bosses with a thread about them.
+bool is_external_thread(const DrawnGroup& group);
+
 /// Cones go as deep as their diameter asks for.
 bool needs_no_depth(const HoleRequest& request);
 

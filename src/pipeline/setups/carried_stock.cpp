@@ -1,0 +1,176 @@
+#include "pipeline/setups/carried_stock.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "stock/material.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// mm. A hollow that ends no more than this under the top of a feature reaches it: programs have digits.
+constexpr double kThrough = 0.002;
+/// mm that what was cut through ends below all that a later set-up may cut.
+constexpr double kBelowAll = 1;
+/// mm. A residual as thick as that may stay where the top was faced off.
+constexpr double kFaced = 0.01;
+
+/// Whether the tool cuts as wide as it is from some height above its tip on, and everything above.
+bool is_cylinder(const Tool& tool) {
+  switch (tool.kind) {
+    case ToolKind::kEndMill:
+    case ToolKind::kFaceMill:
+    case ToolKind::kBallEndMill:
+    case ToolKind::kBullNoseEndMill:
+    case ToolKind::kDrill:
+    case ToolKind::kCounterbore:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// mm above its tip from which a cylinder has its full width.
+double end_of(const Tool& tool) {
+  if (tool.kind == ToolKind::kDrill) return point_length(tool);
+  return tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
+}
+
+const Tool* tool_numbered(const Part& part, int number) {
+  const auto found = std::find_if(part.tools.begin(), part.tools.end(),
+                                  [&](const Tool& tool) { return tool.number == number; });
+  return found == part.tools.end() ? nullptr : &*found;
+}
+
+/// Collects moves; those that do not follow each other are sections of their own.
+class Sweeps {
+ public:
+  void add(const Section& like, const Move& move, double carried_below) {
+    const bool follows = !out_.sections.empty() && out_.sections.back().tool_number == like.tool_number &&
+                         out_.sections.back().carried_below == carried_below &&
+                         out_.sections.back().moves.back().path.to == move.path.from &&
+                         out_.sections.back().moves.back().z_to == move.z_from;
+    if (!follows) {
+      out_.sections.emplace_back();
+      out_.sections.back().label = "earlier set-up";
+      out_.sections.back().tool_number = like.tool_number;
+      out_.sections.back().spindle_rpm = like.spindle_rpm;
+      out_.sections.back().spindle_clockwise = like.spindle_clockwise;
+      out_.sections.back().carried_below = carried_below;
+    }
+    out_.sections.back().moves.push_back(move);
+  }
+  void append(Toolpath other) {
+    for (Section& section : other.sections) out_.sections.push_back(std::move(section));
+  }
+  Toolpath take() { return std::move(out_); }
+
+ private:
+  Toolpath out_;
+};
+
+template <typename Visit>
+void for_cuts(const MachinedSetup& setup, Visit visit) {
+  for (const Section& section : setup.toolpath.sections) {
+    const Tool* tool = tool_numbered(setup.part, section.tool_number);
+    if (!tool || !is_cylinder(*tool)) continue;
+    for (const Move& move : section.moves) {
+      if (!is_rapid(move.kind)) visit(section, *tool, move);
+    }
+  }
+}
+
+/// Seen from the same side: each move as it was.
+Toolpath as_it_was(const MachinedSetup& setup, const SetupPlace& to) {
+  Sweeps sweeps;
+  for_cuts(setup, [&](const Section& section, const Tool& tool, Move move) {
+    const double end = end_of(tool);
+    move.path = moved(move.path, to);
+    move.z_from = moved_z(move.z_from + end, to);
+    move.z_to = moved_z(move.z_to + end, to);
+    sweeps.add(section, move, std::numeric_limits<double>::infinity());
+  });
+  return sweeps.take();
+}
+
+/// Seen from below: each cut is a hollow with a ceiling, as if it were cut from here but for what stands above that. On ramps the
+/// ceiling is that of their higher end.
+Toolpath hollows_of(const MachinedSetup& setup, const SetupPlace& to, const Part& next) {
+  double low = next.stock ? next.stock->z_bottom : next.top_z(), lowest_top = next.top_z();
+  for (const Feature& feature : next.features) {
+    low = std::min(low, feature.floor_z);
+    lowest_top = std::min(lowest_top, feature.top_z);
+  }
+  Sweeps sweeps;
+  for_cuts(setup, [&](const Section& section, const Tool& tool, Move move) {
+    const double highest =
+        move.is_vertical() ? std::min(move.z_from, move.z_to) : std::max(move.z_from, move.z_to);
+    const double ceiling = moved_z(highest + end_of(tool), to) + kThrough;
+    if (ceiling < lowest_top) return;
+    move.path = moved(move.path, to);
+    move.z_from = move.z_to = low - kBelowAll;
+    sweeps.add(section, move, ceiling);
+  });
+  return sweeps.take();
+}
+
+/// The top of the block of a set-up after its program: lower where all of it was faced off.
+double top_left(const MachinedSetup& setup, const Stock& block) {
+  std::set<double> levels;
+  std::vector<double> radii;
+  for (const Tool& tool : setup.part.tools) radii.push_back(tool.radius());
+  stock::Material material(block.plan, block.z_top, radii);
+  for_cuts(setup, [&](const Section&, const Tool& tool, Move move) {
+    move.z_from += end_of(tool);
+    move.z_to += end_of(tool);
+    material.add(move, tool.radius());
+    if (move.z_from == move.z_to && move.z_to < block.z_top - kFaced && move.z_to > block.z_bottom)
+      levels.insert(move.z_to);
+  });
+  const Vec2 middle = block.plan.center();
+  const double half = block.plan.height() / 2;
+  const Edge line = Edge::line({block.plan.min.x, middle.y}, {block.plan.max.x, middle.y});
+  double top = block.z_top;
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+    if (material.in_reach(line, half, *level + kFaced)) break;
+    top = *level;
+  }
+  return top;
+}
+
+/// What is told of one earlier set-up.
+std::string told_of(std::size_t number, const SetupPlace& place, bool any) {
+  const std::string whose = "of set-up " + std::to_string(number) + " ";
+  if (!keeps_verticals(place))
+    return whose + "only the block is carried: what it cut lies across and counts as solid";
+  if (!turns_over(place)) return whose + "everything that mills and drills cut is carried";
+  return whose + (any ? "what it cut through is carried; " : "nothing went through; ") +
+         "hollows that lie under material count as solid";
+}
+
+}  // namespace
+
+CarriedStock carried_stock(const std::vector<MachinedSetup>& earlier, const SetupPlace& place,
+                           const Part& next) {
+  CarriedStock out;
+  Sweeps sweeps;
+  Stock block = *earlier.front().part.stock;
+  SetupPlace in = earlier.front().place;  // in which `block` stands
+  for (std::size_t i = 0; i < earlier.size(); ++i) {
+    const MachinedSetup& setup = earlier[i];
+    block = moved(block, between(in, setup.place));
+    in = setup.place;
+    const SetupPlace to = between(setup.place, place);
+    Toolpath cut;
+    if (keeps_verticals(to)) cut = turns_over(to) ? hollows_of(setup, to, next) : as_it_was(setup, to);
+    out.told += (i ? "; " : "") + told_of(i + 1, to, !cut.sections.empty());
+    sweeps.append(std::move(cut));
+    block.z_top = top_left(setup, block);
+  }
+  out.block = moved(block, between(in, place));
+  out.sweeps = sweeps.take();
+  return out;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,24 @@
+// A part in coordinates with another zero.
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "model/part.h"
+
+namespace clearcut::read {
+
+/// Where the program's zero is to be.
+struct ZeroPoint {
+  std::string place;              ///< "corner", "centre" of the top of the block; "": the point
+  std::array<double, 3> point{};  ///< mm, in the coordinates of the file
+};
+
+/// The zero in the coordinates of the part, mm: the corner with the lowest x and y, or the middle, at the top of its block; of its
+/// outlines where no block is stated.
+std::array<double, 3> zero_of(const Part& part, const ZeroPoint& zero);
+
+/// Subtracts `zero` from all places of the part: outlines, depths, stock, clamps, holes, the height of rapids.
+Part with_zero_at(Part part, const std::array<double, 3>& zero);
+
+}  // namespace clearcut::read

@@ -1,0 +1,167 @@
+// Jobs of several set-ups as a user plans and verifies them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "base/files/file.h"
+#include "post/post.h"
+#include "read/step_solid/solid_model.h"
+#include "support/command.h"
+#include "support/programs.h"
+
+namespace clearcut {
+namespace {
+
+using test_support::run_clearcut;
+using test_support::ScratchFolder;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string kExample = CLEARCUT_SOURCE_DIR "/examples/two_sided.toml";
+
+std::string line_box(const std::string& layer, double x0, double y0, double x1, double y1) {
+  std::string text = "0\nLWPOLYLINE\n8\n" + layer + "\n90\n4\n70\n1\n";
+  const double corners[4][2] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  for (const auto& corner : corners)
+    text += "10\n" + std::to_string(corner[0]) + "\n20\n" + std::to_string(corner[1]) + "\n";
+  return text;
+}
+
+std::string drawing(const std::string& entities) {
+  return "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities +
+         "0\nENDSEC\n0\nEOF\n";
+}
+
+const std::string kTop =
+    drawing(line_box("STOCK_D12", 0, 0, 80, 60) + line_box("POCKET_D12", 10, 10, 40, 30));
+const std::string kUnder =
+    drawing(line_box("POCKET_D12", 10, 30, 40, 50) + line_box("POCKET_D4", 50, 10, 70, 30));
+const std::string kTool = "[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 6\n";
+const std::string kSetups =
+    "[[setup]]\nname = \"top\"\nfile = \"top.dxf\"\n"
+    "[[setup]]\nname = \"underside\"\nfile = \"under.dxf\"\nup = \"-Z\"\nwork_offset = \"G55\"\n";
+
+struct Drawn {
+  ScratchFolder folder;
+  std::string job;
+  explicit Drawn(const std::string& setups = kSetups) {
+    folder.file("top.dxf", kTop);
+    folder.file("under.dxf", kUnder);
+    job = folder.file("job.toml", setups + kTool);
+  }
+};
+
+TEST(Setups, EachHasItsProgramAndAllHaveOneVerdict) {
+  const Drawn drawn;
+  const auto result =
+      run_clearcut({"plan", drawn.job, "-o", drawn.folder.path("part.ngc"), "--certificate",
+                    drawn.folder.path("part.json"), "--setup-sheet", drawn.folder.path("sheet.html")});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("2 set-ups, verdict: CLEAN"));
+  EXPECT_THAT(read_file(drawn.folder.path("part-1.ngc")), HasSubstr("G54"));
+  const std::string second = read_file(drawn.folder.path("part-2.ngc"));
+  EXPECT_THAT(second, HasSubstr("G55"));
+  EXPECT_THAT(second, HasSubstr("SET-UP 2 OF 2 UNDERSIDE"));
+  EXPECT_THAT(read_file(drawn.folder.path("part-2.json")), HasSubstr("CLEAN"));
+  const std::string sheet = read_file(drawn.folder.path("sheet.html"));
+  EXPECT_THAT(sheet, HasSubstr("set-up 1 of 2 top"));
+  EXPECT_THAT(sheet, HasSubstr("set-up 2 of 2 underside"));
+  EXPECT_THAT(sheet, HasSubstr("Zero, G55"));
+  // What went through from above is not cut again.
+  EXPECT_THAT(result.err, HasSubstr("what it cut through is carried"));
+  EXPECT_THAT(result.err, HasSubstr("nothing is cut"));
+}
+
+TEST(Setups, ALaterProgramIsVerifiedOnWhatTheOnesBeforeLeave) {
+  const Drawn drawn;
+  ASSERT_EQ(run_clearcut({"plan", drawn.job, "-o", drawn.folder.path("part.ngc")}).exit_code, 0);
+  const std::string one = drawn.folder.path("part-1.ngc"), two = drawn.folder.path("part-2.ngc");
+  EXPECT_EQ(run_clearcut({"verify", one, "--part", drawn.job, "--setup", "1"}).exit_code, 0);
+  const auto right =
+      run_clearcut({"verify", two, "--part", drawn.job, "--setup", "2", "--earlier-setup", one});
+  EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+  // The first program's through cut is missing: what it would have taken is left.
+  std::string shallow = read_file(one);
+  for (std::size_t at = 0; (at = shallow.find("Z-12", at)) != std::string::npos;)
+    shallow.replace(at, 4, "Z-11");
+  const std::string wrong = drawn.folder.file("wrong.ngc", shallow);
+  const auto left =
+      run_clearcut({"verify", two, "--part", drawn.job, "--setup", "2", "--earlier-setup", wrong});
+  EXPECT_EQ(left.exit_code, 1) << left.out;
+  EXPECT_THAT(left.out, HasSubstr("nothing is cut"));
+}
+
+TEST(Setups, WhatIsNotSaidIsAskedFor) {
+  const Drawn drawn;
+  ASSERT_EQ(run_clearcut({"plan", drawn.job, "-o", drawn.folder.path("part.ngc")}).exit_code, 0);
+  const std::string two = drawn.folder.path("part-2.ngc");
+  const auto refused = [&](const std::vector<std::string>& arguments) {
+    const auto result = run_clearcut(arguments);
+    EXPECT_EQ(result.exit_code, 2) << result.out;
+    return result.err;
+  };
+  EXPECT_THAT(refused({"verify", two, "--part", drawn.job}), HasSubstr("--setup 1"));
+  EXPECT_THAT(refused({"verify", two, "--part", drawn.job, "--setup", "2"}), HasSubstr("--earlier-setup"));
+  EXPECT_THAT(refused({"verify", two, "--part", drawn.job, "--setup", "3"}), HasSubstr("has 2"));
+  EXPECT_THAT(refused({"plan", drawn.job, "-o", "-"}), HasSubstr("name a file"));
+}
+
+TEST(Setups, WhatCannotBeIsRefusedWithItsLine) {
+  const auto refused = [](const std::string& setups) {
+    const Drawn drawn(setups);
+    const auto result = run_clearcut({"plan", drawn.job, "-o", drawn.folder.path("part.ngc")});
+    EXPECT_EQ(result.exit_code, 2) << result.out;
+    EXPECT_EQ(drawn.folder.names().size(), 3u) << "nothing is written";
+    return result.err;
+  };
+  EXPECT_THAT(refused(kSetups + "uq = 1\n"), HasSubstr("uq"));
+  EXPECT_THAT(refused(kSetups + "turn = 30\n"), HasSubstr("aslant"));
+  EXPECT_THAT(refused(kSetups + "[setup.stock]\nx = [0, 70]\ny = [0, 60]\nz = [-12, 0]\n"),
+              HasSubstr("70 x 60 x 12 mm"));
+  EXPECT_THAT(refused(kSetups + "[[operation]]\nfeature = \"*\"\n"), HasSubstr("[[setup.operation]]"));
+}
+
+TEST(Setups, AZeroCanBeACornerTheMiddleOrAPoint) {
+  const Drawn drawn("[part]\nfile = \"top.dxf\"\norigin = \"centre\"\n");
+  const std::string out = drawn.folder.path("part.ngc");
+  const auto span = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"plan", drawn.job,       "-o",
+                                       out,    "--setup-sheet", drawn.folder.path("s.html")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const auto result = run_clearcut(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return read_file(drawn.folder.path("s.html"));
+  };
+  EXPECT_THAT(span({}), HasSubstr("X -40 to 40 mm, Y -30 to 30 mm, Z -12 to 0 mm"));
+  EXPECT_THAT(span({"--origin", "corner"}), HasSubstr("X 0 to 80 mm, Y 0 to 60 mm, Z -12 to 0 mm"));
+  EXPECT_THAT(span({"--origin", "10,10,-12"}), HasSubstr("X -10 to 70 mm, Y -10 to 50 mm, Z 0 to 12 mm"));
+}
+
+/// The bracket of two sides; the golden programs of all controls are in tests/golden/examples/two_sided.
+TEST(Setups, ASolidIsMilledFromBothSides) {
+  if (!read::solids_can_be_read()) GTEST_SKIP() << "built without Open CASCADE";
+  const ScratchFolder folder;
+  const std::string goldens = CLEARCUT_SOURCE_DIR "/tests/golden/examples/two_sided/";
+  for (const std::string& post : post::post_dialects()) {
+    SCOPED_TRACE(post);
+    const std::string ending = post::file_extension_of(post);
+    std::vector<std::string> arguments{"plan", kExample, "-o", folder.path(post + ending), "--post", post};
+    if (post == "marlin") arguments.insert(arguments.end(), {"--accept", "tool-by-hand"});
+    const auto result = run_clearcut(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+    for (const char* number : {"-1", "-2"}) {
+      const std::string name = post + number + ending, program = read_file(folder.path(name));
+      if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) {
+        std::filesystem::create_directories(goldens);
+        std::ofstream(goldens + name, std::ios::binary) << program;
+      }
+      EXPECT_EQ(test_support::first_difference(program, read_file(goldens + name)), "");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clearcut
