@@ -76,6 +76,11 @@ class Distribution {
 
   void lead() {
     leader_ = ranks_.number();
+    if (leader_ > 0) {
+      some_died_ = true;
+      work_.say(fmt::format("rank {} has not been heard of for {} s; rank {} takes its place", leader_ - 1,
+                            timing_.silence, leader_));
+    }
     ledger_.emplace(work_.tasks(), ranks_.count(), now());
     // Who takes another's place first hears what the others have in hand.
     hands_out_from_ = leader_ == 0 ? 0 : now() + 2 * timing_.beat;
@@ -167,10 +172,7 @@ class Distribution {
     asked_ = 0;
     some_died_ = true;
     ++leader_;
-    if (leader_ != ranks_.number()) return;
-    work_.say(fmt::format("rank {} has not been heard of for {} s; rank {} takes its place", leader_ - 1,
-                          timing_.silence, leader_));
-    lead();
+    if (leader_ == ranks_.number()) lead();
   }
 
   Ranks& ranks_;
