@@ -4,6 +4,7 @@ Read from Debian's own records: which package owns each shared object that the p
 them, and what the copyright files say. OUT gets clearcut.spdx.json, and in licenses/ the notices of what is compiled in.
 SOURCE_DATE_EPOCH is its time (default 1980); the same programs and packages give the same bytes.
 """
+import functools
 import hashlib
 import json
 import os
@@ -26,7 +27,7 @@ SPDX = {
 # Those whose copyright files are prose.
 IN_PROSE = {"libc6": "LGPL-2.1-or-later", "libstdc++6": "GPL-3.0-or-later WITH GCC-exception-3.1",
             "libgcc-s1": "GPL-3.0-or-later WITH GCC-exception-3.1", "g++-12": "GPL-3.0-or-later",
-            "zlib1g": "Zlib", "libfreetype6": "FTL OR GPL-2.0-or-later", "libpng16-16": "libpng-2.0"}
+            "libhwloc15": "BSD-3-Clause", "libopenmpi3": "BSD-3-Clause-Open-MPI", "zlib1g": "Zlib", "libfreetype6": "FTL OR GPL-2.0-or-later", "libpng16-16": "libpng-2.0"}
 
 
 def said(*command):
@@ -43,6 +44,7 @@ def loaded_packages(binary):
     return owners
 
 
+@functools.cache  # asking takes a second, and most programs load the same
 def _owner(file):
     """dpkg knows files of merged directories by either of their names."""
     path = Path(file)

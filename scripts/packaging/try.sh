@@ -42,9 +42,19 @@ inside "'/opt/a folder/bin/clearcut' $plan tarball.ngc"
 }
 step tarball "plans, reads a solid, on a bare Debian, in '/opt/a folder'"
 
+# A stranger's path: what the README prints, for a drawing of one's own.
 inside "apt-get update -qq"
+mkdir "$root/try/own"
+cp "$packages"/clearcut_*.deb "$root/try/own/"
+printf '%s\n' 0 SECTION 2 HEADER 9 '$INSUNITS' 70 4 0 ENDSEC 0 SECTION 2 ENTITIES 0 LWPOLYLINE 8 0 90 4 70 1 \
+  10 0 20 0 10 70 20 0 10 70 20 40 10 0 20 40 0 CIRCLE 8 0 10 50 20 20 40 6 0 ENDSEC 0 EOF > "$root/try/own/drawing.dxf"
+sed -n '/^## Your own drawing/,/^## Use/s/^    //p' "$source/README.md" | sed 's/^sudo apt install/apt-get install -y -qq --no-install-recommends/' > "$root/try/own/printed.sh"
+[ "$(wc -l < "$root/try/own/printed.sh")" -ge 4 ]
+began=$SECONDS
+inside "cd own && bash -e printed.sh > said 2>&1 || { cat said; exit 1; }; grep -q '^(CERTIFICATE: CLEAN' drawing.ngc"
+step README "an own drawing, planned and proven as printed, in $((SECONDS - began)) s"
+rm -r "$root/try/own"
 install "python3-minimal"
-install "./clearcut_*.deb"
 inside "clearcut $plan package.ngc && cmp package.ngc tarball.ngc && clearcut info bracket.json > /dev/null && clearcut serve --help > /dev/null"
 step clearcut "plans; the same bytes as the tarball's"
 [ ! -e "$(echo "$packages"/clearcut-mpi_*.deb)" ] || {

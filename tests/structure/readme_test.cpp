@@ -37,9 +37,20 @@ std::string json_block() {
   return text.substr(begin, text.find("```", begin) - begin);
 }
 
+/// What a drawing program writes that knows nothing of layers' names: a rectangle and a circle in it.
+std::string own_drawing() {
+  std::string text =
+      "0\nSECTION\n2\nHEADER\n9\n$"
+      "INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n";
+  for (const char* corner : {"10\n0\n20\n0\n", "10\n70\n20\n0\n", "10\n70\n20\n40\n", "10\n0\n20\n40\n"})
+    text += corner;
+  return text + "0\nCIRCLE\n8\n0\n10\n50\n20\n20\n40\n6\n0\nENDSEC\n0\nEOF\n";
+}
+
 TEST(Readme, CommandsRunCleanAsWritten) {
   const ScratchFolder folder;
   folder.file("pocket.json", json_block());
+  folder.file("drawing.dxf", own_drawing());
   const auto all = commands();
   ASSERT_GE(all.size(), 4u);
   for (auto command : all) {
