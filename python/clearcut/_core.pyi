@@ -30,6 +30,7 @@ class Reading(TypedDict, total=False):
     scale: float | None
     join_gap: float | None
     open_curves: str | None
+    strokes: str | None
     up: str
     turn: float
     body: str

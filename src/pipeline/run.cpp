@@ -150,7 +150,7 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const Tolera
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
 constexpr std::size_t kMostEdgesForRivals = 400;
 
-/// The plan of an candidate, or of a rival that is faster.
+/// The plan of a candidate, or of a rival that is faster.
 StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
                       const StrategyTable& strategies, std::uint64_t most_work) {
   const Part& part = job.part;

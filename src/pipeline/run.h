@@ -24,8 +24,7 @@ struct PlanResult {
   ControlTable control;  ///< what the control holds at each move of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
   std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
-  std::vector<StrategySelection>
-      selections;  ///< of each workingstep: which strategies were considered, which was kept
+  std::vector<StrategySelection> selections;    ///< strategies of each workingstep
 };
 
 /// Plans, posts and certifies a part.

@@ -94,10 +94,12 @@ struct ReadOptions {
   std::vector<std::string> layers;  ///< only these layers of a drawing (names or patterns with *); empty: all
   std::vector<LayerRule> layer_rules;
   std::optional<OpenCurves> open_curves;  ///< absent: refused
-  std::optional<double> join_gap;         ///< mm; overrules tol.join_gap
-  bool ask_if_unclear = false;  ///< drawings of unclear meaning or odd size are refused with what to say
-  double scale = 1;             ///< of drawings, after units
-  bool scale_is_right = false;  ///< the size was stated: it is not questioned
+  std::optional<bool>
+      stroke_areas;                ///< strokes of an SVG are areas of their width; default: lines without any
+  std::optional<double> join_gap;  ///< mm; overrules tol.join_gap
+  bool ask_if_unclear = false;     ///< drawings of unclear meaning or odd size are refused with what to say
+  double scale = 1;                ///< of drawings, after units
+  bool scale_is_right = false;     ///< the size was stated: it is not questioned
   /// Filled in where given; then no depth is needed, and what is unclear or open is listed instead of refused.
   DrawingOverview* overview = nullptr;
   std::optional<bool> find_arcs;  ///< find arcs again in runs of short lines; default: drawings yes, JSON no

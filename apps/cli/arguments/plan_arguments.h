@@ -70,6 +70,7 @@ class PlanArguments {
   std::optional<double> scale_;
   std::optional<double> join_gap_;
   std::optional<std::string> open_curves_;
+  std::optional<std::string> strokes_;
   TabOptions tabs_;
   std::optional<double> top_;
   std::optional<double> depth_;

@@ -59,6 +59,8 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
       ->check(CLI::PositiveNumber);
   command.add_option("--join-gap", join_gap_, "Gaps in outlines that are closed, mm (default 0.01)")
       ->check(CLI::Range(1e-6, 10.0));
+  command.add_option("--strokes", strokes_, "Strokes of an SVG: lines (default) or areas as wide as drawn")
+      ->check(one_of({"lines", "areas"}));
   command.add_option("--open-curves", open_curves_, "Open lines of a drawing: refuse (default) or skip")
       ->check(one_of({"refuse", "skip"}));
 }

@@ -38,7 +38,7 @@ struct StrategyCandidate {
   bool as_rival = false;  ///< planned beside another: kept only if it is faster and leaves nothing behind
 };
 
-/// The strategy of an candidate with the step's values bound in. Throws InputError for a stepover that means nothing to it.
+/// The strategy of a candidate with the step's values bound in. Throws InputError for a stepover that means nothing to it.
 Strategy strategy_for(const StrategyCandidate& candidate, const ResolvedStep& step, const ResolvedPlan& plan);
 
 /// What is tried for a workingstep: those among which the fastest is kept, the surest first, and those tried

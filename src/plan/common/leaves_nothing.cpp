@@ -10,7 +10,7 @@ namespace clearcut::plan {
 namespace {
 
 /// mm. What rings that meet exactly may leave between them.
-constexpr double kResidual = 0.0035;
+constexpr double kThinResidual = 0.0035;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ bool leaves_nothing(const LayerPasses& passes, double tool_radius) {
   std::vector<Edge> edges;
   for (const Pass& pass : passes.passes) edges.insert(edges.end(), pass.path.begin(), pass.path.end());
   const LegalArea legal(passes.legal);
-  const Cover cover(edges, tool_radius + kResidual, Cover::SearchPlaces::kAtRims);
+  const Cover cover(edges, tool_radius + kThinResidual, Cover::SearchPlaces::kAtRims);
   return !cover.has_hole(box(passes.target),
                          [&](Vec2 p) { return legal.contains(p) && contains(passes.target, p); });
 }

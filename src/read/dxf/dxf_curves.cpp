@@ -121,6 +121,10 @@ std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& e
   return z < 0 ? Affine::scaling(-1, 1) : Affine{};
 }
 
+Path light_polyline(const DxfDocument& document, const DxfEntity& entity, bool closed, const Affine& map) {
+  return mapped(bulge_path(light_vertices(document, entity), closed), map);
+}
+
 std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& entity,
                                  std::span<const DxfEntity> vertices, const Affine& map) {
   const auto own = entity_map(document, entity);

@@ -23,4 +23,7 @@ std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& e
 std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& entity,
                                  std::span<const DxfEntity> vertices, const Affine& map);
 
+/// The vertices with bulges that `entity` holds, as of an LWPOLYLINE, under `map`.
+Path light_polyline(const DxfDocument& document, const DxfEntity& entity, bool closed, const Affine& map);
+
 }  // namespace clearcut::read

@@ -13,6 +13,7 @@
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/dxf/dxf_curves.h"
+#include "read/dxf/dxf_fill.h"
 #include "read/repair/mends.h"
 
 namespace clearcut::read {
@@ -56,7 +57,10 @@ class Collector {
   Collector(const DxfDocument& document, const ReadOptions& options, double unit, Diagnostics& diagnostics)
       : document_(document), options_(options), unit_(unit), diagnostics_(diagnostics) {}
 
-  void collect() { walk(document_.entities, Affine::scaling(unit_, unit_), "0", 0); }
+  void collect() {
+    walk(document_.entities, Affine::scaling(unit_, unit_), "0", 0);
+    take_fills();
+  }
 
   std::vector<DrawnGroup> take() { return std::move(groups_); }
 
@@ -81,6 +85,9 @@ class Collector {
                             "flat outlines cut to the depth given");
     }
     report_left_out(diagnostics_, document_.file, not_read_, "not read, because they are no outlines:");
+    report_left_out(
+        diagnostics_, document_.file, fills_not_read_,
+        "not read, because lines are drawn elsewhere (--op pocket:LAYER reads the boundaries of fills):");
     report_left_out(
         diagnostics_, document_.file, external_,
         "not read, because they are drawings in files of their own (bind them, then export again):");
@@ -126,6 +133,8 @@ class Collector {
       for (const DxfEntity& attribute : followers)
         leave_out(std::string(attribute.type), std::string(attribute.text(8, "0")));
       insert(entity, map, layer, depth);
+    } else if (is_fill(entity.type)) {
+      keep_fill(entity, map, layer);
     } else if (!is_curve(entity.type)) {
       leave_out(std::string(entity.type), layer);
     } else {
@@ -153,16 +162,8 @@ class Collector {
 
   void take_curve(const DxfEntity& entity, std::span<const DxfEntity> followers, const Affine& map,
                   const std::string& layer) {
-    seen_.try_emplace(capitals(layer), layer);
-    if (!is_chosen(layer)) {
-      ++not_chosen_[layer];
-      return;
-    }
+    if (!is_wanted(layer)) return;
     DrawnGroup& group = group_of(layer);
-    if (group.role == LayerRole::kIgnore) {
-      ++ignored_[layer];
-      return;
-    }
     auto curve = curve_of(document_, entity, followers, map);
     if (!curve) {
       leave_out(std::string(entity.type) + " that is not flat or has no points", layer);
@@ -171,6 +172,52 @@ class Collector {
     } else {
       group.curves.push_back(std::move(*curve));
       if (rises(entity, followers)) ++risen_;
+    }
+  }
+
+  /// Whether what lies on a layer is to be read; counts it if not.
+  bool is_wanted(const std::string& layer) {
+    seen_.try_emplace(capitals(layer), layer);
+    if (!is_chosen(layer)) {
+      ++not_chosen_[layer];
+      return false;
+    }
+    const auto [role, is_new] = roles_.try_emplace(capitals(layer), LayerRole::kPocket);
+    if (is_new) role->second = new_group(layer).role;
+    if (role->second == LayerRole::kIgnore) ++ignored_[layer];
+    return role->second != LayerRole::kIgnore;
+  }
+
+  /// Whether fills are outlines is known when all is read.
+  void keep_fill(const DxfEntity& entity, const Affine& map, const std::string& layer) {
+    auto curves = boundaries_of(document_, entity, map);
+    if (!curves) {
+      leave_out(std::string(entity.type) + " without boundary", layer);
+    } else if (is_wanted(layer)) {
+      for (RawCurve& curve : *curves) curve.compound = Compound{fill_count_, false};
+      ++fill_count_;
+      fills_[capitals(layer)].push_back({std::string(entity.type), layer, std::move(*curves)});
+    }
+  }
+
+  /// The boundaries of fills are outlines where their layer holds no lines, if the layer says what it is for or there are no
+  /// lines at all. Elsewhere they show what lines bound, or are decoration.
+  void take_fills() {
+    const auto has_curves = [](const DrawnGroup& group) { return !group.curves.empty(); };
+    const bool lines = std::any_of(groups_.begin(), groups_.end(), has_curves);
+    for (auto& [key, fills] : fills_) {
+      const bool beside_lines = by_layer_.count(key) > 0 && has_curves(groups_[by_layer_.at(key)]);
+      const bool taken = !beside_lines && (!lines || new_group(fills.front().layer).says_role);
+      for (Fill& fill : fills) {
+        if (taken) {
+          auto& curves = group_of(fill.layer).curves;
+          std::move(fill.curves.begin(), fill.curves.end(), std::back_inserter(curves));
+        } else if (beside_lines) {
+          leave_out(fill.type, fill.layer);
+        } else {
+          ++fills_not_read_[fill.type + " on layer " + fill.layer];
+        }
+      }
     }
   }
 
@@ -253,8 +300,17 @@ class Collector {
   const ReadOptions& options_;
   const double unit_;
   Diagnostics& diagnostics_;
+  struct Fill {
+    std::string type;
+    std::string layer;
+    std::vector<RawCurve> curves;
+  };
   std::vector<DrawnGroup> groups_;
   std::map<std::string, std::size_t> by_layer_;
+  std::map<std::string, LayerRole> roles_;
+  std::map<std::string, std::vector<Fill>> fills_;  ///< by layers' names in capitals
+  int fill_count_ = 0;
+  LeftOut fills_not_read_;
   LeftOut not_read_, external_, hidden_, not_chosen_, ignored_;
   std::map<std::string, std::string> seen_;  ///< layers with curves, as written, by their names in capitals
   int risen_ = 0;                            ///< curves that are not flat

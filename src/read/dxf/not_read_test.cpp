@@ -21,7 +21,7 @@ struct Drawing {
 const Drawing kDrawings[] = {
     {"Text", " 0 TEXT 8 NOTES 10 0 20 0 40 3 1 x", "", "", "no outlines: 1 TEXT on layer NOTES"},
     {"MText", " 0 MTEXT 8 NOTES 10 0 20 0 40 3 1 x", "", "", "no outlines: 1 MTEXT on layer NOTES"},
-    {"Hatch", " 0 HATCH 8 D5 2 SOLID 70 1 91 0", "", "", "no outlines: 1 HATCH on layer D5"},
+    {"Hatch", " 0 HATCH 8 D5 2 SOLID 70 1 91 0", "", "", "no outlines: 1 HATCH without boundary on layer D5"},
     {"MPolygon", " 0 MPOLYGON 8 D5 70 1", "", "", "no outlines: 1 MPOLYGON on layer D5"},
     {"Dimension", " 0 DIMENSION 8 MASS 2 *D1 10 0 20 0 70 32", "", "",
      "no outlines: 1 DIMENSION on layer MASS"},
@@ -29,7 +29,8 @@ const Drawing kDrawings[] = {
     {"MultiLeader", " 0 MULTILEADER 8 MASS", "", "", "no outlines: 1 MULTILEADER on layer MASS"},
     {"Face", " 0 3DFACE 8 D5 10 0 20 0 11 1 21 0 12 1 22 1 13 0 23 1", "", "",
      "no outlines: 1 3DFACE on layer D5"},
-    {"Solid", " 0 SOLID 8 D5 10 0 20 0 11 1 21 0 12 1 22 1", "", "", "no outlines: 1 SOLID on layer D5"},
+    {"Solid", " 0 SOLID 8 D5 10 0 20 0 11 1 21 0", "", "",
+     "no outlines: 1 SOLID without boundary on layer D5"},
     {"Body", " 0 3DSOLID 8 0 70 1", "", "", "no outlines: 1 3DSOLID"},
     {"Region", " 0 REGION 8 D5 70 1", "", "", "no outlines: 1 REGION on layer D5"},
     {"Proxy", " 0 ACAD_PROXY_ENTITY 8 D5 90 498", "", "", "no outlines: 1 ACAD_PROXY_ENTITY on layer D5"},

@@ -27,6 +27,7 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (over.top) options.top = over.top;
   if (!over.layers.empty()) options.layers = over.layers;
   options.layer_rules.insert(options.layer_rules.begin(), over.layer_rules.begin(), over.layer_rules.end());
+  if (over.stroke_areas) options.stroke_areas = over.stroke_areas;
   if (over.open_curves) options.open_curves = over.open_curves;
   if (over.join_gap) options.join_gap = over.join_gap;
   options.ask_if_unclear = over.ask_if_unclear;

@@ -46,6 +46,7 @@ std::string part_section(const Part& part, const std::string& part_file, const S
                     "# layers = [\"POCKET*\"]     # only these layers\n"
                     "# join_gap = 0.01          # mm, gaps up to this are closed and reported\n"
                     "# open_curves = \"refuse\"   # or skip\n"
+                    "# strokes = \"lines\"        # of an SVG; or areas, as wide as they are drawn\n"
                     "# find_arcs = true         # arcs found again in runs of short lines\n";
   out += "# Features found:\n";
   for (const Feature& feature : part.features) out += feature_line(feature);

@@ -15,6 +15,7 @@
 #include "read/svg/svg_numbers.h"
 #include "read/svg/svg_page.h"
 #include "read/svg/svg_shapes.h"
+#include "read/svg/svg_stroke.h"
 #include "read/svg/svg_style.h"
 
 namespace clearcut::read {
@@ -107,23 +108,26 @@ class SvgCollector {
     report_left_out(diagnostics_, file_, not_chosen_, "not read, because their layers were not chosen:");
     report_left_out(diagnostics_, file_, ignored_, "not read, because their layers' names say so:");
     for (const auto& [property, count] : cut_off_) {
-      diagnostics_.warn(
-          file_, std::to_string(count) + " elements have a " + property +
-                     ", which is not applied: what it hides is read too; cut the shapes in the drawing");
+      warn_of(count, "elements have a " + property +
+                         ", which is not applied: what it hides is read too; cut the shapes in the drawing");
     }
-    if (odd_points_ > 0) {
-      diagnostics_.warn(file_, std::to_string(odd_points_) +
-                                   " lists of points end in half a point, which is left out; correct them");
-    }
+    warn_of(odd_points_, "lists of points end in half a point, which is left out; correct them");
+    warn_of(even_odd_strokes_,
+            "strokes of shapes filled by the even-odd rule do not count; turn them into paths");
+    warn_of(dashed_, "dashed strokes are read without their gaps");
     if (stroke_only_ > 0) {
       diagnostics_.note(file_,
                         std::to_string(stroke_only_) +
                             " shapes with a stroke and no fill were read as outlines; their stroke's width "
-                            "does not count");
+                            "does not count (--strokes areas makes it count)");
     }
   }
 
  private:
+  void warn_of(int count, const std::string& what) const {
+    if (count > 0) diagnostics_.warn(file_, std::to_string(count) + " " + what);
+  }
+
   void warn_of_pixels() const {
     Box all;
     for (const DrawnGroup& group : groups_) {
@@ -242,8 +246,10 @@ class SvgCollector {
   /// Style, transform, layer and depth of this element on top of what is around it.
   void inherit(const pugi::xml_node& node, std::string_view name, Inherited& own) {
     own.style.cut_off.clear();
-    for (const char* property : {"fill", "stroke", "fill-rule", "fill-opacity", "stroke-opacity", "opacity",
-                                 "visibility", "display", "clip-path", "mask"}) {
+    for (const char* property :
+         {"fill", "stroke", "fill-rule", "fill-opacity", "stroke-opacity", "opacity", "visibility", "display",
+          "clip-path", "mask", "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit",
+          "stroke-dasharray"}) {
       own.style.set(property, attribute(node, property));
     }
     sheet_.apply(name, attribute(node, "id"), attribute(node, "class"), own.style);
@@ -305,8 +311,49 @@ class SvgCollector {
     } else if (group.role == LayerRole::kIgnore) {
       ++ignored_[own.layer];
     } else {
-      add_curves(node, own, filled, group);
+      const bool as_area = stroked && options_.stroke_areas.value_or(false);
+      if (filled || !as_area) add_curves(node, own, filled, group);
+      if (as_area) add_stroke(node, own, filled, group);
     }
+  }
+
+  /// Strokes of a group are one area; that of a filled shape is one with its fill, whose curves come last in the group.
+  void add_stroke(const pugi::xml_node& node, const Inherited& own, bool filled, DrawnGroup& group) {
+    const double diagonal = std::hypot(own.view.width, own.view.height) / std::sqrt(2.0);
+    const Pen pen = own.style.pen(diagonal);
+    if (!(pen.width > 0)) {
+      ++hidden_[std::string(local_name(node)) + " with a stroke without width"];
+    } else if (filled && own.style.fill_rule == "evenodd") {
+      ++even_odd_strokes_;
+    } else {
+      if (own.style.dashed) ++dashed_;
+      const Compound compound =
+          filled && !group.curves.empty() ? *group.curves.back().compound : compound_of_strokes(group);
+      const bool clockwise = filled && winding_of(group, compound) < 0;
+      const auto lines = [&](const Affine& map) { return svg_shape(node, own.view, map).subpaths; };
+      for (const Path& piece : stroke_pieces(own.map, pen, lines))
+        group.curves.push_back(
+            {clockwise ? reversed(piece) : piece, true, source_of(node) + " (stroke)", compound});
+    }
+  }
+
+  Compound compound_of_strokes(const DrawnGroup& group) {
+    const auto [found, is_new] = stroke_compounds_.try_emplace(group.where, Compound{compounds_, true});
+    if (is_new) ++compounds_;
+    return found->second;
+  }
+
+  /// mm2, above 0 where the curves of a compound run counter-clockwise about what they fill.
+  static double winding_of(const DrawnGroup& group, const Compound& compound) {
+    double sum = 0;
+    for (const RawCurve& curve : group.curves)
+      if (curve.compound == compound) sum += signed_area(curve.edges);
+    return sum;
+  }
+
+  static std::string source_of(const pugi::xml_node& node) {
+    const std::string_view id = attribute(node, "id");
+    return std::string(local_name(node)) + (id.empty() ? "" : " " + printable(id));
   }
 
   void add_curves(const pugi::xml_node& node, const Inherited& own, bool filled, DrawnGroup& group) {
@@ -321,9 +368,7 @@ class SvgCollector {
       RawCurve curve;
       curve.edges = std::move(subpath.edges);
       curve.closed = filled || subpath.closed;
-      curve.source = std::string(local_name(node));
-      const std::string_view id = attribute(node, "id");
-      if (!id.empty()) curve.source += " " + printable(id);
+      curve.source = source_of(node);
       curve.compound = compound;
       group.curves.push_back(std::move(curve));
     }
@@ -361,8 +406,11 @@ class SvgCollector {
   LeftOut not_read_, hidden_, not_chosen_, ignored_;
   LeftOut cut_off_;  ///< elements by the property that hides part of them
   int stroke_only_ = 0;
+  int dashed_ = 0;
+  int even_odd_strokes_ = 0;
   int odd_points_ = 0;
   int compounds_ = 0;
+  std::map<std::string, Compound> stroke_compounds_;  ///< strokes of a group are one area
   int count_ = 0;
 };
 

@@ -228,6 +228,17 @@ TEST(Svg, WhatIsNotShownOrNoOutlineIsCountedAndNamed) {
   EXPECT_EQ(said(part, Severity::kSkipped, "not displayed: 1 circle, 1 g, 2 rect"), 1);
 }
 
+/// The corners of the rectangle lie on the circle, where it is tangent to the sides.
+TEST(Svg, AFilledPathWhoseCornersLieOnATangentCircleIsResolved) {
+  for (const char* turn : {"0", "34.4", "90", "123"}) {
+    EXPECT_NEAR(area_of("<path d='M0 -10H40V10H0zM10 0A10 10 0 0 1 -10 0A10 10 0 0 1 10 0z' "
+                        "transform='translate(60 60) rotate(" +
+                        std::string(turn) + ")'/>"),
+                800 + 50 * kPi, 1e-3)
+        << turn;
+  }
+}
+
 TEST(Svg, StrokesWithoutFillAreOutlinesToBeChained) {
   const Part part = read(page(
       "<g fill='none' stroke='black'><path d='M10 10H30V30'/><line x1='30' y1='30' x2='10' y2='10'/></g>"));

@@ -96,11 +96,26 @@ void SvgStyle::set(std::string_view property, std::string_view value) {
   if (property == "fill") fill = small(value);
   if (property == "stroke") stroke = small(value);
   if (property == "fill-rule") fill_rule = small(value);
+  if (property == "stroke-width") stroke_width = value;
+  if (property == "stroke-linecap") cap = small(value);
+  if (property == "stroke-linejoin") join = small(value);
+  if (property == "stroke-miterlimit") miter_limit = value;
+  if (property == "stroke-dasharray") dashed = value != "none" && !is_zero(value);
   if (property == "fill-opacity") fill_seen = !is_zero(value);
   if (property == "stroke-opacity") stroke_seen = !is_zero(value);
   if (property == "opacity") seen = !is_zero(value);
   if (property == "visibility") visible = value == "visible";
   if (property == "display") shown = value != "none";
+}
+
+Pen SvgStyle::pen(double diagonal) const {
+  Pen pen;
+  pen.width = svg_length(stroke_width, diagonal).value_or(pen.width);
+  if (cap != "butt") pen.cap = cap == "round" ? StrokeCap::kRound : StrokeCap::kSquare;
+  if (join == "round") pen.join = StrokeJoin::kRound;
+  if (join == "bevel") pen.join = StrokeJoin::kBevel;
+  pen.miter_limit = SvgScanner(miter_limit).number().value_or(pen.miter_limit);
+  return pen;
 }
 
 std::string normal_color(std::string_view color) {

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "read/svg/svg_stroke.h"
+
 namespace clearcut::read {
 
 /// Inherited properties.
@@ -13,6 +15,11 @@ struct SvgStyle {
   std::string fill = "black";
   std::string stroke = "none";
   std::string fill_rule = "nonzero";
+  std::string stroke_width = "1";  ///< a length, as written
+  std::string cap = "butt";
+  std::string join = "miter";
+  std::string miter_limit = "4";
+  bool dashed = false;
   bool fill_seen = true;    ///< its opacity is above 0
   bool stroke_seen = true;  ///< the same
   bool visible = true;      ///< visibility; inherited
@@ -22,6 +29,8 @@ struct SvgStyle {
 
   bool fills() const { return fill_seen && fill != "none" && fill != "transparent"; }
   bool strokes() const { return stroke_seen && stroke != "none" && stroke != "transparent"; }
+  /// Its pen in user units; widths in percent are of `diagonal`.
+  Pen pen(double diagonal) const;
   void set(std::string_view property, std::string_view value);
 };
 

@@ -38,12 +38,12 @@ struct CertificateInfo {
   Tolerances tolerances;
   std::optional<double> engagement_limit_deg;
   std::optional<std::string> material;
-  std::vector<StrategySelection>
-      selections;  ///< of the workingsteps; empty when a program of unknown origin was checked
+  /// Of the workingsteps; empty when a program of unknown origin was checked.
+  std::vector<StrategySelection> selections;
   std::vector<ContourLevels> contours = {};  ///< with the coefficients of published methods
   std::optional<double> published_s = {};    ///< CPO-rho eq. 9; absent: not asked
-  std::vector<ResolvedValue> values =
-      {};  ///< of the plan; empty when a program of unknown origin was checked
+  /// Of the plan; empty when a program of unknown origin was checked.
+  std::vector<ResolvedValue> values = {};
 };
 
 /// Shape   one JSON object: what it rests on, the figures of the whole, `features` (each with its figures and

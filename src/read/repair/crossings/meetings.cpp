@@ -27,9 +27,27 @@ constexpr long long kAlwaysPairs = 1'000'000;
 constexpr double kMostBoxes = 2e6;
 constexpr long long kMostPairs = 50'000'000;
 
-/// The two directions in which a loop leaves a point of it.
+/// How a path leaves a point: its direction, and how it bends, 1/mm, to the left above 0.
+struct Departure {
+  Vec2 direction;
+  double bend = 0;
+};
+
+double bend_of(const Edge& edge) {
+  if (!edge.is_arc()) return 0;
+  return (edge.turn == Turn::kCounterClockwise ? 1 : -1) / edge.radius();
+}
+/// Of the place at share t of the edge, towards its end or back towards its start.
+Departure ahead_along(const Edge& edge, double t) {
+  return {edge.tangent_at(t), bend_of(edge)};
+}
+Departure back_along(const Edge& edge, double t) {
+  return {-edge.tangent_at(t), -bend_of(edge)};
+}
+
+/// The two ways in which a loop leaves a point of it.
 struct Passage {
-  Vec2 back, ahead;
+  Departure back, ahead;
 };
 
 class Search {
@@ -120,12 +138,12 @@ class Search {
   Passage passage(EdgeId id, Vec2 place) const {
     const Edge& edge = index_.edge(id);
     if (distance(place, edge.from) <= 2 * kTouch) {
-      return {-index_.edge(previous(id)).tangent_at(1), edge.tangent_at(0)};
+      return {back_along(index_.edge(previous(id)), 1), ahead_along(edge, 0)};
     }
     if (distance(place, edge.to) <= 2 * kTouch)
-      return {-edge.tangent_at(1), index_.edge(next(id)).tangent_at(0)};
-    const Vec2 along = edge.tangent_at(nearest(edge, place).t);
-    return {-along, along};
+      return {back_along(edge, 1), ahead_along(index_.edge(next(id)), 0)};
+    const double t = nearest(edge, place).t;
+    return {back_along(edge, t), ahead_along(edge, t)};
   }
 
   MeetingKind kind_at(EdgeId a, EdgeId b, Vec2 place) const {
@@ -134,17 +152,23 @@ class Search {
     return back && ahead && *back != *ahead ? MeetingKind::kCrossing : MeetingKind::kTouch;
   }
 
-  /// Whether a direction points to the left of a passage; nothing when it runs along it.
-  static std::optional<bool> is_left(const Passage& way, Vec2 direction) {
-    constexpr double kSame = 1e-7;
+  /// Whether a path departs to the left of a passage; nothing when it runs along it. Of equal directions the one that bends
+  /// more to the left lies to the left.
+  static std::optional<bool> is_left(const Passage& way, const Departure& path) {
+    constexpr double kSame = 1e-7;      // radians
+    constexpr double kSameBend = 1e-6;  // 1/mm
     const auto turn = [](Vec2 from, Vec2 to) {
       const double angle = std::atan2(cross(from, to), dot(from, to));
       return angle < 0 ? angle + 2 * kPi : angle;
     };
-    const double to_back = turn(way.ahead, way.back), to_direction = turn(way.ahead, direction);
-    if (to_direction < kSame || to_direction > 2 * kPi - kSame) return std::nullopt;
-    if (std::abs(to_direction - to_back) < kSame) return std::nullopt;
-    return to_direction < to_back;
+    const double to_back = turn(way.ahead.direction, way.back.direction);
+    const double to_path = turn(way.ahead.direction, path.direction);
+    const bool along_ahead = to_path < kSame || to_path > 2 * kPi - kSame;
+    const bool along_back = std::abs(to_path - to_back) < kSame;
+    if (!along_ahead && !along_back) return to_path < to_back;
+    const double bend = path.bend - (along_ahead ? way.ahead : way.back).bend;
+    if (std::abs(bend) < kSameBend || (along_ahead && along_back)) return std::nullopt;
+    return along_ahead ? bend > 0 : bend < 0;
   }
 
   const std::vector<Loop>& loops_;

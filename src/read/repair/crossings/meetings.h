@@ -23,7 +23,7 @@ struct Meeting {
 };
 
 /// Every place where two edges meet, except where neighbours of one loop join. Edges meet when they come
-/// within 1 nm; sides are told apart by exact directions, equal ones count as a touch. Ordered by edge.
+/// within 1 nm; sides are told apart by directions, equal ones by how they bend; what bends alike counts as a touch. Ordered by edge.
 /// Stops after `most` meetings. Throws InputError at `where` when very many long edges lie so close that
 /// the search would not end in time. Cost O(n log n + k), k pairs of edges with overlapping boxes.
 std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, const std::string& where);

@@ -53,6 +53,21 @@ TEST(Meetings, CircleTangentToAWallTouches) {
   }
 }
 
+/// A slot drawn as a rectangle and a circle about the middle of its end: the corners lie on the circle, where it is tangent to
+/// the sides.
+TEST(Meetings, ACornerOnATangentCircleCrosses) {
+  Random random(3);
+  for (int n = 0; n < 200; ++n) {
+    const Vec2 along = direction_of(random.between(0, 2 * kPi)),
+               center{random.between(-50, 50), random.between(-50, 50)};
+    const double radius = random.between(0.5, 30);
+    const Vec2 side = left_of(along) * radius, end = center + along * (3 * radius);
+    const auto found =
+        kinds({polygon({center - side, end - side, end + side, center + side}), full_circle(center, radius)});
+    EXPECT_GE(std::count(found.begin(), found.end(), kCrossing), 2) << n;
+  }
+}
+
 TEST(Meetings, CircleThroughAWallCrosses) {
   EXPECT_EQ(kinds({polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), full_circle({1, 5}, 2)}),
             (Kinds{kCrossing, kCrossing}));

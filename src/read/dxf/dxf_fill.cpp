@@ -1,0 +1,219 @@
+#include "read/dxf/dxf_fill.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "base/units.h"
+#include "read/common/b_spline.h"
+#include "read/common/curve_fit.h"
+#include "read/dxf/dxf_curves.h"
+
+namespace clearcut::read {
+namespace {
+
+constexpr std::array<std::string_view, 3> kFills{"HATCH", "SOLID", "TRACE"};
+constexpr double kDegree = kPi / 180;
+
+/// Codes of a HATCH.
+constexpr int kPathCount = 91, kPath = 92, kEdge = 72, kSources = 97, kStyle = 75, kSeeds = 98;
+
+using Groups = std::span<const DxfGroup>;
+
+DxfEntity part_of(const DxfEntity& whole, Groups groups) {
+  DxfEntity part{whole.type, groups.empty() ? whole.line : groups.front().line, {}};
+  part.groups.assign(groups.begin(), groups.end());
+  return part;
+}
+
+/// The groups from each one with `code` to the next, or to the end.
+std::vector<Groups> parts_from(Groups groups, int code) {
+  std::vector<Groups> parts;
+  const auto begins = [&](const DxfGroup& group) { return group.code == code; };
+  for (auto from = std::find_if(groups.begin(), groups.end(), begins); from != groups.end();) {
+    const auto to = std::find_if(from + 1, groups.end(), begins);
+    parts.emplace_back(from, to);
+    from = to;
+  }
+  return parts;
+}
+
+/// The groups before the first of `codes`.
+Groups before(Groups groups, std::initializer_list<int> codes) {
+  const auto end = std::find_if(groups.begin(), groups.end(), [&](const DxfGroup& group) {
+    return std::find(codes.begin(), codes.end(), group.code) != codes.end();
+  });
+  return {groups.begin(), end};
+}
+
+/// Reads the boundary paths of one HATCH.
+class HatchReader {
+ public:
+  HatchReader(const DxfDocument& document, const DxfEntity& hatch, const Affine& map)
+      : document_(document), hatch_(hatch), map_(map) {}
+
+  /// Closed paths in mm; empty where there are fewer than the file counts.
+  std::vector<Path> paths() const {
+    const Groups all(hatch_.groups);
+    const auto count = std::find_if(all.begin(), all.end(), [](const auto& g) { return g.code == kPathCount; });
+    if (count == all.end()) return {};
+    const auto parts = parts_from(before({count, all.end()}, {kStyle, kSeeds}), kPath);
+    if (parts.size() != static_cast<std::size_t>(std::max(0, document_.integer(hatch_, kPathCount, 0)))) return {};
+    std::vector<Path> paths;
+    for (const Groups& part : parts) {
+      Path path = path_of(part);
+      if (path.empty()) return {};
+      paths.push_back(std::move(path));
+    }
+    return paths;
+  }
+
+ private:
+  Path path_of(Groups groups) const {
+    constexpr int kPolyline = 2;
+    const DxfEntity whole = part_of(hatch_, before(groups, {kSources}));
+    if (document_.integer(whole, kPath, 0) & kPolyline) return light_polyline(document_, whole, true, map_);
+    std::vector<Path> pieces;
+    for (const Groups& edge : parts_from(groups, kEdge)) {
+      Path piece = edge_of(part_of(hatch_, edge));
+      if (!piece.empty()) pieces.push_back(std::move(piece));
+    }
+    return joined(std::move(pieces));
+  }
+
+  /// The pieces one after the other, each turned so that it begins where the one before ends.
+  static Path joined(std::vector<Path> pieces) {
+    Path path;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      Path& piece = pieces[i];
+      const Path& other = i > 0 ? path : pieces[std::min(i + 1, pieces.size() - 1)];
+      const auto gap = [&](Vec2 p) {
+        return i > 0 ? distance(p, other.back().to)
+                     : std::min(distance(p, other.front().from), distance(p, other.back().to));
+      };
+      const bool ends_nearer = gap(piece.back().to) < gap(piece.front().from);
+      if (pieces.size() > 1 && ends_nearer == (i > 0)) piece = reversed(piece);
+      path.insert(path.end(), piece.begin(), piece.end());
+    }
+    return path;
+  }
+
+  Path edge_of(const DxfEntity& edge) const {
+    enum { kLine = 1, kCircular = 2, kElliptical = 3, kSpline = 4 };
+    switch (document_.integer(edge, kEdge, 0)) {
+      case kLine:
+        return line(point(edge, 10), point(edge, 11));
+      case kCircular: {
+        const double radius = document_.required(edge, 40);
+        if (!(radius >= 0)) document_.fail(edge.line, "a radius below 0; correct the file");
+        return elliptical(edge, {radius, 0}, 1);
+      }
+      case kElliptical:
+        return elliptical(edge, point(edge, 11), document_.required(edge, 40));
+      case kSpline:
+        return spline(edge);
+      default:
+        document_.fail(edge.line, "a boundary of a HATCH is no line, arc, ellipse or spline; explode it");
+    }
+  }
+
+  Vec2 point(const DxfEntity& edge, int x) const {
+    return {document_.required(edge, x), document_.required(edge, x + 10)};
+  }
+
+  Path line(Vec2 from, Vec2 to) const {
+    Path path;
+    if (from != to) append_mapped(Edge::line(from, to), map_, kCurveTolerance, path);
+    return path;
+  }
+
+  /// Clockwise ends are written as if the arc were mirrored.
+  Path elliptical(const DxfEntity& edge, Vec2 major, double ratio) const {
+    if (norm(major) == 0 || !(ratio > 0)) return {};
+    const double side = document_.integer(edge, 73, 1) != 0 ? 1 : -1;
+    const double from = document_.required(edge, 50), to = document_.required(edge, 51);
+    double turn = std::fmod(to - from, 360.0);
+    if (turn <= 1e-9) turn += 360;
+    const double start = parameter(from, ratio);
+    const double sweep = turn >= 360 - 1e-9 ? 2 * kPi : positive(parameter(from + turn, ratio) - start);
+    Path path;
+    append_elliptical(map_(point(edge, 10)), map_.linear(major), map_.linear(left_of(major) * (ratio * side)), start,
+                      sweep, kCurveTolerance, path);
+    return path;
+  }
+
+  /// Of an ellipse, from the angle under which its place is seen from the centre, degrees.
+  static double parameter(double degrees, double ratio) {
+    return std::atan2(std::sin(degrees * kDegree) / ratio, std::cos(degrees * kDegree));
+  }
+  static double positive(double angle) { return angle > 0 ? angle : angle + 2 * kPi; }
+
+  Path spline(const DxfEntity& edge) const {
+    BSpline spline;
+    spline.degree = document_.integer(edge, 94, 3);
+    std::vector<Vec2> points;
+    std::vector<double> weights;
+    for (const DxfGroup& group : edge.groups) {
+      if (group.code == 40) spline.knots.push_back(document_.number(group));
+      if (group.code == 10) points.push_back({document_.number(group), 0});
+      if (group.code == 20 && !points.empty()) points.back().y = document_.number(group);
+      if (group.code == 42) weights.push_back(document_.number(group));
+    }
+    if (!weights.empty() && weights.size() != points.size()) document_.fail(edge.line, "a spline without all its weights");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double w = weights.empty() ? 1 : weights[i];
+      spline.poles.push_back({map_(points[i]) * w, w});
+    }
+    const std::string fault = fault_of(spline);
+    if (!fault.empty()) document_.fail(edge.line, "a spline with " + fault + "; the file is damaged here");
+    Path path;
+    append_spline(spline, kCurveTolerance, path);
+    return path;
+  }
+
+  const DxfDocument& document_;
+  const DxfEntity& hatch_;
+  const Affine map_;
+};
+
+/// The third and the fourth corner are written the other way round; a triangle has the third twice.
+Path corners_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
+  std::vector<Vec2> corners;
+  for (const int x : {10, 11, 13, 12}) {
+    if (!entity.find(x)) continue;
+    const Vec2 corner = map({document.required(entity, x), document.required(entity, x + 10)});
+    if (corners.empty() || corner != corners.back()) corners.push_back(corner);
+  }
+  Path path;
+  if (corners.size() < 3) return path;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (corners[i] != corners[(i + 1) % corners.size()])
+      path.push_back(Edge::line(corners[i], corners[(i + 1) % corners.size()]));
+  return path;
+}
+
+}  // namespace
+
+bool is_fill(std::string_view dxf_type) {
+  return std::find(kFills.begin(), kFills.end(), dxf_type) != kFills.end();
+}
+
+std::optional<std::vector<RawCurve>> boundaries_of(const DxfDocument& document, const DxfEntity& entity,
+                                                   const Affine& map) {
+  const auto own = entity_map(document, entity);
+  if (!own) return std::nullopt;
+  std::vector<Path> paths;
+  if (entity.type == "HATCH") {
+    paths = HatchReader(document, entity, map * *own).paths();
+  } else if (Path path = corners_path(document, entity, map * *own); !path.empty()) {
+    paths.push_back(std::move(path));
+  }
+  if (paths.empty()) return std::nullopt;
+  std::vector<RawCurve> curves;
+  for (Path& path : paths)
+    curves.push_back({std::move(path), true, std::string(entity.type) + " at line " + std::to_string(entity.line)});
+  return curves;
+}
+
+}  // namespace clearcut::read

@@ -1,0 +1,131 @@
+// Areas of strokes: by formula, and beside dense sampling of the pen.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/random.h"
+#include "base/text/format.h"
+#include "base/units.h"
+#include "read/svg/svg_reader.h"
+
+namespace clearcut::read {
+namespace {
+
+std::string page(const std::string& shapes) {
+  return "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='200mm' viewBox='0 0 200 200'>" + shapes + "</svg>";
+}
+
+Part read(const std::string& shapes) {
+  ReadOptions options;
+  options.depth = 2;
+  options.stroke_areas = true;
+  return read_svg(page(shapes), "strokes.svg", options);
+}
+
+double area_of(const std::string& shapes) {
+  double sum = 0;
+  for (const Feature& feature : read(shapes).features) sum += area(feature.target);
+  return sum;
+}
+
+const std::string kPen = "fill='none' stroke='black' stroke-width='4' ";
+
+TEST(SvgStroke, CapsEndALine) {
+  const std::string line = "<path d='M10 10H30' " + kPen;
+  EXPECT_NEAR(area_of(line + "/>"), 80, 1e-6);
+  EXPECT_NEAR(area_of(line + "stroke-linecap='square'/>"), 96, 1e-6);
+  EXPECT_NEAR(area_of(line + "style='stroke-linecap:round'/>"), 80 + 4 * kPi, 1e-6);
+}
+
+TEST(SvgStroke, JoinsFillCorners) {
+  const std::string corner = "<path d='M10 10H30V30' " + kPen;
+  EXPECT_NEAR(area_of(corner + "/>"), 80 + 80, 1e-6) << "a miter of a right angle fills the square";
+  EXPECT_NEAR(area_of(corner + "stroke-linejoin='bevel'/>"), 160 - 2, 1e-6);
+  EXPECT_NEAR(area_of(corner + "stroke-linejoin='round'/>"), 160 - 4 + kPi, 1e-6);
+  EXPECT_NEAR(area_of(corner + "stroke-miterlimit='1.4'/>"), 160 - 2, 1e-6) << "1.4142 is needed";
+}
+
+TEST(SvgStroke, ClosedLinesAreRings) {
+  EXPECT_NEAR(area_of("<rect x='10' y='10' width='20' height='30' " + kPen + "/>"), 24 * 34 - 16 * 26, 1e-6);
+  EXPECT_NEAR(area_of("<circle cx='50' cy='50' r='10' " + kPen + "/>"), kPi * (144 - 64), 1e-5);
+  EXPECT_NEAR(area_of("<circle cx='50' cy='50' r='1' " + kPen + "/>"), kPi * 9, 1e-5) << "the pen covers the middle";
+}
+
+TEST(SvgStroke, WithAFillTheyAddTheirOuterHalf) {
+  EXPECT_NEAR(area_of("<rect x='10' y='10' width='20' height='30' fill='red' stroke='black' stroke-width='4'/>"), 24 * 34,
+              1e-6);
+}
+
+TEST(SvgStroke, AFillMayRunEitherWayAndHaveHoles) {
+  const std::string pen = "fill='red' stroke='black' stroke-width='2'/>";
+  const std::string hole = "M20 20H30V30H20z";
+  for (const char* outer : {"M10 10H40V40H10z", "M10 10V40H40V10z"})
+    EXPECT_NEAR(area_of("<path d='" + std::string(outer) + "' " + pen), 32 * 32, 1e-6);
+  EXPECT_NEAR(area_of("<path d='M10 10V40H40V10z" + hole + "' " + pen), 32 * 32 - 8 * 8, 1e-6);
+  EXPECT_NEAR(area_of("<g transform='scale(3 1)'><path d='M10 10V40H40V10z' " + pen + "</g>"), 3 * 32 * 32, 1e-6);
+}
+
+TEST(SvgStroke, StrokesOfEvenOddFillsAreSaid) {
+  const Part part = read("<path d='M10 10H40V40H10z' fill-rule='evenodd' fill='red' stroke='black'/>");
+  EXPECT_NEAR(area(part.features.at(0).target), 900, 1e-6);
+  EXPECT_TRUE(std::any_of(part.diagnostics.items().begin(), part.diagnostics.items().end(), [](const Diagnostic& d) {
+    return d.what.find("1 strokes of shapes filled by the even-odd rule") != std::string::npos;
+  }));
+}
+
+TEST(SvgStroke, StrokesOfALayerAreOneArea) {
+  EXPECT_NEAR(area_of("<path d='M10 20H50' " + kPen + "/><path d='M30 5V35' " + kPen + "/>"), 160 + 120 - 16, 1e-6);
+  EXPECT_NEAR(area_of("<path d='M10 20H50' " + kPen + "/><path d='M20 20H30' " + kPen + "/>"), 160, 1e-6);
+}
+
+TEST(SvgStroke, TheDrawingStretchesThePen) {
+  EXPECT_NEAR(area_of("<g transform='scale(2)'><path d='M5 5H15' " + kPen + "/></g>"), 160, 1e-6);
+  EXPECT_NEAR(area_of("<g transform='scale(3 1)'><path d='M5 5V15' " + kPen + "/></g>"), 120, 1e-6);
+  EXPECT_NEAR(area_of("<g transform='scale(3 1)'><path d='M5 5H15' stroke-linecap='round' " + kPen + "/></g>"),
+              120 + 3 * 4 * kPi, 0.05);
+}
+
+TEST(SvgStroke, DashesAreSaid) {
+  const Part part = read("<path d='M10 10H30' stroke-dasharray='2 1' " + kPen + "/>");
+  const auto& items = part.diagnostics.items();
+  EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](const Diagnostic& d) {
+    return d.severity == Severity::kWarning && d.what.find("1 dashed strokes") != std::string::npos;
+  }));
+}
+
+/// Round pens cover what is no farther than half their width from the line.
+TEST(SvgStroke, RoundPensCoverWhatIsNear) {
+  Random random(7);
+  for (int n = 0; n < 200; ++n) {
+    std::string data;
+    Path line;
+    Vec2 at{random.between(40, 160), random.between(40, 160)};
+    data = "M" + trimmed(at.x, 9) + " " + trimmed(200 - at.y, 9);
+    for (std::uint64_t k = 1 + random.below(5); k > 0; --k) {
+      const Vec2 to{random.between(40, 160), random.between(40, 160)};
+      data += "L" + trimmed(to.x, 9) + " " + trimmed(200 - to.y, 9);
+      line.push_back(Edge::line(at, to));
+      at = to;
+    }
+    const double width = random.between(1, 20);
+    SCOPED_TRACE(data + " width " + trimmed(width, 9));
+    const Part part = read("<path d='" + data + "' fill='none' stroke='black' stroke-linecap='round' stroke-linejoin='round' " +
+                           "stroke-width='" + trimmed(width, 9) + "'/>");
+    for (int i = 0; i < 200; ++i) {
+      const Vec2 p{random.between(10, 190), random.between(10, 190)};
+      double near = HUGE_VAL;
+      for (const Edge& edge : line) near = std::min(near, distance(edge, p));
+      if (std::abs(near - width / 2) < 1e-3) continue;
+      bool covered = false;
+      for (const Feature& feature : part.features)
+        for (const Region& region : feature.target) covered = covered || region.contains(p);
+      ASSERT_EQ(covered, near < width / 2) << p.x << " " << p.y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clearcut::read
