@@ -14,22 +14,21 @@ namespace clearcut::read {
 namespace {
 
 constexpr std::array<std::string_view, 3> kFills{"HATCH", "SOLID", "TRACE"};
-constexpr double kDegree = kPi / 180;
 
 /// Codes of a HATCH.
 constexpr int kPathCount = 91, kPath = 92, kEdge = 72, kSources = 97, kStyle = 75, kSeeds = 98;
 
-using Groups = std::span<const DxfGroup>;
+using GroupSpan = std::span<const DxfGroup>;
 
-DxfEntity part_of(const DxfEntity& whole, Groups groups) {
+DxfEntity part_of(const DxfEntity& whole, GroupSpan groups) {
   DxfEntity part{whole.type, groups.empty() ? whole.line : groups.front().line, {}};
   part.groups.assign(groups.begin(), groups.end());
   return part;
 }
 
 /// The groups from each one with `code` to the next, or to the end.
-std::vector<Groups> parts_from(Groups groups, int code) {
-  std::vector<Groups> parts;
+std::vector<GroupSpan> parts_from(GroupSpan groups, int code) {
+  std::vector<GroupSpan> parts;
   const auto begins = [&](const DxfGroup& group) { return group.code == code; };
   for (auto from = std::find_if(groups.begin(), groups.end(), begins); from != groups.end();) {
     const auto to = std::find_if(from + 1, groups.end(), begins);
@@ -40,7 +39,7 @@ std::vector<Groups> parts_from(Groups groups, int code) {
 }
 
 /// The groups before the first of `codes`.
-Groups before(Groups groups, std::initializer_list<int> codes) {
+GroupSpan before(GroupSpan groups, std::initializer_list<int> codes) {
   const auto end = std::find_if(groups.begin(), groups.end(), [&](const DxfGroup& group) {
     return std::find(codes.begin(), codes.end(), group.code) != codes.end();
   });
@@ -55,13 +54,15 @@ class HatchReader {
 
   /// Closed paths in mm; empty where there are fewer than the file counts.
   std::vector<Path> paths() const {
-    const Groups all(hatch_.groups);
-    const auto count = std::find_if(all.begin(), all.end(), [](const auto& g) { return g.code == kPathCount; });
+    const GroupSpan all(hatch_.groups);
+    const auto count =
+        std::find_if(all.begin(), all.end(), [](const auto& g) { return g.code == kPathCount; });
     if (count == all.end()) return {};
     const auto parts = parts_from(before({count, all.end()}, {kStyle, kSeeds}), kPath);
-    if (parts.size() != static_cast<std::size_t>(std::max(0, document_.integer(hatch_, kPathCount, 0)))) return {};
+    if (parts.size() != static_cast<std::size_t>(std::max(0, document_.integer(hatch_, kPathCount, 0))))
+      return {};
     std::vector<Path> paths;
-    for (const Groups& part : parts) {
+    for (const GroupSpan& part : parts) {
       Path path = path_of(part);
       if (path.empty()) return {};
       paths.push_back(std::move(path));
@@ -70,12 +71,12 @@ class HatchReader {
   }
 
  private:
-  Path path_of(Groups groups) const {
+  Path path_of(GroupSpan groups) const {
     constexpr int kPolyline = 2;
     const DxfEntity whole = part_of(hatch_, before(groups, {kSources}));
     if (document_.integer(whole, kPath, 0) & kPolyline) return light_polyline(document_, whole, true, map_);
     std::vector<Path> pieces;
-    for (const Groups& edge : parts_from(groups, kEdge)) {
+    for (const GroupSpan& edge : parts_from(groups, kEdge)) {
       Path piece = edge_of(part_of(hatch_, edge));
       if (!piece.empty()) pieces.push_back(std::move(piece));
     }
@@ -138,14 +139,14 @@ class HatchReader {
     const double start = parameter(from, ratio);
     const double sweep = turn >= 360 - 1e-9 ? 2 * kPi : positive(parameter(from + turn, ratio) - start);
     Path path;
-    append_elliptical(map_(point(edge, 10)), map_.linear(major), map_.linear(left_of(major) * (ratio * side)), start,
-                      sweep, kCurveTolerance, path);
+    append_elliptical(map_(point(edge, 10)), map_.linear(major), map_.linear(left_of(major) * (ratio * side)),
+                      start, sweep, kCurveTolerance, path);
     return path;
   }
 
   /// Of an ellipse, from the angle under which its place is seen from the centre, degrees.
   static double parameter(double degrees, double ratio) {
-    return std::atan2(std::sin(degrees * kDegree) / ratio, std::cos(degrees * kDegree));
+    return std::atan2(std::sin(degrees * kPi / 180) / ratio, std::cos(degrees * kPi / 180));
   }
   static double positive(double angle) { return angle > 0 ? angle : angle + 2 * kPi; }
 
@@ -160,7 +161,8 @@ class HatchReader {
       if (group.code == 20 && !points.empty()) points.back().y = document_.number(group);
       if (group.code == 42) weights.push_back(document_.number(group));
     }
-    if (!weights.empty() && weights.size() != points.size()) document_.fail(edge.line, "a spline without all its weights");
+    if (!weights.empty() && weights.size() != points.size())
+      document_.fail(edge.line, "a spline without all its weights");
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double w = weights.empty() ? 1 : weights[i];
       spline.poles.push_back({map_(points[i]) * w, w});
@@ -212,7 +214,8 @@ std::optional<std::vector<RawCurve>> boundaries_of(const DxfDocument& document, 
   if (paths.empty()) return std::nullopt;
   std::vector<RawCurve> curves;
   for (Path& path : paths)
-    curves.push_back({std::move(path), true, std::string(entity.type) + " at line " + std::to_string(entity.line)});
+    curves.push_back(
+        {std::move(path), true, std::string(entity.type) + " at line " + std::to_string(entity.line)});
   return curves;
 }
 

@@ -88,7 +88,7 @@ std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairO
   }
   for (const auto& [compound, members] : compounds) {
     for (Loop& loop : resolve_compound(bare(members), compound.nonzero, options, diagnostics)) {
-      out.push_back({std::move(loop), members.front().source, {}});
+      out.push_back({std::move(loop), members.front().source, compound});
     }
   }
   return out;
@@ -96,11 +96,17 @@ std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairO
 
 namespace {
 
+/// What bounds one filled path together means what the even-odd rule says, however near it comes to itself.
+bool is_one_fill(const RawLoop& a, const RawLoop& b) {
+  return a.compound && a.compound == b.compound;
+}
+
 /// A loop whose meetings with itself are more than touches, by the library: the main part when the rest is
 /// small.
 std::vector<Loop> resolve_self_crossing(const RawLoop& raw, Vec2 at, const RepairOptions& options,
                                         Diagnostics& diagnostics) {
   const Regions parts = resolve_even_odd(std::span(&raw.loop, 1), options.tol);
+  if (raw.compound) return loops_of(parts);
   const double all = area(parts), wound = std::abs(signed_area(raw.loop));
   const double rounding = kBooleanRounding * length(raw.loop);
   const std::string where = options.where + " at " + place_text(at);
@@ -150,7 +156,7 @@ std::vector<RawLoop> resolve_each(std::vector<RawLoop> loops, const std::vector<
                          "an outline (" + loops[i].source + ") that touches itself was split into " +
                              std::to_string(parts.size()));
     }
-    for (Loop& part : parts) out.push_back({std::move(part), loops[i].source, {}});
+    for (Loop& part : parts) out.push_back({std::move(part), loops[i].source, loops[i].compound});
   }
   return out;
 }
@@ -346,7 +352,10 @@ std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOpti
     report_touches(met, loops, options, diagnostics);
     return bare(loops);
   }
-  loops = PairResolver(loops, options, diagnostics).run(harmful);
+  std::erase_if(harmful, [&](const Meeting& m) {
+    return is_one_fill(loops[static_cast<std::size_t>(m.a.loop)], loops[static_cast<std::size_t>(m.b.loop)]);
+  });
+  if (!harmful.empty()) loops = PairResolver(loops, options, diagnostics).run(harmful);
   return settled(bare(loops), options);
 }
 
