@@ -289,9 +289,9 @@ TEST(Methods, SettingsOfThePublishedSolverAreTypedOverAJob) {
     EXPECT_NE(result.exit_code, 2) << result.err;
     return read_file(folder.path("a.ngc"));
   };
-  const std::string brief = program_of("generations = 1\nmutation = \"exchange\"\n", {});
-  EXPECT_NE(program_of("generations = 300\nmutation = \"exchange\"\n", {}), brief);
-  EXPECT_EQ(program_of("generations = 300\n", {"--generations", "1", "--mutation", "exchange"}), brief);
+  const std::string brief = program_of("generations = 1\npopulation = 2\n", {});
+  EXPECT_NE(program_of("generations = 300\n", {}), brief);
+  EXPECT_EQ(program_of("generations = 300\n", {"--generations", "1", "--population", "2"}), brief);
   const auto ours = plan("[plan]\nstrategy = \"tour\"\n", {"--generations", "1"});
   EXPECT_EQ(ours.exit_code, 2);
   EXPECT_THAT(ours.err, HasSubstr("add --solver published"));
