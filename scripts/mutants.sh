@@ -34,6 +34,22 @@ mutant src/plan/contour/side_offsets.cpp 'std::cos(angle / 2)' 'std::cos(angle /
 mutant src/pipeline/selection/compare.cpp 'kTau = 0.177' 'kTau = 0.17877' pipeline_test 'PublishedConstants.*'
 mutant src/pipeline/tour/engagement_model.cpp 'std::expm1(5 *' 'std::expm1(5.05 *' pipeline_test 'PublishedConstants.*'
 mutant src/pipeline/tour/engagement_model.cpp 'kLeast = 0.02' 'kLeast = 0.0202' pipeline_test 'PublishedConstants.*:Engagement.*'
+constants='PublishedConstants.*'
+mutant src/plan/contour/contour.h 'double w = 1.0' 'double w = 1.01' pipeline_test "$constants"
+mutant src/plan/contour/step_rule.cpp '1.5 * radius * share' '1.515 * radius * share' plan_test 'StepRule.*'
+mutant src/order/objective.h 'tau_s = 0.177' 'tau_s = 0.17877' pipeline_test "$constants"
+mutant src/order/objective/machining_time.cpp '.constant = 2 * tau_' '.constant = 2.02 * tau_' pipeline_test "$constants"
+mutant src/pipeline/tour/engagement_model.cpp 'accuracy * std::sqrt(2.0)' 'accuracy * std::sqrt(2.04)' pipeline_test "$constants"
+mutant src/pipeline/selection/tool_sets.cpp '1000 * cutting_speed' '1010 * cutting_speed' pipeline_test "$constants"
+mutant src/order/genetic/genetic.h 'most_shared = 0.2;' 'most_shared = 0.202;' pipeline_test "$constants"
+mutant src/order/genetic/genetic.h 'population = 25;' 'population = 26;' pipeline_test "$constants"
+mutant src/order/genetic/genetic.h 'neighbours = 24;' 'neighbours = 25;' pipeline_test "$constants"
+mutant src/plan/grid/interpolate.cpp 'kPointsPerSquare = 3;' 'kPointsPerSquare = 3.03;' pipeline_test "$constants"
+mutant src/plan/grid/interpolate.cpp 'kPaperStep = 0.001;' 'kPaperStep = 0.00101;' pipeline_test "$constants"
+mutant src/plan/tour/tour.cpp '(options.pitch_in_mm ? 1 : 2 * radius())' '(options.pitch_in_mm ? 1 : 2.02 * radius())' pipeline_test "$constants"
+mutant src/plan/common/layers.cpp '*operation.scallop / draft' '*operation.scallop / (1.01 * draft)' pipeline_test "$constants"
+mutant src/geometry/edge.cpp '4 * std::asin(' '4.04 * std::asin(' pipeline_test "$constants"
+mutant studies/genetic/genetic_study.cpp 'kZ = 3;' 'kZ = 3.03;' studies_test 'GeneticStudy.*'
 
 [ "$survived" -eq 0 ] && echo 'every change of 1 % shows'
 exit "$survived"

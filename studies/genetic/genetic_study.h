@@ -47,7 +47,7 @@ struct StudyRow {
   double best = 0, mean = 0, worst = 0;  ///< values of the population
   double fitness = 0;                    ///< of the best, per cent
   double improved = 0;                   ///< per cent of all children so far; at the last generation only
-  double seconds = 0;                    ///< of the whole run; only in the study of time
+  double seconds = 0;                    ///< of processor time, of the whole run; only in the study of time
 };
 
 struct GeneticStudyOptions {

@@ -266,14 +266,20 @@ Reproduction cutter_trend() {
     return beside(ours, printed, same ? Agreement::kAgrees : Agreement::kExplained, same ? "" : why);
   };
   const std::string bisectors = "4 5 6 7 8 9", loops = "6 7 8 9";
+  std::string reproduced;  // feeds at which the whole trend comes out
   for (const double feed_per_tooth : kTrendFeeds) {
+    const std::string over_bisectors = radii_where_rho_wins(polygon, "bisectors", feed_per_tooth);
+    const std::string over_loops = radii_where_rho_wins(polygon, "loops", feed_per_tooth);
     result.add({fmt::format("{:g}", feed_per_tooth), bisectors,
-                checked(radii_where_rho_wins(polygon, "bisectors", feed_per_tooth), bisectors,
-                        "the outline and the feed are not printed"),
-                loops,
-                checked(radii_where_rho_wins(polygon, "loops", feed_per_tooth), loops,
+                checked(over_bisectors, bisectors, "the outline and the feed are not printed"), loops,
+                checked(over_loops, loops,
                         "our loops are no longer than the rests ask for: they beat rho at every feed")});
+    if (over_bisectors == bisectors && over_loops == loops)
+      reproduced += fmt::format("{}{:g}", reproduced.empty() ? "" : ", ", feed_per_tooth);
   }
+  result.table.notes.push_back(reproduced.empty()
+                                   ? "the printed trend comes out whole at none of these feeds"
+                                   : "the printed trend comes out whole at " + reproduced + " mm a tooth");
   result.table.notes.push_back("cutters of 10 mm and more take the same time by all three in print");
   return result;
 }

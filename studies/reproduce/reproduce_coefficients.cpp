@@ -12,6 +12,7 @@
 #include "model/pass.h"
 #include "plan/contour/contour.h"
 #include "plan/contour/side_offsets.h"
+#include "studies/reproduce/reproduction_figures.h"
 
 namespace clearcut::studies {
 namespace {
@@ -76,12 +77,12 @@ double total_by_formulas(double edge, double radius, double step) {
   return plan::contour::published_length(list, radius, 0, [&](double) { return step; }).total;
 }
 
-/// Closed contours of the triangle, from the wall inwards.
-std::vector<Pass> triangle_contours(const Region& triangle, double radius, double step) {
+/// Closed contours of an outline, from the wall inwards.
+std::vector<Pass> contours_of(const Region& outline, double radius, double step) {
   Layer layer;
   layer.z = -1;
   layer.tool_radius = radius;
-  layer.allowed = layer.target = {triangle};
+  layer.allowed = layer.target = {outline};
   plan::contour::ContourOptions options;
   options.step = {plan::contour::StepRule::Kind::kMm, step};
   options.residuals = plan::contour::ResidualRule::kNone;
@@ -133,7 +134,8 @@ Reproduction triangle_figure() {
   result.table.title = "CPO-kappa figure 10: equilateral triangle, edge 79.9861 mm, R = 5 mm, step 7.01 mm";
   result.table.columns = {{"contour", report::Align::kLeft}, {"printed"}, {"ours"}, {"length, ours"}};
   const Region triangle = equilateral(kEdge);
-  const auto contours = triangle_contours(triangle, kRadius, kStep);
+  const auto contours = contours_of(triangle, kRadius, kStep);
+  result.figures.push_back(passes_figure("contours of CPO-kappa figure 10", {triangle}, contours));
   constexpr std::array<double, 3> kOffsets{5, 12.01, 19.02};
   double total = (static_cast<double>(contours.size()) - 1) * plan::contour::passage_length(kStep, kPi / 3);
   for (std::size_t i = 0; i < contours.size(); ++i) {
@@ -170,6 +172,13 @@ Reproduction caption_figures() {
               beside(cut_to(plan::contour::rho(radians(30), 4), 4), 0.5970, 4)});
   result.add({"CPO-rho 11: rho, triangle of 100 mm, R = 8 mm", degrees(corner), "0.7187",
               beside(cut_to(plan::contour::rho(corner, 8), 4), 0.7187, 4)});
+  constexpr double kStarRadius = 8;
+  result.figures.push_back(passes_figure(
+      "contours of a star as in CPO-kappa figure 9, edges of 50 mm (its lengths are not printed)", {tips},
+      contours_of(tips, kStarRadius, 2 * kStarRadius * plan::contour::kappa(tip))));
+  result.figures.push_back(passes_figure(
+      "contours of CPO-rho figure 11", {triangle},
+      contours_of(triangle, kStarRadius, 2 * kStarRadius * plan::contour::rho(corner, kStarRadius))));
   result.table.notes.push_back(
       "figures 9 and 10 do not print their angles: 90 and 30 degrees are what their coefficients stand for");
   return result;

@@ -17,6 +17,7 @@
 #include "resolve/prepare.h"
 #include "studies/fishhead.h"
 #include "studies/reproduce/published_grids.h"
+#include "studies/reproduce/reproduction_figures.h"
 
 namespace clearcut::studies {
 namespace {
@@ -209,7 +210,8 @@ std::vector<Asked> single_and_multi(const plan::tour::TourTask& task) {
           {"1 : 20 : 0.1", order::weighted_sum({{1, length}, {20, turns}, {0.1, linear}})}};
 }
 
-void add_asked(report::TextTable& table, const plan::tour::TourTask& task, const Asked& asked) {
+/// Returns the tour.
+order::Tour add_asked(report::TextTable& table, const plan::tour::TourTask& task, const Asked& asked) {
   const long long rounds = asked.objective->path_dependent() ? kPathRounds : kLocalRounds;
   const auto solution = solved(pipeline::grid_problem(task), *asked.objective, 1, rounds);
   const auto shares = pipeline::raster_engagement(engagement_task(task))->along(solution.tour);
@@ -218,6 +220,7 @@ void add_asked(report::TextTable& table, const plan::tour::TourTask& task, const
                                fmt::format("{:.3f}", mean_deviation(task, solution.tour))};
   for (const double bin : histogram(shares)) row.push_back(fmt::format("{:.0f}", bin));
   table.add(row);
+  return solution.tour;
 }
 
 }  // namespace
@@ -234,9 +237,16 @@ Reproduction single_multi_table() {
   for (const auto& [name, layer] : all_layers()) {
     if (name != kFeature) continue;
     with_largest_grid(layer, kPitch, [&](const plan::tour::TourTask& task) {
-      for (const Asked& asked : single_and_multi(task)) add_asked(table, task, asked);
+      order::Tour last;
+      for (const Asked& asked : single_and_multi(task)) last = add_asked(table, task, asked);
+      result.figures.push_back(
+          tour_figure(fmt::format("as figure 6-16: {} by all three objectives", kFeature), task.layer->target,
+                      task.points, last));
     });
   }
+  result.figures.push_back(
+      histograms_figure("as figure 6-17: engagement, one objective against several", table,
+                        {.first = 4, .name_column = 0, .begin = 0, .end = table.rows.size()}));
   table.notes.push_back("the figures are drawn, not printed as numbers: nothing to compare cell by cell");
   table.notes.push_back(
       "deviation: mean |engagement - 50 %|, raster model; 1 : 20 : 0.1 are ours, the text prints no weights");
@@ -302,6 +312,17 @@ Reproduction engagement_table() {
       if (!is_matched) table.add_rule();
     }
   }
+  const std::size_t half = table.rows.size() / 2;
+  for (const bool is_matched : {false, true})
+    result.figures.push_back(histograms_figure(
+        is_matched ? "as figure 6-15, spacing matched to the target" : "as figure 6-15, spacing by eq. 4.8",
+        table,
+        {.first = 5,
+         .name_column = 0,
+         .begin = is_matched ? half + 1 : 0,
+         .end = is_matched ? table.rows.size() : half,
+         .model_column = 3,
+         .model = "exact"}));
   table.notes.push_back("optimised by the raster model, then measured by both; a slot is 100 %");
   table.notes.push_back(
       "above: spacing D times target (eq. 4.8), where a row beside a row has 30, 44, 56, 70, 100 % of the "

@@ -43,11 +43,14 @@ TEST(Reproduction, TablesAreReadBackAsTheyWereWritten) {
   result.add({"a", beside(1, 1, 0)});
   result.add_rule();
   result.add({"b", beside(2, 1, 0, "another machine")});
+  result.figures.push_back({"caption < 1", "<svg></svg>"});
   const std::string json = reproduction_json({{"one", "somewhere", result}});
   const auto read = read_reproduction_json(json, "t.json");
   EXPECT_EQ(reproduction_json(read), json);
   EXPECT_EQ(reproduction_page(read), reproduction_page({{"one", "somewhere", result}}));
   EXPECT_EQ(read.at(0).reproduction.compared.at(1).row, 2u);
+  EXPECT_NE(reproduction_page(read).find("<figure><svg></svg><figcaption>caption &lt; 1</figcaption>"),
+            std::string::npos);
   EXPECT_THROW(read_reproduction_json("{}x", "t.json"), InputError);
   EXPECT_THROW(read_reproduction_json("[{}]", "t.json"), InputError);
 }

@@ -5,10 +5,13 @@
 
 namespace clearcut::studies {
 
-/// Tour tables 6.2, 6.3 and 6.6: the algorithm run as published (order/genetic) and, below, the same with edge
-/// assembly crossover. About 40 s of processor time, on all cores. The reference instances are read from the folder tsp/ in
-/// $CLEARCUT_DATA; rows whose file is not there say so.
-Reproduction genetic_figures();
+/// Tour table 6.2 but for its largest instance: the algorithm run as published (order/genetic) and, below, the same with edge
+/// assembly crossover, on all cores. The reference instances are read from the folder tsp/ in $CLEARCUT_DATA; rows whose file
+/// is not there say so.
+Reproduction genetic_instances();
+
+/// Tour tables 6.3 and 6.6: the same on lattices, from first paths drawn at random among all near points.
+Reproduction genetic_lattices();
 
 /// Tour table 6.2, its largest instance: the published algorithm and ours, 200 s each.
 Reproduction large_instance();

@@ -43,8 +43,15 @@ Cell beside(double ours, double printed, int decimals, const std::string& reason
 Cell beside(const std::string& ours, const std::string& printed, Agreement agreement,
             const std::string& reason = "");
 
+/// Drawn for the page; what it shows is in words.
+struct Figure {
+  std::string caption;
+  std::string svg;
+};
+
 struct Reproduction {
   report::TextTable table;
+  std::vector<Figure> figures = {};
   std::vector<Compared> compared;
 
   void add(const std::vector<Cell>& cells);

@@ -21,6 +21,7 @@ table { border-collapse: collapse; margin: .6em 0; font-size: 13px; }
 th, td { border: 1px solid #ccc; padding: .15em .5em; text-align: right; }
 th:first-child, td:first-child { text-align: left; }
 .agrees { background: #cdeccd; } .explained { background: #fbe8b0; } .differs { background: #f6c3c0; }
+figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcaption { font-size: 13px; }
 .key { padding: 0 .5em; } .scroll { overflow-x: auto; }
 </style></head><body>
 <h1>The four texts: printed, and reproduced by this program</h1>
@@ -55,11 +56,15 @@ std::string rows_html(const Reproduction& reproduction) {
 }
 
 std::string table_html(const NamedReproduction& named) {
-  const auto& [table, compared] = named.reproduction;
+  const auto& table = named.reproduction.table;
+  const auto& compared = named.reproduction.compared;
   std::string html =
       fmt::format("<h2 id=\"{0}\">{1}</h2>\n<p>{2}: <code>clearcut reproduce {0}</code>. {3}</p>\n",
                   xml_escaped(named.name), xml_escaped(table.title), xml_escaped(named.place),
                   named.reproduction.summary());
+  for (const Figure& figure : named.reproduction.figures)
+    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg,
+                        xml_escaped(figure.caption));
   html += "<div class=\"scroll\"><table><tr>";
   for (const auto& column : table.columns) html += "<th>" + xml_escaped(column.heading) + "</th>";
   html += "</tr>\n" + rows_html(named.reproduction) + "</table></div>\n<ul>";
@@ -86,7 +91,8 @@ std::string overview_html(const std::vector<NamedReproduction>& tables) {
 }
 
 nlohmann::ordered_json json_of(const NamedReproduction& named) {
-  const auto& [table, compared] = named.reproduction;
+  const auto& table = named.reproduction.table;
+  const auto& compared = named.reproduction.compared;
   nlohmann::ordered_json json;
   json["name"] = named.name;
   json["place"] = named.place;
@@ -99,6 +105,9 @@ nlohmann::ordered_json json_of(const NamedReproduction& named) {
   json["rows"] = nlohmann::ordered_json::array();
   for (const auto& row : table.rows) json["rows"].push_back(row);
   json["notes"] = table.notes;
+  json["figures"] = nlohmann::ordered_json::array();
+  for (const Figure& figure : named.reproduction.figures)
+    json["figures"].push_back({{"caption", figure.caption}, {"svg", figure.svg}});
   json["compared"] = nlohmann::ordered_json::array();
   for (const Compared& one : compared) {
     json["compared"].push_back({{"row", one.row},
@@ -131,6 +140,9 @@ NamedReproduction reproduction_of(const nlohmann::json& json) {
   }
   table.rows = json.at("rows").get<std::vector<std::vector<std::string>>>();
   table.notes = json.at("notes").get<std::vector<std::string>>();
+  for (const auto& figure : json.value("figures", nlohmann::json::array()))
+    named.reproduction.figures.push_back(
+        {figure.at("caption").get<std::string>(), figure.at("svg").get<std::string>()});
   for (const auto& one : json.at("compared")) {
     named.reproduction.compared.push_back(
         {one.at("printed").get<std::string>(), one.at("ours").get<std::string>(),

@@ -14,8 +14,8 @@ struct NamedReproduction {
   Reproduction reproduction;
 };
 
-/// A list of tables: name, place, title, columns, rows (an empty one is a rule), notes, and every printed cell with its row and column
-/// (from 0), ours, agreement and reason.
+/// A list of tables: name, place, title, columns, rows (an empty one is a rule), notes, figures (SVG), and every printed cell with its row
+/// and column (from 0), ours, agreement and reason.
 std::string reproduction_json(const std::vector<NamedReproduction>& tables);
 
 /// The tables of such a list. Throws InputError naming `file` where it is none.

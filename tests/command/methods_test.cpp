@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/files/file.h"
@@ -267,6 +268,69 @@ TEST(Methods, JobsChooseThePublishedSystem) {
   EXPECT_EQ(explain("[plan]\nstrategy = \"zigzag\"\n" + published).exit_code, 2);
   EXPECT_EQ(explain("[plan]\nstrategy = \"tour\"\ngenerations = 100\n").exit_code, 2);
   EXPECT_EQ(explain("[plan]\nstrategy = \"tour\"\nsolver = \"clairvoyant\"\n").exit_code, 2);
+}
+
+/// What is typed goes before a job setting by setting, as everywhere.
+TEST(Methods, SettingsOfThePublishedSolverAreTypedOverAJob) {
+  const ScratchFolder folder;
+  folder.file("plate.edges", "name plate\ndepth 2\n60 90\n40 90\n60 90\n40 90\n");
+  const std::string head =
+      "[part]\nfile = \"plate.edges\"\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 10\n";
+  const auto plan = [&](const std::string& rest, const std::vector<std::string>& typed) {
+    std::vector<std::string> command{"plan", folder.file("job.toml", head + rest), "-o",
+                                     folder.path("a.ngc")};
+    command.insert(command.end(), typed.begin(), typed.end());
+    return run_clearcut(command);
+  };
+  const std::string published =
+      "[plan]\nstrategy = \"tour\"\ngrid = \"published\"\nstepover = 0.4\nsolver = \"published\"\n";
+  const auto program_of = [&](const std::string& settings, const std::vector<std::string>& typed) {
+    const auto result = plan(published + settings, typed);
+    EXPECT_NE(result.exit_code, 2) << result.err;
+    return read_file(folder.path("a.ngc"));
+  };
+  const std::string brief = program_of("generations = 1\npopulation = 2\n", {});
+  EXPECT_NE(program_of("generations = 300\n", {}), brief);
+  EXPECT_EQ(program_of("generations = 300\n", {"--generations", "1", "--population", "2"}), brief);
+  const auto ours = plan("[plan]\nstrategy = \"tour\"\n", {"--generations", "1"});
+  EXPECT_EQ(ours.exit_code, 2);
+  EXPECT_THAT(ours.err, HasSubstr("add --solver published"));
+}
+
+/// Every machining strategy that ISO 14649-11 names: what we have runs, the others are said for each workingstep.
+TEST(Methods, StrategiesThatAFileNamesRunOrAreSaid) {
+  const ScratchFolder folder;
+  const std::string example = CLEARCUT_SOURCE_DIR "/examples/strategies.p21";
+  const auto planned = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command{
+        "plan", example, "-o", folder.path("a.ngc"), "--certificate", folder.path("c.json")};
+    command.insert(command.end(), more.begin(), more.end());
+    const auto result = run_clearcut(command);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result;
+  };
+  const auto strategies = [&] {
+    std::map<std::string, std::pair<std::string, std::size_t>> found;  // with how many candidates
+    const auto certificate = nlohmann::json::parse(read_file(folder.path("c.json")));
+    for (const auto& one : certificate.at("features"))
+      found[one.at("name")] = {one.at("strategy"), one.at("candidates").size()};
+    return found;
+  };
+  const auto result = planned({});
+  const auto found = strategies();
+  EXPECT_EQ(found.size(), 9u);
+  using Planned = std::pair<std::string, std::size_t>;
+  EXPECT_EQ(found.at("CONTOUR_PARALLEL"), Planned("contour", 1));
+  EXPECT_EQ(found.at("CONTOUR_SPIRAL"), Planned("spiral", 1));
+  for (const char* strokes : {"BIDIRECTIONAL_MILLING", "UNIDIRECTIONAL_MILLING", "BIDIRECTIONAL_CONTOUR"})
+    EXPECT_EQ(found.at(strokes), Planned("zigzag", 1));
+  EXPECT_THAT(result.err, HasSubstr("UNIDIRECTIONAL_MILLING: strokes in one direction alone are not made"));
+  for (const char* other : {"contour_bidirectional", "center_milling", "explicit_strategy"})
+    EXPECT_THAT(result.err, HasSubstr("the strategy " + std::string(other) + " is not among ours"));
+  EXPECT_GT(found.at("CENTER_MILLING").second, 1u);
+  EXPECT_GT(found.at("NO_STRATEGY").second, 1u);
+  planned({"--strategy", "zigzag"});
+  for (const auto& [name, strategy] : strategies()) EXPECT_EQ(strategy, Planned("zigzag", 1)) << name;
 }
 
 /// One page without scripts: elements, squares, animated visit, convergence, all points.

@@ -139,9 +139,13 @@ class RandomPart {
     op.allowance_floor = perhaps(0.1, 1).value_or(0);
     op.scallop = perhaps(0.1, 1);
     if (maybe()) op.direction = maybe() ? CutDirection::kClimb : CutDirection::kConventional;
-    const char* hints[] = {"", "contour_parallel", "bidirectional_milling", "unidirectional_milling",
-                           "contour_spiral"};
-    op.strategy_hint = hints[random_.below(5)];
+    const char* hints[] = {"",
+                           "contour_parallel",
+                           "bidirectional_milling",
+                           "unidirectional_milling",
+                           "contour_spiral",
+                           "bidirectional_contour"};
+    op.strategy_hint = hints[random_.below(6)];
     if (op.strategy_hint.find("directional") != std::string::npos && maybe())
       op.feed_direction = Radians::of(random_.between(-3, 3));
     const EntryKind entries[] = {EntryKind::kHelix, EntryKind::kRamp, EntryKind::kZigzagRamp,

@@ -273,9 +273,12 @@ PlanOptions PlanArguments::options() const {
   take_feeds({feed_, plunge_feed_, ramp_feed_, slot_feed_}, options.cutting);
   options.cutting.spindle_rpm = spindle_;
   options.post = post_.options(options.post);
-  options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"),
-                       solver_.solver()};
   options.step_published = step_published_;
+  options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"), std::nullopt};
+  if (from_job && solver_.has_settings_alone())
+    solver_.refine(options.step_published);
+  else
+    options.published.solver = solver_.solver();
   if (objective_) options.objective = *objective_;
   if (time_) options.time_s = time_;
   if (seed_) options.seed = *seed_;

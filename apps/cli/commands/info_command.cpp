@@ -55,7 +55,9 @@ void print_part(const Part& part) {
   }
   for (const auto& feature : part.features) print_feature(feature, Tolerances{});
   for (const auto& step : part.workplan) {
-    print_line(fmt::format("step {} -> {}", step.name, feature_of(part, step).name));
+    const std::string& strategy = step.operation.strategy_hint;
+    print_line(fmt::format("step {} -> {}{}", step.name, feature_of(part, step).name,
+                           strategy.empty() ? "" : ", strategy " + strategy));
   }
 }
 

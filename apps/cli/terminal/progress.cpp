@@ -17,7 +17,7 @@ namespace {
 using ProgressClock = std::chrono::steady_clock;
 constexpr double kQuiet = 1;  // s before anything is said on a terminal
 constexpr double kQuietElsewhere = 3;
-constexpr double kLineEvery = 5;     // s between lines where no terminal shows them
+constexpr double kLineEvery = 3;     // s between lines where no terminal shows them
 constexpr double kRenewEvery = 0.2;  // s between renewals on a terminal
 const ProgressClock::time_point kStart = ProgressClock::now();
 

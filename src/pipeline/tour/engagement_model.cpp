@@ -57,8 +57,7 @@ void line_pixels(Pixel from, Pixel to, F&& visit) {
 class RasterEngagement final : public EngagementModel {
  public:
   RasterEngagement(EngagementTask given, double accuracy) : EngagementModel(std::move(given)) {
-    // Eq. 4.21: accuracy = resolution / (sqrt 2 pi r).
-    size_ = accuracy * std::sqrt(2.0) * kPi * task().radius;
+    size_ = raster_pixel(task().radius, accuracy);
     const int radius = static_cast<int>(std::lround(task().radius / size_));
     circle_ = circle_pixels(radius);
     lag_ = static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * radius)));
@@ -290,6 +289,10 @@ const std::vector<double>& EngagementModel::along(std::span<const int> tour) {
   }
   last_.assign(tour.begin(), tour.end());
   return engagement_;
+}
+
+double raster_pixel(double radius, double accuracy) {
+  return accuracy * std::sqrt(2.0) * kPi * radius;  // accuracy = resolution / (sqrt 2 pi r)
 }
 
 std::unique_ptr<EngagementModel> raster_engagement(EngagementTask task, double accuracy) {

@@ -55,6 +55,8 @@ class EngagementModel {
 /// Tour eq. 4.21: pixels of such a size that one of them is `accuracy` of the circle; Bresenham's circle is moved
 /// along Bresenham's lines over a ternary map. Departure: the leading half of the circle is counted, not the
 /// whole, so that a slot is 100 %.
+/// mm; side of a pixel of the raster model by eq. 4.21. `accuracy`: of the circle.
+double raster_pixel(double radius, double accuracy);
 std::unique_ptr<EngagementModel> raster_engagement(EngagementTask task, double accuracy = 0.02);
 
 /// The exact contact of stock/, at steps of an eighth of the radius.

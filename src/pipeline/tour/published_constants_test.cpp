@@ -2,11 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
+#include "order/genetic/genetic.h"
 #include "order/lattice.h"
 #include "order/solve.h"
 #include "pipeline/selection/compare.h"
+#include "pipeline/selection/tool_sets.h"
 #include "pipeline/tour/engagement_model.h"
+#include "plan/common/layers.h"
+#include "plan/contour/contour.h"
+#include "plan/grid/interpolate.h"
+#include "plan/tour/tour.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -29,6 +36,85 @@ TEST(PublishedConstants, CostOfEngagement) {
   EXPECT_NEAR(engagement_cost(-0.3), 0.3, 1e-12);
   EXPECT_NEAR(engagement_cost(0.2), std::exp(1.0) - 1, 1e-12);
   EXPECT_NEAR(inverse_engagement_cost(-0.04), 0.5, 1e-12);
+}
+
+/// Tour eq. 4.21: pixel = accuracy sqrt(2) pi r.
+TEST(PublishedConstants, PixelOfTheRaster) {
+  EXPECT_NEAR(raster_pixel(5, 0.02), 0.444288, 1e-6);
+}
+
+/// CPO-rho eq. 8 with w = 1 mm, which its figure 11 prints as 0.7187.
+TEST(PublishedConstants, OverlapOfOneMillimetre) {
+  EXPECT_NEAR(plan::contour::rho(kPi / 3, 8), 0.71875, 1e-9);
+}
+
+/// CPO-rho section 4: n = 1000 V_c / (pi D), V_f = f_z Z n.
+TEST(PublishedConstants, SpeedsOfACutter) {
+  Tool tool;
+  tool.diameter = 10;
+  tool.teeth = 2;
+  const CuttingData data = driven(tool, 36.6, 0.05);
+  EXPECT_NEAR(data.spindle_rpm.value(), 1165.0142, 1e-3);
+  EXPECT_NEAR(data.feed.value().mm_per_min(), 116.50142, 1e-4);
+}
+
+/// Tour 4.3.2: 25 individuals of which no two share more than a fifth of their edges, 24 neighbours.
+TEST(PublishedConstants, PopulationOfTheAlgorithm) {
+  const order::GeneticOptions published;
+  EXPECT_EQ(published.population, 25);
+  EXPECT_EQ(published.neighbours, 24);
+  EXPECT_EQ(published.most_shared, 0.2);
+}
+
+/// Grid section III: three points a square along a line, circles in steps of a micrometre.
+TEST(PublishedConstants, Interpolators) {
+  EXPECT_EQ(plan::grid::interpolate_line({0, 0}, {100, 0}, 1).size(), 300u);
+  EXPECT_EQ(plan::grid::circle_step(5, 1), 0.001);
+}
+
+Layer square_layer(double side, double radius) {
+  Layer layer;
+  const std::vector<Vec2> corners{{0, 0}, {side, 0}, {side, side}, {0, side}};
+  layer.target = layer.allowed = {Region::from_valid_loops(loop_from_points(corners), {})};
+  layer.tool_radius = radius;
+  return layer;
+}
+
+/// Tour eq. 4.8: spacing = diameter times engagement, from the corner of the legal area.
+TEST(PublishedConstants, SpacingOfTheGrid) {
+  plan::tour::TourGridOptions grid = plan::tour::parse_tour_grid("0.5");
+  grid.published = true;
+  plan::tour::plan_tour(square_layer(40, 5), grid,
+                        [](const plan::tour::TourTask& task) {
+                          EXPECT_EQ(task.points.size(), 49u);
+                          EXPECT_NEAR(task.points.at(0).x, 5, 1e-9);
+                          EXPECT_NEAR(task.points.at(1).x, 10, 1e-9);
+                          std::vector<int> order(task.points.size());
+                          std::iota(order.begin(), order.end(), 0);
+                          return order;
+                        },
+                        {});
+}
+
+/// Tour eq. 4.9 and 4.10: a wall that leans by 30 degrees keeps steps of 0.2 mm with layers of 0.2 / sin 30.
+TEST(PublishedConstants, LayersUnderAScallop) {
+  Feature feature;
+  feature.target = feature.allowed = square_layer(40, 5).target;
+  feature.floor_z = -4;
+  feature.wall_slope = Radians::of(kPi / 6);
+  Operation operation;
+  operation.stepdown = 3;
+  operation.scallop = 0.2;
+  const auto layers = plan::layers_of(feature, operation, 5, {});
+  ASSERT_EQ(layers.size(), 10u);
+  EXPECT_NEAR(layers.front().z, -0.4, 1e-9);
+}
+
+/// Tour eq. 4.6: P = sweep / (2 acos((r - e) / r)) + 1 points.
+TEST(PublishedConstants, ChordsOfAnArc) {
+  std::vector<Vec2> points;
+  append_flattened(Edge::arc({10, 0}, {-10, 0}, {0, 0}, Turn::kCounterClockwise), 0.01, points);
+  EXPECT_EQ(points.size(), std::ceil(kPi / (2 * std::acos(0.999))));
 }
 
 }  // namespace

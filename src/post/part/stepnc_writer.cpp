@@ -67,7 +67,7 @@ constexpr Strategy kStrategies[] = {{"unidirectional_milling", "UNIDIRECTIONAL_M
                                     {"bidirectional_milling", "BIDIRECTIONAL_MILLING", 5, -1, -1, true},
                                     {"bidirectional", "BIDIRECTIONAL", 5, -1, -1, true},
                                     {"contour_parallel", "CONTOUR_PARALLEL", 4, 3, 2},
-                                    {"bidirectional_contour", "BIDIRECTIONAL_CONTOUR", 6, 5, -1},
+                                    {"bidirectional_contour", "BIDIRECTIONAL_CONTOUR", 6, 5, -1, true},
                                     {"contour_bidirectional", "CONTOUR_BIDIRECTIONAL", 6, 5, -1},
                                     {"contour_spiral", "CONTOUR_SPIRAL", 4, 3, 2},
                                     {"center_milling", "CENTER_MILLING", 2, -1, -1},
@@ -292,7 +292,9 @@ class Writer {
           out_.add("DIRECTION", {"''", p21_list({p21_real(along.x), p21_real(along.y), p21_real(0)})});
     }
     if (radial_in_strategy(operation)) arguments[0] = p21_real(1 - *operation.stepover);
-    if (strategy->rotation >= 0) arguments[static_cast<std::size_t>(strategy->rotation)] = ".CCW.";
+    if (strategy->rotation >= 0)
+      arguments[static_cast<std::size_t>(strategy->rotation)] =
+          operation.direction == CutDirection::kConventional ? ".CW." : ".CCW.";
     if (strategy->cutmode >= 0 && operation.direction)
       arguments[static_cast<std::size_t>(strategy->cutmode)] =
           *operation.direction == CutDirection::kClimb ? ".CLIMB." : ".CONVENTIONAL.";

@@ -128,17 +128,18 @@ DesignElement element_of(const ElementOption& option, const ElementDefaults& def
 
 /// Roomy enough for any element, exact or not: validation compares the true shapes.
 void add_to(Box& box, const DesignElement& element) {
-  const Vec2 corner = element.kind == ElementKind::kRectangle ? lower_left(element) : element.from;
-  const double around = element.kind == ElementKind::kArc         ? element.radius
-                        : element.kind == ElementKind::kRectangle ? 0
-                                                                  : element.width / 2;
+  if (element.kind == ElementKind::kRectangle) {
+    const Vec2 corner = lower_left(element);
+    box.add(corner);
+    box.add(corner + Vec2{element.length, element.width});
+    return;
+  }
+  const double around = element.kind == ElementKind::kArc ? element.radius : element.width / 2;
   const Vec2 reach{around, around};
-  for (const Vec2 p : {corner, element.to}) {
-    if (element.kind == ElementKind::kRectangle && p == element.to) continue;
+  for (const Vec2 p : {element.from, element.to}) {
     box.add(p - reach);
     box.add(p + reach);
   }
-  if (element.kind == ElementKind::kRectangle) box.add(corner + Vec2{element.length, element.width});
 }
 
 Stock stock_around(const ElementJob& job) {

@@ -115,6 +115,20 @@ TEST(ElementOptions, StockOfTheirOwnHoldsThemOnWholeSquares) {
   EXPECT_DOUBLE_EQ(job.stock.z_top, 0);
 }
 
+TEST(ElementOptions, StockOfTheirOwnHoldsRectanglesFromAnyCorner) {
+  const std::pair<const char*, Vec2> corners[] = {{"5,5,20,10", {5, 5}},
+                                                  {"25,5,20,10:corner=lower-right", {5, 5}},
+                                                  {"5,15,20,10:corner=upper-left", {5, 5}},
+                                                  {"25,15,20,10:corner=upper-right", {5, 5}}};
+  for (const auto& [text, low] : corners) {
+    const Box stock = elements_of_options({{"pocket", text}}, with_tools()).stock.plan;
+    EXPECT_LE(stock.min.x, low.x) << text;
+    EXPECT_LE(stock.min.y, low.y) << text;
+    EXPECT_GE(stock.max.x, low.x + 20) << text;
+    EXPECT_GE(stock.max.y, low.y + 10) << text;
+  }
+}
+
 TEST(ElementOptions, BadOnesAreNamed) {
   const std::vector<ElementOption> bad{{"line", "1,2,3"},
                                        {"line", "1,2,3,x"},

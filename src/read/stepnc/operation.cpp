@@ -317,24 +317,45 @@ void read_strokes(const Node& strategy, Operation& operation, Context& context) 
   if (strategy.is_any("UNIDIRECTIONAL_MILLING", "UNIDIRECTIONAL"))
     return context.note("strokes in one direction alone are not made; they are cut to and fro", strategy);
   const std::string connection = strategy.enumeration(4);
-  if (!connection.empty() && connection != "STRAIGHTLINE")
+  if (strategy.is_any("BIDIRECTIONAL_MILLING", "BIDIRECTIONAL") && !connection.empty() &&
+      connection != "STRAIGHTLINE")
     context.note("the stroke connection is not used; strokes are joined straight or along the walls",
                  strategy);
   if (!strategy.enumeration(3).empty())
     context.note("the stepover direction is not used; the side to begin at is left to the planner", strategy);
 }
 
+/// The cut mode; where there is none, clockwise rotation, which inside a pocket is conventional for a cutter that turns
+/// clockwise. Counter-clockwise is climb, as is what nobody says.
+void read_cut_direction(const Node& strategy, Operation& operation, Context& context) {
+  std::optional<CutDirection> mode, rotation;
+  for (std::size_t i = 2; i < 6; ++i) {
+    const std::string word = strategy.enumeration(i);
+    if (word == "CLIMB") mode = CutDirection::kClimb;
+    if (word == "CONVENTIONAL") mode = CutDirection::kConventional;
+    if (word == "CCW") rotation = CutDirection::kClimb;
+    if (word == "CW") rotation = CutDirection::kConventional;
+  }
+  if (mode && rotation && *mode != *rotation)
+    context.note("the rotation direction is not used; the cut mode goes before it", strategy);
+  if (mode)
+    operation.direction = mode;
+  else if (rotation == CutDirection::kConventional)
+    operation.direction = rotation;
+}
+
 void read_strategy(const Node& node, Operation& operation, Context& context) {
   const auto strategy = node.ref(11);
   if (!strategy) return;
   operation.strategy_hint = lower(strategy->keyword());
-  if (strategy->is_any("UNIDIRECTIONAL_MILLING", "UNIDIRECTIONAL", "BIDIRECTIONAL_MILLING", "BIDIRECTIONAL"))
+  if (strategy->is_any("UNIDIRECTIONAL_MILLING", "UNIDIRECTIONAL", "BIDIRECTIONAL_MILLING", "BIDIRECTIONAL",
+                       "BIDIRECTIONAL_CONTOUR"))
     read_strokes(*strategy, operation, context);
-  for (std::size_t i = 2; i < 6; ++i) {
-    const std::string word = strategy->enumeration(i);
-    if (word == "CLIMB") operation.direction = CutDirection::kClimb;
-    if (word == "CONVENTIONAL") operation.direction = CutDirection::kConventional;
-  }
+  read_cut_direction(*strategy, operation, context);
+  if (strategy->enumeration(1) == "F")
+    context.note(
+        "that only one pass in depth is allowed is not used; layers are as deep as the cutting depth",
+        *strategy);
   const auto overlap = strategy->number(0);
   if (!overlap || operation.stepover) return;
   if (*overlap >= 0 && *overlap < 1)

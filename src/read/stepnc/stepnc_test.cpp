@@ -32,6 +32,24 @@ TEST(StepNc, ReadsTheDirectionOfStrokesAndNamesWhatElseIsLeftToThePlanner) {
   EXPECT_NE(said.find("the stepover direction is not used"), std::string::npos) << said;
 }
 
+TEST(StepNc, ReadsTheDirectionsOfEveryStrategyOrSaysThatTheyAreNotUsed) {
+  const auto with = [](const std::string& strategy) {
+    return Program().with(37, strategy).with(38, "DIRECTION('',(1.,1.,0.))").read();
+  };
+  const Part both = with("BIDIRECTIONAL_CONTOUR(0.5,.F.,#38,.LEFT.,.CW.,.CLIMB.)");
+  EXPECT_EQ(both.workplan[0].operation.feed_direction, Radians::of(kPi / 4));
+  EXPECT_EQ(both.workplan[0].operation.direction, CutDirection::kClimb);
+  for (const char* said :
+       {"stepover direction is not used", "rotation direction is not used", "only one pass in depth"})
+    EXPECT_THAT(all_diagnostics(both), HasSubstr(said));
+  EXPECT_THAT(all_diagnostics(both), Not(HasSubstr("stroke connection")));
+  EXPECT_EQ(with("CONTOUR_PARALLEL(0.5,.T.,.CW.,$)").workplan[0].operation.direction,
+            CutDirection::kConventional);
+  const Part plain = with("CONTOUR_SPIRAL(0.5,.T.,.CCW.,$)");
+  EXPECT_FALSE(plain.workplan[0].operation.direction);
+  EXPECT_THAT(all_diagnostics(plain), Not(HasSubstr("rotation direction")));
+}
+
 TEST(StepNc, ReadsProjectStockToolsAndOperation) {
   const Part part = Program().read();
   EXPECT_EQ(part.name, "P");
