@@ -125,7 +125,8 @@ std::vector<Path> stroke_pieces(const Affine& map, Pen pen,
   std::vector<Path> pieces;
   for (const Path& drawn : stroke_pieces(lines(Affine{}), pen)) {
     Path piece;
-    for (const Edge& edge : map.mirrors() ? reversed(drawn) : drawn) append_mapped(edge, map, kCurveTolerance, piece);
+    for (const Edge& edge : map.mirrors() ? reversed(drawn) : drawn)
+      append_mapped(edge, map, kCurveTolerance, piece);
     pieces.push_back(std::move(piece));
   }
   return pieces;

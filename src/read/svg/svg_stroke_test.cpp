@@ -15,7 +15,8 @@ namespace clearcut::read {
 namespace {
 
 std::string page(const std::string& shapes) {
-  return "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='200mm' viewBox='0 0 200 200'>" + shapes + "</svg>";
+  return "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='200mm' viewBox='0 0 200 200'>" +
+         shapes + "</svg>";
 }
 
 Part read(const std::string& shapes) {
@@ -51,12 +52,14 @@ TEST(SvgStroke, JoinsFillCorners) {
 TEST(SvgStroke, ClosedLinesAreRings) {
   EXPECT_NEAR(area_of("<rect x='10' y='10' width='20' height='30' " + kPen + "/>"), 24 * 34 - 16 * 26, 1e-6);
   EXPECT_NEAR(area_of("<circle cx='50' cy='50' r='10' " + kPen + "/>"), kPi * (144 - 64), 1e-5);
-  EXPECT_NEAR(area_of("<circle cx='50' cy='50' r='1' " + kPen + "/>"), kPi * 9, 1e-5) << "the pen covers the middle";
+  EXPECT_NEAR(area_of("<circle cx='50' cy='50' r='1' " + kPen + "/>"), kPi * 9, 1e-5)
+      << "the pen covers the middle";
 }
 
 TEST(SvgStroke, WithAFillTheyAddTheirOuterHalf) {
-  EXPECT_NEAR(area_of("<rect x='10' y='10' width='20' height='30' fill='red' stroke='black' stroke-width='4'/>"), 24 * 34,
-              1e-6);
+  EXPECT_NEAR(
+      area_of("<rect x='10' y='10' width='20' height='30' fill='red' stroke='black' stroke-width='4'/>"),
+      24 * 34, 1e-6);
 }
 
 TEST(SvgStroke, AFillMayRunEitherWayAndHaveHoles) {
@@ -65,27 +68,31 @@ TEST(SvgStroke, AFillMayRunEitherWayAndHaveHoles) {
   for (const char* outer : {"M10 10H40V40H10z", "M10 10V40H40V10z"})
     EXPECT_NEAR(area_of("<path d='" + std::string(outer) + "' " + pen), 32 * 32, 1e-6);
   EXPECT_NEAR(area_of("<path d='M10 10V40H40V10z" + hole + "' " + pen), 32 * 32 - 8 * 8, 1e-6);
-  EXPECT_NEAR(area_of("<g transform='scale(3 1)'><path d='M10 10V40H40V10z' " + pen + "</g>"), 3 * 32 * 32, 1e-6);
+  EXPECT_NEAR(area_of("<g transform='scale(3 1)'><path d='M10 10V40H40V10z' " + pen + "</g>"), 3 * 32 * 32,
+              1e-6);
 }
 
 TEST(SvgStroke, StrokesOfEvenOddFillsAreSaid) {
   const Part part = read("<path d='M10 10H40V40H10z' fill-rule='evenodd' fill='red' stroke='black'/>");
   EXPECT_NEAR(area(part.features.at(0).target), 900, 1e-6);
-  EXPECT_TRUE(std::any_of(part.diagnostics.items().begin(), part.diagnostics.items().end(), [](const Diagnostic& d) {
-    return d.what.find("1 strokes of shapes filled by the even-odd rule") != std::string::npos;
-  }));
+  EXPECT_TRUE(
+      std::any_of(part.diagnostics.items().begin(), part.diagnostics.items().end(), [](const Diagnostic& d) {
+        return d.what.find("1 strokes of shapes filled by the even-odd rule") != std::string::npos;
+      }));
 }
 
 TEST(SvgStroke, StrokesOfALayerAreOneArea) {
-  EXPECT_NEAR(area_of("<path d='M10 20H50' " + kPen + "/><path d='M30 5V35' " + kPen + "/>"), 160 + 120 - 16, 1e-6);
+  EXPECT_NEAR(area_of("<path d='M10 20H50' " + kPen + "/><path d='M30 5V35' " + kPen + "/>"), 160 + 120 - 16,
+              1e-6);
   EXPECT_NEAR(area_of("<path d='M10 20H50' " + kPen + "/><path d='M20 20H30' " + kPen + "/>"), 160, 1e-6);
 }
 
 TEST(SvgStroke, TheDrawingStretchesThePen) {
   EXPECT_NEAR(area_of("<g transform='scale(2)'><path d='M5 5H15' " + kPen + "/></g>"), 160, 1e-6);
   EXPECT_NEAR(area_of("<g transform='scale(3 1)'><path d='M5 5V15' " + kPen + "/></g>"), 120, 1e-6);
-  EXPECT_NEAR(area_of("<g transform='scale(3 1)'><path d='M5 5H15' stroke-linecap='round' " + kPen + "/></g>"),
-              120 + 3 * 4 * kPi, 0.05);
+  EXPECT_NEAR(
+      area_of("<g transform='scale(3 1)'><path d='M5 5H15' stroke-linecap='round' " + kPen + "/></g>"),
+      120 + 3 * 4 * kPi, 0.05);
 }
 
 TEST(SvgStroke, DashesAreSaid) {
@@ -112,7 +119,8 @@ TEST(SvgStroke, RoundPensCoverWhatIsNear) {
     }
     const double width = random.between(1, 20);
     SCOPED_TRACE(data + " width " + trimmed(width, 9));
-    const Part part = read("<path d='" + data + "' fill='none' stroke='black' stroke-linecap='round' stroke-linejoin='round' " +
+    const Part part = read("<path d='" + data +
+                           "' fill='none' stroke='black' stroke-linecap='round' stroke-linejoin='round' " +
                            "stroke-width='" + trimmed(width, 9) + "'/>");
     for (int i = 0; i < 200; ++i) {
       const Vec2 p{random.between(10, 190), random.between(10, 190)};
