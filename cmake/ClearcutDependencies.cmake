@@ -25,6 +25,11 @@ else()
   endif()
   # Optional: without it `clearcut serve` says which package is missing.
   pkg_check_modules(httplib QUIET IMPORTED_TARGET cpp-httplib)
+  # Optional: without it `--mpi` says which package is missing.
+  option(CLEARCUT_MPI "Work on the processes of an MPI job, where MPI is found" ON)
+  if(CLEARCUT_MPI)
+    find_package(MPI QUIET COMPONENTS CXX)
+  endif()
 endif()
 
 # One interface library per role, so that a module never names a package.

@@ -1,7 +1,10 @@
-# Debian packages by CPack (`make packages`; docs/installing.md): clearcut, libclearcut0.1, libclearcut-dev, python3-clearcut. Included last,
+# Debian packages by CPack (`make packages`; docs/installing.md): clearcut, libclearcut0.1, libclearcut-dev, python3-clearcut, clearcut-mpi. Included last,
 # because it asks which targets there are. What is installed without a component belongs to the package of the command.
 set(version ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(names "tools|clearcut" "library|libclearcut${version}" "development|libclearcut-dev" "python|python3-clearcut")
+if(TARGET clearcut-mpi)
+  list(APPEND names "mpi|clearcut-mpi")
+endif()
 set(CPACK_COMPONENTS_ALL "")
 set(sbom ${PROJECT_BINARY_DIR}/sbom)
 
@@ -23,7 +26,7 @@ endforeach()
 # The bill of materials tells what the built programs load, so it is made after them.
 find_package(Python 3.9 REQUIRED COMPONENTS Interpreter)
 set(built "")
-foreach(target clearcut clearcut-serve clearcut-solids clearcut_shared _core)
+foreach(target clearcut clearcut-serve clearcut-solids clearcut_shared _core clearcut-mpi)
   if(TARGET ${target})
     list(APPEND built $<TARGET_FILE:${target}>)
   endif()
@@ -65,4 +68,8 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
   "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next}), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "clearcut, python3-shapely, python3-pandas")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/postinst ${PROJECT_SOURCE_DIR}/packaging/prerm)
+set(CPACK_COMPONENT_MPI_DESCRIPTION "planning and proof of milling programs, on many machines\n ${what}\n .\n This package lets the command share its work among the processes of an MPI job.")
+set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "clearcut (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS "openmpi-bin")
 include(CPack)

@@ -10,7 +10,7 @@ function(clearcut_precompile first)
   endforeach()
 endfunction()
 
-# The same for test programs, with the headers of the test library.
+# The same for test programs, with the headers of the test library. All have to be compiled with the same options.
 function(clearcut_precompile_tests first)
   if(NOT CLEARCUT_PRECOMPILED_HEADERS)
     return()

@@ -9,6 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace clearcut;
   read::ReadOptions options;
   options.depth_if_missing = 1;
+  options.stroke_areas = size % 2 == 1;
   try {
     read::read_svg({reinterpret_cast<const char*>(data), size}, "fuzz.svg", options);
   } catch (const InputError&) {

@@ -9,6 +9,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 root=$scratch/$name
 cmake --install "$build" --prefix "$root" --strip > /dev/null
+# MPI is the machine's own, never a copy of another.
+rm -rf "$root/lib/clearcut"
 # One folder of papers for all.
 papers=$root/share/doc/clearcut
 find "$root/share/doc" -mindepth 1 -maxdepth 1 ! -name clearcut -exec rm -r {} +

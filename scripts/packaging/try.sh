@@ -47,6 +47,13 @@ install "python3-minimal"
 install "./clearcut_*.deb"
 inside "clearcut $plan package.ngc && cmp package.ngc tarball.ngc && clearcut info bracket.json > /dev/null && clearcut serve --help > /dev/null"
 step clearcut "plans; the same bytes as the tarball's"
+[ ! -e "$(echo "$packages"/clearcut-mpi_*.deb)" ] || {
+  study='clearcut study spread --side 6 --runs 40 --generations 50 --quiet'
+  inside "! $study --mpi -o mpi.csv 2> refusal && grep -q 'the package clearcut-mpi' refusal"
+  install "./clearcut-mpi_*.deb openmpi-bin"
+  inside "$study -o serial.csv && mpirun --allow-run-as-root --oversubscribe -n 2 $study --mpi -o mpi.csv && cmp serial.csv mpi.csv"
+  step clearcut-mpi "a study on two processes: the same bytes as on one"
+}
 install "./python3-clearcut_*.deb"
 inside "python3 -c '
 import clearcut, importlib.metadata
@@ -65,7 +72,7 @@ inside "sed s/clearcut::clearcut/clearcut::shared/ -i embed/CMakeLists.txt && cm
   ldd shared/embed | grep -q libclearcut.so.0 && shared/embed > /dev/null"
 step libclearcut "found by find_package and pkg-config, archive and shared; the example is built and runs"
 
-inside "apt-get purge -y -qq clearcut python3-clearcut libclearcut-dev 'libclearcut0*' > /dev/null 2>&1; ! dpkg -l '*clearcut*' 2> /dev/null | grep -q '^[ih]'"
+inside "apt-get purge -y -qq clearcut 'clearcut-mpi*' python3-clearcut libclearcut-dev 'libclearcut0*' > /dev/null 2>&1; ! dpkg -l '*clearcut*' 2> /dev/null | grep -q '^[ih]'"
 left=$(inside "rm -rf '/opt/a folder'; find / -xdev -path /try -prune -o -name '*clearcut*' -print | grep -v -e ^/proc || true")
 [ -z "$left" ] || { echo "left behind: $left" >&2; exit 1; }
 step removal "leaves no file"

@@ -18,6 +18,8 @@ constexpr double kBelowStock = 0.5;
 /// Diameters that flutes of unknown length are taken to reach.
 constexpr double kReachOfMill = 10;
 constexpr double kReachOfDrill = 20;
+/// mm. A longer path takes months, and its program more memory than there is: the part is mostly read in a wrong unit.
+constexpr double kLongestPath = 1e8;
 
 void refuse_low_rapids(const Part& part) {
   if (!part.clearance_z || *part.clearance_z > part.top_z()) return;
@@ -84,6 +86,34 @@ void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
                                name_of(tool.kind), trimmed(tool.diameter, 4), trimmed(depth, 3)));
 }
 
+double widest_radius(const Part& part) {
+  double widest = 0;
+  for (const Tool& tool : part.tools) widest = std::max(widest, tool.radius());
+  return widest;
+}
+
+/// mm of path that clears a feature's floor with passes half a diameter apart; 0 where no floor is cleared.
+double path_of(const Part& part, const Workingstep& step) {
+  const Feature& feature = feature_of(part, step);
+  const Tool& tool = tool_of(part, step);
+  if (!clears_floors(tool) || feature.profile || is_carved(feature, tool) || is_formed(feature)) return 0;
+  const double down = step.operation.stepdown.value_or(tool.radius());
+  return area(feature.target) * std::max(1.0, (feature.top_z - feature.floor_z) / down) / tool.radius();
+}
+
+void refuse_endless(const Part& part) {
+  double path = 0, narrowest = widest_radius(part);
+  for (const Workingstep& step : part.workplan) {
+    path += path_of(part, step);
+    narrowest = std::min(narrowest, tool_of(part, step).radius());
+  }
+  if (path <= kLongestPath) return;
+  throw InputError(part.source_file,
+                   fmt::format("it takes about {:.0f} km of path with a cutter of {} mm, months of cutting; "
+                               "correct --scale or --unit, or use a wider cutter or a larger --stepdown",
+                               path / 1e6, trimmed(2 * narrowest, 4)));
+}
+
 /// Whether a feature covers the point, or comes so near that a cutter over the point touches it.
 bool is_in_a_feature(const Part& part, Vec2 point, double near) {
   return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
@@ -91,12 +121,6 @@ bool is_in_a_feature(const Part& part, Vec2 point, double near) {
       return region.contains(point) || region.boundary_distance(point) <= near;
     });
   });
-}
-
-double widest_radius(const Part& part) {
-  double widest = 0;
-  for (const Tool& tool : part.tools) widest = std::max(widest, tool.radius());
-  return widest;
 }
 
 std::string place(Vec2 point) {
@@ -124,6 +148,7 @@ void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
     refuse_wrong_kind(part, step);
     refuse_beyond_flutes(part, step);
   }
+  refuse_endless(part);
   refuse_places_outside(part, options);
 }
 

@@ -7,7 +7,7 @@ namespace clearcut::resolve {
 
 /// `part` as prepared. Throws InputError, one line with the remedy, for: rapids at or below the top of the material; features beside
 /// the material; floors below it that are no through cuts; features deeper than the flutes of their tool, or (flutes unknown) than ten of its
-/// diameters, twenty for drills; starts and predrilled holes that lie in no feature.
+/// diameters, twenty for drills; parts that take months of cutting; starts and predrilled holes that lie in no feature.
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options);
 
 }  // namespace clearcut::resolve

@@ -49,18 +49,18 @@ std::size_t Material::Grid::slot_of(int x, int y) const {
   return slot;
 }
 
-const std::vector<Material::Entry>* Material::Grid::at(Vec2 p) const {
+const Material::List* Material::Grid::at(Vec2 p) const {
   const std::uint32_t found = table[slot_of(place(p.x), place(p.y))];
-  return found == kNone ? nullptr : &cells[found].entries;
+  return found == kNone ? nullptr : &cells[found].sweeps;
 }
 
-std::vector<Material::Entry>& Material::Grid::list(int x, int y) {
+Material::List& Material::Grid::list(int x, int y) {
   std::uint32_t& found = table[slot_of(x, y)];
-  if (found != kNone) return cells[found].entries;
+  if (found != kNone) return cells[found].sweeps;
   found = static_cast<std::uint32_t>(cells.size());
   cells.push_back({x, y, {}});
   if (2 * cells.size() > table.size()) grow();
-  return cells.back().entries;
+  return cells.back().sweeps;
 }
 
 void Material::Grid::grow() {
@@ -91,16 +91,16 @@ void Material::Grid::for_lists(const Swept& swept, const Edge& path, F&& f) {
   }
 }
 
-void Material::Grid::insert(const Sweep& sweep, const Entry& entry) {
-  for_lists(sweep.shape, sweep.path, [&](std::vector<Entry>& list) {
-    if (list.empty() || list.back().sweep != entry.sweep) list.push_back(entry);
+void Material::Grid::insert(const Sweep& sweep, std::uint32_t index) {
+  for_lists(sweep.shape, sweep.path, [&](List& list) {
+    if (list.empty() || list.back() != index) list.push_back(index);
   });
 }
 
 /// Removes the newest sweep, which comes last in all its lists.
-void Material::Grid::remove(const Sweep& sweep, int index) {
-  for_lists(sweep.shape, sweep.path, [&](std::vector<Entry>& list) {
-    if (!list.empty() && list.back().sweep == index) list.pop_back();
+void Material::Grid::remove(const Sweep& sweep, std::uint32_t index) {
+  for_lists(sweep.shape, sweep.path, [&](List& list) {
+    if (!list.empty() && list.back() == index) list.pop_back();
   });
 }
 
@@ -149,9 +149,9 @@ void Material::add(const Move& move, double radius) {
 }
 
 void Material::forget_beyond(std::size_t sweeps) {
-  for (; sweeps_.size() > sweeps; sweeps_.pop_back()) {
+  for (; sweeps_.size() > sweeps; sweeps_.pop_back(), discs_.pop_back()) {
     const Sweep& last = sweeps_.back();
-    for (Grid& grid : grids_) grid.remove(last, static_cast<int>(sweeps_.size()) - 1);
+    for (Grid& grid : grids_) grid.remove(last, static_cast<std::uint32_t>(sweeps_.size() - 1));
     if (sweeps_.size() > 1) sweeps_[sweeps_.size() - 2].shape.round_end = true;
   }
 }
@@ -164,10 +164,10 @@ void Material::add_piece(const Edge& path, double z_from, double z_to, double ra
   const bool point = path.from == path.to;
   const Vec2 middle = point ? path.from : path.at(0.5);
   const double reach = (point ? 0 : path.length() / 2) + radius;
-  const Entry entry{sweep.z_low, middle, reach * (1 + 1e-12), static_cast<int>(sweeps_.size())};
-  for (Grid& grid : grids_) grid.insert(sweep, entry);
+  for (Grid& grid : grids_) grid.insert(sweep, static_cast<std::uint32_t>(sweeps_.size()));
   if (!sweeps_.empty()) join(sweeps_.back(), sweep);
   sweeps_.push_back(sweep);
+  discs_.push_back({sweep.z_low, middle, reach * (1 + 1e-12)});
 }
 
 const Material::Grid& Material::grid_for(double radius) const {
@@ -190,11 +190,12 @@ std::optional<Material::Sweep> Material::below(const Sweep& sweep, double z) {
 
 bool Material::is_removed(Vec2 p, double z) const {
   if (z >= z_top_ || (plan_ && !plan_->contains(p))) return true;
-  const std::vector<Entry>* near = grids_.front().at(p);
+  const List* near = grids_.front().at(p);
   if (!near) return false;
-  for (const Entry& entry : *near) {
-    if (entry.z_low > z || norm_squared(entry.middle - p) > entry.reach * entry.reach) continue;
-    const Sweep& sweep = sweeps_[entry.sweep];
+  for (const std::uint32_t i : *near) {
+    const Disc& disc = discs_[i];
+    if (disc.z_low > z || norm_squared(disc.middle - p) > disc.reach * disc.reach) continue;
+    const Sweep& sweep = sweeps_[i];
     if (sweep.z_high <= z ? sweep.shape.covers(p) : below(sweep, z)->shape.covers(p)) return true;
   }
   return false;
@@ -203,11 +204,12 @@ bool Material::is_removed(Vec2 p, double z) const {
 double Material::height(Vec2 p) const {
   if (plan_ && !plan_->contains(p)) return -std::numeric_limits<double>::infinity();
   double height = z_top_;
-  const std::vector<Entry>* near = grids_.front().at(p);
+  const List* near = grids_.front().at(p);
   if (!near) return height;
-  for (const Entry& entry : *near) {
-    const Sweep& sweep = sweeps_[entry.sweep];
-    if (entry.z_low >= height || norm_squared(entry.middle - p) > entry.reach * entry.reach) continue;
+  for (const std::uint32_t i : *near) {
+    const Disc& disc = discs_[i];
+    const Sweep& sweep = sweeps_[i];
+    if (disc.z_low >= height || norm_squared(disc.middle - p) > disc.reach * disc.reach) continue;
     if (!sweep.shape.covers(p)) continue;
     double low = sweep.z_low,
            high = sweep.z_high;  // p is covered down to `high`, and perhaps not down to `low`
@@ -232,12 +234,13 @@ void Material::remove_outside(EngagementArcs& arcs, Vec2 center, double radius) 
 void Material::remove_everything(EngagementArcs& arcs, Vec2 center, double radius, double z) const {
   if (z >= z_top_) return arcs.clear();
   remove_outside(arcs, center, radius);
-  const std::vector<Entry>* near = grid_for(radius).at(center);
+  const List* near = grid_for(radius).at(center);
   if (!near) return;
   // The latest sweeps first, because the circle most often touches what was cut last.
-  for (auto entry = near->rbegin(); entry != near->rend() && !arcs.empty(); ++entry) {
-    if (entry->z_low > z || !arcs.may_meet(entry->middle, entry->reach)) continue;
-    const Sweep& sweep = sweeps_[static_cast<std::size_t>(entry->sweep)];
+  for (auto i = near->rbegin(); i != near->rend() && !arcs.empty(); ++i) {
+    const Disc& disc = discs_[*i];
+    if (disc.z_low > z || !arcs.may_meet(disc.middle, disc.reach)) continue;
+    const Sweep& sweep = sweeps_[*i];
     arcs.remove(sweep.z_high <= z ? sweep.shape : below(sweep, z)->shape);
   }
 }

@@ -99,19 +99,21 @@ class Material {
     double z_low = 0;
     double z_high = 0;
   };
-  /// A sweep in a cell's list. The disc around it rules most sweeps out quickly.
-  struct Entry {
+  /// The disc around a sweep, which rules most sweeps out quickly. Kept apart from the cells' lists: a sweep is in twenty
+  /// and more of them, and they are what takes the memory.
+  struct Disc {
     double z_low;
     Vec2 middle;
     double reach;
-    int sweep;
   };
+  /// Indices of sweeps, ascending.
+  using List = std::vector<std::uint32_t>;
   /// Square cells, each with the sweeps that a circle of up to `reach` mm around any of its points may touch.
   struct Grid {
     explicit Grid(double largest) : reach(largest), cell(largest * 0.7) {}
     struct Cell {
       int x, y;
-      std::vector<Entry> entries;
+      List sweeps;
     };
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     double reach;
@@ -123,11 +125,11 @@ class Material {
 
     int place(double v) const;
     std::size_t slot_of(int x, int y) const;
-    const std::vector<Entry>* at(Vec2 p) const;
-    std::vector<Entry>& list(int x, int y);
+    const List* at(Vec2 p) const;
+    List& list(int x, int y);
     void grow();
-    void insert(const Sweep& sweep, const Entry& entry);
-    void remove(const Sweep& sweep, int index);
+    void insert(const Sweep& sweep, std::uint32_t index);
+    void remove(const Sweep& sweep, std::uint32_t index);
     template <typename F>
     void for_lists(const Swept& swept, const Edge& path, F&& f);
   };
@@ -144,6 +146,7 @@ class Material {
   double z_top_;
   std::vector<Grid> grids_;  ///< by ascending reach
   std::vector<Sweep> sweeps_;
+  std::vector<Disc> discs_;  ///< of the sweeps
 };
 
 }  // namespace clearcut::stock

@@ -120,10 +120,10 @@ Number number(const std::string& text, int line, Number least) {
   return value;
 }
 
-/// Lines without the carriage returns of some editors. What is no study is never taken for one, and so never
-/// written over.
+/// Lines without the carriage returns of some editors, and without one that does not end. What is no study is never taken for one,
+/// and so never written over.
 std::vector<std::string> lines_of_csv(const std::string& csv) {
-  std::vector<std::string> lines = split(csv, '\n');
+  std::vector<std::string> lines = split(csv.substr(0, csv.rfind('\n') + 1), '\n');
   for (std::string& line : lines)
     if (line.ends_with('\r')) line.pop_back();
   if (!lines.empty() && lines.front() != kHeader)
@@ -270,15 +270,32 @@ GeneticStudy genetic_study(const std::string& name, const GeneticStudyOptions& o
   return study;
 }
 
+std::vector<StudyRun> missing_study_runs(const GeneticStudy& study, const GeneticStudyOptions& options,
+                                         const std::string& csv) {
+  const RowsOf rows_of = rows_of_csv(study, options.seed, csv);
+  std::vector<StudyRun> missing;
+  for (int run = 1; run <= study.runs; ++run) {
+    for (int level = 0; level < static_cast<int>(study.levels.size()); ++level) {
+      if (!rows_of.contains({level, run})) missing.push_back({level, run});
+    }
+  }
+  return missing;
+}
+
+std::vector<StudyRow> run_study_once(const GeneticStudy& study, const GeneticStudyOptions& options,
+                                     const StudyRun& run, const std::atomic<bool>& stop) {
+  return one_run(study, run.level, run.run, options.seed, stop);
+}
+
+std::vector<StudyRow> study_rows(const GeneticStudy& study, const GeneticStudyOptions& options,
+                                 const std::string& csv) {
+  return in_order(rows_of_csv(study, options.seed, csv));
+}
+
 std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const GeneticStudyOptions& options,
                                         const std::string& csv) {
   RowsOf rows_of = rows_of_csv(study, options.seed, csv);
-  std::vector<std::pair<int, int>> missing;
-  for (int run = 1; run <= study.runs; ++run) {
-    for (int level = 0; level < static_cast<int>(study.levels.size()); ++level) {
-      if (!rows_of.contains({level, run})) missing.emplace_back(level, run);
-    }
-  }
+  const std::vector<StudyRun> missing = missing_study_runs(study, options, csv);
   const int total = static_cast<int>(study.levels.size()) * study.runs;
   int done = total - static_cast<int>(missing.size());
   std::mutex mutex;
@@ -286,10 +303,11 @@ std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const Genetic
   const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
   on_threads(options.threads, [&] {
     parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) {
-      auto rows = one_run(study, missing[i].first, missing[i].second, options.seed, stop);
+      auto rows = run_study_once(study, options, missing[i], stop);
       throw_if_cancelled(options.cancel);  // a run that was cut short is none
       const std::lock_guard lock(mutex);
-      rows_of[missing[i]] = std::move(rows);
+      if (options.finished) options.finished(rows);
+      rows_of[{missing[i].level, missing[i].run}] = std::move(rows);
       ++done;
       if (options.progress) options.progress(done, total, [&] { return in_order(rows_of); });
     });
@@ -297,20 +315,25 @@ std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const Genetic
   return in_order(rows_of);
 }
 
-std::string study_csv(const GeneticStudy& study, const GeneticStudyOptions& options,
-                      const std::vector<StudyRow>& rows) {
+std::string study_lines(const GeneticStudy& study, const GeneticStudyOptions& options,
+                        const std::vector<StudyRow>& rows) {
   std::vector<std::string> settings;
   for (const StudyLevel& level : study.levels) settings.push_back(settings_text(study, level, options.seed));
-  std::string csv = std::string(kHeader) + "\n";
+  std::string lines;
   for (const StudyRow& row : rows) {
     const auto level = static_cast<std::size_t>(row.level);
     const bool last = row.generation == study.levels[level].genetic.stop.rounds;
-    csv += fmt::format("{},{},{},{},{},{},{},{},{}\n", settings[level], row.run, row.generation,
-                       trimmed(row.best, 6), trimmed(row.mean, 6), trimmed(row.worst, 6),
-                       trimmed(row.fitness, 6), last ? trimmed(row.improved, 6) : "",
-                       last && study.metric == StudyMetric::kSeconds ? trimmed(row.seconds, 6) : "");
+    lines += fmt::format("{},{},{},{},{},{},{},{},{}\n", settings[level], row.run, row.generation,
+                         trimmed(row.best, 6), trimmed(row.mean, 6), trimmed(row.worst, 6),
+                         trimmed(row.fitness, 6), last ? trimmed(row.improved, 6) : "",
+                         last && study.metric == StudyMetric::kSeconds ? trimmed(row.seconds, 6) : "");
   }
-  return csv;
+  return lines;
+}
+
+std::string study_csv(const GeneticStudy& study, const GeneticStudyOptions& options,
+                      const std::vector<StudyRow>& rows) {
+  return std::string(kHeader) + "\n" + study_lines(study, options, rows);
 }
 
 report::TextTable study_table(const GeneticStudy& study, const std::vector<StudyRow>& rows) {

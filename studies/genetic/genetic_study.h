@@ -2,6 +2,7 @@
 // lattices, whose optimum is known, with one thing changed at a time.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <stop_token>
@@ -62,6 +63,14 @@ struct GeneticStudyOptions {
   /// Called after each run with the runs done, the runs asked for, and a function that gives all rows so far;
   /// under a lock, from any thread.
   std::function<void(int done, int total, const std::function<std::vector<StudyRow>()>& rows)> progress;
+  /// Called before that with the rows of the run itself, under the same lock: what keeps them loses no finished run.
+  std::function<void(const std::vector<StudyRow>& rows)> finished;
+};
+
+/// One run of one level.
+struct StudyRun {
+  int level = 0;  ///< index
+  int run = 0;    ///< from 1
 };
 
 const std::vector<std::string>& genetic_study_names();
@@ -76,8 +85,24 @@ GeneticStudy genetic_study(const std::string& name, const GeneticStudyOptions& o
 std::vector<StudyRow> run_genetic_study(const GeneticStudy& study, const GeneticStudyOptions& options,
                                         const std::string& csv);
 
+/// The runs that `csv` does not hold yet, in the order in which they are done. Throws as run_genetic_study.
+std::vector<StudyRun> missing_study_runs(const GeneticStudy& study, const GeneticStudyOptions& options,
+                                         const std::string& csv);
+
+/// The rows of one run. Asked to stop, it gives fewer.
+std::vector<StudyRow> run_study_once(const GeneticStudy& study, const GeneticStudyOptions& options,
+                                     const StudyRun& run, const std::atomic<bool>& stop);
+
+/// The rows of the complete runs in `csv`, sorted. Throws as run_genetic_study.
+std::vector<StudyRow> study_rows(const GeneticStudy& study, const GeneticStudyOptions& options,
+                                 const std::string& csv);
+
 std::string study_csv(const GeneticStudy& study, const GeneticStudyOptions& options,
                       const std::vector<StudyRow>& rows);
+
+/// The lines of these rows alone, to append to such a file. Its last line may be cut short: the run it belongs to is done again.
+std::string study_lines(const GeneticStudy& study, const GeneticStudyOptions& options,
+                        const std::vector<StudyRow>& rows);
 
 /// Per level: runs, mean with its error E = z sigma / sqrt(N), z = 3 (eq. 4.11), standard deviation, quartiles.
 report::TextTable study_table(const GeneticStudy& study, const std::vector<StudyRow>& rows);

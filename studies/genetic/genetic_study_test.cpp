@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -54,6 +55,41 @@ TEST(GeneticStudy, KeepsTheRowsOfAnEarlierFile) {
   runs = 0;
   EXPECT_EQ(csv_of("selection", options, whole), whole);
   EXPECT_EQ(runs, 0);
+}
+
+/// What was appended run by run, in any order, cut anywhere: the rest gives the same file.
+TEST(GeneticStudy, GoesOnFromLinesAppendedRunByRun) {
+  GeneticStudyOptions options = small(2);
+  options.runs = 2;
+  const GeneticStudy study = genetic_study("selection", options);
+  const std::string none = study_csv(study, options, {});
+  std::string appended = none;
+  options.finished = [&](const std::vector<StudyRow>& rows) {
+    appended += study_lines(study, options, rows);
+  };
+  const std::string whole = study_csv(study, options, run_genetic_study(study, options, ""));
+  EXPECT_EQ(appended.size(), whole.size());
+  options.finished = nullptr;
+  const int total = static_cast<int>(study.levels.size()) * 2;
+  EXPECT_EQ(missing_study_runs(study, options, none).size(), static_cast<std::size_t>(total));
+  EXPECT_TRUE(missing_study_runs(study, options, appended).empty());
+  EXPECT_EQ(study_csv(study, options, study_rows(study, options, appended)), whole);
+  for (std::size_t size = none.size(); size < appended.size(); size += 97)
+    EXPECT_EQ(csv_of("selection", options, appended.substr(0, size)), whole) << size;
+  // Of the last run all is there but the end of its last number.
+  EXPECT_EQ(missing_study_runs(study, options, appended.substr(0, appended.size() - 1)).size(), 1U);
+}
+
+TEST(GeneticStudy, OneRunAloneGivesItsRows) {
+  const GeneticStudyOptions options = small();
+  const GeneticStudy study = genetic_study("mutation", options);
+  const std::atomic<bool> stop = false;
+  std::string csv = study_csv(study, options, {});
+  auto runs = missing_study_runs(study, options, csv);
+  std::reverse(runs.begin(), runs.end());
+  for (const StudyRun& run : runs)
+    csv += study_lines(study, options, run_study_once(study, options, run, stop));
+  EXPECT_EQ(study_csv(study, options, study_rows(study, options, csv)), csv_of("mutation", options));
 }
 
 TEST(GeneticStudy, KeepsRowsRatherThanMakingThemAnew) {

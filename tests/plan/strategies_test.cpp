@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
+#include "read/repair/clean.h"
 #include "support/random/random_parts.h"
 #include "support/shapes.h"
 
@@ -209,6 +210,14 @@ TEST(Auto, KeepsTheFastestOfThosePlannedAndListsAll) {
       }
     }
   }
+}
+
+/// In a round pocket two and a half cutters deep a rival of contour is fastest and leaves a post; contour itself comes next.
+TEST(Auto, IsNoSlowerThanContourWhereARivalOfItIsNotClean) {
+  const Regions disc{Region::from_valid_loops(read::full_circle({0, 0}, 20), {})};
+  const Part part = test_support::part_of(disc, disc, FeatureKind::kClosedPocket, 8);
+  const auto auto_time = pipeline::plan_part(part, options_for("auto")).findings.all.time_s;
+  EXPECT_LE(auto_time, pipeline::plan_part(part, options_for("contour")).findings.all.time_s);
 }
 
 /// The bounds by which strategies are left out hold for what those strategies plan.

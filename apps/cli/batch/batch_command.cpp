@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <thread>
 
@@ -19,6 +20,7 @@
 #include "batch/batch_parts.h"
 #include "commands/commands.h"
 #include "process/child_process.h"
+#include "ranks/distribute.h"
 #include "terminal/output.h"
 
 namespace clearcut::cli {
@@ -35,6 +37,7 @@ struct BatchCommand {
   double part_seconds = 600;
   double part_megabytes = 0;
   std::string share;
+  bool is_mpi = false;
   bool again = false;
   bool quiet = false;
 };
@@ -57,25 +60,28 @@ Share share_of(const std::string& text) {
 
 class Batch {
  public:
-  Batch(const BatchCommand& command, std::vector<BatchPart> parts, std::vector<std::string> plan_options)
+  /// `processes` share the machine, each with as many jobs as the command says; one alone takes all cores where it says nothing.
+  Batch(const BatchCommand& command, std::vector<BatchPart> parts, std::vector<std::string> plan_options,
+        std::optional<int> processes = {})
       : command_(command),
         parts_(std::move(parts)),
         plan_options_(std::move(plan_options)),
+        jobs_(jobs_of(command, processes.has_value())),
         rows_(parts_.size()) {
     limits_.seconds = command.part_seconds;
     limits_.bytes = command.part_megabytes > 0
                         ? static_cast<std::uint64_t>(command.part_megabytes * (1 << 20))
-                        : fair_share();
+                        : fair_share(jobs_ * processes.value_or(1));
   }
 
   void run() {
     const Share share = share_of(command_.share);
     std::atomic<std::size_t> next = 0;
     std::vector<std::jthread> workers;
-    for (int i = 0; i < jobs(); ++i) {
+    for (int i = 0; i < jobs_; ++i) {
       workers.emplace_back([&] {
         for (std::size_t part = next++; part < parts_.size(); part = next++) {
-          if (share.holds(part)) take(part);
+          if (share.holds(part)) take_safely(part);
         }
       });
     }
@@ -87,19 +93,48 @@ class Batch {
     }
   }
 
+  /// The parts among the processes of an MPI job.
+  ranks::Outcome run_on(ranks::Ranks& all) {
+    ranks::Work work;
+    work.tasks = [this] {
+      std::vector<std::string> names;
+      for (const BatchPart& part : parts_) names.push_back(part.name);
+      return names;
+    };
+    work.perform = [this](const std::string& name, const std::atomic<bool>& stop) {
+      const Taken taken = take(index_of(name), &stop);
+      return ranks::pack({taken.is_kept ? "kept" : "planned", ranks::pack(row_fields(taken.row))});
+    };
+    work.finished = [this](const std::string& name, const std::string& text) {
+      const auto fields = ranks::unpack(text);
+      note(index_of(name), {row_of_fields(ranks::unpack(fields.at(1))), fields.at(0) == "kept"});
+    };
+    work.say = [](const std::string& text) { std::fprintf(stderr, "clearcut: %s\n", text.c_str()); };
+    work.threads = jobs_;
+    const ranks::Outcome outcome = ranks::distribute(all, work);
+    chosen_ = rows_;
+    return outcome;
+  }
+
   const std::vector<BatchRow>& rows() const { return chosen_; }
   std::size_t kept() const { return kept_; }
 
  private:
-  int jobs() const {
+  /// What became of a part: planned now, or as it was.
+  struct Taken {
+    BatchRow row;
+    bool is_kept = false;
+  };
+
+  static int jobs_of(const BatchCommand& command, bool is_one_of_many) {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    return command_.jobs > 0 ? command_.jobs : cores;
+    return command.jobs > 0 ? command.jobs : is_one_of_many ? 1 : cores;
   }
 
   /// The machine's memory by the number of jobs.
-  std::uint64_t fair_share() const {
+  static std::uint64_t fair_share(int jobs) {
     const auto pages = static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES));
-    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / static_cast<std::uint64_t>(jobs());
+    return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) / static_cast<std::uint64_t>(jobs);
   }
 
   std::string place(const BatchPart& part, const char* ending) const {
@@ -107,29 +142,49 @@ class Batch {
   }
 
   /// A part that is done, or is now. Faults of this command itself end the batch.
-  void take(std::size_t index) noexcept {
+  void take_safely(std::size_t index) noexcept {
     try {
-      const BatchPart& part = parts_[index];
-      fs::create_directories(fs::path(place(part, "")).parent_path());
-      std::string key;
-      try {
-        key = batch_key(part, plan_options_);
-      } catch (const InputError&) {  // its file cannot be read: its run says so
-      }
-      if (!command_.again && !key.empty() && is_done(part, key, rows_[index])) {
-        ++kept_;
-        return;
-      }
-      rows_[index] = planned(part, key);
-      if (!command_.quiet) {
-        const std::lock_guard lock(mutex_);
-        print_line(fmt::format("{:12} {}", rows_[index].verdict, part.name));
-        std::fflush(stdout);
-      }
+      const Taken taken = take(index);
+      const std::lock_guard lock(mutex_);
+      note(index, taken);
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!error_) error_ = std::current_exception();
     }
+  }
+
+  Taken take(std::size_t index, const std::atomic<bool>* stop = nullptr) const {
+    const BatchPart& part = parts_[index];
+    fs::create_directories(fs::path(place(part, "")).parent_path());
+    std::string key;
+    try {
+      key = batch_key(part, plan_options_);
+    } catch (const InputError&) {  // its file cannot be read: its run says so
+    }
+    Taken taken;
+    if (!command_.again && !key.empty() && is_done(part, key, taken.row)) taken.is_kept = true;
+    if (!taken.is_kept) taken.row = planned(part, key, stop);
+    return taken;
+  }
+
+  /// The result of a part, and a line for it unless it was there.
+  void note(std::size_t index, const Taken& taken) {
+    rows_[index] = taken.row;
+    if (taken.is_kept) {
+      ++kept_;
+    } else if (!command_.quiet) {
+      print_line(fmt::format("{:12} {}", taken.row.verdict, taken.row.name));
+      std::fflush(stdout);
+    }
+  }
+
+  /// All processes of a job have to see the same parts.
+  std::size_t index_of(const std::string& name) const {
+    const auto found = std::find_if(parts_.begin(), parts_.end(),
+                                    [&name](const BatchPart& part) { return part.name == name; });
+    if (found == parts_.end())
+      throw InputError(name, "is no part on another machine; all have to see the same folder");
+    return static_cast<std::size_t>(found - parts_.begin());
   }
 
   /// Whether its results are there and rest on the same question and the same files.
@@ -145,7 +200,7 @@ class Batch {
     return {static_cast<ChildEnd::How>(done.value("how", 0)), done.value("code", 0)};
   }
 
-  BatchRow planned(const BatchPart& part, const std::string& key) const {
+  BatchRow planned(const BatchPart& part, const std::string& key, const std::atomic<bool>* stop) const {
     for (const char* ending : {".ngc", ".json", ".svg", ".done"}) fs::remove(place(part, ending));
     std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "plan", part.file};
     const bool says_threads =
@@ -155,7 +210,9 @@ class Batch {
     words.insert(words.end(), part.options.begin(), part.options.end());
     words.insert(words.end(), {"--output", place(part, ".ngc"), "--certificate", place(part, ".json"),
                                "--svg", place(part, ".svg"), "--quiet"});
-    const ChildEnd end = process::run_child(words, {place(part, ".log"), "", "", false}, limits_);
+    const ChildEnd end = process::run_child(words, {place(part, ".log"), "", "", false}, limits_,
+                                            [stop] { return stop == nullptr || !*stop; });
+    if (end.how == ChildEnd::How::kStopped) throw InputError(part.name, "was stopped, as the whole batch");
     const Json done{{"key", key}, {"how", static_cast<int>(end.how)}, {"code", end.code}};
     write_files({{place(part, ".done"), done.dump() + "\n"}}, {part.file});
     return row_of(part, end);
@@ -217,9 +274,10 @@ class Batch {
   const BatchCommand& command_;
   std::vector<BatchPart> parts_;
   std::vector<std::string> plan_options_;
+  int jobs_;
   process::ChildLimits limits_;
   std::vector<BatchRow> rows_, chosen_;
-  std::atomic<std::size_t> kept_ = 0;
+  std::size_t kept_ = 0;
   std::mutex mutex_;
   std::exception_ptr error_;
 };
@@ -244,13 +302,11 @@ std::vector<std::string> typed_plan_options(const CLI::App& command,
   return words;
 }
 
-int run(const BatchCommand& command, const std::vector<std::string>& plan_options) {
-  Batch batch(command, batch_parts(command.arguments.input(), command.output), plan_options);
-  fs::create_directories(command.output);
-  batch.run();
+/// What became of all parts, in files and as a line. A share is not the whole: the run without one, which finds all shares done,
+/// writes the overview.
+int tell_results(const BatchCommand& command, const Batch& batch) {
   const auto& rows = batch.rows();
   const auto at = [&](const char* name) { return (fs::path(command.output) / name).string(); };
-  // A share is not the whole: the run without one, which finds all shares done, writes the overview.
   if (command.share.empty()) {
     std::vector<std::string> inputs{command.arguments.input()};
     for (const BatchRow& row : rows) inputs.push_back(row.part);
@@ -263,6 +319,24 @@ int run(const BatchCommand& command, const std::vector<std::string>& plan_option
   const bool clean =
       std::all_of(rows.begin(), rows.end(), [](const BatchRow& row) { return row.verdict == "CLEAN"; });
   return clean ? kClean : kFault;
+}
+
+int run(const BatchCommand& command, const std::vector<std::string>& plan_options) {
+  if (command.is_mpi && !command.share.empty())
+    throw InputError("--share", "and --mpi are two ways to divide the parts; give one of them");
+  auto parts = batch_parts(command.arguments.input(), command.output);
+  fs::create_directories(command.output);
+  if (!command.is_mpi) {
+    Batch batch(command, std::move(parts), plan_options);
+    batch.run();
+    return tell_results(command, batch);
+  }
+  std::optional<Batch> batch;
+  return ranks::on_mpi_ranks(
+      [&](ranks::Ranks& all) {
+        return batch.emplace(command, std::move(parts), plan_options, all.here()).run_on(all);
+      },
+      [&] { return tell_results(command, *batch); });
 }
 
 }  // namespace
@@ -283,7 +357,9 @@ void add_batch_command(CLI::App& app, int& exit_code) {
                        "Folder for programs, certificates, pictures and overview")
           ->type_name("FOLDER")
           ->required(),
-      command->add_option("--jobs", state->jobs, "Parts at once (default: all cores)")
+      command
+          ->add_option("--jobs", state->jobs,
+                       "Parts at once (default: all cores; with --mpi of each process, and 1 the default)")
           ->check(CLI::PositiveNumber),
       command
           ->add_option("--part-time", state->part_seconds,
@@ -296,6 +372,9 @@ void add_batch_command(CLI::App& app, int& exit_code) {
       command->add_option(
           "--share", state->share,
           "K/N: the K-th of N shares of the parts; run once more without it for the overview"),
+      command->add_flag("--mpi", state->is_mpi,
+                        "Share the parts with the other processes of an MPI job (mpirun, srun); needs the "
+                        "package clearcut-mpi"),
       command->add_flag("--again", state->again, "Plan also what is done already"),
       command->add_flag("--quiet", state->quiet, "Print the last line alone")};
   command->callback(

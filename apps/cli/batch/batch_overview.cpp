@@ -3,6 +3,7 @@
 #include <clearcut/text.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -109,6 +110,30 @@ std::string batch_page(const std::vector<BatchRow>& rows, const std::string& tit
       html_text(title), kStyle, html_text(batch_line(rows)));
   for (const auto& row : rows) page += page_row(row);
   return page + "</table>\n</body></html>\n";
+}
+
+std::vector<std::string> row_fields(const BatchRow& row) {
+  std::vector<std::string> fields{row.name, row.part, row.verdict, row.message, std::to_string(row.faults)};
+  // {} writes as many digits as bring the same number back.
+  for (const double figure : {row.time_s, row.feed_mm, row.rapid_mm, row.uncut_mm, row.gouge_mm})
+    fields.push_back(fmt::format("{}", figure));
+  return fields;
+}
+
+BatchRow row_of_fields(const std::vector<std::string>& fields) {
+  const auto figure = [&fields](std::size_t index) { return std::strtod(fields.at(index).c_str(), nullptr); };
+  BatchRow row;
+  row.name = fields.at(0);
+  row.part = fields.at(1);
+  row.verdict = fields.at(2);
+  row.message = fields.at(3);
+  row.faults = std::stoul(fields.at(4));
+  row.time_s = figure(5);
+  row.feed_mm = figure(6);
+  row.rapid_mm = figure(7);
+  row.uncut_mm = figure(8);
+  row.gouge_mm = figure(9);
+  return row;
 }
 
 std::string batch_line(const std::vector<BatchRow>& rows) {

@@ -23,6 +23,9 @@ std::string batch_csv(const std::vector<BatchRow>& rows);
 std::string batch_json(const std::vector<BatchRow>& rows);
 /// One page with a thumbnail of each part; program, certificate and picture lie beside it by their names.
 std::string batch_page(const std::vector<BatchRow>& rows, const std::string& title);
+/// A row as texts, and back, the same to the last digit.
+std::vector<std::string> row_fields(const BatchRow& row);
+BatchRow row_of_fields(const std::vector<std::string>& fields);
 /// "998 of 1000 CLEAN, 1 CRASHED, 1 TIMED OUT"
 std::string batch_line(const std::vector<BatchRow>& rows);
 

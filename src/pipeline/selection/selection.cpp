@@ -128,10 +128,26 @@ std::vector<std::string> Selection::left_out(std::size_t step) const {
   return names;
 }
 
+/// What comes from a rival of a strategy says nothing of the strategy itself: its own plan is made, and takes its place among
+/// those that are left.
+void Selection::plan_without_rivals(std::size_t step) {
+  auto& ranked = ranked_[step];
+  PlannedCandidate own{ranked.all[ranked.at].candidate, {}, 0, Outcome::kNotTried};
+  own.candidate.beside_rivals = false;
+  plan_into(step, own);
+  if (own.plan.section.moves.empty()) return;
+  const auto left = ranked.all.begin() + static_cast<std::ptrdiff_t>(ranked.at + 1);
+  const auto end = ranked.all.begin() + static_cast<std::ptrdiff_t>(ranked.planned++);
+  const auto place = std::find_if(
+      left, end, [&](const PlannedCandidate& other) { return other.plan.time_s > own.plan.time_s; });
+  ranked.all.insert(place, std::move(own));
+}
+
 bool Selection::next(std::size_t step) {
   auto& ranked = ranked_[step];
   const auto& fallbacks = steps_[step].candidates.fallbacks;
   if (ranked.planned == 0 || ranked.all[ranked.at].plan.hole) return false;
+  if (ranked.all[ranked.at].candidate.beside_rivals) plan_without_rivals(step);
   if (ranked.at + 1 >= ranked.planned) {
     if (ranked.fallbacks == fallbacks.size()) return false;
     PlannedCandidate fallback{fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried};

@@ -42,7 +42,8 @@ class Selection {
   Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads);
 
   const Section& section(std::size_t step) const;
-  /// Takes the next best plan after one that was not certified clean: a slower one, else a fallback. False when
+  /// Takes the next best plan after one that was not certified clean: a slower one (the strategy's own, too, where a rival's was
+  /// not clean), else a fallback. False when
   /// nothing is left, and the last plan stays.
   bool next(std::size_t step);
   const StrategyCandidate& candidate(std::size_t step) const;
@@ -67,6 +68,7 @@ class Selection {
   void plan_others();
   void rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work);
   void sort(RankedCandidates& ranked) const;
+  void plan_without_rivals(std::size_t step);
   void plan_into(std::size_t step, PlannedCandidate& one) const;
 
   std::vector<SelectionStep> steps_;

@@ -39,6 +39,27 @@ TEST(Selection, AStrategyThatTakesTooMuchWorkIsLeftOutByNameAndTheOthersAnswer) 
   EXPECT_EQ(selection.selections().front().candidates.back().outcome, Outcome::kTooMuchWork);
 }
 
+/// A rival of contour is fastest and not clean; contour's own plan comes before the slower zigzag.
+TEST(Selection, AfterARivalTheStrategyItselfIsPlanned) {
+  const StrategyEntry contour = named("contour"), zigzag = named("zigzag");
+  const auto planner = [](int, const StrategyCandidate& candidate) {
+    StepPlan plan;
+    plan.section.moves.emplace_back();
+    plan.time_s = candidate.strategy->name == "zigzag" ? 13 : candidate.beside_rivals ? 10 : 11;
+    return plan;
+  };
+  Selection selection(one_step({{&contour, {}, true}, {&zigzag, {}}}), planner, 1);
+  ASSERT_TRUE(selection.next(0));
+  EXPECT_EQ(selection.candidate(0).strategy->name, "contour");
+  EXPECT_FALSE(selection.candidate(0).beside_rivals);
+  ASSERT_TRUE(selection.next(0));
+  EXPECT_EQ(selection.candidate(0).strategy->name, "zigzag");
+  EXPECT_FALSE(selection.next(0));
+  std::vector<Outcome> outcomes;
+  for (const auto& one : selection.selections().front().candidates) outcomes.push_back(one.outcome);
+  EXPECT_EQ(outcomes, (std::vector{Outcome::kNotClean, Outcome::kNotClean, Outcome::kKept}));
+}
+
 TEST(Selection, WhereAllTakeTooMuchWorkNothingIsPlanned) {
   const StrategyEntry contour = named("contour");
   const auto planner = [](int, const StrategyCandidate&) -> StepPlan { throw OutOfWork("too much"); };

@@ -27,12 +27,9 @@ StrategyTable all_strategies() {
 
 constexpr const char* kAuto = "auto";
 
-/// The strategy by itself: beside its rivals first, then as it is.
+/// The strategy by itself, beside its rivals.
 StrategyCandidates candidates_of(const StrategyEntry& strategy, const Stepover& stepover) {
-  const bool beside = !strategy.rivals.empty();
-  StrategyCandidates candidates{{{&strategy, stepover, beside && !stepover.is_given()}}, {}};
-  if (beside) candidates.fallbacks.push_back({&strategy, stepover});
-  return candidates;
+  return {{{&strategy, stepover, !strategy.rivals.empty() && !stepover.is_given()}}, {}};
 }
 
 /// Whether "auto" may use a strategy at all: where a direction is asked for only those that keep it.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/random.h"
+#include "base/work_budget.h"
 #include "geometry/clearance.h"
 #include "plan/adaptive/disc_engagement.h"
 #include "plan/common/cover.h"
@@ -199,6 +200,29 @@ TEST(Adaptive, ContactKeepsTheLimitInNarrowEndsToo) {
       EXPECT_LT(length_above(planned, Radians::of_degrees(degrees + 2).radians()), 0.3)
           << shape << " " << degrees;
     }
+  }
+}
+
+TEST(Adaptive, CutsStraightThroughCorridorsHardlyWiderThanTheCutter) {
+  // Trochoidal steps there get no farther than the corridor is wider than the cutter: thousands of them, ever closer.
+  for (const double wider : {0.005, 0.02, 0.05}) {
+    const double low = 15 - kTool - wider / 2, high = 15 + kTool + wider / 2;
+    const Layer layer = polygon_layer({{0, 0},
+                                       {30, 0},
+                                       {30, low},
+                                       {90, low},
+                                       {90, 0},
+                                       {120, 0},
+                                       {120, 30},
+                                       {90, 30},
+                                       {90, high},
+                                       {30, high},
+                                       {30, 30},
+                                       {0, 30}});
+    const WorkBudget budget(60'000);
+    std::size_t moves = 0;
+    for (const Pass& pass : plan_adaptive(layer, {}, {}).passes) moves += pass.path.size();
+    EXPECT_LT(moves, 1200u) << wider;
   }
 }
 

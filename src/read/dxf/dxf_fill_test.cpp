@@ -27,9 +27,10 @@ std::string drawing(const std::string& entities, const std::string& blocks = {})
 const std::string kHatch = " 0 HATCH 8 D5 10 0 20 0 30 0 210 0 220 0 230 1 2 SOLID 70 1 71 0";
 const std::string kEnd = " 97 0 75 1 76 1 98 1 10 3 20 3";
 /// A square of 10 mm as a polyline, at x and y.
-std::string square(const std::string& x, const std::string& y, const std::string& far_x, const std::string& far_y) {
-  return " 92 3 72 0 73 1 93 4 10 " + x + " 20 " + y + " 10 " + far_x + " 20 " + y + " 10 " + far_x + " 20 " + far_y +
-         " 10 " + x + " 20 " + far_y;
+std::string square(const std::string& x, const std::string& y, const std::string& far_x,
+                   const std::string& far_y) {
+  return " 92 3 72 0 73 1 93 4 10 " + x + " 20 " + y + " 10 " + far_x + " 20 " + y + " 10 " + far_x + " 20 " +
+         far_y + " 10 " + x + " 20 " + far_y;
 }
 const std::string kSquare = square("0", "0", "10", "10");
 const std::string kLines = " 0 LWPOLYLINE 8 D2 90 4 70 1 10 50 20 0 10 60 20 0 10 60 20 10 10 50 20 10";
@@ -53,8 +54,9 @@ std::string left_out(const Part& part) {
 
 TEST(DxfFill, APathOfVerticesMayHaveBulgesAndAHoleIsAnIsland) {
   EXPECT_NEAR(area_of(read(drawing(kHatch + " 91 1" + kSquare + kEnd))), 100, 1e-9);
-  EXPECT_NEAR(area_of(read(drawing(kHatch + " 91 2" + kSquare + " 97 0" + square("2", "2", "6", "5") + kEnd))),
-              100 - 12, 1e-9);
+  EXPECT_NEAR(
+      area_of(read(drawing(kHatch + " 91 2" + kSquare + " 97 0" + square("2", "2", "6", "5") + kEnd))),
+      100 - 12, 1e-9);
   const std::string disc = " 92 3 72 1 73 1 93 2 10 0 20 0 42 1 10 8 20 0 42 1";
   EXPECT_NEAR(area_of(read(drawing(kHatch + " 91 1" + disc + kEnd))), 16 * kPi, 1e-6);
 }
@@ -73,8 +75,9 @@ TEST(DxfFill, APathOfEdgesMayRunEitherWay) {
 /// area up to parameter t is a b t / 2 with tan t = 2 tan 45 degrees.
 TEST(DxfFill, EllipticalEdgesEndWhereTheyAreSeen) {
   const double t = std::atan(2.0), x = 10 * std::cos(t), y = 5 * std::sin(t);
-  const std::string sector = " 92 1 93 3 72 1 10 0 20 0 11 10 21 0 72 3 10 0 20 0 11 10 21 0 40 0.5 50 0 51 45 73 1 72 1 10 " +
-                             std::to_string(x) + " 20 " + std::to_string(y) + " 11 0 21 0";
+  const std::string sector =
+      " 92 1 93 3 72 1 10 0 20 0 11 10 21 0 72 3 10 0 20 0 11 10 21 0 40 0.5 50 0 51 45 73 1 72 1 10 " +
+      std::to_string(x) + " 20 " + std::to_string(y) + " 11 0 21 0";
   EXPECT_NEAR(area_of(read(drawing(kHatch + " 91 1" + sector + kEnd))), 10 * 5 * t / 2, 0.01);
   const std::string whole = " 92 1 93 1 72 3 10 0 20 0 11 0 21 8 40 0.25 50 0 51 360 73 0";
   EXPECT_NEAR(area_of(read(drawing(kHatch + " 91 1" + whole + kEnd))), 16 * kPi, 0.05);
@@ -113,7 +116,8 @@ TEST(DxfFill, BesideLinesOfOtherLayersSomebodyHasToAsk) {
   const std::string text = drawing(kLines + kHatch + " 91 1" + kSquare + kEnd);
   const Part part = read(text);
   EXPECT_NEAR(area_of(part), 100, 1e-9);
-  EXPECT_THAT(left_out(part), testing::HasSubstr("--op pocket:LAYER reads the boundaries of fills): 1 HATCH on layer D5"));
+  EXPECT_THAT(left_out(part),
+              testing::HasSubstr("--op pocket:LAYER reads the boundaries of fills): 1 HATCH on layer D5"));
   ReadOptions asked;
   LayerRule rule;
   rule.pattern = "D5";

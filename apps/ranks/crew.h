@@ -1,0 +1,54 @@
+// The threads of one process that do its share of the work.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace clearcut::ranks {
+
+/// Does a task and gives its result; asked to stop, it may throw or give anything.
+using Perform = std::function<std::string(const std::string& task, const std::atomic<bool>& stop)>;
+
+class Crew {
+ public:
+  /// `ahead`: tasks that may wait for a thread.
+  Crew(Perform perform, int threads, int ahead);
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+  /// Tells tasks under way to stop and waits until they have.
+  ~Crew();
+
+  void give(const std::string& task);
+  /// How many tasks more there is room for.
+  int room() const;
+  /// Tasks given whose results were not taken yet.
+  std::vector<std::string> in_hand() const;
+  /// Tasks with their results, each pair once.
+  std::vector<std::pair<std::string, std::string>> take_results();
+  /// What a task threw; "" where none did.
+  std::string error() const;
+
+ private:
+  void work();
+
+  Perform perform_;
+  int most_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::string> waiting_;
+  std::multiset<std::string> in_hand_;
+  std::vector<std::pair<std::string, std::string>> results_;
+  std::string error_;
+  std::atomic<bool> stop_ = false;
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace clearcut::ranks

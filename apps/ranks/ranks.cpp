@@ -1,0 +1,107 @@
+#include "ranks/ranks.h"
+
+#include <clearcut/error.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "ranks/mpi_messages.h"
+
+namespace clearcut::ranks {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw InputError("--mpi", what);
+}
+
+/// clearcut-mpi.so beside the command, where it is built, or where it is installed.
+const ClearcutMpi& loaded() {
+  const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const fs::path& file :
+       {folder / "clearcut-mpi.so", folder.parent_path() / "lib" / "clearcut" / "clearcut-mpi.so"}) {
+    if (!fs::exists(file)) continue;
+    // MPI loads parts of itself, which look for its functions among those of the whole program.
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    if (library == nullptr) refuse(fmt::format("{} cannot be loaded: {}", file.string(), dlerror()));
+    const auto function = reinterpret_cast<decltype(&clearcut_mpi)>(dlsym(library, kClearcutMpiFunction));
+    if (function == nullptr || function()->version != kClearcutMpiVersion)
+      refuse(file.string() + " belongs to another version of clearcut; install both anew");
+    return *function();
+  }
+  refuse(
+      "this installation has no MPI; install the package clearcut-mpi, or libopenmpi-dev and openmpi-bin and "
+      "build again");
+}
+
+class MpiRanks : public Ranks {
+ public:
+  MpiRanks() : mpi_(loaded()) {
+    if (!mpi_.join(&number_, &count_, &here_)) refuse("MPI does not start; try `mpirun -n 2 hostname`");
+  }
+
+  int number() const override { return number_; }
+  int count() const override { return count_; }
+  int here() const override { return here_; }
+
+  void send(int to, const std::string& text) override { mpi_.send(to, text.data(), text.size()); }
+
+  std::optional<Message> receive() override {
+    bool is_there = false;
+    std::size_t size = 0;
+    Message message;
+    if (!mpi_.probe(&is_there, &message.from, &size) || !is_there) return std::nullopt;
+    message.text.resize(size);
+    if (!mpi_.take(message.from, message.text.data(), size)) return std::nullopt;
+    return message;
+  }
+
+  void leave(double seconds, int exit_code) override {
+    std::fflush(nullptr);
+    std::thread([seconds, exit_code] {
+      std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+      std::_Exit(exit_code);
+    }).detach();
+    mpi_.leave();
+  }
+
+ private:
+  const ClearcutMpi& mpi_;
+  int number_ = 0, count_ = 1, here_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<Ranks> mpi_ranks() {
+  return std::make_unique<MpiRanks>();
+}
+
+std::string pack(const std::vector<std::string>& texts) {
+  std::string packed;
+  for (const std::string& text : texts) packed += fmt::format("{}:{}", text.size(), text);
+  return packed;
+}
+
+std::vector<std::string> unpack(const std::string& packed) {
+  std::vector<std::string> texts;
+  for (std::size_t at = 0; at < packed.size();) {
+    const std::size_t colon = packed.find(':', at);
+    const bool is_length = colon != std::string::npos && colon > at && colon - at < 12 &&
+                           packed.find_first_not_of("0123456789", at) == colon;
+    const std::size_t length = is_length ? std::stoull(packed.substr(at, colon - at)) : packed.size();
+    if (!is_length || length > packed.size() - colon - 1)
+      throw InputError("a message", "of another process cannot be read; all have to be of one version");
+    texts.push_back(packed.substr(colon + 1, length));
+    at = colon + 1 + length;
+  }
+  return texts;
+}
+
+}  // namespace clearcut::ranks
