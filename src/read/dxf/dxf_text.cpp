@@ -165,7 +165,8 @@ TextLoops DxfLettering::mtext(const DxfEntity& entity, const Affine& map, bool f
   const double step = height * kSpacing * (factor > 0 ? factor : 1);
   const double total = height + step * static_cast<double>(lines.size() - 1);
   const int attached = std::clamp(document_.integer(entity, 71, 1), 1, 9) - 1;
-  double y = total * (attached / 3) / 2 - height;
+  const int row = attached / 3;
+  double y = total * row / 2 - height;
   TextLoops loops;
   for (const SetLine& line : lines) {
     const double x = -line.width * em * (attached % 3) / 2;
