@@ -109,16 +109,20 @@ double Linker::travel(const CutterAt& from, const Beginning& to, bool low) const
   return down < retract && layer(to.item).legal().holds_line(from.at, to.point) ? down : retract;
 }
 
-/// mm; the height of rapids to the next pass. They may cross just above the layer if the cutter stays inside
-/// the pocket, because the layer above is cut there. From a lower layer it could meet residuals of that one.
-double Linker::retract_height(const CutterAt& from, Vec2 to, std::size_t item) const {
+/// mm; the height of rapids to a pass if the cutter stays inside the pocket: just above the layer, because the layer above is
+/// cut there. From a lower layer it could meet residuals of that one.
+double Linker::inside_height(const CutterAt& from, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
   const std::size_t index = work_.items()[item].layer;
   const double top = std::max({passes.z_top, passes.wall_top.value_or(passes.z_top), from.z});
-  const double low = top + options_.above_material;
   const bool clear = index == 0 || work_.layer(index - 1).layer().residual == 0;
-  return clear && low < options_.cross_z && access_paths().is_clear(item, from.at, to) ? low
-                                                                                       : options_.cross_z;
+  return clear ? std::min(top + options_.above_material, options_.cross_z) : options_.cross_z;
+}
+
+/// mm; the height of rapids to the next pass.
+double Linker::retract_height(const CutterAt& from, Vec2 to, std::size_t item) const {
+  const double inside = inside_height(from, item);
+  return inside < options_.cross_z && access_paths().is_clear(item, from.at, to) ? inside : options_.cross_z;
 }
 
 /// mm; the height at which a rapid down over `p` has to end.
@@ -141,10 +145,19 @@ Linker::Candidate Linker::choose() const {
     if (!progress_.available(i)) continue;
     const double least = items[i].path.distance_to(moves_.at()) / options_.feed.mm_per_s();
     if (std::min(least, 0.5) > best.cost) continue;
-    const Candidate candidate = evaluate(i, nearest_start(work_.pass(i), moves_.at()));
+    const PassStart start = nearest_start(work_.pass(i), moves_.at());
+    // Whether the way there is clear is asked only of the few that may be the best: it costs most where there are many.
+    if (least_cost(i, start) >= best.cost) continue;
+    const Candidate candidate = evaluate(i, start);
     if (candidate.cost < best.cost) best = candidate;
   }
   return best;
+}
+
+/// Seconds that the link to a pass takes if the way there is clear.
+double Linker::least_cost(std::size_t item, const PassStart& start) const {
+  const Beginning to = beginning(item, start.point);
+  return std::min(retract_time(here(), to, inside_height(here(), item)), straight_time(here(), to));
 }
 
 Linker::Candidate Linker::evaluate(std::size_t item, const PassStart& start) const {

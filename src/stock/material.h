@@ -84,7 +84,8 @@ class Material {
   /// A point within `radius` mm of `path` where material reaches above z; nothing if there is none. Finds
   /// every piece of material that holds a square 0.02 mm wide, and most others.
   ///
-  /// Cost    O(all sweeps) for their boxes, and O((sweeps near + length of their outlines / 0.02 mm) log).
+  /// Cost    O((sweeps near + length of their outlines / 0.02 mm) log); for paths that are long, or wider than the cutters
+  ///         announced, O(all sweeps) for their boxes as well.
   std::optional<Vec2> in_reach(const Edge& path, double radius, double z) const;
 
   double z_top() const { return z_top_; }
@@ -134,6 +135,7 @@ class Material {
     void for_lists(const Swept& swept, const Edge& path, F&& f);
   };
 
+  List sweeps_about(const Edge& path, double radius) const;
   void add_piece(const Edge& path, double z_from, double z_to, double radius);
   const Grid& grid_for(double radius) const;
   static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);

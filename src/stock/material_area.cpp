@@ -1,6 +1,7 @@
 // Searches for material within reach of a path: by area, in cells that are divided until they are decided.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "stock/material.h"
 
@@ -88,11 +89,40 @@ class AreaSearch {
 
 }  // namespace
 
+/// Ascending indices of sweeps: all that a disc of `radius` on the path may touch, and others.
+Material::List Material::sweeps_about(const Edge& path, double radius) const {
+  const Box box = path.from == path.to ? Box{path.from, path.from} : path.box();
+  List found;
+  for (const Grid& grid : grids_) {
+    if (radius > grid.reach) continue;
+    const int x0 = grid.place(box.min.x), x1 = grid.place(box.max.x);
+    const int y0 = grid.place(box.min.y), y1 = grid.place(box.max.y);
+    // Long slanting paths lie in the boxes of more cells than there are sweeps.
+    const double cells = (1.0 + x1 - x0) * (1.0 + y1 - y0);
+    if (cells > static_cast<double>(sweeps_.size()) / 8) break;
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
+        const std::uint32_t cell = grid.table[grid.slot_of(x, y)];
+        if (cell == Grid::kNone) continue;
+        const List& list = grid.cells[cell].sweeps;
+        found.insert(found.end(), list.begin(), list.end());
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+  found.resize(sweeps_.size());
+  std::iota(found.begin(), found.end(), 0U);
+  return found;
+}
+
 std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z) const {
   if (z >= z_top_ || radius <= 0) return std::nullopt;
   const Box box = (path.from == path.to ? Box{path.from, path.from} : path.box()).grown(radius);
   std::vector<Cover> covers;
-  for (const Sweep& sweep : sweeps_) {
+  for (const std::uint32_t i : sweeps_about(path, radius)) {
+    const Sweep& sweep = sweeps_[i];
     if (sweep.z_low > z) continue;
     const Box swept =
         (sweep.path.from == sweep.path.to ? Box{sweep.path.from, sweep.path.from} : sweep.path.box())

@@ -45,6 +45,28 @@ TEST(MaterialArea, FindsNothingWhereAllIsCut) {
   EXPECT_TRUE(material.in_reach(Edge::line({-5, 0}, {12, 0}), 3, -0.5).has_value()) << "beyond what was cut";
 }
 
+TEST(MaterialArea, FindsTheOnePostAmongManyMoves) {
+  Material material(std::nullopt, 0, {3});
+  const Vec2 post{60, 60};
+  for (double y = -6; y <= 126; y += 5) {
+    for (double x = -6; x <= 126; x += 2) {
+      const Edge move = Edge::line({x, y}, {x + 2, y});
+      if (distance(move, post) > 3.5) add(material, move, 3);
+    }
+  }
+  for (double y = 0; y <= 120; y += 5) {
+    for (double x = 0; x <= 120; x += 5) {
+      const double away = distance(post, Vec2{x, y});
+      if (away > 2.5 && away < 9) continue;
+      const bool found = material.in_reach(disc({x, y}), 2.9, -0.5).has_value();
+      EXPECT_EQ(found, away < 2.5) << x << " " << y;
+    }
+  }
+  EXPECT_TRUE(material.in_reach(Edge::line({0, 60}, {120, 60}), 2.9, -0.5).has_value()) << "a long path";
+  EXPECT_TRUE(material.in_reach(disc({30, 30}), 60, -0.5).has_value()) << "wider than the cutter";
+  EXPECT_FALSE(material.in_reach(disc({30, 30}), 30, -0.5).has_value()) << "wider than the cutter";
+}
+
 TEST(MaterialArea, BesideTheBlockThereIsNothing) {
   const Material material(Box{{0, 0}, {10, 10}}, 0, {3});
   EXPECT_FALSE(material.in_reach(disc({-3.1, 5}), 3, -1).has_value());
