@@ -18,6 +18,11 @@ else()
   if(CLEARCUT_STEP_SOLIDS)
     find_package(OpenCASCADE QUIET)
   endif()
+  # Optional: without both, letters of drawings are refused with a message that names them.
+  option(CLEARCUT_LETTERS "Read fonts, where fontconfig and FreeType are found" ON)
+  if(CLEARCUT_LETTERS)
+    pkg_check_modules(fonts QUIET IMPORTED_TARGET fontconfig freetype2)
+  endif()
   # Optional: without it `clearcut serve` says which package is missing.
   pkg_check_modules(httplib QUIET IMPORTED_TARGET cpp-httplib)
   # Optional: without it `--mpi` says which package is missing.
@@ -40,6 +45,11 @@ if(CLEARCUT_TESTS)
 endif()
 
 function(clearcut_link_packages)
+  if(fonts_FOUND)  # their headers for the one source that includes them
+    target_link_libraries(clearcut_read PUBLIC ${fonts_LINK_LIBRARIES})
+    set_source_files_properties(src/read/lettering/face.cpp src/read/lettering/face_test.cpp PROPERTIES
+      INCLUDE_DIRECTORIES "${fonts_INCLUDE_DIRS}")
+  endif()
   foreach(pair "base|fmt::fmt" "base|TBB::tbb" "base|OpenSSL::Crypto" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers"
                "read|nlohmann_json::nlohmann_json" "read|pugixml::pugixml" "read|PkgConfig::tomlplusplus"
                 "report|nlohmann_json::nlohmann_json" "pipeline|nlohmann_json::nlohmann_json"

@@ -38,6 +38,9 @@ function(clearcut_describe_library target name)
   # What the library calls. Headers of other packages are not among ours, so users need none of their include folders.
   target_link_libraries(${target} PRIVATE fmt::fmt OpenSSL::Crypto PkgConfig::polyclipping TBB::tbb pugixml::pugixml
     PkgConfig::tomlplusplus)
+  if(fonts_FOUND)
+    target_link_libraries(${target} PRIVATE PkgConfig::fonts)
+  endif()
 endfunction()
 
 function(clearcut_install_library)
@@ -48,12 +51,17 @@ function(clearcut_install_library)
       LIBRARY COMPONENT library NAMELINK_COMPONENT development)
   endif()
   install(EXPORT clearcutTargets NAMESPACE clearcut:: DESTINATION ${package_folder} COMPONENT development)
+  set(fonts_read "${fonts_FOUND}")
   configure_package_config_file(cmake/clearcutConfig.cmake.in ${PROJECT_BINARY_DIR}/clearcutConfig.cmake
     INSTALL_DESTINATION ${package_folder})
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/clearcutConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/clearcutConfig.cmake ${PROJECT_BINARY_DIR}/clearcutConfigVersion.cmake
     DESTINATION ${package_folder} COMPONENT development)
   file(RELATIVE_PATH up /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  set(fonts_required "")
+  if(fonts_FOUND)
+    set(fonts_required " fontconfig freetype2")
+  endif()
   configure_file(cmake/clearcut.pc.in clearcut.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/clearcut.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
   install(CODE "

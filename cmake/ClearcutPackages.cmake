@@ -60,7 +60,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "planning and proof of milling programs, for C++\n ${what}\n .\n This package holds headers, archive, and what CMake and pkg-config need.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "libclearcut${version} (= ${PROJECT_VERSION}), libfmt-dev, libtbb-dev, libpugixml-dev, libtomlplusplus-dev, libpolyclipping-dev, libssl-dev, pkg-config")
+  "libclearcut${version} (= ${PROJECT_VERSION}), libfmt-dev, libtbb-dev, libpugixml-dev, libtomlplusplus-dev, libpolyclipping-dev, libssl-dev, libfontconfig-dev, libfreetype-dev, pkg-config")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "planning and proof of milling programs, for Python\n ${what}\n .\n This package holds the module for Debian's Python.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 math(EXPR next "${Python_VERSION_MINOR} + 1")

@@ -31,6 +31,7 @@ class Reading(TypedDict, total=False):
     join_gap: float | None
     open_curves: str | None
     strokes: str | None
+    letters: str | None
     up: str
     turn: float
     body: str

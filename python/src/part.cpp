@@ -11,7 +11,7 @@ struct Reading {
   std::optional<std::string> unit;
   std::vector<std::string> layers, ops;
   std::optional<double> top, depth, scale, join_gap;
-  std::optional<std::string> open_curves, strokes;
+  std::optional<std::string> open_curves, strokes, letters;
   SolidOptions solid;
 
   ReadOptions options() const {
@@ -31,6 +31,9 @@ struct Reading {
     if (strokes && *strokes != "lines" && *strokes != "areas")
       throw InputError("strokes", "'" + *strokes + "' is unknown; use lines or areas");
     if (strokes) options.stroke_areas = *strokes == "areas";
+    if (letters && *letters != "skip" && *letters != "outlines")
+      throw InputError("letters", "'" + *letters + "' is unknown; use skip or outlines");
+    if (letters) options.text_outlines = *letters == "outlines";
     options.solid = solid;
     return options;
   }
@@ -39,21 +42,22 @@ struct Reading {
 /// Calls `use` with what the keywords of every reader say.
 template <class Use>
 auto reader(Use use) {
-  return
-      [use](const std::string& what, const std::string& name, std::optional<std::string> unit,
-            std::vector<std::string> layers, std::vector<std::string> ops, std::optional<double> top,
-            std::optional<double> depth, std::optional<double> scale, std::optional<double> join_gap,
-            std::optional<std::string> open_curves, std::optional<std::string> strokes, std::string up,
-            double turn, std::string body, std::optional<double> breakthrough, std::vector<double> drills) {
-        Reading reading{std::move(unit), std::move(layers),      std::move(ops),     top, depth, scale,
-                        join_gap,        std::move(open_curves), std::move(strokes), {}};
-        reading.solid.up = std::move(up);
-        reading.solid.turn_deg = turn;
-        reading.solid.body = std::move(body);
-        reading.solid.breakthrough = breakthrough;
-        reading.solid.drills = std::move(drills);
-        return use(what, name, reading.options());
-      };
+  return [use](const std::string& what, const std::string& name, std::optional<std::string> unit,
+               std::vector<std::string> layers, std::vector<std::string> ops, std::optional<double> top,
+               std::optional<double> depth, std::optional<double> scale, std::optional<double> join_gap,
+               std::optional<std::string> open_curves, std::optional<std::string> strokes,
+               std::optional<std::string> letters, std::string up, double turn, std::string body,
+               std::optional<double> breakthrough, std::vector<double> drills) {
+    Reading reading{
+        std::move(unit),        std::move(layers),  std::move(ops),     top, depth, scale, join_gap,
+        std::move(open_curves), std::move(strokes), std::move(letters), {}};
+    reading.solid.up = std::move(up);
+    reading.solid.turn_deg = turn;
+    reading.solid.body = std::move(body);
+    reading.solid.breakthrough = breakthrough;
+    reading.solid.drills = std::move(drills);
+    return use(what, name, reading.options());
+  };
 }
 
 template <class Use>
@@ -62,9 +66,10 @@ void add_reader(py::module_& module, const char* name, const char* first, const 
              py::arg("unit") = py::none(), py::arg("layers") = std::vector<std::string>{},
              py::arg("ops") = std::vector<std::string>{}, py::arg("top") = py::none(),
              py::arg("depth") = py::none(), py::arg("scale") = py::none(), py::arg("join_gap") = py::none(),
-             py::arg("open_curves") = py::none(), py::arg("strokes") = py::none(), py::arg("up") = "",
-             py::arg("turn") = 0.0, py::arg("body") = "", py::arg("breakthrough") = py::none(),
-             py::arg("drills") = std::vector<double>{}, py::call_guard<py::gil_scoped_release>(), text);
+             py::arg("open_curves") = py::none(), py::arg("strokes") = py::none(),
+             py::arg("letters") = py::none(), py::arg("up") = "", py::arg("turn") = 0.0, py::arg("body") = "",
+             py::arg("breakthrough") = py::none(), py::arg("drills") = std::vector<double>{},
+             py::call_guard<py::gil_scoped_release>(), text);
 }
 
 GivenPart part_of_text(const std::string& text, const std::string& name, const ReadOptions& options) {

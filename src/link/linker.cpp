@@ -47,6 +47,16 @@ MmPerMin feed_of(MoveKind kind, const LinkOptions& options) {
   return leads ? options.lead_feed.value_or(options.feed) : options.feed;
 }
 
+/// mm; the height of rapids to a pass if the cutter stays inside the pocket: just above the layer, because the layer above is
+/// cut there. From a lower layer it could meet residuals of that one.
+double inside_height(const Work& work, const LinkOptions& options, const CutterAt& from, std::size_t item) {
+  const LayerPasses& passes = work.layer_of(item).layer();
+  const std::size_t index = work.items()[item].layer;
+  const double top = std::max({passes.z_top, passes.wall_top.value_or(passes.z_top), from.z});
+  const bool clear = index == 0 || work.layer(index - 1).layer().residual == 0;
+  return clear ? std::min(top + options.above_material, options.cross_z) : options.cross_z;
+}
+
 }  // namespace
 
 void Linker::cut_nearest_first() {
@@ -109,19 +119,9 @@ double Linker::travel(const CutterAt& from, const Beginning& to, bool low) const
   return down < retract && layer(to.item).legal().holds_line(from.at, to.point) ? down : retract;
 }
 
-/// mm; the height of rapids to a pass if the cutter stays inside the pocket: just above the layer, because the layer above is
-/// cut there. From a lower layer it could meet residuals of that one.
-double Linker::inside_height(const CutterAt& from, std::size_t item) const {
-  const LayerPasses& passes = layer(item).layer();
-  const std::size_t index = work_.items()[item].layer;
-  const double top = std::max({passes.z_top, passes.wall_top.value_or(passes.z_top), from.z});
-  const bool clear = index == 0 || work_.layer(index - 1).layer().residual == 0;
-  return clear ? std::min(top + options_.above_material, options_.cross_z) : options_.cross_z;
-}
-
 /// mm; the height of rapids to the next pass.
 double Linker::retract_height(const CutterAt& from, Vec2 to, std::size_t item) const {
-  const double inside = inside_height(from, item);
+  const double inside = inside_height(work_, options_, from, item);
   return inside < options_.cross_z && access_paths().is_clear(item, from.at, to) ? inside : options_.cross_z;
 }
 
@@ -139,7 +139,7 @@ Linker::Candidate Linker::choose() const {
   const auto& items = work_.items();
   std::size_t first = 0;
   while (first < items.size() && !progress_.available(first)) ++first;
-  if (!running() || (layer(first).open() && !is_at_depth_of(first))) return first_candidate();
+  if (!running() || (layer(first).open() && moves_.z() != layer(first).layer().z)) return first_candidate();
   Candidate best;
   for (std::size_t i = first; i < items.size(); ++i) {
     if (!progress_.available(i)) continue;
@@ -157,7 +157,8 @@ Linker::Candidate Linker::choose() const {
 /// Seconds that the link to a pass takes if the way there is clear.
 double Linker::least_cost(std::size_t item, const PassStart& start) const {
   const Beginning to = beginning(item, start.point);
-  return std::min(retract_time(here(), to, inside_height(here(), item)), straight_time(here(), to));
+  return std::min(retract_time(here(), to, inside_height(work_, options_, here(), item)),
+                  straight_time(here(), to));
 }
 
 Linker::Candidate Linker::evaluate(std::size_t item, const PassStart& start) const {

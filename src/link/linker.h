@@ -76,7 +76,6 @@ class Linker {
   };
 
   bool running() const { return !moves_.empty(); }
-  bool is_at_depth_of(std::size_t item) const { return moves_.z() == layer(item).layer().z; }
   const LayerWork& layer(std::size_t item) const { return work_.layer_of(item); }
   AccessPaths access_paths() const { return {work_, options_, progress_}; }
   CutterAt here() const { return {moves_.at(), moves_.z()}; }
@@ -87,7 +86,6 @@ class Linker {
   double retract_time(const CutterAt& from, const Beginning& to, double height) const;
   double straight_time(const CutterAt& from, const Beginning& to) const;
   double least_cost(std::size_t item, const PassStart& start) const;
-  double inside_height(const CutterAt& from, std::size_t item) const;
   double retract_height(const CutterAt& from, Vec2 to, std::size_t item) const;
   double approach_z(Vec2 p, std::size_t item) const;
 

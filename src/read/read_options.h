@@ -95,11 +95,12 @@ struct ReadOptions {
   std::vector<LayerRule> layer_rules;
   std::optional<OpenCurves> open_curves;  ///< absent: refused
   std::optional<bool>
-      stroke_areas;                ///< strokes of an SVG are areas of their width; default: lines without any
-  std::optional<double> join_gap;  ///< mm; overrules tol.join_gap
-  bool ask_if_unclear = false;     ///< drawings of unclear meaning or odd size are refused with what to say
-  double scale = 1;                ///< of drawings, after units
-  bool scale_is_right = false;     ///< the size was stated: it is not questioned
+      stroke_areas;  ///< strokes of an SVG are areas of their width; default: lines without any
+  std::optional<bool> text_outlines;  ///< letters of a drawing are outlines; default: left out
+  std::optional<double> join_gap;     ///< mm; overrules tol.join_gap
+  bool ask_if_unclear = false;  ///< drawings of unclear meaning or odd size are refused with what to say
+  double scale = 1;             ///< of drawings, after units
+  bool scale_is_right = false;  ///< the size was stated: it is not questioned
   /// Filled in where given; then no depth is needed, and what is unclear or open is listed instead of refused.
   DrawingOverview* overview = nullptr;
   std::optional<bool> find_arcs;  ///< find arcs again in runs of short lines; default: drawings yes, JSON no

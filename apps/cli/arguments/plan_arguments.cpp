@@ -94,6 +94,7 @@ ReadOptions PlanArguments::read_options() const {
   if (open_curves_) {
     options.open_curves = *open_curves_ == "skip" ? OpenCurves::kSkip : OpenCurves::kRefuse;
   }
+  if (text_) options.text_outlines = *text_ == "outlines";
   if (strokes_) options.stroke_areas = *strokes_ == "areas";
   options.unit = unit_;
   options.layers = layers_;

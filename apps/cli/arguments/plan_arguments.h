@@ -90,6 +90,7 @@ class PlanArguments {
   std::optional<double> join_gap_;
   std::optional<std::string> open_curves_;
   std::optional<std::string> strokes_;
+  std::optional<std::string> text_;
   TabOptions tabs_;
   std::optional<double> top_;
   std::optional<double> depth_;

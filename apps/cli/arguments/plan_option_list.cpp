@@ -71,6 +71,9 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
       ->check(CLI::Range(1e-6, 10.0));
   command.add_option("--strokes", strokes_, "Strokes of an SVG: lines (default) or areas as wide as drawn")
       ->check(one_of({"lines", "areas"}));
+  command
+      .add_option("--text", text_, "Text of a drawing: skip (default) or outlines of its letters, by fonts")
+      ->check(one_of({"skip", "outlines"}));
   command.add_option("--open-curves", open_curves_, "Open lines of a drawing: refuse (default) or skip")
       ->check(one_of({"refuse", "skip"}));
 }

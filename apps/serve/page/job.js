@@ -2,7 +2,7 @@
 
 const flagKeys = { '--rest': ['plan', 'rest', 'true'], '--inch': ['output', 'inch', 'true'], '--exact-stop': ['output', 'exact_stop', 'true'], '--no-arcs': ['output', 'arcs', 'false'],
   '--no-tool-change': ['output', 'tool_change', 'false'], '--no-length-offset': ['output', 'length_offset', 'false'] };
-const keysOf = { part: ['unit', 'depth', 'top', 'join-gap', 'open-curves', 'strokes', 'up', 'turn', 'body', 'breakthrough'], machine: ['rapid', 'acceleration', 'junction-deviation'],
+const keysOf = { part: ['unit', 'depth', 'top', 'join-gap', 'open-curves', 'strokes', 'text', 'up', 'turn', 'body', 'breakthrough'], machine: ['rapid', 'acceleration', 'junction-deviation'],
   output: ['post', 'decimals', 'spindle-wait'],
   plan: ['strategy', 'stepover', 'stepdown', 'allowance', 'allowance-floor', 'scallop', 'lead', 'lead-angle', 'entry', 'entry-angle', 'direction', 'feed', 'plunge-feed', 'ramp-feed', 'slot-feed', 'spindle',
     'passage', 'grid', 'solver', 'clearance', 'engagement', 'objective', 'time', 'seed', 'helix-diameter', 'helix-min', 'lead-feed', 'lead-overlap', 'overrun', 'link-feed', 'link-lift', 'slot-angle', 'after',

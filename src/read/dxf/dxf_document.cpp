@@ -25,7 +25,8 @@ class Groups {
       fail("a DXF group code was expected; this is not a DXF file, or it is damaged here");
     }
     if (text_.empty()) fail("the file ends in the middle of a group; copy it again");
-    group.value = line();
+    const bool is_text = group.code == 1 || group.code == 3;
+    group.value = line(is_text ? "\r" : kBlanks);
     group.line = line_;
     return true;
   }
@@ -35,12 +36,14 @@ class Groups {
     throw InputError(file_ + ":" + std::to_string(line_), what);
   }
 
-  std::string_view line() {
+  static constexpr std::string_view kBlanks = " \t\r\n\v\f";
+
+  std::string_view line(std::string_view blanks = kBlanks) {
     const std::size_t end = text_.find('\n');
     const std::string_view whole = text_.substr(0, end);
     text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
     ++line_;
-    return stripped(whole);
+    return stripped(whole, blanks);
   }
 
   std::string_view text_;
@@ -79,6 +82,8 @@ class Builder {
       variable_ = nullptr;
     } else if (section_ == "TABLES" && current_.type == "LAYER") {
       document_.layers[capitals(current_.text(2))] = std::move(current_);
+    } else if (section_ == "TABLES" && current_.type == "STYLE") {
+      document_.styles[capitals(current_.text(2))] = std::move(current_);
     } else if (section_ == "BLOCKS") {
       finish_in_block();
     } else if (section_ == "ENTITIES") {
@@ -96,7 +101,7 @@ class Builder {
       block_->base = {document_.number(current_, 10, 0), document_.number(current_, 20, 0)};
       constexpr int kExternal = 4 | 8;  // a reference, an overlay
       block_->external = (document_.integer(current_, 70, 0) & kExternal) != 0;
-      block_->path = current_.text(1);
+      block_->path = stripped(current_.text(1));
     } else if (current_.type == "ENDBLK") {
       block_ = nullptr;
     } else if (block_) {

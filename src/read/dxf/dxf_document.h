@@ -12,8 +12,8 @@ namespace clearcut::read {
 
 struct DxfGroup {
   int code = 0;
-  int line = 0;  ///< of the value
-  std::string_view value;
+  int line = 0;            ///< of the value
+  std::string_view value;  ///< without blanks around it, but for text (codes 1 and 3)
 };
 
 /// One entity (or vertex, or table row): everything up to the next group 0.
@@ -38,6 +38,7 @@ struct DxfDocument {
   std::string file;
   std::map<std::string_view, DxfEntity> header;  ///< "$INSUNITS" -> its groups
   std::map<std::string, DxfEntity> layers;       ///< by name in capitals
+  std::map<std::string, DxfEntity> styles;       ///< of text, by name in capitals
   std::map<std::string, DxfBlock> blocks;        ///< by name in capitals
   std::vector<DxfEntity> entities;
 

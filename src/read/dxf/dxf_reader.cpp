@@ -14,6 +14,7 @@
 #include "read/common/units.h"
 #include "read/dxf/dxf_curves.h"
 #include "read/dxf/dxf_fill.h"
+#include "read/dxf/dxf_text.h"
 #include "read/repair/mends.h"
 
 namespace clearcut::read {
@@ -55,7 +56,11 @@ double mm_of_insunits(int code) {
 class Collector {
  public:
   Collector(const DxfDocument& document, const ReadOptions& options, double unit, Diagnostics& diagnostics)
-      : document_(document), options_(options), unit_(unit), diagnostics_(diagnostics) {}
+      : document_(document),
+        options_(options),
+        unit_(unit),
+        diagnostics_(diagnostics),
+        lettering_(document) {}
 
   void collect() {
     walk(document_.entities, Affine::scaling(unit_, unit_), "0", 0);
@@ -85,6 +90,9 @@ class Collector {
                             "flat outlines cut to the depth given");
     }
     report_left_out(diagnostics_, document_.file, not_read_, "not read, because they are no outlines:");
+    lettering_.report(diagnostics_);
+    report_left_out(diagnostics_, document_.file, texts_not_read_,
+                    "not read, because letters are no outlines (--text outlines draws them):");
     report_left_out(
         diagnostics_, document_.file, fills_not_read_,
         "not read, because lines are drawn elsewhere (--op pocket:LAYER reads the boundaries of fills):");
@@ -130,11 +138,12 @@ class Collector {
     } else if (is_hidden(entity, layer)) {
       ++hidden_[layer];
     } else if (entity.type == "INSERT") {
-      for (const DxfEntity& attribute : followers)
-        leave_out(std::string(attribute.type), std::string(attribute.text(8, "0")));
+      for (const DxfEntity& attribute : followers) take_attribute(attribute, map, layer);
       insert(entity, map, layer, depth);
     } else if (is_fill(entity.type)) {
       keep_fill(entity, map, layer);
+    } else if (is_text(entity.type)) {
+      take_text(entity, map, layer);
     } else if (!is_curve(entity.type)) {
       leave_out(std::string(entity.type), layer);
     } else {
@@ -144,6 +153,33 @@ class Collector {
 
   void leave_out(const std::string& what, const std::string& layer) {
     ++not_read_[layer == "0" ? what : what + " on layer " + layer];
+  }
+
+  /// What a block's place says beside its drawing: a part's number.
+  void take_attribute(const DxfEntity& attribute, const Affine& map, const std::string& layer_of_zero) {
+    constexpr int kInvisible = 1;
+    const std::string own(attribute.text(8, "0"));
+    const std::string& layer = own == "0" ? layer_of_zero : own;
+    if (attribute.type != "ATTRIB") {
+      leave_out(std::string(attribute.type), layer);
+    } else if (is_hidden(attribute, layer) || (document_.integer(attribute, 70, 0) & kInvisible)) {
+      ++hidden_[layer];
+    } else {
+      take_text(attribute, map, layer);
+    }
+  }
+
+  void take_text(const DxfEntity& entity, const Affine& map, const std::string& layer) {
+    const std::string type(entity.type);
+    if (!options_.text_outlines.value_or(false)) {
+      ++texts_not_read_[layer == "0" ? type : type + " on layer " + layer];
+    } else if (is_wanted(layer)) {
+      auto letters = lettering_.letters_of(entity, map, Compound{compounds_++, true});
+      if (!letters) return leave_out(type + " that is not flat", layer);
+      if (letters->empty()) return leave_out(type + " without letters", layer);
+      auto& curves = group_of(layer).curves;
+      std::move(letters->begin(), letters->end(), std::back_inserter(curves));
+    }
   }
 
   bool is_chosen(const std::string& layer) const {
@@ -194,8 +230,8 @@ class Collector {
     if (!curves) {
       leave_out(std::string(entity.type) + " without boundary", layer);
     } else if (is_wanted(layer)) {
-      for (RawCurve& curve : *curves) curve.compound = Compound{fill_count_, false};
-      ++fill_count_;
+      for (RawCurve& curve : *curves) curve.compound = Compound{compounds_, false};
+      ++compounds_;
       fills_[capitals(layer)].push_back({std::string(entity.type), layer, std::move(*curves)});
     }
   }
@@ -310,8 +346,9 @@ class Collector {
   std::map<std::string, std::size_t> by_layer_;
   std::map<std::string, LayerRole> roles_;
   std::map<std::string, std::vector<Fill>> fills_;  ///< by layers' names in capitals
-  int fill_count_ = 0;
-  LeftOut fills_not_read_;
+  int compounds_ = 0;                               ///< fills and texts
+  DxfLettering lettering_;
+  LeftOut fills_not_read_, texts_not_read_;
   LeftOut not_read_, external_, hidden_, not_chosen_, ignored_;
   std::map<std::string, std::string> seen_;  ///< layers with curves, as written, by their names in capitals
   int risen_ = 0;                            ///< curves that are not flat

@@ -19,8 +19,10 @@ struct Drawing {
 };
 
 const Drawing kDrawings[] = {
-    {"Text", " 0 TEXT 8 NOTES 10 0 20 0 40 3 1 x", "", "", "no outlines: 1 TEXT on layer NOTES"},
-    {"MText", " 0 MTEXT 8 NOTES 10 0 20 0 40 3 1 x", "", "", "no outlines: 1 MTEXT on layer NOTES"},
+    {"Text", " 0 TEXT 8 NOTES 10 0 20 0 40 3 1 x", "", "",
+     "letters are no outlines (--text outlines draws them): 1 TEXT on layer NOTES"},
+    {"MText", " 0 MTEXT 8 NOTES 10 0 20 0 40 3 1 x", "", "",
+     "letters are no outlines (--text outlines draws them): 1 MTEXT on layer NOTES"},
     {"Hatch", " 0 HATCH 8 D5 2 SOLID 70 1 91 0", "", "", "no outlines: 1 HATCH without boundary on layer D5"},
     {"MPolygon", " 0 MPOLYGON 8 D5 70 1", "", "", "no outlines: 1 MPOLYGON on layer D5"},
     {"Dimension", " 0 DIMENSION 8 MASS 2 *D1 10 0 20 0 70 32", "", "",

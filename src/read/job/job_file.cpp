@@ -157,6 +157,8 @@ void read_part_section(DataSection section, JobFile& job) {
     section.fail_at("join_gap", "must lie between 1e-6 and 10 mm");
   const auto strokes = section.choice("strokes", {"lines", "areas"});
   if (strokes) read.stroke_areas = *strokes == 1;
+  const auto text = section.choice("text", {"skip", "outlines"});
+  if (text) read.text_outlines = *text == 1;
   const auto open = section.choice("open_curves", {"refuse", "skip"});
   if (open && *open == 1) read.open_curves = OpenCurves::kSkip;
   read_solid_options(section, read.solid);

@@ -28,6 +28,7 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (!over.layers.empty()) options.layers = over.layers;
   options.layer_rules.insert(options.layer_rules.begin(), over.layer_rules.begin(), over.layer_rules.end());
   if (over.stroke_areas) options.stroke_areas = over.stroke_areas;
+  if (over.text_outlines) options.text_outlines = over.text_outlines;
   if (over.open_curves) options.open_curves = over.open_curves;
   if (over.join_gap) options.join_gap = over.join_gap;
   options.ask_if_unclear = over.ask_if_unclear;

@@ -39,15 +39,17 @@ std::string solid_lines(const SolidOptions& solid) {
 }
 
 std::string part_section(const Part& part, const std::string& part_file, const SolidOptions& solid) {
-  std::string out = "[part]\nfile = " + quoted(part_file) + "   # beside this job\n" + solid_lines(solid) +
-                    "# unit = \"mm\"              # of a drawing that names none: mm, cm, m, in, px\n"
-                    "# depth = 5                # mm, of every feature, before what the drawing says\n"
-                    "# top = 0                  # mm, z of the drawing's plane\n"
-                    "# layers = [\"POCKET*\"]     # only these layers\n"
-                    "# join_gap = 0.01          # mm, gaps up to this are closed and reported\n"
-                    "# open_curves = \"refuse\"   # or skip\n"
-                    "# strokes = \"lines\"        # of an SVG; or areas, as wide as they are drawn\n"
-                    "# find_arcs = true         # arcs found again in runs of short lines\n";
+  std::string out =
+      "[part]\nfile = " + quoted(part_file) + "   # beside this job\n" + solid_lines(solid) +
+      "# unit = \"mm\"              # of a drawing that names none: mm, cm, m, in, px\n"
+      "# depth = 5                # mm, of every feature, before what the drawing says\n"
+      "# top = 0                  # mm, z of the drawing's plane\n"
+      "# layers = [\"POCKET*\"]     # only these layers\n"
+      "# join_gap = 0.01          # mm, gaps up to this are closed and reported\n"
+      "# open_curves = \"refuse\"   # or skip\n"
+      "# strokes = \"lines\"        # of an SVG; or areas, as wide as they are drawn\n"
+      "# text = \"skip\"            # of a drawing; or outlines, its letters by the machine's fonts\n"
+      "# find_arcs = true         # arcs found again in runs of short lines\n";
   out += "# Features found:\n";
   for (const Feature& feature : part.features) out += feature_line(feature);
   return out +

@@ -1,7 +1,6 @@
 #include "read/svg/svg_reader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <map>
 #include <pugixml.hpp>
@@ -12,11 +11,14 @@
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
+#include "read/lettering/lettering.h"
+#include "read/svg/svg_elements.h"
 #include "read/svg/svg_numbers.h"
 #include "read/svg/svg_page.h"
 #include "read/svg/svg_shapes.h"
 #include "read/svg/svg_stroke.h"
 #include "read/svg/svg_style.h"
+#include "read/svg/svg_text.h"
 
 namespace clearcut::read {
 namespace {
@@ -37,33 +39,6 @@ struct Inherited {
   std::optional<double> depth, top;  ///< mm
 };
 
-bool is_defining(std::string_view name) {
-  for (const std::string_view one :
-       {"defs", "symbol", "clipPath", "mask", "pattern", "marker", "linearGradient", "radialGradient",
-        "filter", "metadata", "title", "desc", "style", "namedview", "script", "font", "cursor", "view"}) {
-    if (name == one) return true;
-  }
-  return false;
-}
-
-std::string_view attribute(const pugi::xml_node& node, const char* name) {
-  return node.attribute(name).value();
-}
-
-/// Adobe Illustrator writes what an id may not hold, and underscores, by their codes: "POCKET_x5F_D3".
-std::string unescaped_id(std::string_view id) {
-  std::string text;
-  for (std::size_t i = 0; i < id.size(); ++i) {
-    unsigned code = 0;
-    const bool escaped =
-        id.substr(i, 2) == "_x" && i + 4 < id.size() && id[i + 4] == '_' &&
-        std::from_chars(id.data() + i + 2, id.data() + i + 4, code, 16).ptr == id.data() + i + 4;
-    text += escaped ? static_cast<char>(code) : id[i];
-    if (escaped) i += 4;
-  }
-  return text;
-}
-
 class SvgCollector {
  public:
   SvgCollector(std::string_view text, const std::string& file, const ReadOptions& options,
@@ -72,10 +47,10 @@ class SvgCollector {
 
   void collect(const pugi::xml_node& root) {
     index(root, 0);
-    pixels_ = pixel_size_of(text_, attribute(root, "inkscape:version"));
+    pixels_ = pixel_size_of(text_, svg_text_of(root, "inkscape:version"));
+    const auto said = [&](const char* name) { return std::string(svg_text_of(root, name)); };
     const SvgPage page = page_of(
-        {std::string(attribute(root, "width")), std::string(attribute(root, "height")),
-         std::string(attribute(root, "viewBox")), std::string(attribute(root, "preserveAspectRatio"))},
+        {said("width"), said("height"), said("viewBox"), said("preserveAspectRatio")},
         options_.unit ? std::optional(require_unit(*options_.unit, "unit")) : std::nullopt, pixels_.per_inch);
     physical_ = page.physical;
     Inherited start;
@@ -103,6 +78,11 @@ class SvgCollector {
       diagnostics_.warn(file_,
                         "the style sheet has selectors that are not read; fills set by them are not seen");
     }
+    lettering_.report(diagnostics_, file_);
+    report_left_out(diagnostics_, file_, texts_not_read_,
+                    "not read, because letters are no outlines (--text outlines draws them):");
+    for (const auto& [property, count] : letters_not_so_)
+      warn_of(count, "text(s) have a " + property + ", which is not applied; turn them into paths");
     report_left_out(diagnostics_, file_, not_read_, "not read, because they are no outlines:");
     report_left_out(diagnostics_, file_, hidden_, "not read, because they are not displayed:");
     report_left_out(diagnostics_, file_, not_chosen_, "not read, because their layers were not chosen:");
@@ -153,7 +133,7 @@ class SvgCollector {
   void index(const pugi::xml_node& node, int depth) {
     if (depth > kDeepest)
       throw InputError(place(node), "elements nested deeper than 200; simplify the drawing");
-    if (const auto id = attribute(node, "id"); !id.empty()) by_id_.try_emplace(std::string(id), node);
+    if (const auto id = svg_text_of(node, "id"); !id.empty()) by_id_.try_emplace(std::string(id), node);
     if (local_name(node) == "style") {
       std::string css;
       for (const pugi::xml_node& child : node) css += child.value();
@@ -170,7 +150,7 @@ class SvgCollector {
     if (depth > kDeepest)
       throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
     const std::string_view name = local_name(node);
-    if (is_defining(name)) return;
+    if (is_svg_definition(name)) return;
     Inherited own = outer;
     inherit(node, name, own);
     if (!is_root) check_lengths(node);
@@ -187,6 +167,8 @@ class SvgCollector {
       take_use(node, own, depth);
     } else if (is_svg_shape(name)) {
       take_shape(node, own);
+    } else if (name == "text") {
+      take_text(node, own);
     } else {
       ++not_read_[std::string(name) + (own.layer.empty() ? "" : " on layer " + own.layer)];
     }
@@ -196,7 +178,7 @@ class SvgCollector {
   void check_lengths(const pugi::xml_node& node) const {
     for (const char* name :
          {"x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "x1", "y1", "x2", "y2"}) {
-      const std::string_view text = attribute(node, name);
+      const std::string_view text = svg_text_of(node, name);
       if (text.empty() || text == "auto" || svg_length(text, 1)) continue;
       const bool matters =
           is_svg_shape(local_name(node)) || local_name(node) == "use" || local_name(node) == "svg";
@@ -214,18 +196,18 @@ class SvgCollector {
 
   /// A nested <svg>, or a <symbol> in use: its own viewBox within a place of the page.
   void take_viewport(const pugi::xml_node& node, Inherited own, double width, double height, int depth) {
-    const std::string view_box(attribute(node, "viewBox"));
+    const std::string view_box(svg_text_of(node, "viewBox"));
     own.map = own.map *
               Affine::translation({svg_attribute(node, "x", own.view.width, 0),
                                    svg_attribute(node, "y", own.view.height, 0)}) *
-              view_box_map(view_box, std::string(attribute(node, "preserveAspectRatio")), width, height);
+              view_box_map(view_box, std::string(svg_text_of(node, "preserveAspectRatio")), width, height);
     own.view = {width, height};
     take_children(node, own, depth);
   }
 
   void take_use(const pugi::xml_node& node, Inherited own, int depth) {
-    std::string_view target = attribute(node, "href");
-    if (target.empty()) target = attribute(node, "xlink:href");
+    std::string_view target = svg_text_of(node, "href");
+    if (target.empty()) target = svg_text_of(node, "xlink:href");
     const auto found = target.substr(0, 1) == "#" ? by_id_.find(std::string(target.substr(1))) : by_id_.end();
     if (found == by_id_.end()) {
       throw InputError(place(node),
@@ -245,30 +227,22 @@ class SvgCollector {
 
   /// Style, transform, layer and depth of this element on top of what is around it.
   void inherit(const pugi::xml_node& node, std::string_view name, Inherited& own) {
-    own.style.cut_off.clear();
-    for (const char* property :
-         {"fill", "stroke", "fill-rule", "fill-opacity", "stroke-opacity", "opacity", "visibility", "display",
-          "clip-path", "mask", "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit",
-          "stroke-dasharray"}) {
-      own.style.set(property, attribute(node, property));
-    }
-    sheet_.apply(name, attribute(node, "id"), attribute(node, "class"), own.style);
-    apply_declarations(attribute(node, "style"), own.style);
+    apply_svg_style(node, sheet_, own.style);
     if (!own.style.cut_off.empty()) ++cut_off_[own.style.cut_off];
-    if (const auto text = attribute(node, "transform"); !text.empty()) {
+    if (const auto text = svg_text_of(node, "transform"); !text.empty()) {
       const auto transform = svg_transform(text);
       if (!transform)
         throw InputError(place(node), "transform '" + printable(text) + "' is not understood; correct it");
       own.map = own.map * *transform;
     }
-    if (name == "g" || is_svg_shape(name)) inherit_layer(node, name, own);
+    if (name == "g" || name == "text" || is_svg_shape(name)) inherit_layer(node, name, own);
     if (const auto depth = length_attribute(node, "data-depth")) own.depth = depth;
     if (const auto top = length_attribute(node, "data-top")) own.top = top;
   }
 
   void inherit_layer(const pugi::xml_node& node, std::string_view name, Inherited& own) const {
-    std::string label(attribute(node, "inkscape:label"));
-    if (label.empty()) label = unescaped_id(attribute(node, "id"));
+    std::string label(svg_text_of(node, "inkscape:label"));
+    if (label.empty()) label = unescaped_svg_id(svg_text_of(node, "id"));
     if (label.empty()) return;
     const LayerMeaning meaning = meaning_of_layer(label);
     // Every shape has an id; only one that says a role is more than a number.
@@ -284,17 +258,13 @@ class SvgCollector {
 
   /// A length in mm; without unit it is mm.
   std::optional<double> length_attribute(const pugi::xml_node& node, const char* name) const {
-    const std::string_view text = attribute(node, name);
+    const std::string_view text = svg_text_of(node, name);
     if (text.empty()) return std::nullopt;
-    SvgScanner scanner(text);
-    const auto value = scanner.number();
-    const std::string_view unit = scanner.word();
-    const auto mm = unit.empty() ? std::optional(1.0) : mm_per_unit(unit);
-    if (!value || !mm || !scanner.at_end()) {
+    const auto length = svg_mm(text);
+    if (!length)
       throw InputError(place(node),
                        std::string(name) + " '" + printable(text) + "' is no length; write it like \"5mm\"");
-    }
-    return *value * *mm;
+    return length;
   }
 
   void take_shape(const pugi::xml_node& node, const Inherited& own) {
@@ -305,16 +275,50 @@ class SvgCollector {
       ++hidden_[name];
       return;
     }
+    DrawnGroup* group = wanted_group(own, filled);
+    if (!group) return;
+    const bool as_area = stroked && options_.stroke_areas.value_or(false);
+    if (filled || !as_area) add_curves(node, own, filled, *group);
+    if (as_area) add_stroke(node, own, filled, *group);
+  }
+
+  /// The group of what is drawn so; nothing, and counted, where that is not to be read.
+  DrawnGroup* wanted_group(const Inherited& own, bool filled) {
     DrawnGroup& group = group_of(own, filled ? own.style.fill : own.style.stroke);
-    if (!options_.layers.empty() && !own.chosen) {
-      ++not_chosen_[own.layer.empty() ? "(no layer)" : own.layer];
-    } else if (group.role == LayerRole::kIgnore) {
-      ++ignored_[own.layer];
-    } else {
-      const bool as_area = stroked && options_.stroke_areas.value_or(false);
-      if (filled || !as_area) add_curves(node, own, filled, group);
-      if (as_area) add_stroke(node, own, filled, group);
+    const bool chosen = options_.layers.empty() || own.chosen;
+    if (!chosen) ++not_chosen_[own.layer.empty() ? "(no layer)" : own.layer];
+    if (chosen && group.role == LayerRole::kIgnore) ++ignored_[own.layer];
+    return chosen && group.role != LayerRole::kIgnore ? &group : nullptr;
+  }
+
+  /// All letters of one element fill an area together.
+  void take_text(const pugi::xml_node& node, const Inherited& own) {
+    if (!options_.text_outlines.value_or(false)) {
+      ++texts_not_read_["text" + (own.layer.empty() ? "" : " on layer " + own.layer)];
+      return;
     }
+    SvgText text = read_svg_text(node, own.style, sheet_, own.view, own.map, lettering_);
+    if (!text.problem.empty()) throw InputError(place(node), text.problem);
+    for (const auto& [name, count] : text.left_out) not_read_[name] += count;
+    for (const auto& [name, count] : text.not_applied) letters_not_so_[name] += count;
+    const Compound compound{compounds_++, true};
+    bool drawn = false;
+    for (SvgTextRun& run : text.runs) {
+      const bool filled = run.style.fills();
+      std::vector<RawCurve> curves =
+          run.loops.take(svg_source(node), filled ? std::optional(compound) : std::nullopt);
+      drawn = drawn || !curves.empty();
+      if (curves.empty()) continue;
+      Inherited part = own;
+      part.style = run.style;
+      if (!run.style.visible || (!filled && !run.style.strokes())) {
+        ++hidden_["text"];
+      } else if (DrawnGroup* group = wanted_group(part, filled)) {
+        if (!filled) ++stroke_only_;
+        std::move(curves.begin(), curves.end(), std::back_inserter(group->curves));
+      }
+    }
+    if (!drawn && text.left_out.empty()) ++not_read_["text without letters"];
   }
 
   /// Strokes of a group are one area; that of a filled shape is one with its fill, whose curves come last in the group.
@@ -333,7 +337,7 @@ class SvgCollector {
       const auto lines = [&](const Affine& map) { return svg_shape(node, own.view, map).subpaths; };
       for (const Path& piece : stroke_pieces(own.map, pen, lines))
         group.curves.push_back(
-            {clockwise ? reversed(piece) : piece, true, source_of(node) + " (stroke)", compound});
+            {clockwise ? reversed(piece) : piece, true, svg_source(node) + " (stroke)", compound});
     }
   }
 
@@ -351,11 +355,6 @@ class SvgCollector {
     return sum;
   }
 
-  static std::string source_of(const pugi::xml_node& node) {
-    const std::string_view id = attribute(node, "id");
-    return std::string(local_name(node)) + (id.empty() ? "" : " " + printable(id));
-  }
-
   void add_curves(const pugi::xml_node& node, const Inherited& own, bool filled, DrawnGroup& group) {
     SvgPathData data = svg_shape(node, own.view, own.map);
     if (!data.error.empty()) throw InputError(place(node), data.error + "; correct it");
@@ -368,7 +367,7 @@ class SvgCollector {
       RawCurve curve;
       curve.edges = std::move(subpath.edges);
       curve.closed = filled || subpath.closed;
-      curve.source = source_of(node);
+      curve.source = svg_source(node);
       curve.compound = compound;
       group.curves.push_back(std::move(curve));
     }
@@ -404,6 +403,9 @@ class SvgCollector {
   std::map<std::tuple<std::string, LayerRole, std::optional<double>, std::optional<double>>, std::size_t>
       by_key_;
   LeftOut not_read_, hidden_, not_chosen_, ignored_;
+  LeftOut texts_not_read_;
+  LeftOut letters_not_so_;  ///< texts by the property that is not applied
+  Lettering lettering_;
   LeftOut cut_off_;  ///< elements by the property that hides part of them
   int stroke_only_ = 0;
   int dashed_ = 0;
@@ -421,7 +423,8 @@ Part read_svg(std::string_view text, const std::string& file_name, const ReadOpt
     throw InputError(file_name, "this is a compressed SVG; save it as plain SVG");
   }
   pugi::xml_document document;
-  const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size(), pugi::parse_default);
+  const pugi::xml_parse_result parsed =
+      document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata);
   if (!parsed) {
     const auto end =
         text.begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, static_cast<std::ptrdiff_t>(text.size()));

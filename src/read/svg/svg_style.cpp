@@ -106,6 +106,7 @@ void SvgStyle::set(std::string_view property, std::string_view value) {
   if (property == "opacity") seen = !is_zero(value);
   if (property == "visibility") visible = value == "visible";
   if (property == "display") shown = value != "none";
+  font.set(property, value);
 }
 
 Pen SvgStyle::pen(double diagonal) const {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "read/svg/svg_font.h"
 #include "read/svg/svg_stroke.h"
 
 namespace clearcut::read {
@@ -25,7 +26,8 @@ struct SvgStyle {
   bool visible = true;      ///< visibility; inherited
   bool shown = true;        ///< display; an element that is not shown hides all within
   bool seen = true;         ///< opacity above 0; the same
-  std::string cut_off;      ///< "clip-path" or "mask", which hides part of the element; not inherited
+  SvgFont font;
+  std::string cut_off;  ///< "clip-path" or "mask", which hides part of the element; not inherited
 
   bool fills() const { return fill_seen && fill != "none" && fill != "transparent"; }
   bool strokes() const { return stroke_seen && stroke != "none" && stroke != "transparent"; }

@@ -1,0 +1,58 @@
+// A face of a font as this machine has it: the outlines and the measures of its letters.
+#pragma once
+
+#include <compare>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/edge.h"
+#include "read/common/affine.h"
+
+namespace clearcut::read {
+
+/// What a drawing says of its letters.
+struct FaceRequest {
+  std::vector<std::string> families;  ///< the first one wins; empty: the machine's own choice
+  bool bold = false;
+  bool italic = false;
+  friend auto operator<=>(const FaceRequest&, const FaceRequest&) = default;
+};
+
+/// Found by fontconfig, read with FreeType; neither scaled to pixels nor hinted. All lengths are in em: the font's size is 1.
+/// Immutable, but not to be used by several threads at once.
+class Face {
+ public:
+  /// The installed face nearest to `request`. Throws InputError where there is none, or no library that reads them.
+  explicit Face(const FaceRequest& request);
+  ~Face();
+  Face(const Face&) = delete;
+  Face& operator=(const Face&) = delete;
+
+  const std::string& file_name() const;  ///< without its folder
+  const std::string& name() const;       ///< its family and style, "DejaVu Sans Bold"
+  const std::string& family()
+      const;  ///< of those asked for, the one that it is; "" where it stands for another
+  bool is_bold() const;
+  bool is_italic() const;
+
+  bool has(char32_t letter) const;
+  /// From a letter's origin to the next one's.
+  double advance(char32_t letter) const;
+  /// What is added between two letters: of the face's table `kern`, 0 where it has none.
+  double kerning(char32_t left, char32_t right) const;
+  /// How far a letter reaches above and below the baseline; 0 where the face has it not.
+  double top_of(char32_t letter) const;
+  double bottom_of(char32_t letter) const;
+  /// Of a capital, 'H'; 0.7 where the face has none.
+  double cap_height() const;
+
+  /// Closed loops of `letter` under `map` (em to mm), which bound it by the nonzero rule. Curves within kCurveTolerance.
+  std::vector<Path> outline(char32_t letter, const Affine& map) const;
+
+ private:
+  struct Loaded;
+  std::unique_ptr<Loaded> loaded_;
+};
+
+}  // namespace clearcut::read

@@ -1,0 +1,34 @@
+// Names, attributes and styles of SVG elements.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "read/svg/svg_style.h"
+
+namespace pugi {
+class xml_node;
+}
+
+namespace clearcut::read {
+
+/// Elements that draw nothing where they stand.
+bool is_svg_definition(std::string_view name);
+
+/// "" where it is absent.
+std::string_view svg_text_of(const pugi::xml_node& node, const char* attribute);
+
+/// Adobe Illustrator writes what an id may not hold, and underscores, by their codes: "POCKET_x5F_D3".
+std::string unescaped_svg_id(std::string_view id);
+
+/// "text title1": its name and id, for messages.
+std::string svg_source(const pugi::xml_node& node);
+
+/// A length in mm, "5mm"; without unit it is mm. Nothing where it is not understood.
+std::optional<double> svg_mm(std::string_view text);
+
+/// What `node` itself says on top of `style`, which it takes over from the element around it.
+void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, SvgStyle& style);
+
+}  // namespace clearcut::read
