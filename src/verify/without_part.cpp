@@ -36,6 +36,21 @@ std::vector<LayerFindings> layers_of(const std::vector<const CheckedMove*>& move
 
 }  // namespace
 
+namespace {
+
+/// Of the moves of one tool.
+FeatureFindings row_of(const std::vector<const CheckedMove*>& own, double top) {
+  FeatureFindings row;
+  row.tool_number = own.front()->tool_number;
+  row.name = "T" + std::to_string(row.tool_number);
+  if (own.front()->tool) row.tool_diameter = own.front()->tool->diameter;
+  row.figures = figures_not_asked(figures_of(own, top));
+  row.layers = layers_of(own, top);
+  return row;
+}
+
+}  // namespace
+
 Findings findings_without_part(const Part& part, const CheckedProgram& program,
                                const VerifyOptions& options) {
   Findings findings;
@@ -56,16 +71,7 @@ Findings findings_without_part(const Part& part, const CheckedProgram& program,
   sort_worst_first(findings.faults);
   findings.all = figures_not_asked(figures_of(all, part.top_z()));
   findings.all.clean = findings.faults.empty();
-  for (const int number : order) {
-    const std::vector<const CheckedMove*>& own = by_tool[number];
-    FeatureFindings row;
-    row.name = "T" + std::to_string(number);
-    row.tool_number = number;
-    if (own.front()->tool) row.tool_diameter = own.front()->tool->diameter;
-    row.figures = figures_not_asked(figures_of(own, part.top_z()));
-    row.layers = layers_of(own, part.top_z());
-    findings.features.push_back(std::move(row));
-  }
+  for (const int number : order) findings.features.push_back(row_of(by_tool[number], part.top_z()));
   return findings;
 }
 

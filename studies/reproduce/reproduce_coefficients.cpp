@@ -12,7 +12,7 @@
 #include "model/pass.h"
 #include "plan/contour/contour.h"
 #include "plan/contour/side_offsets.h"
-#include "studies/reproduce/reproduction_figures.h"
+#include "studies/reproduce/page/reproduction_figures.h"
 
 namespace clearcut::studies {
 namespace {

@@ -16,8 +16,8 @@
 #include "plan/common/layers.h"
 #include "resolve/prepare.h"
 #include "studies/fishhead.h"
+#include "studies/reproduce/page/reproduction_figures.h"
 #include "studies/reproduce/published_grids.h"
-#include "studies/reproduce/reproduction_figures.h"
 
 namespace clearcut::studies {
 namespace {

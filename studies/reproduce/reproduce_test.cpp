@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
-#include "studies/reproduce/reproduction_page.h"
+#include "studies/reproduce/page/reproduction_page.h"
 
 namespace clearcut::studies {
 namespace {

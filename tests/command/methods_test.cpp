@@ -152,7 +152,7 @@ TEST(Methods, TablesAreListedWithWhatTheyCost) {
   const auto list = run_clearcut({"reproduce", "--list"});
   EXPECT_EQ(list.exit_code, 0);
   EXPECT_THAT(list.out, ContainsRegex("coefficients +CPO-rho table 2 +0.1"));
-  EXPECT_THAT(list.out, ContainsRegex("genetic [*] +Tour tables 6.2"));
+  EXPECT_THAT(list.out, ContainsRegex("genetic [*] +Tour table 6.2"));
   EXPECT_EQ(run_clearcut({"reproduce", "nonsense"}).exit_code, 2);
 }
 

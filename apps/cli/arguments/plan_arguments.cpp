@@ -246,6 +246,20 @@ PlanOptions PlanArguments::options() const {
   if (machine_kind_) name_kind_as_source(options.sources);
   options.step_sources = step_sources_;
   options.sources.merge(typed_);
+  take_cutting(options);
+  take_earlier(from_job ? &*from_job : nullptr, options);
+  add_places(keep_outs_, predrilled_, options);
+  options.post = post_.options(options.post);
+  take_methods(from_job.has_value(), options);
+  if (time_) options.time_s = time_;
+  if (seed_) options.seed = *seed_;
+  options.threads = threads_;
+  check_options(options);
+  return options;
+}
+
+/// What the command line says of strategies, passes, feeds and the shop.
+void PlanArguments::take_cutting(PlanOptions& options) const {
   options.strategy = strategy_;
   if (stepover_) options.stepover = stepover_;
   options.angle_deg = angle_;
@@ -260,6 +274,16 @@ PlanOptions PlanArguments::options() const {
   options.scallop = scallop_;
   options.tabs = tabs_;
   options.shop = shop(options.shop);
+  if (direction_) options.direction = direction_named(*direction_, "--direction");
+  options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
+  if (start_) options.start = point_of(*start_, "--start");
+  take_feeds({feed_, plunge_feed_, ramp_feed_, slot_feed_}, options.cutting);
+  options.cutting.spindle_rpm = spindle_;
+  if (objective_) options.objective = *objective_;
+}
+
+/// What was cut before: by a program that is named, or in the set-ups before.
+void PlanArguments::take_earlier(const JobFile* from_job, PlanOptions& options) const {
   const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
   // The height that the program calls home is the machine's, which may be another than the job's.
   if (earlier && (after_ || machine_file_)) options.earlier = read_earlier_program(*earlier, options.machine);
@@ -267,25 +291,16 @@ PlanOptions PlanArguments::options() const {
   if (setup_.carried && options.earlier)
     throw InputError("--after", "the set-ups of a job know what the ones before leave; leave it out");
   if (setup_.carried) options.earlier = setup_.carried->sweeps;
-  add_places(keep_outs_, predrilled_, options);
-  if (direction_) options.direction = direction_named(*direction_, "--direction");
-  options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
-  if (start_) options.start = point_of(*start_, "--start");
-  take_feeds({feed_, plunge_feed_, ramp_feed_, slot_feed_}, options.cutting);
-  options.cutting.spindle_rpm = spindle_;
-  options.post = post_.options(options.post);
+}
+
+/// Parts of published methods.
+void PlanArguments::take_methods(bool beside_job, PlanOptions& options) const {
   options.step_published = step_published_;
   options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"), std::nullopt};
-  if (from_job && solver_.has_settings_alone())
+  if (beside_job && solver_.has_settings_alone())
     solver_.refine(options.step_published);
   else
     options.published.solver = solver_.solver();
-  if (objective_) options.objective = *objective_;
-  if (time_) options.time_s = time_;
-  if (seed_) options.seed = *seed_;
-  options.threads = threads_;
-  check_options(options);
-  return options;
 }
 
 }  // namespace clearcut::cli

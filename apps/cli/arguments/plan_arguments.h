@@ -63,6 +63,9 @@ class PlanArguments {
   Part read_setup(const JobFile& whole) const;
   std::vector<MachinedSetup> machined_before(const JobFile& whole) const;
   ReadOptions read_options() const;
+  void take_cutting(PlanOptions& options) const;
+  void take_earlier(const JobFile* from_job, PlanOptions& options) const;
+  void take_methods(bool beside_job, PlanOptions& options) const;
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
   ToolLibrary library() const;

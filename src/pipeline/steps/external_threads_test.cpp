@@ -71,7 +71,7 @@ TEST(ExternalThreads, AreRefusedWhereTheMillHasNoPlace) {
                              circle("THREAD_M20_EXTERNAL_D12", kCenter, 10);
   EXPECT_THAT(refusal(drawn(narrow), tools), HasSubstr("all round the root of the thread"));
   EXPECT_THAT(refusal(drawn(boss("THREAD_M20_EXTERNAL_D12", 20) + box("FACE_D13", -45, -45, 55, 45)), tools),
-              HasSubstr("faced off down to z -13"));
+              HasSubstr("its whole boss is faced off"));
   EXPECT_THROW(drawn(boss("THREAD_M20_EXTERNAL_D12", 18)), InputError);
   EXPECT_THROW(drawn(boss("THREAD_M20_EXTERNAL_THRU", 20)), InputError);
 }

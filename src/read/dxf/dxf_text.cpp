@@ -87,6 +87,17 @@ std::optional<std::vector<RawCurve>> DxfLettering::letters_of(const DxfEntity& e
   return loops.take(std::string(entity.type) + " at line " + std::to_string(entity.line), compound);
 }
 
+namespace {
+
+/// Text that is written backwards or upside down.
+Affine flip_of(const DxfDocument& document, const DxfEntity& entity) {
+  constexpr int kBackward = 2, kUpsideDown = 4;
+  const int mirrored = document.integer(entity, 71, 0);
+  return Affine::scaling(mirrored & kBackward ? -1 : 1, mirrored & kUpsideDown ? -1 : 1);
+}
+
+}  // namespace
+
 TextLoops DxfLettering::text(const DxfEntity& entity, const Affine& map) {
   const DxfWords words = words_of_text(entity.text(1));
   for (const std::string& code : words.ignored) ++ignored_[code];
@@ -109,12 +120,9 @@ TextLoops DxfLettering::text(const DxfEntity& entity, const Affine& map) {
           norm(way) / (line.width * (across == kAligned ? stretch : size));
     }
   }
-  constexpr int kBackward = 2, kUpsideDown = 4;
-  const int mirrored = document_.integer(entity, 71, 0);
-  const Affine flip = Affine::scaling(mirrored & kBackward ? -1 : 1, mirrored & kUpsideDown ? -1 : 1);
   TextLoops loops;
   loops.add(face, line,
-            map * Affine::translation(at) * Affine::rotation(turn) * flip *
+            map * Affine::translation(at) * Affine::rotation(turn) * flip_of(document_, entity) *
                 sheared(document_.number(entity, 51, 0) * kRadiansPerDegree) *
                 Affine::scaling(size * stretch, size) *
                 Affine::translation(-held(face, line.width, across, along)));

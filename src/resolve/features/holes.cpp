@@ -183,10 +183,8 @@ class HoleShaper {
   /// Facing leaves no bosses: what is above it is gone.
   static void refuse_faced_boss(const Feature& thread) {
     if (thread.top_z > thread.hole->full_z + kSame) return;
-    throw InputError(
-        thread.name,
-        fmt::format("its boss is faced off down to z {}; make that a pocket up to the edge of the stock",
-                    trimmed(thread.top_z, 3)));
+    throw InputError(thread.name,
+                     "its whole boss is faced off; make that a pocket up to the edge of the stock");
   }
 
   /// Whether pockets, or nothing of the stock, lie about a thread's boss as deep as the thread's mill goes.

@@ -3,6 +3,6 @@
 
 #include "studies/genetic/genetic_study.h"
 #include "studies/method_study.h"
+#include "studies/reproduce/page/reproduction_page.h"
 #include "studies/reproduce/reproduce.h"
 #include "studies/reproduce/reproduce_grid.h"
-#include "studies/reproduce/reproduction_page.h"

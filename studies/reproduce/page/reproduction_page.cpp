@@ -1,4 +1,4 @@
-#include "studies/reproduce/reproduction_page.h"
+#include "studies/reproduce/page/reproduction_page.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/reproduce/reproduction_figures.h"
+#include "studies/reproduce/page/reproduction_figures.h"
 
 #include <algorithm>
 #include <cstdlib>
