@@ -234,6 +234,27 @@ void PlanArguments::take_sources(const CLI::App& command) {
   }
 }
 
+void CuttingArguments::take(PlanOptions& options) const {
+  options.strategy = strategy;
+  if (stepover) options.stepover = stepover;
+  options.angle_deg = angle;
+  options.stepdown = stepdown;
+  options.allowance = allowance;
+  options.allowance_floor = allowance_floor;
+  if (engagement) options.engagement_deg = engagement;
+  if (entry) options.entry = entry_named(*entry, "--entry");
+  if (entry_angle) options.entry_angle = Radians::of_degrees(*entry_angle);
+  options.lead = lead;
+  if (lead_angle) options.lead_angle = Radians::of_degrees(*lead_angle);
+  options.scallop = scallop;
+  if (direction) options.direction = direction_named(*direction, "--direction");
+  options.outside_in = order && order_named(*order, "--order") == ContourOrder::kOutsideIn;
+  if (start) options.start = point_of(*start, "--start");
+  take_feeds({feed, plunge_feed, ramp_feed, slot_feed}, options.cutting);
+  options.cutting.spindle_rpm = spindle;
+  if (objective) options.objective = *objective;
+}
+
 /// The command line goes before the job, the job before the defaults.
 PlanOptions PlanArguments::options() const {
   const auto from_job = job();
@@ -246,44 +267,9 @@ PlanOptions PlanArguments::options() const {
   if (machine_kind_) name_kind_as_source(options.sources);
   options.step_sources = step_sources_;
   options.sources.merge(typed_);
-  take_cutting(options);
-  take_earlier(from_job ? &*from_job : nullptr, options);
-  add_places(keep_outs_, predrilled_, options);
-  options.post = post_.options(options.post);
-  take_methods(from_job.has_value(), options);
-  if (time_) options.time_s = time_;
-  if (seed_) options.seed = *seed_;
-  options.threads = threads_;
-  check_options(options);
-  return options;
-}
-
-/// What the command line says of strategies, passes, feeds and the shop.
-void PlanArguments::take_cutting(PlanOptions& options) const {
-  options.strategy = strategy_;
-  if (stepover_) options.stepover = stepover_;
-  options.angle_deg = angle_;
-  options.stepdown = stepdown_;
-  options.allowance = allowance_;
-  options.allowance_floor = allowance_floor_;
-  if (engagement_) options.engagement_deg = engagement_;
-  if (entry_) options.entry = entry_named(*entry_, "--entry");
-  if (entry_angle_) options.entry_angle = Radians::of_degrees(*entry_angle_);
-  options.lead = lead_;
-  if (lead_angle_) options.lead_angle = Radians::of_degrees(*lead_angle_);
-  options.scallop = scallop_;
+  cutting_.take(options);
   options.tabs = tabs_;
   options.shop = shop(options.shop);
-  if (direction_) options.direction = direction_named(*direction_, "--direction");
-  options.outside_in = order_ && order_named(*order_, "--order") == ContourOrder::kOutsideIn;
-  if (start_) options.start = point_of(*start_, "--start");
-  take_feeds({feed_, plunge_feed_, ramp_feed_, slot_feed_}, options.cutting);
-  options.cutting.spindle_rpm = spindle_;
-  if (objective_) options.objective = *objective_;
-}
-
-/// What was cut before: by a program that is named, or in the set-ups before.
-void PlanArguments::take_earlier(const JobFile* from_job, PlanOptions& options) const {
   const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
   // The height that the program calls home is the machine's, which may be another than the job's.
   if (earlier && (after_ || machine_file_)) options.earlier = read_earlier_program(*earlier, options.machine);
@@ -291,16 +277,19 @@ void PlanArguments::take_earlier(const JobFile* from_job, PlanOptions& options) 
   if (setup_.carried && options.earlier)
     throw InputError("--after", "the set-ups of a job know what the ones before leave; leave it out");
   if (setup_.carried) options.earlier = setup_.carried->sweeps;
-}
-
-/// Parts of published methods.
-void PlanArguments::take_methods(bool beside_job, PlanOptions& options) const {
+  add_places(keep_outs_, predrilled_, options);
+  options.post = post_.options(options.post);
   options.step_published = step_published_;
   options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"), std::nullopt};
-  if (beside_job && solver_.has_settings_alone())
+  if (from_job && solver_.has_settings_alone())
     solver_.refine(options.step_published);
   else
     options.published.solver = solver_.solver();
+  if (time_) options.time_s = time_;
+  if (seed_) options.seed = *seed_;
+  options.threads = threads_;
+  check_options(options);
+  return options;
 }
 
 }  // namespace clearcut::cli

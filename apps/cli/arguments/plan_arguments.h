@@ -29,6 +29,34 @@ struct ChosenSetup {
 /// How many [[setup]] a job file has; 0 for other files and jobs of one set-up.
 int setup_count_of(const std::string& input);
 
+/// What is typed of strategies, passes and feeds.
+struct CuttingArguments {
+  std::optional<std::string> strategy;
+  std::optional<std::string> stepover;
+  std::optional<double> angle;
+  std::optional<double> stepdown;
+  std::optional<double> allowance;
+  std::optional<double> allowance_floor;
+  std::optional<double> engagement;
+  std::optional<std::string> entry;
+  std::optional<double> entry_angle;
+  std::optional<double> lead;
+  std::optional<double> lead_angle;
+  std::optional<double> scallop;
+  std::optional<std::string> direction;
+  std::optional<std::string> order;
+  std::optional<std::string> start;
+  std::optional<double> feed;
+  std::optional<double> plunge_feed;
+  std::optional<double> ramp_feed;
+  std::optional<double> slot_feed;
+  std::optional<double> spindle;
+  std::optional<std::string> objective;
+
+  /// Puts what was typed into `options`.
+  void take(PlanOptions& options) const;
+};
+
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {
  public:
@@ -63,9 +91,6 @@ class PlanArguments {
   Part read_setup(const JobFile& whole) const;
   std::vector<MachinedSetup> machined_before(const JobFile& whole) const;
   ReadOptions read_options() const;
-  void take_cutting(PlanOptions& options) const;
-  void take_earlier(const JobFile* from_job, PlanOptions& options) const;
-  void take_methods(bool beside_job, PlanOptions& options) const;
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
   ToolLibrary library() const;
@@ -94,6 +119,7 @@ class PlanArguments {
   std::optional<std::string> open_curves_;
   std::optional<std::string> strokes_;
   std::optional<std::string> text_;
+  CuttingArguments cutting_;
   TabOptions tabs_;
   std::optional<double> top_;
   std::optional<double> depth_;
@@ -101,42 +127,21 @@ class PlanArguments {
   std::optional<std::string> tool_library_;
   std::optional<std::string> machine_file_, machine_kind_;
   std::vector<std::string> accept_;
-  std::optional<std::string> strategy_;
-  std::optional<std::string> stepover_;
-  std::optional<double> angle_;
-  std::optional<double> stepdown_;
-  std::optional<double> allowance_;
-  std::optional<double> allowance_floor_;
-  std::optional<double> engagement_;
-  std::optional<std::string> entry_;
-  std::optional<double> entry_angle_;
   std::vector<std::string> predrilled_;
   std::vector<std::string> keep_outs_;
-  std::optional<double> lead_;
-  std::optional<double> lead_angle_;
-  std::optional<double> scallop_;
   std::optional<double> lead_feed_;
   std::optional<double> link_feed_;
-  std::optional<double> ramp_feed_;
-  std::optional<double> slot_feed_;
   std::optional<std::string> after_;
   bool rest_ = false;
   ShopOptions shop_;
-  std::optional<std::string> direction_;
-  std::optional<std::string> order_;
   std::optional<std::string> passage_;
   std::optional<std::string> grid_;
   SolverArguments solver_;
-  std::optional<std::string> start_;
-  std::optional<double> feed_;
-  std::optional<double> plunge_feed_;
-  std::optional<double> spindle_;
   std::optional<double> acceleration_;
   std::optional<double> junction_deviation_;
   std::optional<double> rapid_feed_;
   PostArguments post_;
   std::optional<double> clearance_z_;
-  std::optional<std::string> objective_;
   std::optional<double> time_;
   std::optional<std::uint64_t> seed_;
   int threads_ = 0;

@@ -113,14 +113,15 @@ void PlanArguments::add_tool_options(CLI::App& command) {
       ->transform(as_feed());
   command.option_defaults()->group("Limits");
   command
-      .add_option("--stepdown", stepdown_,
+      .add_option("--stepdown", cutting_.stepdown,
                   "Depth of one layer, mm (default: from the cutter; --explain says it)")
       ->transform(as_length());
-  command.add_option("--allowance", allowance_, "Stock to leave on walls, mm (default 0)")
+  command.add_option("--allowance", cutting_.allowance, "Stock to leave on walls, mm (default 0)")
       ->transform(as_length());
-  command.add_option("--allowance-floor", allowance_floor_, "Stock to leave on floors, mm (default 0)")
+  command
+      .add_option("--allowance-floor", cutting_.allowance_floor, "Stock to leave on floors, mm (default 0)")
       ->transform(as_length());
-  command.add_option("--engagement", engagement_,
+  command.add_option("--engagement", cutting_.engagement,
                      "Largest engagement angle of the cutter, degrees (default: no limit)");
   command
       .add_option("--material", shop_.material,
@@ -142,7 +143,7 @@ void PlanArguments::add_strategy_options(CLI::App& command) {
   command.option_defaults()->group("Strategy");
   command
       .add_option(
-          "--strategy", strategy_,
+          "--strategy", cutting_.strategy,
           "auto (default), contour, zigzag, spiral, adaptive, tour, or a published method: lom, rho, second, "
           "lom-corrected, rho-corrected, fixed, loops, pwid, single, double, bisectors")
       ->check(one_of(strategy_names()));
@@ -153,30 +154,30 @@ void PlanArguments::add_strategy_options(CLI::App& command) {
           "fastest (default otherwise)")
       ->check(one_of({"machinist", "fastest"}));
   command
-      .add_option("--stepover", stepover_,
+      .add_option("--stepover", cutting_.stepover,
                   "Distance of passes: fraction of the diameter, 3.5mm, lom, rho[:W], or several with "
                   "commas, one a contour")
       ->transform(as_stepover());
-  command.add_option("--angle", angle_,
+  command.add_option("--angle", cutting_.angle,
                      "Direction of zigzag lines against x, degrees (default: the fastest)");
   command
-      .add_option("--direction", direction_,
+      .add_option("--direction", cutting_.direction,
                   "climb (default) or conventional; said, auto tries nothing that cuts both ways")
       ->check(one_of({"climb", "conventional"}));
-  command.add_option("--order", order_, "Contours inside-out (default) or outside-in")
+  command.add_option("--order", cutting_.order, "Contours inside-out (default) or outside-in")
       ->check(one_of({"inside-out", "outside-in"}));
   command
       .add_option("--passage", passage_,
                   "From contour to contour: bisector (of a corner; default of published methods) or shortest")
       ->check(one_of({"bisector", "shortest"}));
-  command.add_option("--start", start_,
+  command.add_option("--start", cutting_.start,
                      "Where the cutting of contours begins, or adaptive clearing goes down: X,Y");
 }
 
 void PlanArguments::add_search_options(CLI::App& command) {
   command.option_defaults()->group("Search");
   command
-      .add_option("--objective", objective_,
+      .add_option("--objective", cutting_.objective,
                   "Of the strategy tour: length, turns, angle, engagement, time (default), or weights "
                   "1:length,20:turns")
       ->check(for_example({"length", "turns", "angle", "engagement", "time"}));
@@ -192,15 +193,17 @@ void PlanArguments::add_search_options(CLI::App& command) {
 
 void PlanArguments::add_feed_options(CLI::App& command) {
   command.option_defaults()->group("Feeds and speeds");
-  command.add_option("--feed", feed_, "Cutting feed, mm/min (default: of the tool, else 1000)")
-      ->transform(as_feed());
-  command.add_option("--plunge-feed", plunge_feed_, "Plunge feed, mm/min (default: 30 % of the feed)")
+  command.add_option("--feed", cutting_.feed, "Cutting feed, mm/min (default: of the tool, else 1000)")
       ->transform(as_feed());
   command
-      .add_option("--ramp-feed", ramp_feed_, "Feed on ramps and helices, mm/min (default: 50 % of the feed)")
+      .add_option("--plunge-feed", cutting_.plunge_feed, "Plunge feed, mm/min (default: 30 % of the feed)")
       ->transform(as_feed());
   command
-      .add_option("--slot-feed", slot_feed_,
+      .add_option("--ramp-feed", cutting_.ramp_feed,
+                  "Feed on ramps and helices, mm/min (default: 50 % of the feed)")
+      ->transform(as_feed());
+  command
+      .add_option("--slot-feed", cutting_.slot_feed,
                   "Feed where the cutter is in the material all round, mm/min (default: the feed)")
       ->transform(as_feed());
   command.add_option("--slot-angle", shop_.slot_angle_deg,
@@ -209,7 +212,8 @@ void PlanArguments::add_feed_options(CLI::App& command) {
       ->transform(as_feed());
   command.add_option("--link-feed", link_feed_, "Feed between passes at depth, mm/min (default: the feed)")
       ->transform(as_feed());
-  command.add_option("--spindle", spindle_, "Spindle speed, rpm (default: of the tool, else 100 m/min)");
+  command.add_option("--spindle", cutting_.spindle,
+                     "Spindle speed, rpm (default: of the tool, else 100 m/min)");
 }
 
 void PlanArguments::add_shop_options(CLI::App& command) {
@@ -221,9 +225,10 @@ void PlanArguments::add_shop_options(CLI::App& command) {
 
 void PlanArguments::add_entry_options(CLI::App& command) {
   command.option_defaults()->group("Entry");
-  command.add_option("--entry", entry_, "helix, ramp, zigzag or plunge (default: helix where it fits)")
+  command
+      .add_option("--entry", cutting_.entry, "helix, ramp, zigzag or plunge (default: helix where it fits)")
       ->check(one_of({"helix", "ramp", "zigzag", "plunge"}));
-  command.add_option("--entry-angle", entry_angle_,
+  command.add_option("--entry-angle", cutting_.entry_angle,
                      "Steepest way down of a helix or ramp, degrees (default 3)");
   command.add_option("--helix-diameter", shop_.helix_widest, "Widest helix of the cutter's centre, mm")
       ->transform(as_length());
@@ -237,10 +242,10 @@ void PlanArguments::add_entry_options(CLI::App& command) {
 void PlanArguments::add_lead_options(CLI::App& command) {
   command.option_defaults()->group("Leads and links");
   command
-      .add_option("--lead", lead_,
+      .add_option("--lead", cutting_.lead,
                   "Radius of the arcs into and out of passes along walls, mm (default: none)")
       ->transform(as_length());
-  command.add_option("--lead-angle", lead_angle_,
+  command.add_option("--lead-angle", cutting_.lead_angle,
                      "Lines of that length at this angle to the pass instead of arcs, degrees");
   command
       .add_option("--lead-overlap", shop_.lead_overlap,
@@ -272,7 +277,7 @@ void PlanArguments::add_stage_options(CLI::App& command) {
       ->transform(as_length());
   command.add_option("--finish-depths", shop_.finish_depths,
                      "In how many depths walls are finished (default 1)");
-  command.add_option("--scallop", scallop_, "Steps that layers may leave on drafted walls, mm")
+  command.add_option("--scallop", cutting_.scallop, "Steps that layers may leave on drafted walls, mm")
       ->transform(as_length());
 }
 
