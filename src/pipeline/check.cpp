@@ -214,6 +214,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   if (!resolved) resolved = resolved_for(read.toolpath, part, asked, strategies);
   const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
+  result.earlier = plan.earlier;
   keep_stated_limits(result.part, part, asked);
   result.part.diagnostics.append(read.diagnostics);
   result.control = std::move(read.control);

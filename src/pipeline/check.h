@@ -19,7 +19,8 @@ struct CheckResult {
   Toolpath toolpath;
   Findings findings;
   read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< as which the program was read
-  ControlTable control;  ///< what the control held at each move of `toolpath`
+  ControlTable control;             ///< what the control held at each move of `toolpath`
+  std::optional<Toolpath> earlier;  ///< what was cut before
 };
 /// `dialect`: the control that will run it; absent: recognised.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,

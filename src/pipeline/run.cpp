@@ -358,6 +358,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   PlanResult result;
   result.part = plan.part;
   result.values = plan.values;
+  result.earlier = plan.earlier;
   resolve::refuse_what_cannot_be(result.part, options);
   refuse_what_means_nothing(plan, result.part.diagnostics);
   warn_of_both_ways(plan, result.part.diagnostics);

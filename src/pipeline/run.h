@@ -25,6 +25,7 @@ struct PlanResult {
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
   std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
   std::vector<StrategySelection> selections;    ///< strategies of each workingstep
+  std::optional<Toolpath> earlier;              ///< what was cut before
 };
 
 /// Plans, posts and certifies a part.

@@ -15,6 +15,13 @@
 namespace clearcut::pipeline {
 namespace {
 
+template <typename Result>
+std::string picture_of(const Result& result) {
+  report::SvgOptions options;
+  if (result.earlier) options.earlier = &*result.earlier;
+  return report::svg(result.part, result.toolpath, result.findings, options);
+}
+
 report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis) {
   report::CertificateInfo info;
   info.version = kVersion;
@@ -101,11 +108,11 @@ std::string write_selection_table(const PlanResult& result, std::size_t width) {
 }
 
 std::string write_picture(const PlanResult& result) {
-  return report::svg(result.part, result.toolpath, result.findings, {});
+  return picture_of(result);
 }
 
 std::string write_picture(const CheckResult& result) {
-  return report::svg(result.part, result.toolpath, result.findings, {});
+  return picture_of(result);
 }
 
 std::string write_page(const PlanResult& result, const resolve::PlanOptions& options) {

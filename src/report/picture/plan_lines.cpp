@@ -126,28 +126,49 @@ double width_at(const Job& job, const Section& section, const Tool& tool, const 
   return carves ? 2 * radius_at(tool, z - height_cut(move)) : tool.diameter;
 }
 
-std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature) {
-  std::map<double, PathData> by_diameter;
-  for (const Section& section : job.toolpath.sections) {
-    const Tool* tool = tool_of(job.part, section);
-    if (tool == nullptr || !(tool->diameter > 0)) continue;
-    if (feature && feature_of(job.part, section) != *feature) continue;
-    const Box reach = seen.grown(tool->radius());
-    for (const Move& move : section.moves) {
-      const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSameDepth;
-      if (!counts || !drawable(move.path) || !box_of(move).overlaps(reach)) continue;
-      const double width = width_at(job, section, *tool, move, z);
-      if (width <= 0) continue;
-      if (move.is_vertical()) {
-        by_diameter[width].add(move.path.from);
-      } else {
-        by_diameter[width].add(move.path);
-      }
+namespace {
+
+using ByDiameter = std::map<double, PathData>;
+
+void add_sweeps(const Job& job, const Section& section, double z, const Box& seen, ByDiameter& by_diameter) {
+  const Tool* tool = tool_of(job.part, section);
+  if (tool == nullptr || !(tool->diameter > 0)) return;
+  const Box reach = seen.grown(tool->radius());
+  for (const Move& move : section.moves) {
+    const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSameDepth;
+    if (!counts || !drawable(move.path) || !box_of(move).overlaps(reach)) continue;
+    const double width = width_at(job, section, *tool, move, z);
+    if (width <= 0) continue;
+    if (move.is_vertical()) {
+      by_diameter[width].add(move.path.from);
+    } else {
+      by_diameter[width].add(move.path);
     }
   }
+}
+
+std::vector<Sweep> sweeps_of(const ByDiameter& by_diameter) {
   std::vector<Sweep> sweeps;
   for (const auto& [diameter, data] : by_diameter) sweeps.push_back({diameter, data.text()});
   return sweeps;
+}
+
+}  // namespace
+
+std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature) {
+  ByDiameter by_diameter;
+  for (const Section& section : job.toolpath.sections)
+    if (!feature || feature_of(job.part, section) == *feature) add_sweeps(job, section, z, seen, by_diameter);
+  return sweeps_of(by_diameter);
+}
+
+std::vector<Sweep> earlier_sweeps_at(const Job& job, double z, const Box& seen, double top) {
+  ByDiameter by_diameter;
+  if (!job.earlier) return {};
+  for (const Section& section : job.earlier->sections)
+    if (!section.carried_below || *section.carried_below >= top)
+      add_sweeps(job, section, z, seen, by_diameter);
+  return sweeps_of(by_diameter);
 }
 
 void draw_sweeps(SvgWriter& svg, const std::vector<Sweep>& sweeps, const std::string& color) {

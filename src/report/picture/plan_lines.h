@@ -34,6 +34,8 @@ struct Sweep {
 };
 /// Of all sections, or of those that work on one feature.
 std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature = {});
+/// The same of what was cut before, for a feature that begins at `top`.
+std::vector<Sweep> earlier_sweeps_at(const Job& job, double z, const Box& seen, double top);
 
 /// Inside a world group: the strips in one flat colour.
 void draw_sweeps(SvgWriter& svg, const std::vector<Sweep>& sweeps, const std::string& color);

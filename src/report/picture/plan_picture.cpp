@@ -210,6 +210,7 @@ void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int fea
                     {"fill", reach.diameter > 0 ? report::palette::kUnreachable : report::palette::kUncut},
                     {"fill-rule", "evenodd"}});
   draw_reach(svg, view, reach);
+  draw_sweeps(svg, earlier_sweeps_at(job, z, view.visible(), f.top_z), report::palette::kFloor);
   draw_sweeps(svg, sweeps_at(job, z, view.visible()), report::palette::kFloor);
   svg.close();
   if (f.wall_slope.radians() > 0) outline_regions(svg, view, floor_target(f), 0.7);

@@ -31,6 +31,7 @@ struct Job {
   const Toolpath& toolpath;
   const Findings& findings;
   bool all_layers = false;
+  const Toolpath* earlier = nullptr;  ///< what was cut before
 };
 
 /// What a picture of the whole part has to hold: the stock, else the targets, else the feed moves.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "report/picture/job_view.h"
+#include "report/picture/plan_lines.h"
 #include "report/sample_job.h"
 
 namespace clearcut::report {
@@ -113,6 +114,20 @@ TEST(JobView, ShadesGrowWithDepthAndTellNearFloorsApart) {
     EXPECT_GE(depth_fraction(part, z), last) << z;
     last = depth_fraction(part, z);
   }
+}
+
+/// Cuts of an earlier set-up, turned over, are hollows: they count for what begins at their ceiling or under it.
+TEST_F(ReachOfSample, WhatWasCutBeforeIsSwept) {
+  Toolpath earlier = toolpath, none;
+  Job job{part, none, findings};
+  const Box everywhere{{-1000, -1000}, {1000, 1000}};
+  const double deep = part.stock ? part.stock->z_top : 0;
+  EXPECT_TRUE(earlier_sweeps_at(job, deep, everywhere, -5).empty());
+  job.earlier = &earlier;
+  EXPECT_FALSE(earlier_sweeps_at(job, deep, everywhere, -5).empty());
+  for (Section& section : earlier.sections) section.carried_below = -5;
+  EXPECT_FALSE(earlier_sweeps_at(job, deep, everywhere, -5).empty());
+  EXPECT_TRUE(earlier_sweeps_at(job, deep, everywhere, -4).empty());
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ double draw_panels(SvgWriter& svg, const Job& job, double top) {
 
 std::string svg(const Part& part, const Toolpath& toolpath, const Findings& findings,
                 const SvgOptions& options) {
-  const Job job{part, toolpath, findings, options.all_layers};
+  const Job job{part, toolpath, findings, options.all_layers, options.earlier};
   const std::string title = !options.title.empty() ? options.title : part.name.empty() ? "part" : part.name;
   SvgWriter body;
   draw_header(body, job, title);

@@ -10,8 +10,9 @@
 namespace clearcut::report {
 
 struct SvgOptions {
-  std::string title;        ///< default: the name of the part
-  bool all_layers = false;  ///< false: each feature shows its last layer
+  std::string title;                  ///< default: the name of the part
+  bool all_layers = false;            ///< false: each feature shows its last layer
+  const Toolpath* earlier = nullptr;  ///< what was cut before: nothing of it is left
 };
 
 /// Shape   one SVG document: verdict and figures, the whole part from above (floors in shades of depth), a
