@@ -1,9 +1,9 @@
 // A face of a font as this machine has it: the outlines and the measures of its letters.
 #pragma once
 
-#include <compare>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "geometry/edge.h"
@@ -16,7 +16,10 @@ struct FaceRequest {
   std::vector<std::string> families;  ///< the first one wins; empty: the machine's own choice
   bool bold = false;
   bool italic = false;
-  friend auto operator<=>(const FaceRequest&, const FaceRequest&) = default;
+  friend bool operator==(const FaceRequest&, const FaceRequest&) = default;
+  friend bool operator<(const FaceRequest& a, const FaceRequest& b) {
+    return std::tie(a.families, a.bold, a.italic) < std::tie(b.families, b.bold, b.italic);
+  }
 };
 
 /// Found by fontconfig, read with FreeType; neither scaled to pixels nor hinted. All lengths are in em: the font's size is 1.
