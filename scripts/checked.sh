@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset checked > /dev/null
 cmake --build --preset checked --target unit_tests clearcut
-ctest --preset checked -E '^(system|library|install|serve)'
+ctest --preset checked -E '^(system|library|install|serve|ranks)'
 
 cmake --build --preset release --target clearcut write_shapes
 folder=$(mktemp -d)

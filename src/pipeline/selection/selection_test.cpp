@@ -56,7 +56,8 @@ TEST(Selection, AfterARivalTheStrategyItselfIsPlanned) {
   EXPECT_EQ(selection.candidate(0).strategy->name, "zigzag");
   EXPECT_FALSE(selection.next(0));
   std::vector<Outcome> outcomes;
-  for (const auto& one : selection.selections().front().candidates) outcomes.push_back(one.outcome);
+  const auto selections = selection.selections();
+  for (const auto& one : selections.front().candidates) outcomes.push_back(one.outcome);
   EXPECT_EQ(outcomes, (std::vector{Outcome::kNotClean, Outcome::kNotClean, Outcome::kKept}));
 }
 
