@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "read/common/b_spline.h"
 #include "read/common/curve_fit.h"
@@ -146,7 +147,7 @@ class HatchReader {
 
   /// Of an ellipse, from the angle under which its place is seen from the centre, degrees.
   static double parameter(double degrees, double ratio) {
-    return std::atan2(std::sin(degrees * kPi / 180) / ratio, std::cos(degrees * kPi / 180));
+    return base::atan2(base::sin(degrees * kPi / 180) / ratio, base::cos(degrees * kPi / 180));
   }
   static double positive(double angle) { return angle > 0 ? angle : angle + 2 * kPi; }
 

@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "read/common/curve_fit.h"
 #include "read/svg/svg_numbers.h"
@@ -116,7 +117,7 @@ SvgPathData svg_shape(const pugi::xml_node& node, const SvgViewSize& view, const
   if (name == "line") return line(node, view, map);
   if (name == "polygon") return points_of(node, true, map);
   if (name == "polyline") return points_of(node, false, map);
-  const double diagonal = std::hypot(view.width, view.height) / std::sqrt(2.0);
+  const double diagonal = base::hypot(view.width, view.height) / std::sqrt(2.0);
   const Vec2 center{svg_attribute(node, "cx", view.width, 0), svg_attribute(node, "cy", view.height, 0)};
   if (name == "circle") {
     const double r = svg_attribute(node, "r", diagonal, 0);
