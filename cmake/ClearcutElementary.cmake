@@ -5,7 +5,8 @@ set(CLEARCUT_ELEMENTARY sin cos tan asin acos atan atan2 exp exp2 expm1 log log2
 
 if(EMSCRIPTEN)
   list(TRANSFORM CLEARCUT_ELEMENTARY REPLACE "(.+)" "clearcut_musl_\\1=\\1" OUTPUT_VARIABLE definitions)
-  set_source_files_properties(src/base/elementary.cpp PROPERTIES COMPILE_DEFINITIONS "${definitions}" COMPILE_OPTIONS -fno-builtin)
+  set_source_files_properties(src/base/elementary.cpp PROPERTIES COMPILE_DEFINITIONS "${definitions}" COMPILE_OPTIONS -fno-builtin
+    SKIP_PRECOMPILE_HEADERS ON)
 else()
   # Debian's folder, then those of other distributions.
   find_file(CLEARCUT_MUSL libc.a NO_DEFAULT_PATH PATHS /usr/lib/${CMAKE_SYSTEM_PROCESSOR}-linux-musl /usr/lib/musl/lib
