@@ -6,7 +6,6 @@
 #include <pugixml.hpp>
 #include <tuple>
 
-#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "read/common/drawing.h"
