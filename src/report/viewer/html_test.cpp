@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -215,6 +216,26 @@ TEST(Html, WhatTheViewInSpaceDrawsOfStockAndToolsIsThere) {
   EXPECT_EQ(job["tools"][0]["f"], 12);
   part.stock.reset();
   EXPECT_TRUE(Json::parse(html_data(part, {}, {}, {}))["stock_z"].is_null());
+}
+
+TEST(Html, WhatWasCutBeforeIsThereWhereItIsOpenFromAbove) {
+  const Part part = sample::part();
+  EXPECT_TRUE(Json::parse(html_data(part, sample::toolpath(), sample::findings(), {}))["earlier"].is_null());
+  Toolpath earlier = sample::toolpath();
+  for (Section& section : earlier.sections) section.carried_below = part.top_z();
+  HtmlOptions shown;
+  shown.earlier = &earlier;
+  const auto decoded_earlier = [&] {
+    return decoded(Json::parse(html_data(part, {}, {}, shown))["earlier"]);
+  };
+  std::size_t cuts = 0;
+  for (const Section& section : earlier.sections)
+    cuts += static_cast<std::size_t>(std::count_if(section.moves.begin(), section.moves.end(),
+                                                   [](const Move& m) { return !is_rapid(m.kind); }));
+  EXPECT_EQ(decoded_earlier().size(), cuts);
+  EXPECT_GT(cuts, 0U);
+  for (Section& section : earlier.sections) section.carried_below = part.top_z() - 1;
+  EXPECT_EQ(decoded_earlier().size(), 0U);
 }
 
 TEST(Html, ConditionsAreThere) {
