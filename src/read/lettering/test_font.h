@@ -17,6 +17,5 @@ inline bool has_dejavu_sans() {
 
 }  // namespace clearcut::read
 
-#define NEEDS_THE_FONT                              \
-  if (!clearcut::read::has_dejavu_sans()) \
-  GTEST_SKIP() << "DejaVu Sans (fonts-dejavu-core) cannot be read"
+#define NEEDS_THE_FONT \
+  if (!clearcut::read::has_dejavu_sans()) GTEST_SKIP() << "DejaVu Sans (fonts-dejavu-core) cannot be read"

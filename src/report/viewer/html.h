@@ -20,7 +20,6 @@ struct HtmlOptions {
 /// Shape   a well-formed HTML page (also XML) that takes material away move by move, shaded by depth, true to
 ///         time; play, speed, scrub, zoom; verdict, features, figures, feed and engagement over time; a click
 ///         on a move finds its line and back, a click on a fault goes to its moment and place. "#t=SECONDS", "#line=NUMBER" or "#fault=INDEX" behind the address opens it there.
-///         What an earlier set-up hollowed out under a ceiling is not shown: each place has one height.
 /// Units   moves to 1 um, times to 0.1 ms (kinematic model of move_times).
 /// Size    about 30 bytes a move.
 /// Text    every name is data, never markup; moves that are not finite are left out.

@@ -118,15 +118,18 @@ Json section_head(const Part& part, const Section& section, int first) {
   return json;
 }
 
-/// All that was cut before and is open from above.
+/// All that was cut before.
 Json earlier_json(const Part& part, const Toolpath* earlier) {
   if (earlier == nullptr) return nullptr;
   MoveColumns columns;
   Json json;
   json["sections"] = Json::array();
   for (const Section& section : earlier->sections) {
-    if (tool_of(part, section) == nullptr || !section.counts_below(part.top_z())) continue;
-    json["sections"].push_back(section_head(part, section, columns.count()));
+    if (tool_of(part, section) == nullptr) continue;
+    Json head = section_head(part, section, columns.count());
+    const bool is_open = section.counts_below(part.top_z());
+    head["below"] = is_open ? Json(nullptr) : number(*section.carried_below);
+    json["sections"].push_back(std::move(head));
     for (const Move& move : section.moves)
       if (drawable_move(move) && !is_rapid(move.kind)) columns.add(move, 0);
   }

@@ -218,24 +218,24 @@ TEST(Html, WhatTheViewInSpaceDrawsOfStockAndToolsIsThere) {
   EXPECT_TRUE(Json::parse(html_data(part, {}, {}, {}))["stock_z"].is_null());
 }
 
-TEST(Html, WhatWasCutBeforeIsThereWhereItIsOpenFromAbove) {
+TEST(Html, WhatWasCutBeforeIsThereWithItsCeiling) {
   const Part part = sample::part();
   EXPECT_TRUE(Json::parse(html_data(part, sample::toolpath(), sample::findings(), {}))["earlier"].is_null());
   Toolpath earlier = sample::toolpath();
-  for (Section& section : earlier.sections) section.carried_below = part.top_z();
   HtmlOptions shown;
   shown.earlier = &earlier;
-  const auto decoded_earlier = [&] {
-    return decoded(Json::parse(html_data(part, {}, {}, shown))["earlier"]);
-  };
+  const auto read = [&] { return Json::parse(html_data(part, {}, {}, shown))["earlier"]; };
   std::size_t cuts = 0;
   for (const Section& section : earlier.sections)
     cuts += static_cast<std::size_t>(std::count_if(section.moves.begin(), section.moves.end(),
-                                                   [](const Move& m) { return !is_rapid(m.kind); }));
-  EXPECT_EQ(decoded_earlier().size(), cuts);
+                                                   [](const Move& move) { return !is_rapid(move.kind); }));
   EXPECT_GT(cuts, 0U);
+  EXPECT_EQ(decoded(read()).size(), cuts);
+  EXPECT_TRUE(read()["sections"][0]["below"].is_null());
+  for (Section& section : earlier.sections) section.carried_below = part.top_z();
+  EXPECT_TRUE(read()["sections"][0]["below"].is_null()) << "reaches up to the top";
   for (Section& section : earlier.sections) section.carried_below = part.top_z() - 1;
-  EXPECT_EQ(decoded_earlier().size(), 0U);
+  EXPECT_DOUBLE_EQ(read()["sections"][0]["below"].get<double>(), part.top_z() - 1);
 }
 
 TEST(Html, ConditionsAreThere) {

@@ -5,6 +5,7 @@ const scale = CELLS / Math.max(wx1 - wx0, wy1 - wy0);  // cells per mm
 const width = Math.max(1, Math.ceil((wx1 - wx0) * scale)), height = Math.max(1, Math.ceil((wy1 - wy0) * scale));
 const depth = Math.max(job.top - job.bottom, 1e-6);
 const NOTHING = -1e30;  // the height where there is no stock
+const ceilings = new Float32Array(earlier ? width * height : 0);  // of hollows that an earlier set-up cut from below
 const heights = new Float32Array(width * height);  // row by row from the greatest y; at the middles of the cells
 const relief = newCanvas(), overlay = by('overlay');
 const reliefContext = relief.getContext('2d');
@@ -22,13 +23,37 @@ const [sx0, sy0, sx1, sy1] = job.stock || job.world;
 const block = { x0: Math.max(0, Math.round((sx0 - wx0) * scale)), x1: Math.min(width, Math.round((sx1 - wx0) * scale)),
   y0: Math.max(0, Math.round((wy1 - sy1) * scale)), y1: Math.min(height, Math.round((wy1 - sy0) * scale)) };
 
+function fillBlock() {
+  heights.fill(NOTHING);
+  for (let y = block.y0; y < block.y1; ++y) heights.fill(job.top, y * width + block.x0, y * width + block.x1);
+}
+
+/** Cuts what was cut before, of the sections with that ceiling. */
+function cutEarlier(below) {
+  for (let i = 0; i < earlier.kind.length; ++i)
+    if (job.earlier.sections[earlier.section[i]].below === below) cut(i, 0, 1, earlier);
+}
+
+/** Notes where all is hollow under a ceiling: cutting down to it opens the hollow. */
+function noteHollows() {
+  const found = new Float32Array(heights.length).fill(-Infinity);
+  ceilings.fill(-Infinity);
+  for (const below of new Set(job.earlier.sections.map(section => section.below))) {
+    if (below === null) continue;
+    fillBlock();
+    cutEarlier(below);
+    for (let k = 0; k < heights.length; ++k) if (heights[k] !== NOTHING && heights[k] < below) found[k] = Math.max(found[k], below);
+  }
+  ceilings.set(found);
+}
+
 /** The heights before the first move: the block less what was cut before. */
 let stockHeights = null;
 function fullStock() {
   if (!stockHeights) {
-    heights.fill(NOTHING);
-    for (let y = block.y0; y < block.y1; ++y) heights.fill(job.top, y * width + block.x0, y * width + block.x1);
-    for (let i = 0; earlier && i < earlier.kind.length; ++i) cut(i, 0, 1, earlier);
+    if (earlier) noteHollows();
+    fillBlock();
+    if (earlier) cutEarlier(null);
     stockHeights = heights.slice();
   }
   heights.set(stockHeights);
@@ -100,8 +125,10 @@ function boxOf(strip) {
  */
 function lower(k, distance, z, end) {
   let h = z;
-  if (distance <= end.full) h += end.above[Math.round(distance * FINE)];
-  else if (distance < end.full + 1) h += end.lip + (job.top - z - end.lip) * (distance - end.full);
+  if (distance <= end.full) {
+    h += end.above[Math.round(distance * FINE)];
+    if (earlier && h <= ceilings[k]) h = NOTHING;
+  } else if (distance < end.full + 1) h += end.lip + (job.top - z - end.lip) * (distance - end.full);
   else return;
   if (h < heights[k]) heights[k] = h;
 }
