@@ -45,6 +45,6 @@ PART
 "$clearcut" serve --port 0 > "$kit/serve.txt" &
 server=$!
 trap 'kill $server 2> /dev/null || true' EXIT
-for _ in $(seq 100); do [ ! -s "$kit/serve.txt" ] || break; sleep 0.1; done
+for _ in $(seq 600); do [ ! -s "$kit/serve.txt" ] || break; sleep 0.1; done
 cp examples/plate.dxf examples/tools.toml "$kit/"
 timeout 900 node "$kit/serve_browser_test.mjs" "$kit" "$browser" "$(head -1 "$kit/serve.txt")" "$clearcut"
