@@ -279,7 +279,10 @@ PlanOptions PlanArguments::options() const {
   if (setup_.number > 1 && !setup_.carried) read();
   if (setup_.carried && options.earlier)
     throw InputError("--after", "the set-ups of a job know what the ones before leave; leave it out");
-  if (setup_.carried) options.earlier = setup_.carried->sweeps;
+  if (setup_.carried) {
+    options.earlier = setup_.carried->sweeps;
+    options.conditions = setup_.carried->conditions;
+  }
   add_places(keep_outs_, predrilled_, options);
   options.post = post_.options(options.post);
   options.step_published = step_published_;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "pipeline/setups/meeting_floors.h"
 #include "stock/material.h"
 
 namespace clearcut::pipeline {
@@ -164,6 +165,7 @@ CarriedStock carried_stock(const std::vector<MachinedSetup>& earlier, const Setu
   }
   out.block = moved(block, between(in, place));
   out.sweeps = sweeps.take();
+  if (next.stock) out.conditions = meeting_floors(earlier, place, next, Tolerances{});
   return out;
 }
 
