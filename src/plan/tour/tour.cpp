@@ -232,7 +232,7 @@ class AreaPlanner {
  private:
   Points grid() const {
     if (work_.options.published)
-      return points_in(published_lattice(legal_.box(), work_.pitch()), paths_.area());
+      return points_in(published_lattice(published_box(), work_.pitch()), paths_.area());
     const Regions inside = well_inside();
     const Lattice lattice = filling(fitted_lattice(box(inside.empty() ? rest_ : inside), work_.pitch()),
                                     box(rest_).grown(work_.radius()));
@@ -240,6 +240,14 @@ class AreaPlanner {
     GridChoice choice(lattice, paths_.area(), rest, work_.radius());
     choice.choose(LegalArea(inside));
     return choice.points();
+  }
+
+  /// The legal area's box; on open sides, where the area is as good as endless, it ends a radius beyond the target, as
+  /// that of "a pocket with slightly larger dimensions" does (7.6) which is a diameter larger all round.
+  Box published_box() const {
+    const Box legal = legal_.box(), near = box(work_.layer.target).grown(work_.radius());
+    return {{std::max(legal.min.x, near.min.x), std::max(legal.min.y, near.min.y)},
+            {std::min(legal.max.x, near.max.x), std::min(legal.max.y, near.max.y)}};
   }
 
   /// The rest without a rim. A point between the rim and the first row, half a pitch from the nearest points
