@@ -115,7 +115,7 @@ struct Pocket {
 
 /// Every move of every pair from the start, again, and backwards, as the ways themselves say; also where hardly any is kept.
 TEST(Moves, AreTheSameWhateverIsKept) {
-  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+  for (const std::uint64_t seed : {1u, 2u}) {
     const Pocket pocket(seed);
     const Problem& problem = pocket.problem;
     const Moves kept(problem), hardly_any(problem, 128);
