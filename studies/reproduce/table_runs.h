@@ -12,9 +12,9 @@ namespace clearcut::studies {
 /// Who makes a long table. What is left out is not told and not kept.
 struct TableWatch {
   std::function<void(std::size_t done, std::size_t of)> count;  ///< runs
-  std::function<void(const std::string& text)> say;             ///< what came out of a run, as soon as it is there
-  std::function<void(const std::string& line)> append;          ///< a run to be kept, with its end of line
-  std::string kept;                                             ///< such lines of an earlier time
+  std::function<void(const std::string& text)> say;     ///< what came out of a run, as soon as it is there
+  std::function<void(const std::string& line)> append;  ///< a run to be kept, with its end of line
+  std::string kept;                                     ///< such lines of an earlier time
 };
 
 /// What a run comes to.

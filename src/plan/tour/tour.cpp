@@ -422,7 +422,10 @@ LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const 
     std::copy_if(pass.path.begin(), pass.path.end(), std::back_inserter(work.walls),
                  [](const Edge& edge) { return edge.from != edge.to; });
   }
-  if (options.published) result.passes.clear();
+  if (options.published) {
+    result.passes.clear();
+    result.residual = std::max(result.residual, work.pitch());  // the rim
+  }
   for (std::size_t i = 0; i < area.components.size(); ++i) {
     Pass pass;
     pass.path = AreaPlanner(area.components[i], work).plan();
