@@ -1,11 +1,12 @@
 #!/bin/sh
 # Changes constants of the published methods by 1 %, one at a time, and expects their tests to fail. Works on the sources in
-# place and puts them back; takes a build for each. Usage: scripts/mutants.sh [BUILD_FOLDER [FIRST]], FIRST: the number of the
-# change to begin with.
+# place and puts them back; takes a build for each. Usage: scripts/mutants.sh [BUILD_FOLDER [FIRST [LAST]]], FIRST and LAST:
+# numbers of the changes to begin and to end with.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=${1:-build/release}
 begin=${2:-1}
+end=${3:-1000}
 number=0
 survived=0
 stem=''
@@ -15,7 +16,7 @@ trap 'restore; exit 1' INT TERM
 # mutant FILE FROM TO TEST_PROGRAM FILTER: FROM and TO are literal texts of one line.
 mutant() {
   number=$((number + 1))
-  [ "$number" -ge "$begin" ] || return
+  [ "$number" -ge "$begin" ] && [ "$number" -le "$end" ] || return 0
   stem=$1
   if ! grep -qF -- "$2" "$stem"; then echo "NOT FOUND  $1: $2"; survived=$((survived + 1)); return; fi
   cp -p "$stem" "$stem.kept"

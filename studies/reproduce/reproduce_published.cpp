@@ -101,6 +101,9 @@ void add_travel(Reproduction& result, const Travel& travel, const Part& part, Ta
     return runs.run(
         name, [&] { return planned(part, travel.objective, is_published, seed); }, in_words);
   };
+  runs.tell(fmt::format("{}, printed: {:.0f} mm of feed, {}", travel.name, travel.feed,
+                        travel.turns > 0 ? fmt::format("{:.0f} turns", travel.turns)
+                                         : fmt::format("{:.0f} deg", travel.angle)));
   const auto text = [](double value) { return value > 0 ? fmt::format("{:.0f}", value) : ""; };
   result.add({travel.name, "printed", text(travel.feed), text(travel.rapid), text(travel.total),
               text(travel.turns), text(travel.angle), "", "", ""});

@@ -119,6 +119,7 @@ std::vector<RunFigures> all_runs(const order::Problem& problem, const Row& row, 
 void add_row(Reproduction& table, const Row& row, const std::string& method,
              order::GeneticOptions (*options_for)(const Row&), TableRuns& runs) {
   const auto problem = problem_of(row.problem);
+  runs.tell(fmt::format("{} {}, printed: {:g} %", row.problem, row.objective, row.printed_fitness));
   std::vector<Cell> cells{row.problem, row.objective, fmt::format("{:g}", row.optimum), row.printed,
                           fmt::format("{:.2f}", row.printed_fitness)};
   if (!problem) {
@@ -236,6 +237,7 @@ Reproduction large_instance(const TableWatch& watch) {
   genetic.stop.seconds = kSeconds;
   genetic.patience = std::numeric_limits<long long>::max();
   TableRuns runs(watch, 2);
+  runs.tell("printed: 540427 in 200 s");
   const auto add = [&](const char* name, const std::function<RunFigures()>& make) {
     const RunFigures made = runs.run(name, make, [](const RunFigures& figures) {
       return fmt::format("{:.0f} in {:.0f} s", figures[0], figures[1]);

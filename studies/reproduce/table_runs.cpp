@@ -38,6 +38,11 @@ TableRuns::TableRuns(const TableWatch& watch, std::size_t all_runs) : watch_(wat
   if (watch_.count) watch_.count(0, all_);
 }
 
+void TableRuns::tell(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  if (watch_.say) watch_.say(text);
+}
+
 RunFigures TableRuns::run(const std::string& name, const std::function<RunFigures()>& make,
                           const std::function<std::string(const RunFigures&)>& text) {
   const auto found = kept_.find(name);

@@ -29,6 +29,8 @@ class TableRuns {
   /// thread.
   RunFigures run(const std::string& name, const std::function<RunFigures()>& make,
                  const std::function<std::string(const RunFigures&)>& text);
+  /// What is printed, before the runs that stand beside it.
+  void tell(const std::string& text);
 
  private:
   const TableWatch& watch_;
