@@ -43,7 +43,8 @@ class FeaturesFromBelow {
     for (const Feature& above : setup.part.features) {
       if (!ends_in_the_block(above, block)) continue;
       for (const FromBelow& below : features_) {
-        if (below.ceiling < above.floor_z + kDeeper || !box(below.target).overlaps(box(above.target))) continue;
+        if (below.ceiling < above.floor_z + kDeeper || !box(below.target).overlaps(box(above.target)))
+          continue;
         const double shared = area(intersect(above.target, below.target, tol_));
         if (shared <= kOver) continue;
         conditions.push_back({"floors-meet",
