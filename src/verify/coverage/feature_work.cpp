@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "verify/blend.h"
+#include "verify/coverage/within_stock.h"
 
 namespace clearcut::verify {
 namespace {
@@ -160,9 +161,11 @@ class WorkCheck {
     if (work.smallest_radius <= 0) return;
     const Tolerances& tol = options_.tol;
     const Feature& feature = part_.features[work.feature];
+    const Regions in_stock =
+        within_stock(feature.target, part_.stock ? std::optional(part_.stock->plan) : std::nullopt);
     CoverageQuestion question;
     question.part = &finished_;
-    question.target = &feature.target;
+    question.target = &in_stock;
     question.z = level.z + tol.gouge;
     const Around target(feature);
     question.swaths = swaths_at(level.z, target, program_.moves, tol);
