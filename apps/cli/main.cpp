@@ -80,11 +80,11 @@ void limit_memory(std::string_view command) {
 
 /// What to do where the memory does not suffice.
 std::string beyond_memory(std::string_view command) {
-  const std::string help =
-      command == "plan" || command == "tools"
-          ? "use a wider cutter, a larger --stepdown or --stepover, --strategy zigzag, or fewer layers of the drawing "
-            "at once (--layer)"
-          : "take fewer outlines at once, or simpler ones";
+  const std::string help = command == "plan" || command == "tools"
+                               ? "use a wider cutter, a larger --stepdown or --stepover, --strategy zigzag, "
+                                 "or fewer layers of the drawing "
+                                 "at once (--layer)"
+                               : "take fewer outlines at once, or simpler ones";
   return "more than its limit of memory would be needed; " + help + "; CLEARCUT_MEMORY=4 allows 4 GB";
 }
 

@@ -24,7 +24,8 @@ std::atomic<std::ptrdiff_t> most{PTRDIFF_MAX};
 thread_local std::ptrdiff_t own = 0;  // not yet in the common count
 
 [[maybe_unused]] bool is_too_much(std::size_t bytes) noexcept {
-  const std::ptrdiff_t left = most.load(std::memory_order_relaxed) - in_common.load(std::memory_order_relaxed);
+  const std::ptrdiff_t left =
+      most.load(std::memory_order_relaxed) - in_common.load(std::memory_order_relaxed);
   return left < 0 || bytes > static_cast<std::size_t>(left);
 }
 
