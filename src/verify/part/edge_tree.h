@@ -42,16 +42,20 @@ class EdgeTree {
     int edge = -1;  ///< -1: none within the limit
     double distance = std::numeric_limits<double>::infinity();
   };
-  /// The nearest edge, at a distance below `limit`, for which accept(index) is true.
+  /// The nearest edge, at a distance below `limit`, for which accept(index) is true; of several the first.
   template <typename Accept>
   Hit nearest(Vec2 p, double limit, Accept accept) const {
     Hit best{-1, limit};
-    descend([&](const Box& b) { return squared_distance(b, p) < best.distance * best.distance; },
-            [&](int i) {
-              if (!accept(i)) return;
-              const double d = clearcut::distance(edges_[i], p);
-              if (d < best.distance) best = {i, d};
-            });
+    // Those as near as the best so far may come before it in the list.
+    const auto may_be_nearer = [&](const Box& b) {
+      return squared_distance(b, p) <= best.distance * best.distance;
+    };
+    tree_.descend_nearest_first(p, may_be_nearer, [&](std::uint32_t number) {
+      const int i = static_cast<int>(number);
+      if (!may_be_nearer(boxes_[number]) || !accept(i)) return;
+      const double d = clearcut::distance(edges_[number], p);
+      if (d < best.distance || (d == best.distance && i < best.edge)) best = {i, d};
+    });
     if (best.edge < 0) best.distance = std::numeric_limits<double>::infinity();
     return best;
   }

@@ -42,5 +42,28 @@ TEST(EdgeTree, CountsTurnsAsTheEdgesOneByOneDo) {
   }
 }
 
+TEST(EdgeTree, TheNearestIsTheFirstOfThoseThatAreAsNear) {
+  Random random(11);
+  std::vector<Edge> edges;
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 p{static_cast<double>(random.below(30)), static_cast<double>(random.below(30))};
+    edges.push_back(Edge::line(p, p + Vec2{static_cast<double>(random.below(3)), 1}));
+  }
+  const EdgeTree tree(edges);
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 p{static_cast<double>(random.below(34)) - 2, static_cast<double>(random.below(34)) - 2};
+    EdgeTree::Hit best{-1, 6};
+    for (int k = 0; k < 400; ++k) {
+      const double d = distance(edges[static_cast<std::size_t>(k)], p);
+      if (k % 3 != 0 && d < best.distance) best = {k, d};
+    }
+    const EdgeTree::Hit found = tree.nearest(p, 6, [](int k) { return k % 3 != 0; });
+    EXPECT_EQ(found.edge, best.edge) << i;
+    if (best.edge >= 0) {
+      EXPECT_EQ(found.distance, best.distance) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::verify
