@@ -79,7 +79,11 @@ Standing::Standing(const Part& part, int workingstep, const Tolerances& tol)
     if (&other == &feature_ || !stock[i].side || !box(other.target).overlaps(here)) continue;
     start_ = std::max(start_, other.top_z);
     stock_left_ = stock_left_ || *stock[i].side > 0 || stock[i].floor.value_or(0) > 0;
-    if (are_apart(other.target, feature_.target, 2 * tol.chord)) continue;
+    // Of what only looks near the height counts, and no area.
+    if (are_apart(other.target, feature_.target, 2 * tol.chord)) {
+      by_work_.push_back({other.floor_z + stock[i].floor.value_or(0), {}});
+      continue;
+    }
     by_design_.push_back(cleared_by(other, {}, tol));
     by_work_.push_back(cleared_by(other, stock[i], tol));
   }
