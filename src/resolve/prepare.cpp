@@ -359,10 +359,11 @@ Part prepare(Part part, const PlanOptions& options) {
 Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
   if (part.workplan.size() > kMostSteps) {
-    throw InputError(part.source_file,
-                     fmt::format("it holds {} workingsteps, more than the {} that are planned at once; plan it "
-                                 "in parts, of a drawing by its layers (--layer)",
-                                 part.workplan.size(), kMostSteps));
+    throw InputError(
+        part.source_file,
+        fmt::format("it holds {} workingsteps, more than the {} that are planned at once; plan it "
+                    "in parts, of a drawing by its layers (--layer)",
+                    part.workplan.size(), kMostSteps));
   }
   sources = options.step_sources;
   add_facing(part, options);

@@ -27,12 +27,16 @@ class ProgressLine {
   ProgressCallback callback();
   /// Of several plans or tables: so many `things` are done.
   void count(std::size_t done, std::size_t of, const std::string& things);
+  /// A line of its own, at once, that stays.
+  void say(const std::string& line);
   /// Of work that counts nothing: what it is, and how long it took where it was measured.
   void expect(const std::string& work, double usual_s);
 
  private:
   void watch();
   void show(double elapsed_s);
+  /// Says the hint, once.
+  void begin();
   void hear(const Progress& at);
 
   std::string hint_, advice_;

@@ -42,25 +42,32 @@ class EdgeTree {
     int edge = -1;  ///< -1: none within the limit
     double distance = std::numeric_limits<double>::infinity();
   };
-  /// The nearest edge, at a distance below `limit`, for which accept(index) is true; of several the first.
+  /// The nearest edge, at a distance below `limit`, for which accept(index) is true.
   template <typename Accept>
   Hit nearest(Vec2 p, double limit, Accept accept) const {
     Hit best{-1, limit};
-    // Those as near as the best so far may come before it in the list.
-    const auto may_be_nearer = [&](const Box& b) {
-      return squared_distance(b, p) <= best.distance * best.distance;
-    };
-    tree_.descend_nearest_first(p, may_be_nearer, [&](std::uint32_t number) {
-      const int i = static_cast<int>(number);
-      if (!may_be_nearer(boxes_[number]) || !accept(i)) return;
-      const double d = clearcut::distance(edges_[number], p);
-      if (d < best.distance || (d == best.distance && i < best.edge)) best = {i, d};
-    });
+    descend([&](const Box& b) { return squared_distance(b, p) < best.distance * best.distance; },
+            [&](int i) {
+              if (!accept(i)) return;
+              const double d = clearcut::distance(edges_[i], p);
+              if (d < best.distance) best = {i, d};
+            });
     if (best.edge < 0) best.distance = std::numeric_limits<double>::infinity();
     return best;
   }
   Hit nearest(Vec2 p, double limit = std::numeric_limits<double>::infinity()) const {
     return nearest(p, limit, [](int) { return true; });
+  }
+
+  /// mm from p to the nearest edge; infinite where there is none. Faster than nearest() where no limit is known and the edges
+  /// near p are not among the first: boxes near p are opened first.
+  double distance_to(Vec2 p) const {
+    double best = std::numeric_limits<double>::infinity();
+    const auto may_be_nearer = [&](const Box& b) { return squared_distance(b, p) < best * best; };
+    tree_.descend_nearest_first(p, may_be_nearer, [&](std::uint32_t i) {
+      if (may_be_nearer(boxes_[i])) best = std::min(best, clearcut::distance(edges_[i], p));
+    });
+    return best;
   }
 
   /// Winding number around p of all edges, which have to form closed loops. Cost O(log n + edges above and below p within

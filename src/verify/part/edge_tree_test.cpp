@@ -42,27 +42,21 @@ TEST(EdgeTree, CountsTurnsAsTheEdgesOneByOneDo) {
   }
 }
 
-TEST(EdgeTree, TheNearestIsTheFirstOfThoseThatAreAsNear) {
+TEST(EdgeTree, TheDistanceIsThatOfTheNearest) {
   Random random(11);
   std::vector<Edge> edges;
   for (int i = 0; i < 400; ++i) {
-    const Vec2 p{static_cast<double>(random.below(30)), static_cast<double>(random.below(30))};
-    edges.push_back(Edge::line(p, p + Vec2{static_cast<double>(random.below(3)), 1}));
+    const Vec2 p{30 * random.between(0, 1), 30 * random.between(0, 1)};
+    edges.push_back(Edge::line(p, p + Vec2{random.between(0, 3), 1}));
   }
   const EdgeTree tree(edges);
   for (int i = 0; i < 500; ++i) {
-    const Vec2 p{static_cast<double>(random.below(34)) - 2, static_cast<double>(random.below(34)) - 2};
-    EdgeTree::Hit best{-1, 6};
-    for (int k = 0; k < 400; ++k) {
-      const double d = distance(edges[static_cast<std::size_t>(k)], p);
-      if (k % 3 != 0 && d < best.distance) best = {k, d};
-    }
-    const EdgeTree::Hit found = tree.nearest(p, 6, [](int k) { return k % 3 != 0; });
-    EXPECT_EQ(found.edge, best.edge) << i;
-    if (best.edge >= 0) {
-      EXPECT_EQ(found.distance, best.distance) << i;
-    }
+    const Vec2 p{random.between(-5, 40), random.between(-5, 40)};
+    double least = 1e9;
+    for (const Edge& edge : edges) least = std::min(least, distance(edge, p));
+    EXPECT_EQ(tree.distance_to(p), least) << i;
   }
+  EXPECT_EQ(EdgeTree().distance_to({}), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
