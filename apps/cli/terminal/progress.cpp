@@ -17,6 +17,7 @@ namespace {
 using ProgressClock = std::chrono::steady_clock;
 constexpr double kQuiet = 1;  // s before anything is said on a terminal
 constexpr double kQuietElsewhere = 3;
+constexpr double kLong = 10;         // s before it is said what would be faster
 constexpr double kLineEvery = 3;     // s between lines where no terminal shows them
 constexpr double kRenewEvery = 0.2;  // s between renewals on a terminal
 const ProgressClock::time_point kStart = ProgressClock::now();
@@ -32,8 +33,9 @@ bool is_for_programs() {
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string hint)
+ProgressLine::ProgressLine(std::string hint, std::string advice)
     : hint_(std::move(hint)),
+      advice_(std::move(advice)),
       json_(is_for_programs()),
       terminal_(!json_ && ::isatty(STDERR_FILENO) != 0),
       began_s_(now_s()),
@@ -115,6 +117,10 @@ void ProgressLine::show(double elapsed_s) {
     return;
   }
   begin();
+  if (elapsed_s >= kLong && !advice_.empty()) {
+    std::fprintf(stderr, terminal_ ? "\r\x1b[K%s\n" : "%s\n", advice_.c_str());
+    advice_.clear();
+  }
   const std::string line = fmt::format("{} ({:.0f} s)", text(), elapsed_s);
   std::fprintf(stderr, terminal_ ? "\r\x1b[K%s" : "%s\n", line.c_str());
   std::fflush(stderr);
