@@ -44,7 +44,7 @@ test-web: web build
 python:
 	@scripts/setup.sh build python
 	@$(call configure,-DCLEARCUT_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
-	@cmake --build --preset release --target _core clearcut
+	@cmake --build --preset release --target _core commands
 	@scripts/python_tests.sh $(BUILD)/apps/cli/clearcut $(BUILD)
 
 # Debian packages, a tarball and what they consist of, in build/packages/out; then they are tried in a fresh root.
@@ -57,7 +57,7 @@ packages:
 docs:
 	@scripts/setup.sh build python docs
 	@$(call configure,-DCLEARCUT_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
-	@cmake --build --preset release --target _core clearcut clearcut_library
+	@cmake --build --preset release --target _core commands clearcut_library
 	@scripts/docs/make.sh $(BUILD)
 
 # All packages a second time, elsewhere and without a compiler cache: they have to be the same to the byte. Takes as long as a first build.

@@ -1,9 +1,13 @@
 #!/bin/sh
 # Changes constants of the published methods by 1 %, one at a time, and expects their tests to fail. Works on the sources in
-# place and puts them back; takes a build for each. Usage: scripts/mutants.sh [BUILD_FOLDER]
+# place and puts them back; takes a build for each. Usage: scripts/mutants.sh [BUILD_FOLDER [FIRST [LAST]]], FIRST and LAST:
+# numbers of the changes to begin and to end with.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 build=${1:-build/release}
+begin=${2:-1}
+end=${3:-1000}
+number=0
 survived=0
 stem=''
 restore() { [ -n "$stem" ] && [ -f "$stem.kept" ] && mv "$stem.kept" "$stem" && touch "$stem"; }
@@ -11,6 +15,8 @@ trap 'restore; exit 1' INT TERM
 
 # mutant FILE FROM TO TEST_PROGRAM FILTER: FROM and TO are literal texts of one line.
 mutant() {
+  number=$((number + 1))
+  [ "$number" -ge "$begin" ] && [ "$number" -le "$end" ] || return 0
   stem=$1
   if ! grep -qF -- "$2" "$stem"; then echo "NOT FOUND  $1: $2"; survived=$((survived + 1)); return; fi
   cp -p "$stem" "$stem.kept"
@@ -50,6 +56,9 @@ mutant src/plan/tour/tour.cpp '(options.pitch_in_mm ? 1 : 2 * radius())' '(optio
 mutant src/plan/common/layers.cpp '*operation.scallop / draft' '*operation.scallop / (1.01 * draft)' pipeline_test "$constants"
 mutant src/geometry/edge.cpp '4 * std::asin(' '4.04 * std::asin(' pipeline_test "$constants"
 mutant studies/genetic/genetic_study.cpp 'kZ = 3;' 'kZ = 3.03;' studies_test 'GeneticStudy.*'
+mutant src/pipeline/tour/tour_solver.cpp 'kPublishedPatience = 1000;' 'kPublishedPatience = 1010;' pipeline_test "$constants"
+mutant src/plan/tour/tour.cpp 'box(work_.layer.target).grown(work_.radius())' 'box(work_.layer.target).grown(1.01 * work_.radius())' plan_test 'PlanTour.ThePublished*'
+mutant studies/reproduce/reproduce_published.cpp 'kStudent = 4.303;' 'kStudent = 4.346;' studies_test 'PublishedFishhead.*'
 
 [ "$survived" -eq 0 ] && echo 'every change of 1 % shows'
 exit "$survived"

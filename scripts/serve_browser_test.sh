@@ -16,6 +16,28 @@ cp "$source/serve_browser_test.mjs" "$kit/"
 cat > "$kit/square.json" <<'PART'
 {"name": "square", "units": "mm", "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2}
 PART
+cat > "$kit/twice.toml" <<'JOB'
+[part]
+file = "square.json"
+
+[stock]
+x = [-5, 55]
+y = [-5, 55]
+z = [-20, 0]
+
+[[tool]]
+number = 1
+kind = "endmill"
+diameter = 6
+
+[[setup]]
+up = "+Z"
+origin = "corner"
+
+[[setup]]
+up = "-Z"
+origin = "corner"
+JOB
 cat > "$kit/large.json" <<'PART'
 {"name": "large", "units": "mm", "outer": [[0, 0, 0.1], [400, 0, 0.2], [400, 300, 0.1], [0, 300, 0.3]],
  "islands": [[[200, 150, 1], [150, 150, 1]]], "top": 0, "depth": 5}
@@ -23,6 +45,6 @@ PART
 "$clearcut" serve --port 0 > "$kit/serve.txt" &
 server=$!
 trap 'kill $server 2> /dev/null || true' EXIT
-for _ in $(seq 100); do [ ! -s "$kit/serve.txt" ] || break; sleep 0.1; done
+for _ in $(seq 600); do [ ! -s "$kit/serve.txt" ] || break; sleep 0.1; done
 cp examples/plate.dxf examples/tools.toml "$kit/"
 timeout 900 node "$kit/serve_browser_test.mjs" "$kit" "$browser" "$(head -1 "$kit/serve.txt")" "$clearcut"

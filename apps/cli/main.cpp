@@ -2,15 +2,20 @@
 #include <clearcut/error.h>
 #include <clearcut/version.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "arguments/certificate_info.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
+#include "memory/memory_limit.h"
 #include "terminal/help_text.h"
 #include "terminal/terminal.h"
 
@@ -64,13 +69,40 @@ int checked_output(int exit_code) {
   return kUnusable;
 }
 
+/// Commands that work on one file of somebody's. Others make many plans at once and know what they need.
+constexpr std::array<std::string_view, 7> kOfOneFile{"plan",    "info", "tools", "verify",
+                                                     "convert", "init", "check"};
+
+void limit_memory(std::string_view command) {
+  if (std::find(kOfOneFile.begin(), kOfOneFile.end(), command) == kOfOneFile.end()) return;
+  clearcut::memory::limit_to(clearcut::memory::limit_asked_for());
+}
+
+/// What to do where the memory does not suffice.
+std::string beyond_memory(std::string_view command) {
+  const std::string help = command == "plan" || command == "tools"
+                               ? "use a wider cutter, a larger --stepdown or --stepover, --strategy zigzag, "
+                                 "or fewer layers of the drawing "
+                                 "at once (--layer)"
+                               : "take fewer outlines at once, or simpler ones";
+  return "more than its limit of memory would be needed; " + help + "; CLEARCUT_MEMORY=4 allows 4 GB";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   clearcut::cli::say_when_interrupted();
+  const std::string_view command = argc > 1 ? argv[1] : "";
   try {
+    limit_memory(command);
     return checked_output(parse_and_run(argc, argv));
   } catch (const clearcut::InputError& error) {
+    complain(error.what());
+    return kUnusable;
+  } catch (const clearcut::memory::LimitReached&) {
+    complain(beyond_memory(command));
+    return kUnusable;
+  } catch (const std::invalid_argument& error) {
     complain(error.what());
     return kUnusable;
   } catch (const std::bad_alloc&) {

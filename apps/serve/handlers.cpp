@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "serve/result_files.h"
 #include "serve/routes.h"
 #include "serve/upload.h"
 
@@ -99,18 +100,6 @@ WorkPtr work_of(Service& service, const Request& request, Response& response) {
   return work;
 }
 
-const std::vector<std::pair<std::string, std::string>> kResultFiles{
-    {"program", "program.ngc"}, {"certificate", "certificate.json"}, {"report", "report.html"},
-    {"picture", "picture.svg"}, {"setup-sheet", "setup-sheet.html"}, {"text", "text.txt"}};
-
-std::string file_of_result(const std::string& path) {
-  const std::string name = path.substr(path.rfind('/') + 1);
-  for (const auto& [result, file] : kResultFiles) {
-    if (result == name) return file;
-  }
-  return "";
-}
-
 /// A file as it lies there, in pieces; the work keeps it alive.
 void stream_file(const WorkPtr& work, const std::string& file, const std::string& type, Response& response) {
   const fs::path path = work->folder / "results" / file;
@@ -192,20 +181,17 @@ void get_events(Service& service, const Request& request, Response& response) {
 void get_result(Service& service, const Request& request, Response& response) {
   const WorkPtr work = work_of(service, request, response);
   if (!work) return;
-  const std::string file = file_of_result(request.path);
-  const std::string type = [&] {
-    for (const Route& route : routes()) {
-      if (route.path == "/plan/{id}" + request.path.substr(request.path.rfind('/'))) return route.type;
-    }
-    return std::string("text/plain");
-  }();
+  const std::string name = request.path.substr(request.path.rfind('/') + 1);
+  const ResultKind* const kind = kind_of_result(name);
+  if (kind == nullptr) return answer_refusal(response, 404, "there is no such result");
   // A page of its own origin that may run its scripts and fetch nothing.
-  if (file == "report.html" || file == "picture.svg" || file == "setup-sheet.html")
+  const std::string_view type = kind->type;
+  if (type.starts_with("text/html") || type.starts_with("image/svg"))
     response.set_header(
         "Content-Security-Policy",
         "sandbox allow-scripts allow-downloads; default-src 'none'; script-src 'unsafe-inline'; "
         "style-src 'unsafe-inline'; img-src data: blob:; frame-ancestors 'self'");
-  stream_file(work, file, type, response);
+  stream_file(work, file_of_result(*kind, name), kind->type, response);
 }
 
 void post_check(Service& service, const Request& request, Response& response, const ContentReader& content) {

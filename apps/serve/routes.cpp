@@ -5,6 +5,7 @@
 #include <map>
 
 #include "serve/page_text.h"
+#include "serve/result_files.h"
 
 namespace clearcut::serve {
 namespace {
@@ -33,16 +34,14 @@ Route file_route(const std::string& path, const std::string& summary, const char
 std::vector<Route> result_routes() {
   const std::pair<int, std::string> unknown{404, "no plan of that name, or no such result"};
   std::vector<Route> out;
-  for (const auto& [name, what, type] :
-       std::initializer_list<std::tuple<const char*, const char*, const char*>>{
-           {"program", "The program for the controller", "text/plain; charset=utf-8"},
-           {"certificate", "The certificate", "application/json"},
-           {"report", "The page that plays the machining", "text/html; charset=utf-8"},
-           {"picture", "The picture", "image/svg+xml"},
-           {"setup-sheet", "The page for the machine", "text/html; charset=utf-8"},
-           {"text", "What the command prints", "text/plain; charset=utf-8"}})
-    out.push_back(
-        {"GET", std::string("/plan/{id}/") + name, what, {}, {{200, what}, unknown}, type, get_result, {}});
+  const auto add = [&](const ResultKind& kind, const std::string& path, const std::string& what) {
+    out.push_back({"GET", path, what, {}, {{200, what}, unknown}, kind.type, get_result, {}});
+  };
+  for (const ResultKind& kind : result_kinds()) {
+    const std::string path = std::string("/plan/{id}/") + kind.name;
+    add(kind, path, kind.what);
+    if (kind.is_numbered) add(kind, path + "-{setup}", std::string(kind.what) + " of one of several set-ups");
+  }
   return out;
 }
 
@@ -146,9 +145,11 @@ Json operation_of(const Route& route) {
          {{is_good ? route.type.substr(0, route.type.find(';')) : "application/json", Json::object()}}}};
   }
   Json operation{{"summary", route.summary}, {"responses", answers}};
-  if (route.path.find("{id}") != std::string::npos)
-    operation["parameters"] =
-        Json::array({{{"name", "id"}, {"in", "path"}, {"required", true}, {"schema", {{"type", "string"}}}}});
+  for (const char* name : {"id", "setup"}) {
+    if (route.path.find("{" + std::string(name) + "}") == std::string::npos) continue;
+    operation["parameters"].push_back(
+        {{"name", name}, {"in", "path"}, {"required", true}, {"schema", {{"type", "string"}}}});
+  }
   if (!route.form.empty()) operation["requestBody"] = form_of(route);
   return operation;
 }

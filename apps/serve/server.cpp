@@ -39,9 +39,10 @@ class Threads : public httplib::TaskQueue {
   httplib::ThreadPool pool_{kThreads};
 };
 
-/// "/plan/([0-9a-f]+)/events"
+/// "/plan/([0-9a-f]{32})/program-([1-9][0-9]?)"
 std::string pattern_of(const std::string& path) {
-  return std::regex_replace(path, std::regex("\\{id\\}"), "([0-9a-f]{32})");
+  const std::string with_id = std::regex_replace(path, std::regex("\\{id\\}"), "([0-9a-f]{32})");
+  return std::regex_replace(with_id, std::regex("\\{setup\\}"), "([1-9][0-9]?)");
 }
 
 /// The page is its own and loads nothing from elsewhere; nothing stays in the browser's store.

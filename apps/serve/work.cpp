@@ -5,6 +5,8 @@
 
 #include <fstream>
 
+#include "serve/result_files.h"
+
 namespace clearcut::serve {
 namespace {
 
@@ -13,6 +15,30 @@ constexpr std::size_t kMostMessages = 200;
 constexpr std::size_t kLargestCertificate = 128U << 20;
 
 const std::string kOwnName = "clearcut: ";
+
+std::string verdict_of_file(const fs::path& certificate) {
+  const Json json = Json::parse(read_file(certificate.string(), kLargestCertificate), nullptr, false);
+  return json.is_object() ? json.value("verdict", "") : "";
+}
+
+/// Greater is worse. A verdict without a part has more words.
+int rank(std::string_view verdict) {
+  if (verdict.starts_with("FAULTY")) return 3;
+  if (verdict.starts_with("CONDITIONAL")) return 2;
+  return verdict.empty() ? 0 : 1;
+}
+
+/// The worst of all certificates; "" where there is none.
+std::string verdict_in(const fs::path& results) {
+  std::string worst;
+  for (const std::string& name : results_in(results)) {
+    const ResultKind& kind = *kind_of_result(name);
+    if (std::string_view(kind.name) != "certificate") continue;
+    const std::string verdict = verdict_of_file(results / file_of_result(kind, name));
+    if (rank(verdict) > rank(worst)) worst = verdict;
+  }
+  return worst;
+}
 
 }  // namespace
 
@@ -63,12 +89,8 @@ WorkEnd end_of(const fs::path& folder, int exit_code, const std::vector<std::str
   constexpr int kLastWithResults = 1;
   WorkEnd end;
   end.exit_code = exit_code;
-  const fs::path certificate = folder / "results" / "certificate.json";
-  if (exit_code <= kLastWithResults && fs::exists(certificate)) {
-    const Json json = Json::parse(read_file(certificate.string(), kLargestCertificate), nullptr, false);
-    if (!json.is_discarded()) end.verdict = json.value("verdict", "");
-    return end;
-  }
+  if (exit_code <= kLastWithResults) end.verdict = verdict_in(folder / "results");
+  if (!end.verdict.empty()) return end;
   end.state = WorkState::kFailed;
   end.message = messages.empty() ? "ended without a result" : messages.back();
   return end;

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "process/child_process.h"
+#include "serve/result_files.h"
 
 namespace clearcut::serve {
 namespace {
@@ -38,18 +39,9 @@ WorkEnd broken_end(const ChildEnd& child, const Settings& settings) {
 
 /// Where results are found, of those that there are.
 Json results_of(const Work& work) {
-  static const std::array<std::pair<const char*, const char*>, 6> names{{{"program", "program.ngc"},
-                                                                         {"certificate", "certificate.json"},
-                                                                         {"report", "report.html"},
-                                                                         {"picture", "picture.svg"},
-                                                                         {"setup-sheet", "setup-sheet.html"},
-                                                                         {"text", "text.txt"}}};
   Json results = Json::object();
-  for (const auto& [name, file] : names) {
-    std::error_code absent;
-    if (std::filesystem::exists(work.folder / "results" / file, absent))
-      results[name] = "/plan/" + work.id + "/" + name;
-  }
+  for (const std::string& name : results_in(work.folder / "results"))
+    results[name] = "/plan/" + work.id + "/" + name;
   return results;
 }
 

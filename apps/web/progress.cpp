@@ -19,8 +19,8 @@ double now_s() {
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string hint)
-    : hint_(std::move(hint)), json_(true), terminal_(false), began_s_(now_s()) {}
+ProgressLine::ProgressLine(std::string hint, std::string advice)
+    : hint_(std::move(hint)), advice_(std::move(advice)), json_(true), terminal_(false), began_s_(now_s()) {}
 
 ProgressLine::~ProgressLine() = default;
 

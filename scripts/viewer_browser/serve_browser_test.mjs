@@ -1,5 +1,5 @@
 // node serve_browser_test.mjs FOLDER BROWSER ADDRESS COMMAND: what a person does with the page of `clearcut serve`, and whether it follows.
-// FOLDER holds square.json, large.json, plate.dxf and tools.toml; screenshots go to FOLDER/pictures.
+// FOLDER holds square.json, twice.toml, large.json, plate.dxf and tools.toml; screenshots go to FOLDER/pictures.
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -95,6 +95,23 @@ async function drives(page) {
   await page.screenshot({ path: picture('serve-drive-1366'), fullPage: true });
 }
 
+/** A job that is milled from two sides: each set-up has its results. */
+async function plansSetups(page) {
+  await page.goto(address);
+  await page.setInputFiles('#plan-files', [`${folder}/twice.toml`, `${folder}/square.json`]);
+  await page.waitForFunction(() => document.getElementById('found').textContent.includes('set-up 2: '), null, { timeout: 60000 });
+  await page.fill('#plan-options', '--accept out-of-reach');
+  await page.click('#plan-go');
+  await page.waitForSelector('#plan-result:not([hidden])', { timeout: 120000 });
+  check((await page.textContent('#plan-downloads')).includes('Program of set-up 2'), 'each set-up has its program');
+  check(await page.locator('#plan-setup option').count() === 2, 'and its report');
+  const secondIsShown = page.waitForResponse(/\/report-2$/);
+  await page.selectOption('#plan-setup', { label: 'Set-up 2' });
+  check((await secondIsShown).ok(), 'which is shown when it is chosen');
+  await page.screenshot({ path: picture('serve-setups-1366'), fullPage: true });
+  await isAccessible(page, 'the page with two set-ups');
+}
+
 async function compares(page) {
   await page.goto(address);
   await page.setInputFiles('#plan-files', `${folder}/square.json`);
@@ -154,6 +171,7 @@ check(await fits(page), 'nothing overflows at 1366');
 await drives(page);
 await isAccessible(page, 'the page with outlines');
 check(await fits(page), 'nothing overflows with outlines');
+await plansSetups(page);
 await compares(page);
 await cancels(page);
 await checks(page);

@@ -20,8 +20,8 @@ namespace {
 using ClipperLib::IntPoint;
 
 constexpr double kGridPerMm = 1e6;  // 1 nm
-/// Points of the input up to which contours are split at their touches in some milliseconds.
-constexpr std::size_t kQuicklySplit = 4000;
+/// Points of the input up to which contours are split at their touches in a tenth of a millisecond.
+constexpr std::size_t kQuicklySplit = 400;
 
 IntPoint to_grid(Vec2 p) {
   return {static_cast<ClipperLib::cInt>(std::llround(p.x * kGridPerMm)),

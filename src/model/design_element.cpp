@@ -28,9 +28,7 @@ Vec2 lower_left(const DesignElement& rectangle) {
 }
 
 const Tool* tool_of(const ElementJob& job, const DesignElement& element) {
-  const auto found = std::find_if(job.tools.begin(), job.tools.end(),
-                                  [&](const Tool& tool) { return tool.number == element.tool; });
-  return found == job.tools.end() ? nullptr : &*found;
+  return tool_numbered(job.tools, element.tool);
 }
 
 Square SquareGrid::nearest(Vec2 p) const {

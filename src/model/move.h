@@ -46,6 +46,9 @@ struct Section {
   std::optional<double> carried_below{};
   /// mm from the walls, ascending: where contours of offset outlines run; not part of the program.
   std::vector<double> contours{};
+
+  /// Whether its cuts count for a feature that begins at height `top`, mm: those of an earlier set-up only where they reach up to it.
+  bool counts_below(double top) const { return !carried_below || *carried_below >= top; }
 };
 
 /// What the machine will do. A value; the waist between planning and everything that reads it.

@@ -44,6 +44,12 @@ std::optional<ToolKind> tool_kind_named(const std::string& name) {
   return std::nullopt;
 }
 
+const Tool* tool_numbered(const std::vector<Tool>& tools, int number) {
+  const auto found =
+      std::find_if(tools.begin(), tools.end(), [&](const Tool& tool) { return tool.number == number; });
+  return found == tools.end() ? nullptr : &*found;
+}
+
 bool is_conical(const Tool& tool) {
   const bool kind = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
                     tool.kind == ToolKind::kSpotDrill;

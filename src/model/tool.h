@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/units.h"
 
@@ -53,6 +54,9 @@ struct Tool {
   bool coated = false;  ///< the edges
   double radius() const { return diameter / 2; }
 };
+
+/// The first tool that the T word `number` calls; null where none has that number.
+const Tool* tool_numbered(const std::vector<Tool>& tools, int number);
 
 /// Whether the cutter is a cone from its tip up to its diameter: V-bits, chamfer mills, spot drills with an angle.
 bool is_conical(const Tool& tool);

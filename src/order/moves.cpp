@@ -21,8 +21,9 @@ bool is_turn(Vec2 in, Vec2 out) {
   return d > 0 ? c > kSlope * d : c > 0 || d < 0;
 }
 
-Moves::Moves(const Problem& problem) : problem_(&problem) {
+Moves::Moves(const Problem& problem, std::size_t most_places) : problem_(&problem) {
   const std::size_t n = problem.points.size();
+  if (has_detours()) detours_ = std::make_unique<ShapeStore>(most_places);
   if (has_detours() && problem.size() <= kMostMarked) marks_ = std::make_unique<std::atomic<Known>[]>(n * n);
 }
 
@@ -50,42 +51,37 @@ MoveShape Moves::detour_shape(int a, int b) const {
 }
 
 MoveShape Moves::stored_shape(int low, int high) const {
-  const auto key = (static_cast<unsigned long long>(low) << 32) | static_cast<unsigned>(high);
-  Shard& shard = (*shards_)[static_cast<std::size_t>(low * 31 + high) % kShards];
-  {
-    const std::lock_guard lock(shard.mutex);
-    const auto it = shard.known.find(key);
-    if (it != shard.known.end()) return it->second;
-  }
+  if (const auto known = detours_->find(low, high)) return *known;
   const MoveShape shape = detour_shape(low, high);
   if (marks_) marks_[mark_of(low, high)].store(shape.straight ? Known::kStraight : Known::kDetour);
-  if (shape.straight && marks_) return shape;
-  const std::lock_guard lock(shard.mutex);
-  shard.known.emplace(key, shape);
+  if (!shape.straight || !marks_) detours_->keep(low, high, shape);
   return shape;
 }
 
 MoveShape Moves::shape(int a, int b) const {
-  const auto [low, high] = std::minmax(a, b);
-  if (!has_detours() || known_straight(low, high)) return straight_shape(a, b);
-  const MoveShape shape = stored_shape(low, high);
-  if (a == low) return shape;
+  if (surely_straight(a, b)) return straight_shape(a, b);
+  const MoveShape shape = stored_shape(std::min(a, b), std::max(a, b));
+  if (a <= b) return shape;
   return {shape.length, -shape.arrives, -shape.leaves, shape.inner_turns, shape.inner_angle, shape.straight};
 }
 
+int Moves::inner_turns(int a, int b) const {
+  return surely_straight(a, b) ? 0 : stored_shape(std::min(a, b), std::max(a, b)).inner_turns;
+}
+
+double Moves::inner_angle(int a, int b) const {
+  return surely_straight(a, b) ? 0 : stored_shape(std::min(a, b), std::max(a, b)).inner_angle;
+}
+
 double Moves::length(int a, int b) const {
-  const auto [low, high] = std::minmax(a, b);
-  if (!has_detours() || known_straight(low, high)) return straight_distance(*problem_, a, b);
-  return stored_shape(low, high).length;
+  if (surely_straight(a, b)) return straight_distance(*problem_, a, b);
+  return stored_shape(std::min(a, b), std::max(a, b)).length;
 }
 
 std::pair<Vec2, Vec2> Moves::directions(int a, int b, int c) const {
   const auto& points = problem_->points;
-  const auto straight = [&](int from, int to) {
-    return !has_detours() || known_straight(std::min(from, to), std::max(from, to));
-  };
-  return {straight(a, b) ? points[b] - points[a] : shape(a, b).arrives,
-          straight(b, c) ? points[c] - points[b] : shape(b, c).leaves};
+  return {surely_straight(a, b) ? points[b] - points[a] : shape(a, b).arrives,
+          surely_straight(b, c) ? points[c] - points[b] : shape(b, c).leaves};
 }
 
 bool Moves::turns_at(int a, int b, int c) const {

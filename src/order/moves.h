@@ -1,14 +1,14 @@
 // The moves between points as objectives see them: length, directions at both ends, turns on the way.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <atomic>
 #include <memory>
-#include <mutex>
-#include <unordered_map>
 #include <utility>
 
 #include "order/problem.h"
+#include "order/ways/move_shape.h"
+#include "order/ways/shape_store.h"
 
 namespace clearcut::order {
 
@@ -22,26 +22,20 @@ double turn_angle(Vec2 in, Vec2 out);
 /// Whether that angle is above the threshold; without trigonometry.
 bool is_turn(Vec2 in, Vec2 out);
 
-/// Everything an objective asks of the move a -> b.
-struct MoveShape {
-  double length = 0;       ///< in the problem's metric
-  Vec2 leaves;             ///< direction at a, not normalised
-  Vec2 arrives;            ///< direction at b
-  int inner_turns = 0;     ///< turns of a legal detour between its ends
-  double inner_angle = 0;  ///< degrees
-  bool straight = true;
-};
-
 /// Answers from coordinates where moves are straight, and remembers legal detours. Safe for several threads.
 class Moves {
  public:
-  explicit Moves(const Problem& problem);
+  /// Keeps detours in at most so many places; those that give way are found anew when they are asked for.
+  explicit Moves(const Problem& problem, std::size_t most_places = ShapeStore::kMostPlaces);
 
   const Problem& problem() const { return *problem_; }
   bool has_detours() const { return static_cast<bool>(problem_->detour); }
   double length(int a, int b) const;
   bool is_straight(int a, int b) const { return !has_detours() || shape(a, b).straight; }
   MoveShape shape(int a, int b) const;
+  /// Turns of the move's detour between its ends, and their sum in degrees.
+  int inner_turns(int a, int b) const;
+  double inner_angle(int a, int b) const;
   /// Directions of travel before and after b on the way a -> b -> c, not normalised.
   std::pair<Vec2, Vec2> directions(int a, int b, int c) const;
   /// Turn at b on the way a -> b -> c, degrees.
@@ -49,17 +43,15 @@ class Moves {
   bool turns_at(int a, int b, int c) const;
 
  private:
-  static constexpr std::size_t kShards = 16;
-  struct Shard {
-    std::mutex mutex;
-    std::unordered_map<unsigned long long, MoveShape> known;
-  };
   /// Pairs known to be joined straight need no look into the store of detours.
   enum class Known : signed char { kNot, kStraight, kDetour };
   static constexpr int kMostMarked = 5000;  // points; above, pairs are not marked
 
   bool known_straight(int low, int high) const {
     return marks_ && marks_[mark_of(low, high)].load(std::memory_order_relaxed) == Known::kStraight;
+  }
+  bool surely_straight(int a, int b) const {
+    return !has_detours() || known_straight(std::min(a, b), std::max(a, b));
   }
   std::size_t mark_of(int low, int high) const {
     return static_cast<std::size_t>(low) * problem_->points.size() + static_cast<std::size_t>(high);
@@ -70,7 +62,7 @@ class Moves {
 
   const Problem* problem_;
   std::unique_ptr<std::atomic<Known>[]> marks_;
-  std::unique_ptr<std::array<Shard, kShards>> shards_ = std::make_unique<std::array<Shard, kShards>>();
+  std::unique_ptr<ShapeStore> detours_;
 };
 
 }  // namespace clearcut::order

@@ -65,6 +65,17 @@ TEST(VCarving, ADepthLimitLeavesAFloorThatAMillClears) {
   EXPECT_THAT(refusal(drawn(text), {"endmill:3"}), HasSubstr("V-carving needs a V-bit"));
 }
 
+/// A cone of 60 degrees goes deeper than the one of 90 that is assumed before a bit is chosen.
+TEST(VCarving, StockWithoutAThicknessReachesBelowTheBitsTip) {
+  const std::string text =
+      box("STOCK", 0, 0, 100, 60) + box("VCARVE", 10, 10, 16, 50) + box("VCARVE", 30, 10, 34, 50);
+  const PlanResult result = plan_part(drawn(text), with({"vbit:60deg:12"}));
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+  EXPECT_LT(result.part.stock->z_bottom, -3 * std::sqrt(3.0));
+  const std::string thin = box("STOCK_D4", 0, 0, 100, 60) + box("VCARVE", 10, 10, 16, 50);
+  EXPECT_THAT(refusal(drawn(thin), {"vbit:60deg:12"}), HasSubstr("mm below the material"));
+}
+
 TEST(VCarving, WithoutTheMillsWorkTheFloorIsLeft) {
   const Part part = drawn(box("VCARVE_D1.5", 0, 0, 24, 16));
   const auto options = with({"vbit:60deg:6", "endmill:3"});

@@ -223,7 +223,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   number_sections(result.toolpath, result.part);
   result.findings = check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
                           limits_of_other_tools(result.part, asked));
-  add_out_of_reach(result.part, plan, result.findings);
+  add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   return result;
 }

@@ -73,6 +73,16 @@ TEST(HolePlan, ABlindHoleHasItsWidthToItsDepthWhereThePointIsKnown) {
   EXPECT_THAT(plan_part(with_circle("DRILL_D6", 6), with({"drill:6"})).program, HasSubstr("Z-6 R1 "));
 }
 
+TEST(HolePlan, AMilledHoleAcrossTheStocksEdgeLeavesItsAllowance) {
+  const Part part = drawn(kBlock + circle("HOLE_D1", {1.5, -19.9}, 14.7));
+  for (const char* strategy : {"contour", "zigzag"}) {
+    auto options = with({"endmill:3"});
+    options.strategy = strategy;
+    options.allowance = 0.1;
+    expect_clean(plan_part(part, options));
+  }
+}
+
 TEST(HolePlan, PecksBreakOrClearTheChip) {
   const PlanResult chips = plan_part(with_circle("DRILL_D10_CHIP2.5", 4), with({"drill:4"}));
   expect_clean(chips);

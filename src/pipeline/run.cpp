@@ -382,7 +382,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     certify(result, toolpath, plan);
     meter.add();
   } while (retry_unclean(selection, result));
-  add_out_of_reach(result.part, plan, result.findings);
+  add_conditions_of_part(result.part, plan, result.findings);
   explain_rounded_places(result, plan);
   sign(result, toolpath, plan);
   report_notes(selection, works, plan, result.part);

@@ -22,6 +22,13 @@ std::string picture_of(const Result& result) {
   return report::svg(result.part, result.toolpath, result.findings, options);
 }
 
+template <typename Result>
+std::string page_of(const Result& result, const resolve::PlanOptions& options, const std::string& program) {
+  report::HtmlOptions page{options.machine, program};
+  if (result.earlier) page.earlier = &*result.earlier;
+  return report::html(result.part, result.toolpath, result.findings, page);
+}
+
 report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis) {
   report::CertificateInfo info;
   info.version = kVersion;
@@ -116,12 +123,12 @@ std::string write_picture(const CheckResult& result) {
 }
 
 std::string write_page(const PlanResult& result, const resolve::PlanOptions& options) {
-  return report::html(result.part, result.toolpath, result.findings, {options.machine, result.program});
+  return page_of(result, options, result.program);
 }
 
 std::string write_page(const CheckResult& result, const resolve::PlanOptions& options,
                        const std::string& program) {
-  return report::html(result.part, result.toolpath, result.findings, {options.machine, program});
+  return page_of(result, options, program);
 }
 
 std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,

@@ -37,12 +37,10 @@ std::string thread_words(const Tool& tool) {
 
 std::string tool_change_comment(const Part& part, int number) {
   const std::string change = "TOOL CHANGE T" + std::to_string(number);
-  for (const Tool& tool : part.tools) {
-    if (tool.number == number)
-      return change + ": " + plain_comment(name_of(tool.kind)) + " D" + trimmed(tool.diameter, 4) + " MM" +
-             thread_words(tool);
-  }
-  return change;
+  const Tool* const tool = tool_numbered(part.tools, number);
+  if (tool == nullptr) return change;
+  return change + ": " + plain_comment(name_of(tool->kind)) + " D" + trimmed(tool->diameter, 4) + " MM" +
+         thread_words(*tool);
 }
 
 int program_number(std::string_view name) {

@@ -93,10 +93,8 @@ std::optional<DrillBlock> drill_block(std::span<const Move> moves, const PrintGr
 }
 
 const Tool* tap_of(const Section& section, const Part& part) {
-  for (const Tool& tool : part.tools) {
-    if (tool.number == section.tool_number) return tool.kind == ToolKind::kTap ? &tool : nullptr;
-  }
-  return nullptr;
+  const Tool* const tool = tool_numbered(part.tools, section.tool_number);
+  return tool && tool->kind == ToolKind::kTap ? tool : nullptr;
 }
 
 std::string_view cycle_word(const DrillBlock& hole, const Tool* tap, const IsoDialect& dialect) {

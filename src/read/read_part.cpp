@@ -19,8 +19,6 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::size_t kLargestPart = std::size_t{256} << 20;
-
 enum class Kind { kStep, kDxf, kSvg, kJson, kEdges, kJob, kUnknown };
 
 Kind kind_of_extension(const std::string& extension) {

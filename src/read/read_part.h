@@ -1,6 +1,7 @@
 // Any file that describes a part, by extension and content.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string_view>
 
@@ -8,6 +9,9 @@
 #include "read/read_options.h"
 
 namespace clearcut::read {
+
+/// Bytes; larger files are refused.
+inline constexpr std::size_t kLargestPart = std::size_t{256} << 20;
 
 /// .p21 .stp .step .stpnc .238 (STEP-NC or a solid, by its schema), .dxf, .svg, .json (outline), .edges
 /// (lengths and angles), .toml (job); files of other names by their first bytes. See docs/input.md.

@@ -55,20 +55,14 @@ Regions union_of(std::span<const Loop> loops, const Tolerances& tol) {
   return unite(union_of(loops.first(half), tol), union_of(loops.subspan(half), tol), tol);
 }
 
-/// Whether cuts of an earlier set-up reach up to a feature that begins at `top`; those of a program always do.
-bool counts(const Section& section, double top) {
-  return !section.carried_below || *section.carried_below >= top;
-}
-
 /// What the earlier program has cut down to z near `where`, for a feature that begins at `top`, and residuals beside it.
 Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, double top, const Box& where,
                        Tolerances tol) {
   tol.chord = kChord;
   std::vector<Loop> loops;
   for (const Section& section : toolpath.sections) {
-    const auto tool = std::find_if(part.tools.begin(), part.tools.end(),
-                                   [&](const Tool& t) { return t.number == section.tool_number; });
-    if (tool == part.tools.end() || !counts(section, top)) continue;
+    const Tool* const tool = tool_numbered(part.tools, section.tool_number);
+    if (tool == nullptr || !section.counts_below(top)) continue;
     for (const Move& move : section.moves) {
       const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
       if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kResidual, z, loops);
@@ -137,9 +131,8 @@ bool meets_earlier(const Part& part, int workingstep, const std::optional<Toolpa
   const Box here = box(feature.target);
   return std::any_of(earlier->sections.begin(), earlier->sections.end(), [&](const Section& section) {
     if (!section.carried_below) return true;
-    const auto tool = std::find_if(part.tools.begin(), part.tools.end(),
-                                   [&](const Tool& t) { return t.number == section.tool_number; });
-    return counts(section, feature.top_z) && tool != part.tools.end() &&
+    const Tool* const tool = tool_numbered(part.tools, section.tool_number);
+    return section.counts_below(feature.top_z) && tool != nullptr &&
            std::any_of(section.moves.begin(), section.moves.end(), [&](const Move& move) {
              const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
              return path.grown(tool->radius()).overlaps(here);

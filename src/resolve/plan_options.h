@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "base/tolerances.h"
+#include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/options/origin.h"
@@ -58,6 +59,7 @@ struct PlanOptions {
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::vector<KeepOut> keep_outs;          ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
+  std::vector<Condition> conditions;  ///< what the caller knows that must hold, besides what is found here
   std::optional<CutDirection> direction;
   bool outside_in = false;    ///< contours from the wall inwards; false: inside-out
   std::optional<Vec2> start;  ///< where the cutting of contours should begin, or adaptive clearing go down

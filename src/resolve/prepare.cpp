@@ -26,6 +26,9 @@
 namespace clearcut::resolve {
 namespace {
 
+/// Each workingstep is held against all others: beyond this they take minutes and more memory than a command may hold.
+constexpr std::size_t kMostSteps = 20000;
+
 constexpr double kDefaultFeed = 1000;     // mm/min
 constexpr double kPlungeShare = 0.3;      // of the cutting feed
 constexpr double kRampShare = 0.5;        // of the cutting feed
@@ -355,6 +358,13 @@ Part prepare(Part part, const PlanOptions& options) {
 
 Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   if (part.workplan.empty()) throw InputError(part.source_file, "holds nothing that can be machined");
+  if (part.workplan.size() > kMostSteps) {
+    throw InputError(
+        part.source_file,
+        fmt::format("it holds {} workingsteps, more than the {} that are planned at once; plan it "
+                    "in parts, of a drawing by its layers (--layer)",
+                    part.workplan.size(), kMostSteps));
+  }
   sources = options.step_sources;
   add_facing(part, options);
   choose_tools(part, options, sources);

@@ -192,6 +192,7 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
   plan.threads = thread_count(options);
   resolve_shop(plan, options.shop);
   plan.earlier = options.earlier;
+  plan.conditions = options.conditions;
   plan.machine = options.machine;
   plan.accept = options.accept;
   plan.post = options.post;

@@ -160,6 +160,17 @@ TEST(Resolve, RefusesAnObjectiveThatIsNone) {
   EXPECT_THROW(resolve(pocket(), options, table()), InputError);
 }
 
+TEST(Resolve, RefusesMoreWorkingstepsThanArePlannedAtOnce) {
+  Part part = pocket();
+  part.workplan.resize(20001, part.workplan.front());
+  try {
+    resolve(part, {}, table());
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("20001 workingsteps"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Names, AreRefusedWithTheNamesThereAre) {
   EXPECT_EQ(entry_named("zigzag", "--entry"), EntryKind::kZigzagRamp);
   EXPECT_EQ(direction_named("conventional", "--direction"), CutDirection::kConventional);

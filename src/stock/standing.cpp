@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/spatial/apart.h"
 #include "stock/at_depth.h"
 #include "stock/round_hole.h"
 
@@ -76,10 +77,15 @@ Standing::Standing(const Part& part, int workingstep, const Tolerances& tol)
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     const Feature& other = part.features[i];
     if (&other == &feature_ || !stock[i].side || !box(other.target).overlaps(here)) continue;
-    by_design_.push_back(cleared_by(other, {}, tol));
-    by_work_.push_back(cleared_by(other, stock[i], tol));
     start_ = std::max(start_, other.top_z);
     stock_left_ = stock_left_ || *stock[i].side > 0 || stock[i].floor.value_or(0) > 0;
+    // Of what only looks near the height counts, and no area.
+    if (are_apart(other.target, feature_.target, 2 * tol.chord)) {
+      by_work_.push_back({other.floor_z + stock[i].floor.value_or(0), {}});
+      continue;
+    }
+    by_design_.push_back(cleared_by(other, {}, tol));
+    by_work_.push_back(cleared_by(other, stock[i], tol));
   }
   sort_deepest_first(by_design_);
   sort_deepest_first(by_work_);

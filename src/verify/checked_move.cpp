@@ -14,9 +14,7 @@ namespace {
 constexpr double kSameLayer = 1e-3;
 
 const Tool* tool_of(const Part& part, int number) {
-  for (const Tool& tool : part.tools) {
-    if (tool.number == number) return &tool;
-  }
+  if (const Tool* const tool = tool_numbered(part.tools, number)) return tool;
   // A program without tool words, for a part with one tool.
   return number <= 0 && part.tools.size() == 1 ? &part.tools.front() : nullptr;
 }

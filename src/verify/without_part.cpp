@@ -34,10 +34,6 @@ std::vector<LayerFindings> layers_of(const std::vector<const CheckedMove*>& move
   return layers;
 }
 
-}  // namespace
-
-namespace {
-
 /// Of the moves of one tool.
 FeatureFindings row_of(const std::vector<const CheckedMove*>& own, double top) {
   FeatureFindings row;

@@ -254,7 +254,7 @@ Reproduction single_multi_table() {
   return result;
 }
 
-Reproduction objectives_table() {
+Reproduction objectives_table(const TableWatch& watch) {
   Reproduction result;
   report::TextTable& table = result.table;
   table.title =
@@ -279,11 +279,15 @@ Reproduction objectives_table() {
   add_printed(table, "engagement 50 %", 3999, 260, "30");
   add_printed(table, "all three", 3012, 42, "30");
   table.add_rule();
-  for (const auto& [name, layer] : all_layers())
-    if (!with_largest_grid(layer, kPitch, [&, &feature = name](const plan::tour::TourTask& task) {
-          add_objectives(table, feature, task);
-        }))
+  const auto layers = all_layers();
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const std::string& name = layers[i].name;
+    if (watch.count) watch.count(i, layers.size());
+    if (!with_largest_grid(layers[i].layer, kPitch,
+                           [&](const plan::tour::TourTask& task) { add_objectives(table, name, task); }))
       add_empty(table, name);
+    if (watch.say) watch.say(name + ": its tours are found");
+  }
   table.notes.push_back(
       "1 : 20 : 0.1 are weights of length (mm), turns and engagement; the text states neither its weights "
       "nor its "

@@ -2,12 +2,13 @@
 #pragma once
 
 #include "studies/reproduce/reproduction.h"
+#include "studies/reproduce/table_runs.h"
 
 namespace clearcut::studies {
 
 /// Table 6.4: every feature of the fishhead and plates with islands, one objective at a time, with its bound and
 /// gap, and length, turns and engagement at once.
-Reproduction objectives_table();
+Reproduction objectives_table(const TableWatch& watch);
 /// Figure 6-15: how engagement is spread for targets from 20 to 100 %, by the raster and by the exact model.
 Reproduction engagement_table();
 

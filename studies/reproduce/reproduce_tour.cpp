@@ -92,9 +92,34 @@ Mean mean_of(const std::vector<double>& values) {
   return {mean, 3 * deviation / std::sqrt(n)};
 }
 
+/// What a run of the algorithm comes to: value, individuals, seconds.
+RunFigures run_once(const order::Problem& problem, const Row& row, order::GeneticOptions options) {
+  const auto result = order::run_genetic(problem, *pipeline::objective_named(row.objective, 1000), options);
+  return {result.value, static_cast<double>(result.children), result.seconds};
+}
+
+std::string in_words(const RunFigures& figures) {
+  return fmt::format("{:g} after {:.0f} individuals, {:.1f} s", figures[0], figures[1], figures[2]);
+}
+
+std::vector<RunFigures> all_runs(const order::Problem& problem, const Row& row, const std::string& method,
+                                 order::GeneticOptions (*options_for)(const Row&), TableRuns& runs) {
+  std::vector<RunFigures> results(static_cast<std::size_t>(row.runs));
+  parallel_for(0, row.runs, [&](int i) {
+    order::GeneticOptions options = options_for(row);
+    options.seed = static_cast<std::uint64_t>(i) + 1;
+    const std::string name =
+        fmt::format("{} {}, {}, seed {}", row.problem, row.objective, method, options.seed);
+    results[static_cast<std::size_t>(i)] = runs.run(
+        name, [&] { return run_once(problem, row, options); }, in_words);
+  });
+  return results;
+}
+
 void add_row(Reproduction& table, const Row& row, const std::string& method,
-             order::GeneticOptions (*options_for)(const Row&)) {
+             order::GeneticOptions (*options_for)(const Row&), TableRuns& runs) {
   const auto problem = problem_of(row.problem);
+  runs.tell(fmt::format("{} {}, printed: {:g} %", row.problem, row.objective, row.printed_fitness));
   std::vector<Cell> cells{row.problem, row.objective, fmt::format("{:g}", row.optimum), row.printed,
                           fmt::format("{:.2f}", row.printed_fitness)};
   if (!problem) {
@@ -102,20 +127,13 @@ void add_row(Reproduction& table, const Row& row, const std::string& method,
     table.add(cells);
     return;
   }
-  std::vector<order::GeneticResult> results(static_cast<std::size_t>(row.runs));
-  parallel_for(0, row.runs, [&](int i) {
-    order::GeneticOptions options = options_for(row);
-    options.seed = static_cast<std::uint64_t>(i) + 1;
-    results[static_cast<std::size_t>(i)] =
-        order::run_genetic(*problem, *pipeline::objective_named(row.objective, 1000), options);
-  });
   std::vector<double> values, fitness;
   double seconds = 0, individuals = 0;
-  for (const auto& result : results) {
-    individuals += static_cast<double>(result.children) / row.runs;
-    values.push_back(result.value);
-    fitness.push_back(100 * row.optimum / result.value);
-    seconds += result.seconds / row.runs;
+  for (const RunFigures& figures : all_runs(*problem, row, method, options_for, runs)) {
+    individuals += figures[1] / row.runs;
+    values.push_back(figures[0]);
+    fitness.push_back(100 * row.optimum / figures[0]);
+    seconds += figures[2] / row.runs;
   }
   const Mean mean = mean_of(fitness);
   const int decimals = row.printed_fitness * 10 == std::round(row.printed_fitness * 10) ? 1 : 2;
@@ -134,8 +152,15 @@ void add_row(Reproduction& table, const Row& row, const std::string& method,
 
 namespace {
 
+/// Of those whose points are there.
+std::size_t run_count(const std::vector<Row>& rows) {
+  std::size_t count = 0;
+  for (const Row& row : rows) count += problem_of(row.problem) ? static_cast<std::size_t>(row.runs) : 0;
+  return count;
+}
+
 /// Those rows of the published figures that are lattices, or those that are not.
-Reproduction genetic_figures(const char* title, bool are_lattices) {
+Reproduction genetic_figures(const char* title, bool are_lattices, const TableWatch& watch) {
   Reproduction result;
   report::TextTable& table = result.table;
   table.title = title;
@@ -155,34 +180,37 @@ Reproduction genetic_figures(const char* title, bool are_lattices) {
   const auto is_wanted = [&](const Row& row) {
     return order::parse_lattice(row.problem).has_value() == are_lattices;
   };
+  std::vector<Row> published, assembled;
   for (const Row& row : rows())
-    if (is_wanted(row)) add_row(result, row, "as published", as_published);
-  table.add_rule();
+    if (is_wanted(row)) published.push_back(row);
   for (const std::size_t i : {0u, 2u, 3u, 4u}) {
     Row row = rows()[i];
-    if (!is_wanted(row)) continue;
     row.runs = std::min(row.runs, 8);
     row.generations = 20000;
     row.patience = row.generations;
-    add_row(result, row, "eax", with_assembly);
+    if (is_wanted(row)) assembled.push_back(row);
   }
+  TableRuns runs(watch, run_count(published) + run_count(assembled));
+  for (const Row& row : published) add_row(result, row, "as published", as_published, runs);
+  table.add_rule();
+  for (const Row& row : assembled) add_row(result, row, "eax", with_assembly, runs);
   table.notes.push_back("fitness = optimum / value; +- is 3 sigma / sqrt(runs), eq. 4.11");
   return result;
 }
 
 }  // namespace
 
-Reproduction genetic_instances() {
-  Reproduction result = genetic_figures("Tour table 6.2: the published genetic algorithm", false);
+Reproduction genetic_instances(const TableWatch& watch) {
+  Reproduction result = genetic_figures("Tour table 6.2: the published genetic algorithm", false, watch);
   result.table.notes.push_back(
       "ends after 40000 generations of 25 without gain or the individuals printed (6.2.1)");
   result.table.notes.push_back("reference instances: the folder tsp/ in $CLEARCUT_DATA");
   return result;
 }
 
-Reproduction genetic_lattices() {
+Reproduction genetic_lattices(const TableWatch& watch) {
   Reproduction result =
-      genetic_figures("Tour tables 6.3 and 6.6: the published genetic algorithm on lattices", true);
+      genetic_figures("Tour tables 6.3 and 6.6: the published genetic algorithm on lattices", true, watch);
   result.table.notes.push_back(
       "10x10 ends after 1000 generations of 25 without gain (4.3.3), the others after 40000 or a million "
       "individuals");
@@ -192,7 +220,7 @@ Reproduction genetic_lattices() {
   return result;
 }
 
-Reproduction large_instance() {
+Reproduction large_instance(const TableWatch& watch) {
   constexpr double kSeconds = 200, kOptimum = 520527, kPrinted = 540427;
   Reproduction result;
   result.table.title = "Tour table 6.2: FI10639 in the printed 200 s";
@@ -208,16 +236,25 @@ Reproduction large_instance() {
   order::GeneticOptions genetic;
   genetic.stop.seconds = kSeconds;
   genetic.patience = std::numeric_limits<long long>::max();
-  const auto add = [&](const char* name, double value, double seconds) {
-    result.add({name, "540427", beside(value, kPrinted, 0, "another machine, rates that are not printed"),
-                fmt::format("{:.2f}", 100 * kOptimum / value), fmt::format("{:.0f}", seconds)});
+  TableRuns runs(watch, 2);
+  runs.tell("printed: 540427 in 200 s");
+  const auto add = [&](const char* name, const std::function<RunFigures()>& make) {
+    const RunFigures made = runs.run(name, make, [](const RunFigures& figures) {
+      return fmt::format("{:.0f} in {:.0f} s", figures[0], figures[1]);
+    });
+    result.add({name, "540427", beside(made[0], kPrinted, 0, "another machine, rates that are not printed"),
+                fmt::format("{:.2f}", 100 * kOptimum / made[0]), fmt::format("{:.0f}", made[1])});
   };
-  const auto published = order::run_genetic(*problem, *length, genetic);
-  add("as published", published.value, published.seconds);
-  order::SolveOptions options;
-  options.stop.seconds = kSeconds;
-  const auto ours = order::solve(*problem, *length, options);
-  add("ours", ours.length, ours.seconds);
+  add("as published", [&] {
+    const auto published = order::run_genetic(*problem, *length, genetic);
+    return RunFigures{published.value, published.seconds};
+  });
+  add("ours", [&] {
+    order::SolveOptions options;
+    options.stop.seconds = kSeconds;
+    const auto ours = order::solve(*problem, *length, options);
+    return RunFigures{ours.length, ours.seconds};
+  });
   return result;
 }
 

@@ -79,9 +79,8 @@ TEST(Page, PlaysInABrowser) {
   EXPECT_THAT(at_fault, HasSubstr("\">" + clock + " / ")) << "clock";
 }
 
-/// A fixed step of 0.9 D leaves twelve rests in a star: the page colours at its end what the certificate counts.
-TEST(Page, ColoursWhatIsLeft) {
-  if (!installed("chromium")) GTEST_SKIP() << "chromium is absent; install the package chromium";
+/// A fixed step of 0.9 D leaves twelve rests in a star.
+pipeline::PlanResult planned_star() {
   std::vector<Vec2> corners;
   for (int i = 0; i < 12; ++i) corners.push_back(direction_of(kPi * i / 6) * (i % 2 == 0 ? 50 : 28.8675));
   Part part;
@@ -95,18 +94,57 @@ TEST(Page, ColoursWhatIsLeft) {
   resolve::PlanOptions options;
   options.tools = {resolve::parse_tool("endmill:8")};
   options.strategy = "fixed";
-  const auto result = pipeline::plan_part(part, options);
+  return pipeline::plan_part(part, options);
+}
+
+/// The document at a moment of a plan's page.
+std::string page_at(const pipeline::PlanResult& result, const char* moment,
+                    const Toolpath* earlier = nullptr) {
+  return document_in_browser(
+      report::html(result.part, result.toolpath, result.findings, {Machine{}, result.program, earlier}),
+      moment);
+}
+
+/// mm2 that the page colours at its end; absent where it colours nothing.
+std::optional<double> left_in(const std::string& document) {
+  const std::string left = "data-left-mm2=\"";
+  const auto found = document.find(left);
+  if (found == std::string::npos) return std::nullopt;
+  return std::stod(document.substr(found + left.size()));
+}
+
+/// The page colours what the certificate counts.
+TEST(Page, ColoursWhatIsLeft) {
+  if (!installed("chromium")) GTEST_SKIP() << "chromium is absent; install the package chromium";
+  const pipeline::PlanResult result = planned_star();
   ASSERT_FALSE(result.findings.all.clean);
-  const auto page = [&](const char* moment) {
-    return document_in_browser(
-        report::html(result.part, result.toolpath, result.findings, {Machine{}, result.program}), moment);
-  };
-  const std::string at_end = page("#t=1e9"), left = "data-left-mm2=\"";
-  const auto found = at_end.find(left);
-  ASSERT_NE(found, std::string::npos);
-  const double shown = std::stod(at_end.substr(found + left.size()));
-  EXPECT_NEAR(shown, result.findings.all.uncut_mm2, 0.25 * result.findings.all.uncut_mm2);
-  EXPECT_EQ(page("#t=1").find(left), std::string::npos) << "nothing is left before the end";
+  const double uncut = result.findings.all.uncut_mm2;
+  EXPECT_NEAR(left_in(page_at(result, "#t=1e9")).value_or(0), uncut, 0.25 * uncut);
+  EXPECT_FALSE(left_in(page_at(result, "#t=1"))) << "nothing is left before the end";
+}
+
+/// Lines over the whole star, 2 mm deep.
+Toolpath cut_before(const Part& part) {
+  Section section;
+  section.tool_number = part.tools.front().number;
+  for (int y = -52; y <= 52; y += 4) {
+    Move move;
+    move.path = Edge::line({-52.0, static_cast<double>(y)}, {52.0, static_cast<double>(y)});
+    move.z_from = move.z_to = -2;
+    section.moves.push_back(move);
+  }
+  return {{section}};
+}
+
+/// What was cut before is not there, and a hollow under a ceiling shows where the cutter has come down to it.
+TEST(Page, BeginsWithWhatWasCutBefore) {
+  if (!installed("chromium")) GTEST_SKIP() << "chromium is absent; install the package chromium";
+  const pipeline::PlanResult result = planned_star();
+  const double uncut = result.findings.all.uncut_mm2;
+  Toolpath earlier = cut_before(result.part);
+  EXPECT_EQ(left_in(page_at(result, "#t=1e9", &earlier)), 0.0);
+  earlier.sections.front().carried_below = -1;
+  EXPECT_NEAR(left_in(page_at(result, "#t=1e9", &earlier)).value_or(0), uncut, 0.25 * uncut);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <random>
+#include <regex>
 #include <thread>
 
 #include "base/files/file.h"
@@ -22,6 +23,7 @@ using test_support::form_of;
 using test_support::ScratchFolder;
 using test_support::ServerProcess;
 using test_support::state_at_end;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -80,9 +82,8 @@ TEST(Serve, DescriptionHoldsForEveryRoute) {
   EXPECT_EQ(description.at("openapi"), "3.1.0");
   int count = 0;
   for (const auto& [path, methods] : description.at("paths").items()) {
-    std::string place = path;
-    const auto id = place.find("{id}");
-    if (id != std::string::npos) place.replace(id, 4, std::string(32, '0'));
+    std::string place = std::regex_replace(path, std::regex("\\{id\\}"), std::string(32, '0'));
+    place = std::regex_replace(place, std::regex("\\{setup\\}"), "2");
     for (const auto& [method, operation] : methods.items()) {
       ++count;
       const auto answer = method == "get"      ? client.Get(place)
@@ -94,7 +95,7 @@ TEST(Serve, DescriptionHoldsForEveryRoute) {
       EXPECT_THAT(answer->body, Not(HasSubstr("nothing of that name"))) << path;
     }
   }
-  EXPECT_EQ(count, 18);
+  EXPECT_EQ(count, 22);
 }
 
 /// Runs the command in a folder with the part, as the server does.
@@ -128,6 +129,28 @@ TEST(Serve, PlansWithTheCommandsOwnBytes) {
     EXPECT_EQ(result, read_file(folder.path("results/" + file))) << name;
     EXPECT_THAT(result, Not(HasSubstr("clearcut-serve-"))) << name;
   }
+}
+
+/// A block that is milled from two sides: results are numbered, and the verdict is the worst.
+TEST(Serve, PlansEverySetUpOfAJob) {
+  const ServerProcess server;
+  const std::string job =
+      "[part]\nfile = \"square.json\"\n[stock]\nx = [-5, 55]\ny = [-5, 55]\nz = [-20, 0]\n"
+      "[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 6\n[plan]\nstrategy = \"contour\"\n"
+      "[[setup]]\nup = \"+Z\"\norigin = \"corner\"\n[[setup]]\nup = \"-Z\"\norigin = \"corner\"\n";
+  httplib::MultipartFormDataItems form = form_of("twice.toml", job, "--accept out-of-reach");
+  form.push_back({"file", kSquare, "square.json", "application/octet-stream"});
+  const json state = state_at_end(server, posted(server, form));
+  ASSERT_EQ(state.at("state"), "done") << state.dump();
+  EXPECT_THAT(state.at("verdict").get<std::string>(), AnyOf("CLEAN", "CONDITIONAL"));
+  for (const char* kind : {"program", "certificate", "report", "picture"}) {
+    EXPECT_FALSE(state.at("results").contains(kind));
+    const std::string first = fetched(server, state.at("results").at(std::string(kind) + "-1"));
+    const std::string second = fetched(server, state.at("results").at(std::string(kind) + "-2"));
+    EXPECT_NE(first, second) << kind;
+  }
+  EXPECT_TRUE(state.at("results").contains("setup-sheet"));
+  EXPECT_FALSE(state.at("results").contains("program-3"));
 }
 
 TEST(Serve, TwentyClientsPlanAtOnce) {

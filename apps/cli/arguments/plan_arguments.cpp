@@ -109,11 +109,14 @@ ReadOptions PlanArguments::read_options() const {
 Part PlanArguments::read_overview(DrawingOverview& overview) const {
   ReadOptions options = read_options();
   options.overview = &overview;
-  if (setup_.number > 0) return part_of_job(*job(), options);
-  return read_part(input_, options);
+  if (setup_.number == 0) return read_part(input_, options);
+  JobFile setup = *job();
+  setup.stock.reset();  // is that of the first set-up
+  Part part = part_of_job(setup, options);
+  return part.features.empty() ? part : read(Block::kWhole);
 }
 
-Part PlanArguments::read() const {
+Part PlanArguments::read(Block block) const {
   auto from_job = job();
   const auto zero = zero_ ? std::optional(zero_point_of(*zero_)) : std::nullopt;
   if (from_job && zero) from_job->zero = zero;
@@ -121,7 +124,7 @@ Part PlanArguments::read() const {
   if (setup_.number > 0) {
     if (zero)
       throw InputError("--origin", "each set-up of a job has its own; write origin = ... in its [[setup]]");
-    part = read_setup(read_job(input_));
+    part = read_setup(read_job(input_), block);
   } else if (from_job) {
     part = part_of_job(*from_job, read_options(), step_sources_, step_published_);
   } else {
@@ -150,10 +153,10 @@ int setup_count_of(const std::string& input) {
 }
 
 /// The part of the chosen set-up on what the set-ups before have left.
-Part PlanArguments::read_setup(const JobFile& whole) const {
+Part PlanArguments::read_setup(const JobFile& whole, Block block) const {
   Part part =
       part_of_setup(whole, setup_.number, read_options(), setup_.place, step_sources_, step_published_);
-  if (setup_.number == 1) return part;
+  if (setup_.number == 1 || block == Block::kWhole) return part;
   setup_.carried =
       carried_stock(setup_.machined.empty() ? machined_before(whole) : setup_.machined, setup_.place, part);
   part.stock = setup_.carried->block;
@@ -276,7 +279,10 @@ PlanOptions PlanArguments::options() const {
   if (setup_.number > 1 && !setup_.carried) read();
   if (setup_.carried && options.earlier)
     throw InputError("--after", "the set-ups of a job know what the ones before leave; leave it out");
-  if (setup_.carried) options.earlier = setup_.carried->sweeps;
+  if (setup_.carried) {
+    options.earlier = setup_.carried->sweeps;
+    options.conditions = setup_.carried->conditions;
+  }
   add_places(keep_outs_, predrilled_, options);
   options.post = post_.options(options.post);
   options.step_published = step_published_;

@@ -26,6 +26,12 @@ struct ChosenSetup {
   std::optional<CarriedStock> carried;        ///< what the ones before leave to it
 };
 
+/// What a later set-up begins with.
+enum class Block : unsigned char {
+  kAsLeft,  ///< by the set-ups before
+  kWhole    ///< nothing was cut yet
+};
+
 /// How many [[setup]] a job file has; 0 for other files and jobs of one set-up.
 int setup_count_of(const std::string& input);
 
@@ -67,7 +73,7 @@ class PlanArguments {
   void add_cutting_options(CLI::App& command);
 
   /// Before options(), which tell where the values of a job stand only then.
-  Part read() const;
+  Part read(Block block = Block::kAsLeft) const;
   /// The names of all options that were typed, for the origins of values.
   void take_sources(const CLI::App& command);
   /// Of a drawing, without asking for depth or roles.
@@ -88,7 +94,7 @@ class PlanArguments {
   ChosenSetup& setup() const { return setup_; }
 
  private:
-  Part read_setup(const JobFile& whole) const;
+  Part read_setup(const JobFile& whole, Block block) const;
   std::vector<MachinedSetup> machined_before(const JobFile& whole) const;
   ReadOptions read_options() const;
   void add_drawing_options(CLI::App& command);

@@ -101,18 +101,44 @@ std::vector<std::string> asked_of(const DrawingOverview& overview) {
   return asks;
 }
 
-void print_info(const PlanArguments& arguments, bool as_json) {
-  DrawingOverview overview;
-  Part part = arguments.read_overview(overview);
-  const bool drawing = part.features.empty();
-  const auto asks = drawing ? asked_of(overview) : std::vector<std::string>{};
-  const Diagnostics found = part.diagnostics;
-  if (drawing && asks.empty()) part = arguments.read();
-  if (as_json) return print_line(info_json(part, overview, asks));
-  print(found, true);
-  if (drawing) print_overview(part.source_file, overview);
-  for (const auto& ask : asks) print_line("to be said: " + ask);
-  if (asks.empty()) print_part(part);
+PartInfo info_of(const PlanArguments& arguments) {
+  PartInfo info;
+  info.part = arguments.read_overview(info.overview);
+  info.found = info.part.diagnostics;
+  info.is_drawing = info.part.features.empty();
+  if (!info.is_drawing) return info;
+  info.asks = asked_of(info.overview);
+  if (info.asks.empty()) info.part = arguments.read(Block::kWhole);
+  return info;
+}
+
+/// Of every set-up of a job that has several, or of the one that is chosen.
+std::vector<PartInfo> infos_of(const PlanArguments& arguments) {
+  const int count = arguments.setup().number > 0 ? 0 : setup_count_of(arguments.input());
+  if (count == 0) return {info_of(arguments)};
+  std::vector<PartInfo> infos;
+  for (int number = 1; number <= count; ++number) {
+    const PlanArguments one = arguments;
+    one.setup().number = number;
+    infos.push_back(info_of(one));
+  }
+  return infos;
+}
+
+void print_info(const PartInfo& info) {
+  print(info.found, true);
+  if (info.is_drawing) print_overview(info.part.source_file, info.overview);
+  for (const auto& ask : info.asks) print_line("to be said: " + ask);
+  if (info.asks.empty()) print_part(info.part);
+}
+
+void print_infos(const std::vector<PartInfo>& infos, bool as_json) {
+  if (as_json) return print_line(infos_json(infos));
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    if (infos.size() > 1)
+      print_line(fmt::format("{}set-up {} of {}", i > 0 ? "\n" : "", i + 1, infos.size()));
+    print_info(infos[i]);
+  }
 }
 
 }  // namespace
@@ -127,7 +153,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
   command->option_defaults()->group("Output");
   command->add_flag("--json", *as_json, "Print JSON");
   command->callback([state, as_json, &exit_code] {
-    print_info(*state, *as_json);
+    print_infos(infos_of(*state), *as_json);
     exit_code = kClean;
   });
 }

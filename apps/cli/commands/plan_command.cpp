@@ -104,12 +104,25 @@ std::string hint_of(const Part& part, const PlanOptions& options) {
       path, trimmed(widest, 4), kCancel);
 }
 
+/// What makes a plan that takes long take less.
+std::string advice_of(const Part& part, const PlanOptions& options) {
+  const std::string strategy = options.strategy.value_or("auto");
+  const std::string faster = strategy == "zigzag" ? "" : "--strategy zigzag plans fastest, ";
+  const std::string fewer =
+      part.workplan.size() > 20
+          ? fmt::format("; its {} workingsteps may be planned in parts (of drawings: --layer)",
+                        part.workplan.size())
+          : "";
+  return fmt::format("this takes long: {}a wider cutter or a larger --stepdown makes less path{}", faster,
+                     fewer);
+}
+
 /// Plans while a line says how far it is; warnings of reading do not vanish behind an error.
 PlanResult planned(const PlanCommand& command, const Part& part, PlanOptions options) {
   try {
     std::optional<ProgressLine> line;
     if (!command.quiet) {
-      line.emplace(hint_of(part, options));
+      line.emplace(hint_of(part, options), advice_of(part, options));
       options.progress = line->callback();
     }
     return plan_part(part, options);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -110,14 +111,38 @@ std::vector<const studies::ReproducibleTable*> chosen_tables(const ReproduceComm
   return tables;
 }
 
+bool keeps(const ReproduceCommand& command) {
+  return !command.json.empty() && command.json != "-";
+}
+
+/// Beside the file of tables: the runs of the table that is being made, each as soon as it is done.
+std::string runs_file(const ReproduceCommand& command) {
+  return command.json + ".runs";
+}
+
+void append_run(const std::string& path, const std::string& line) {
+  std::ofstream file(path, std::ios::app);
+  file << line << std::flush;
+  if (!file) throw InputError(path, "cannot be appended to; see that it is writable and the disk not full");
+}
+
 /// Made now, or kept from an earlier run.
 studies::NamedReproduction reproduction(const studies::ReproducibleTable& table,
-                                        const std::vector<studies::NamedReproduction>& kept, bool is_quiet) {
+                                        const std::vector<studies::NamedReproduction>& kept,
+                                        const ReproduceCommand& command) {
   for (const auto& one : kept)
     if (one.name == table.name) return one;
+  const std::string path = runs_file(command);
+  studies::TableWatch watch;
+  if (keeps(command)) watch.append = [path](const std::string& line) { append_run(path, line); };
+  if (command.resume && std::filesystem::exists(path)) watch.kept = read_file(path);
   std::optional<ProgressLine> line;
-  if (!is_quiet) line.emplace(kStops).expect("reproduce " + table.name, table.cost_s);
-  return {table.name, table.place, table.make()};
+  if (!command.quiet) {
+    line.emplace(kStops).expect("reproduce " + table.name, table.cost_s);
+    watch.say = [&line](const std::string& text) { line->say(text); };
+    watch.count = [&line](std::size_t done, std::size_t of) { line->count(done, of, "runs"); };
+  }
+  return {table.name, table.place, table.make(watch)};
 }
 
 /// Tables of an earlier run that was asked to write the same file; none where there is no such file yet.
@@ -143,17 +168,18 @@ void print_reproduction(const studies::Reproduction& reproduction) {
 /// The JSON file is there after every table, so that a run that is broken off can be taken up again.
 void reproduce_tables(const ReproduceCommand& command) {
   if (command.list) return print_table(list_of_tables());
-  const bool is_file = !command.json.empty() && command.json != "-";
   const auto kept = kept_tables(command);
+  if (keeps(command) && !command.resume) std::filesystem::remove(runs_file(command));
   const auto tables = chosen_tables(command);
   std::vector<studies::NamedReproduction> made;
   for (const auto& one : kept)
     if (!is_among(tables, one.name)) made.push_back(one);
   for (const auto* table : tables) {
-    made.push_back(reproduction(*table, kept, command.quiet));
+    made.push_back(reproduction(*table, kept, command));
     if (command.json != "-" && command.html != "-") print_reproduction(made.back().reproduction);
-    if (is_file) write_outputs({{command.json, studies::reproduction_json(made)}}, {});
+    if (keeps(command)) write_outputs({{command.json, studies::reproduction_json(made)}}, {});
   }
+  if (keeps(command)) std::filesystem::remove(runs_file(command));
   if (command.json == "-") write_outputs({{command.json, studies::reproduction_json(made)}}, {});
   if (!command.html.empty()) write_outputs({{command.html, studies::reproduction_page(made)}}, {});
   if (command.quiet || !command.names.empty() || command.all) return;
@@ -248,8 +274,10 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
   command->add_option("--json", state->json, "Tables with every printed cell checked to write (JSON)")
       ->type_name("FILE");
   command->add_option("--html", state->html, "The same as one page to write")->type_name("FILE");
-  command->add_flag("--resume", state->resume,
-                    "Keep the tables that the file of --json has already, make the others");
+  command->add_flag(
+      "--resume", state->resume,
+      "Keep the tables that the file of --json has already, and the finished runs of the table that was "
+      "broken off; make the others");
   command->add_flag("--quiet", state->quiet, "No progress");
   command->callback([state, &exit_code] {
     reproduce_tables(*state);

@@ -127,6 +127,21 @@ Json stock_json(const Part& part) {
           {"z_top", number(part.stock->z_top)}};
 }
 
+Json info_json(const PartInfo& info) {
+  const Part& part = info.part;
+  Json json{{"schema", "clearcut-info-1"}, {"part", part.name}, {"source_file", part.source_file}};
+  json["stock"] = stock_json(part);
+  for (const char* list : {"tools", "features", "workingsteps", "outlines"}) json[list] = Json::array();
+  for (const Tool& tool : part.tools) json["tools"].push_back(tool_json(tool));
+  for (const Feature& feature : part.features) json["features"].push_back(feature_json(feature));
+  for (const auto& step : part.workplan)
+    json["workingsteps"].push_back({{"name", step.name}, {"feature", feature_of(part, step).name}});
+  for (const auto& one : info.overview.outlines) json["outlines"].push_back(outline_json(one));
+  json["asks"] = info.asks;
+  json["found"] = found_json(part.diagnostics);
+  return json;
+}
+
 }  // namespace
 
 std::string strategies_json(const Part& part, const std::vector<StrategyRun>& runs) {
@@ -149,18 +164,10 @@ std::string tools_json(const Part& part, const ToolComparison& comparison) {
   return printed(json);
 }
 
-std::string info_json(const Part& part, const DrawingOverview& overview,
-                      const std::vector<std::string>& asks) {
-  Json json{{"schema", "clearcut-info-1"}, {"part", part.name}, {"source_file", part.source_file}};
-  json["stock"] = stock_json(part);
-  for (const char* list : {"tools", "features", "workingsteps", "outlines"}) json[list] = Json::array();
-  for (const Tool& tool : part.tools) json["tools"].push_back(tool_json(tool));
-  for (const Feature& feature : part.features) json["features"].push_back(feature_json(feature));
-  for (const auto& step : part.workplan)
-    json["workingsteps"].push_back({{"name", step.name}, {"feature", feature_of(part, step).name}});
-  for (const auto& one : overview.outlines) json["outlines"].push_back(outline_json(one));
-  json["asks"] = asks;
-  json["found"] = found_json(part.diagnostics);
+std::string infos_json(const std::vector<PartInfo>& infos) {
+  if (infos.size() == 1) return printed(info_json(infos.front()));
+  Json json{{"schema", "clearcut-info-1"}, {"setups", Json::array()}};
+  for (const PartInfo& info : infos) json["setups"].push_back(info_json(info));
   return printed(json);
 }
 

@@ -17,6 +17,7 @@ namespace {
 using ProgressClock = std::chrono::steady_clock;
 constexpr double kQuiet = 1;  // s before anything is said on a terminal
 constexpr double kQuietElsewhere = 3;
+constexpr double kLong = 10;         // s before it is said what would be faster
 constexpr double kLineEvery = 3;     // s between lines where no terminal shows them
 constexpr double kRenewEvery = 0.2;  // s between renewals on a terminal
 const ProgressClock::time_point kStart = ProgressClock::now();
@@ -32,8 +33,9 @@ bool is_for_programs() {
 
 }  // namespace
 
-ProgressLine::ProgressLine(std::string hint)
+ProgressLine::ProgressLine(std::string hint, std::string advice)
     : hint_(std::move(hint)),
+      advice_(std::move(advice)),
       json_(is_for_programs()),
       terminal_(!json_ && ::isatty(STDERR_FILENO) != 0),
       began_s_(now_s()),
@@ -75,11 +77,25 @@ void ProgressLine::expect(const std::string& work, double usual_s) {
   work_ = Work{work, usual_s};
 }
 
+void ProgressLine::begin() {
+  if (!shown_ && !hint_.empty()) std::fprintf(stderr, "%s\n", hint_.c_str());
+  shown_ = true;
+}
+
+void ProgressLine::say(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  if (json_) return;
+  begin();
+  std::fprintf(stderr, "%s%s\n", terminal_ ? "\r\x1b[K" : "", line.c_str());
+  std::fflush(stderr);
+}
+
 std::string ProgressLine::text() const {
   const double spent_s = now_s() - began_s_;
-  if (work_) return fmt::format("{}, about {:g} s in all", work_->name, work_->usual_s);
+  if (work_ && !count_) return fmt::format("{}, about {:g} s in all", work_->name, work_->usual_s);
   if (!count_) return at_ ? described(*at_, spent_s) : "preparing";
-  std::string text = fmt::format("{} of {} {} done", count_->done, count_->of, count_->things);
+  std::string text = work_ ? work_->name + ": " : "";
+  text += fmt::format("{} of {} {} done", count_->done, count_->of, count_->things);
   if (const auto left = time_left(count_->done, count_->of, spent_s))
     text += fmt::format(", about {:.0f} s left", *left);
   return text;
@@ -100,8 +116,11 @@ void ProgressLine::show(double elapsed_s) {
     if (at_) std::fprintf(stderr, "%s\n", json_of(*at_, now_s() - began_s_).c_str());
     return;
   }
-  if (!shown_ && !hint_.empty()) std::fprintf(stderr, "%s\n", hint_.c_str());
-  shown_ = true;
+  begin();
+  if (elapsed_s >= kLong && !advice_.empty()) {
+    std::fprintf(stderr, terminal_ ? "\r\x1b[K%s\n" : "%s\n", advice_.c_str());
+    advice_.clear();
+  }
   const std::string line = fmt::format("{} ({:.0f} s)", text(), elapsed_s);
   std::fprintf(stderr, terminal_ ? "\r\x1b[K%s" : "%s\n", line.c_str());
   std::fflush(stderr);

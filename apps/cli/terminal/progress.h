@@ -13,10 +13,11 @@
 namespace clearcut::cli {
 
 /// While it lives: after a second (three where no terminal shows it), what is being done, how far it is, and how long it may still take, on one line that is renewed on
-/// a terminal, every five seconds on a line of its own elsewhere; with CLEARCUT_PROGRESS=json as JSON, a line every fifth of a second. Says `hint` once, when it begins to say anything.
+/// a terminal, every five seconds on a line of its own elsewhere; with CLEARCUT_PROGRESS=json as JSON, a line every fifth of a second. Says `hint` once, when it begins to say anything,
+/// and `advice` once, when the work has taken ten seconds.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::string hint);
+  explicit ProgressLine(std::string hint, std::string advice = "");
   ~ProgressLine();
   /// Before anything else is printed; the line is cleared.
   void end();
@@ -26,15 +27,19 @@ class ProgressLine {
   ProgressCallback callback();
   /// Of several plans or tables: so many `things` are done.
   void count(std::size_t done, std::size_t of, const std::string& things);
+  /// A line of its own, at once, that stays.
+  void say(const std::string& line);
   /// Of work that counts nothing: what it is, and how long it took where it was measured.
   void expect(const std::string& work, double usual_s);
 
  private:
   void watch();
   void show(double elapsed_s);
+  /// Says the hint, once.
+  void begin();
   void hear(const Progress& at);
 
-  std::string hint_;
+  std::string hint_, advice_;
   bool json_;
   bool terminal_;
   std::mutex mutex_;

@@ -46,10 +46,18 @@ function featureText(feature) {
   return `${feature.name}: ${feature.kind.replaceAll('_', ' ')}, ${round(x[1] - x[0], 1)} × ${round(y[1] - y[0], 1)} mm, z ${round(feature.top_z, 3)} to ${round(feature.floor_z, 3)}`;
 }
 
+const textsOf = info => [...info.asks.map(text => `To say: ${text}`), ...info.found.map(one => `${one.kind}: ${one.where ? `${one.where}: ` : ''}${one.what}`), ...info.features.map(featureText)];
+
+/** The set-ups of a job as one part, each text with its set-up. */
+function joinedSetups(setups) {
+  const named = (list, text) => setups.flatMap((one, i) => list(one).map(entry => text(entry, `set-up ${i + 1}: `)));
+  return { asks: named(one => one.asks, (ask, setup) => setup + ask), found: named(one => one.found, (one, setup) => ({ ...one, what: setup + one.what })),
+    features: named(one => one.features, (feature, setup) => ({ ...feature, name: setup + feature.name })), outlines: [] };
+}
+
 function showPart(answer) {
-  const info = answer.info;
-  const texts = info ? [...info.asks.map(text => `To say: ${text}`), ...info.found.map(one => `${one.kind}: ${one.where ? `${one.where}: ` : ''}${one.what}`), ...info.features.map(featureText)]
-    : [answer.message ?? 'The part cannot be read.'];
+  const info = answer.info?.setups ? joinedSetups(answer.info.setups) : answer.info;
+  const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'];
   fillList(element('found'), texts.slice(0, mostOutlines));
   element('found-box').hidden = texts.length === 0;
   element('found-title').textContent = !info ? 'The part cannot be read as it is' : info.asks.length > 0 ? 'What was found, and what has to be said' : `What was found: ${info.features.length} ${info.features.length === 1 ? 'feature' : 'features'}`;

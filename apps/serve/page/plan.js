@@ -62,13 +62,26 @@ function showProgress(state) {
 
 const downloads = [['program', 'Program', '.ngc'], ['certificate', 'Certificate', '.json'], ['report', 'Report', '.html'], ['picture', 'Picture', '.svg'], ['setup-sheet', 'Set-up sheet', '-setup.html'], ['text', 'Figures', '.txt']];
 
+/** Results of a kind: one, or one for each set-up of the job, as [set-up or '', address]. */
+const resultsOf = (results, kind) => Object.entries(results).filter(([name]) => name === kind || /^-\d+$/.test(name.slice(kind.length)) && name.startsWith(kind))
+  .map(([name, address]) => [name.slice(kind.length + 1), address]);
+
 function showDownloads(results, stem) {
-  const there = downloads.filter(([name]) => results[name]);
-  element('plan-downloads').replaceChildren(...there.map(([name, title, ending]) => {
+  const links = downloads.flatMap(([kind, title, ending]) => resultsOf(results, kind).map(([setup, address]) =>
+    made('a', setup ? `${title} of set-up ${setup}` : title, { href: address, download: (setup ? `${stem}-${setup}` : stem) + ending })));
+  element('plan-downloads').replaceChildren(...links.map(link => {
     const line = made('li');
-    line.append(made('a', title, { href: results[name], download: stem + ending }));
+    line.append(link);
     return line;
   }), ...jobDownload(stem));
+}
+
+/** The report, and a choice of set-ups where there are several. */
+function showReports(results) {
+  const reports = resultsOf(results, 'report'), choice = element('plan-setup');
+  choice.replaceChildren(...reports.map(([setup, address]) => made('option', `Set-up ${setup}`, { value: address })));
+  element('plan-setups').hidden = reports.length < 2;
+  showFrame('plan-report', reports[0]?.[1]);
 }
 
 /** The job file of what was planned; where the part is a job, it is there already. */
@@ -91,7 +104,7 @@ function showPlan(state) {
   fillList(element('plan-messages'), state.messages);
   element('plan-notes').hidden = state.messages.length === 0;
   element('plan-result').hidden = false;
-  showFrame('plan-report', state.results.report);
+  showReports(state.results);
   say(element('plan-status'), `Done: ${state.verdict}.`);
 }
 
@@ -153,6 +166,7 @@ function setUpPlan() {
   element('tool-diameter').addEventListener('input', event => { event.target.dataset.typed = '1'; });
   element('plan-cancel').addEventListener('click', cancelPlan);
   element('plan-compare').addEventListener('click', startComparison);
+  element('plan-setup').addEventListener('change', event => showFrame('plan-report', event.target.value));
   element('unit').addEventListener('change', readPart);
   showPlanCommand();
 }

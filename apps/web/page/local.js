@@ -47,8 +47,19 @@ function closeWork(work, state) {
   work.ended(work.state);
 }
 
-const resultKinds = { 'program.ngc': ['program', 'text/plain'], 'certificate.json': ['certificate', 'application/json'],
-  'report.html': ['report', 'text/html'], 'picture.svg': ['picture', 'image/svg+xml'] };
+const resultTypes = { 'program.ngc': 'text/plain', 'certificate.json': 'application/json', 'report.html': 'text/html', 'picture.svg': 'image/svg+xml', 'setup-sheet.html': 'text/html' };
+
+/** Files of the folder of results as [name, bytes, type]; the name of a set-up's own ends in its number, "program-2". */
+function namedResults(files) {
+  const found = [];
+  for (const [file, bytes] of Object.entries(files)) {
+    const [, stem, number, ending] = /^([a-z-]+?)(-\d+)?(\.[a-z]+)$/.exec(file) ?? [], type = resultTypes[stem + ending];
+    if (type) found.push([stem + (number ?? ''), bytes, type]);
+  }
+  return found;
+}
+
+const severity = verdict => verdict.startsWith('FAULTY') ? 2 : verdict.startsWith('CONDITIONAL') ? 1 : 0;
 
 /** Of a command that prints JSON about a part. */
 function stateOfAnswer(work, end) {
@@ -59,13 +70,14 @@ function stateOfAnswer(work, end) {
 /** The last state of a command that ended by itself. */
 function stateOfEnd(work, end) {
   if (work.answers) return stateOfAnswer(work, end);
-  const { messages } = work.state, certificate = end.results['certificate.json'];
-  if (end.code > 1 || !certificate) return { state: 'failed', message: messages.at(-1) ?? 'ended without a result' };
-  const state = { state: 'done', certificate: JSON.parse(new TextDecoder().decode(certificate)), text: end.text, results: {} };
-  state.verdict = state.certificate.verdict;
+  const { messages } = work.state, named = namedResults(end.results);
+  const certificates = named.filter(([name]) => name.startsWith('certificate')).map(([, bytes]) => JSON.parse(new TextDecoder().decode(bytes)));
+  if (end.code > 1 || certificates.length === 0) return { state: 'failed', message: messages.at(-1) ?? 'ended without a result' };
+  const worst = certificates.reduce((a, b) => severity(b.verdict) > severity(a.verdict) ? b : a);
+  const state = { state: 'done', certificate: worst, verdict: worst.verdict, text: end.text, results: {} };
   const link = (name, bytes, type) => { state.results[name] = URL.createObjectURL(new Blob([bytes], { type: `${type};charset=utf-8` })); };
   if (!work.keepsLinks) return state;
-  for (const [file, bytes] of Object.entries(end.results)) if (resultKinds[file]) link(resultKinds[file][0], bytes, resultKinds[file][1]);
+  for (const [name, bytes, type] of named) link(name, bytes, type);
   link('text', end.text, 'text/plain');
   return state;
 }
@@ -99,7 +111,7 @@ const pipeline = {
   },
   async plan(form) {
     const words = ['plan', nameIn(form, 'part'), ...wordsOf(form.get('options')), '--output=results/program.ngc',
-      '--certificate=results/certificate.json', '--svg=results/picture.svg', '--report=results/report.html'];
+      '--certificate=results/certificate.json', '--svg=results/picture.svg', '--report=results/report.html', '--setup-sheet=results/setup-sheet.html'];
     const id = String(++local.last);
     local.works.set(id, startWork(words, await filesOf(form), true));
     return id;

@@ -62,7 +62,13 @@ class BoxTree {
     descend_ranges([&](const Box& box, std::uint32_t, std::uint32_t) { return open(box); }, visit);
   }
 
-  /// The same; open(box, first, end) is told the numbers that the box holds, first to below end.
+  /// The same in another order: of two boxes side by side the one nearer to p first.
+  template <typename Open, typename Visit>
+  void descend_nearest_first(Vec2 p, Open&& open, Visit&& visit) const {
+    if (count_ > 0) descend_near(1, 0, leaves_ * kLeaf, p, open, visit);
+  }
+
+  /// The same as descend; open(box, first, end) is told the numbers that the box holds, first to below end.
   template <typename Open, typename Visit>
   void descend_ranges(Open&& open, Visit&& visit) const {
     if (count_ > 0) descend_from(1, 0, leaves_ * kLeaf, open, visit);
@@ -85,6 +91,22 @@ class BoxTree {
       return;
     }
     for (std::uint32_t i = first; i < end; ++i) visit(i);
+  }
+
+  template <typename Open, typename Visit>
+  void descend_near(std::size_t node, std::uint32_t first, std::uint32_t size, Vec2 p, Open& open,
+                    Visit& visit) const {
+    const std::uint32_t end = std::min(first + size, count_), half = size / 2;
+    if (first >= end || !open(boxes_[node])) return;
+    if (node >= leaves_) {
+      for (std::uint32_t i = first; i < end; ++i) visit(i);
+    } else if (bound(2 * node + 1, p) < bound(2 * node, p)) {
+      descend_near(2 * node + 1, first + half, half, p, open, visit);
+      descend_near(2 * node, first, half, p, open, visit);
+    } else {
+      descend_near(2 * node, first, half, p, open, visit);
+      descend_near(2 * node + 1, first + half, half, p, open, visit);
+    }
   }
 
   /// Squared distance to a box, less by more than rounding.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/tolerances.h"
+#include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/options/objective.h"
@@ -89,6 +90,7 @@ struct ResolvedPlan {
   Finish finish = Finish::kNone;
   std::optional<WorkMaterial> material;  ///< absent: no forces
   std::optional<Toolpath> earlier;       ///< a program that has run before on this stock
+  std::vector<Condition> conditions;     ///< what the caller knows that must hold
   Machine machine;
   std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
   PostOptions post;

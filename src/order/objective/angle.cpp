@@ -8,9 +8,7 @@ class Angle final : public Objective {
  public:
   std::string name() const override { return "angle"; }
   std::string unit() const override { return "deg"; }
-  double edge(const Moves& moves, int a, int b) const override {
-    return moves.has_detours() ? moves.shape(a, b).inner_angle : 0;
-  }
+  double edge(const Moves& moves, int a, int b) const override { return moves.inner_angle(a, b); }
   double corner(const Moves& moves, int a, int b, int c) const override { return moves.angle_at(a, b, c); }
   Linear linear() const override { return {.angle = 1}; }
 };

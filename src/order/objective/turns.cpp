@@ -8,9 +8,7 @@ class Turns final : public Objective {
  public:
   std::string name() const override { return "turns"; }
   std::string unit() const override { return "turns"; }
-  double edge(const Moves& moves, int a, int b) const override {
-    return moves.has_detours() ? moves.shape(a, b).inner_turns : 0;
-  }
+  double edge(const Moves& moves, int a, int b) const override { return moves.inner_turns(a, b); }
   double corner(const Moves& moves, int a, int b, int c) const override {
     return moves.turns_at(a, b, c) ? 1 : 0;
   }

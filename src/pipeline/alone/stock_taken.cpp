@@ -17,9 +17,8 @@ double low_z(const Move& move) {
 }
 
 double radius_of(const Section& section, const std::vector<Tool>& tools) {
-  const auto tool = std::find_if(tools.begin(), tools.end(),
-                                 [&](const Tool& one) { return one.number == section.tool_number; });
-  return tool == tools.end() ? 0 : tool->radius();
+  const Tool* const tool = tool_numbered(tools, section.tool_number);
+  return tool ? tool->radius() : 0;
 }
 
 int line_of_move(const Toolpath& toolpath, std::size_t index) {

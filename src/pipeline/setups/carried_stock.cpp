@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "pipeline/setups/meeting_floors.h"
 #include "stock/material.h"
 
 namespace clearcut::pipeline {
@@ -37,12 +38,6 @@ double end_of(const Tool& tool) {
   return tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
 }
 
-const Tool* tool_numbered(const Part& part, int number) {
-  const auto found = std::find_if(part.tools.begin(), part.tools.end(),
-                                  [&](const Tool& tool) { return tool.number == number; });
-  return found == part.tools.end() ? nullptr : &*found;
-}
-
 /// Collects moves; those that do not follow each other are sections of their own.
 class Sweeps {
  public:
@@ -52,12 +47,12 @@ class Sweeps {
                          out_.sections.back().moves.back().path.to == move.path.from &&
                          out_.sections.back().moves.back().z_to == move.z_from;
     if (!follows) {
-      out_.sections.emplace_back();
-      out_.sections.back().label = "earlier set-up";
-      out_.sections.back().tool_number = like.tool_number;
-      out_.sections.back().spindle_rpm = like.spindle_rpm;
-      out_.sections.back().spindle_clockwise = like.spindle_clockwise;
-      out_.sections.back().carried_below = carried_below;
+      Section& section = out_.sections.emplace_back();
+      section.label = "earlier set-up";
+      section.tool_number = like.tool_number;
+      section.spindle_rpm = like.spindle_rpm;
+      section.spindle_clockwise = like.spindle_clockwise;
+      section.carried_below = carried_below;
     }
     out_.sections.back().moves.push_back(move);
   }
@@ -73,7 +68,7 @@ class Sweeps {
 template <typename Visit>
 void for_cuts(const MachinedSetup& setup, Visit visit) {
   for (const Section& section : setup.toolpath.sections) {
-    const Tool* tool = tool_numbered(setup.part, section.tool_number);
+    const Tool* tool = tool_numbered(setup.part.tools, section.tool_number);
     if (!tool || !is_cylinder(*tool)) continue;
     for (const Move& move : section.moves) {
       if (!is_rapid(move.kind)) visit(section, *tool, move);
@@ -170,6 +165,7 @@ CarriedStock carried_stock(const std::vector<MachinedSetup>& earlier, const Setu
   }
   out.block = moved(block, between(in, place));
   out.sweeps = sweeps.take();
+  if (next.stock) out.conditions = meeting_floors(earlier, place, next, Tolerances{});
   return out;
 }
 

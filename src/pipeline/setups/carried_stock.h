@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/control.h"
 #include "model/move.h"
 #include "model/part.h"
 #include "model/setup_place.h"
@@ -22,6 +23,7 @@ struct CarriedStock {
   Stock block;       ///< without what was faced off all over
   Toolpath sweeps;   ///< moves of cylinders that have cut away whatever is not there any more
   std::string told;  ///< what is carried and what is not, for people
+  std::vector<Condition> conditions;  ///< "floors-meet": see meeting_floors()
 };
 
 /// The stock of a later set-up at `place` whose part is `next`.

@@ -173,5 +173,36 @@ TEST(CarriedStock, ARapidIntoWhatIsLeftIsAFaultAndThroughWhatIsGoneIsNone) {
   EXPECT_TRUE(has(findings({25, 40}), FaultKind::kRapidInMaterial)) << "without what was carried it is solid";
 }
 
+/// A block of 12 mm: 7 from above and 6 from below leave no floor where they overlap, over 10 by 40 mm.
+TEST(CarriedStock, FloorsThatMeetAreACondition) {
+  const std::string above = kBlock + box("POCKET_D7", 10, 10, 40, 50);
+  const auto conditions = [&](const std::string& layer, double left, double right) {
+    Part next = drawn(kBlock + box(layer, left, 10, right, 50));
+    return carried_stock({machined(above)}, kBelow, next).conditions;
+  };
+  const auto found = conditions("POCKET_D6", 30, 60);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].name, "floors-meet");
+  EXPECT_NE(found[0].text.find("1 mm deeper than the block is thick, over 400 mm2"), std::string::npos)
+      << found[0].text;
+  EXPECT_TRUE(conditions("POCKET_D5", 30, 60).empty()) << "the floors touch";
+  EXPECT_TRUE(conditions("POCKET_D6", 45, 70).empty()) << "beside each other";
+  EXPECT_TRUE(conditions("POCKET_D12", 30, 60).empty()) << "is meant to go through";
+}
+
+/// Until somebody accepts them.
+TEST(CarriedStock, FloorsThatMeetKeepAPlanFromBeingClean) {
+  Part next = drawn(kBlock + box("POCKET_D6", 30, 10, 60, 50));
+  const CarriedStock carried =
+      carried_stock({machined(kBlock + box("POCKET_D7", 10, 10, 40, 50))}, kBelow, next);
+  next.stock = carried.block;
+  resolve::PlanOptions options = with(kTools);
+  options.earlier = carried.sweeps;
+  options.conditions = carried.conditions;
+  EXPECT_EQ(verdict_of(plan_part(next, options).findings), Verdict::kConditional);
+  options.accept = {"floors-meet"};
+  EXPECT_EQ(verdict_of(plan_part(next, options).findings), Verdict::kClean);
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

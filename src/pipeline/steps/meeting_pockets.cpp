@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/spatial/apart.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"
@@ -83,7 +84,8 @@ Regions united_over_hairlines(const Regions& a, const Regions& b, const Toleranc
 }
 
 bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
-  return !intersect(other.allowed, around, tol).empty() && !subtract(other.allowed, around, tol).empty();
+  return !are_apart(other.allowed, around, 2 * tol.chord) && !intersect(other.allowed, around, tol).empty() &&
+         !subtract(other.allowed, around, tol).empty();
 }
 
 /// What the cutters of earlier workingsteps have cleared around a pocket, down to where it begins or deeper.

@@ -68,7 +68,8 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
   return conditions;
 }
 
-void add_out_of_reach(const Part& part, const ResolvedPlan& plan, Findings& findings) {
+void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings) {
+  findings.conditions.insert(findings.conditions.end(), plan.conditions.begin(), plan.conditions.end());
   for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
   accept_conditions(findings, plan.accept);
 }

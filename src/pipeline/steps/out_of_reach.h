@@ -16,7 +16,8 @@ namespace clearcut::pipeline {
 /// rounded by the cutter are what everybody expects. Cost O(1) insets of each such feature.
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol);
 
-/// Adds these conditions to the findings: the part is not all that was asked for until they are met or accepted.
-void add_out_of_reach(const Part& part, const ResolvedPlan& plan, Findings& findings);
+/// Adds these conditions and those of the plan to the findings: the part is not all that was asked for until they are met or
+/// accepted.
+void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings);
 
 }  // namespace clearcut::pipeline

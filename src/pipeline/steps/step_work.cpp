@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/spatial/apart.h"
 #include "pipeline/steps/carve_step.h"
 #include "pipeline/steps/formed_holes.h"
 #include "pipeline/steps/holes.h"
@@ -153,7 +154,7 @@ std::optional<double> top_of_flush_walls(const Part& part, const Feature& featur
   std::optional<Regions> around;  // made for the first that asks: few features lie under others
   for (const Feature& other : part.features) {
     const bool above = &other != &feature && other.floor_z > feature.floor_z && other.top_z > feature.top_z;
-    if (!above || !box(other.target).overlaps(box(feature.target))) continue;
+    if (!above || are_apart(other.target, feature.target, 2 * tol.chord)) continue;
     if (intersect(other.target, feature.target, tol).empty()) continue;
     if (!around) around = dilate(feature.target, kFlush, tol);
     if (!subtract(*around, other.allowed, tol).empty())

@@ -10,6 +10,7 @@
 #include "pipeline/selection/compare.h"
 #include "pipeline/selection/tool_sets.h"
 #include "pipeline/tour/engagement_model.h"
+#include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
 #include "plan/contour/contour.h"
 #include "plan/grid/interpolate.h"
@@ -64,6 +65,16 @@ TEST(PublishedConstants, PopulationOfTheAlgorithm) {
   EXPECT_EQ(published.population, 25);
   EXPECT_EQ(published.neighbours, 24);
   EXPECT_EQ(published.most_shared, 0.2);
+}
+
+/// Tour 4.3.3: "1000 generations without any improvement". A row of points begins at its optimum.
+TEST(PublishedConstants, PatienceOfTheAlgorithm) {
+  order::Problem row = order::lattice_problem(6, 1);
+  row.shape = order::Shape::kOpenPath;
+  const auto result = published_order(row, *order::length_objective(), {});
+  EXPECT_EQ(result.value, 5);
+  EXPECT_EQ(result.generations, 1000);
+  EXPECT_EQ(result.children, 25000);
 }
 
 /// Grid section III: three points a square along a line, circles in steps of a micrometre.

@@ -232,7 +232,7 @@ class AreaPlanner {
  private:
   Points grid() const {
     if (work_.options.published)
-      return points_in(published_lattice(legal_.box(), work_.pitch()), paths_.area());
+      return points_in(published_lattice(published_box(), work_.pitch()), paths_.area());
     const Regions inside = well_inside();
     const Lattice lattice = filling(fitted_lattice(box(inside.empty() ? rest_ : inside), work_.pitch()),
                                     box(rest_).grown(work_.radius()));
@@ -240,6 +240,14 @@ class AreaPlanner {
     GridChoice choice(lattice, paths_.area(), rest, work_.radius());
     choice.choose(LegalArea(inside));
     return choice.points();
+  }
+
+  /// The legal area's box; on open sides, where the area is as good as endless, it ends a radius beyond the target, as
+  /// that of "a pocket with slightly larger dimensions" does (7.6) which is a diameter larger all round.
+  Box published_box() const {
+    const Box legal = legal_.box(), near = box(work_.layer.target).grown(work_.radius());
+    return {{std::max(legal.min.x, near.min.x), std::max(legal.min.y, near.min.y)},
+            {std::min(legal.max.x, near.max.x), std::min(legal.max.y, near.max.y)}};
   }
 
   /// The rest without a rim. A point between the rim and the first row, half a pitch from the nearest points
@@ -414,7 +422,10 @@ LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const 
     std::copy_if(pass.path.begin(), pass.path.end(), std::back_inserter(work.walls),
                  [](const Edge& edge) { return edge.from != edge.to; });
   }
-  if (options.published) result.passes.clear();
+  if (options.published) {
+    result.passes.clear();
+    result.residual = std::max(result.residual, work.pitch());  // the rim
+  }
   for (std::size_t i = 0; i < area.components.size(); ++i) {
     Pass pass;
     pass.path = AreaPlanner(area.components[i], work).plan();

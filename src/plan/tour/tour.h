@@ -33,8 +33,8 @@ struct TourGridOptions {
   /// of the grid is cleared whatever the order; what wider grids leave is visited in addition.
   double pitch = 0.9;
   bool pitch_in_mm = false;
-  /// As published: the grid begins at the boundary of the legal area and nothing else is cut, so that a rim
-  /// is left.
+  /// As published: the grid begins at the boundary of the legal area, on open sides a radius beyond the target (7.6),
+  /// and nothing else is cut, so that a rim is left.
   bool published = false;
 };
 

@@ -102,6 +102,28 @@ TEST(PlanTour, ThePublishedGridLeavesARim) {
   EXPECT_FALSE(cover.holds({54, 20}));
 }
 
+/// An open side reaches a metre out of the part; the grid does not, 7.6.
+TEST(PlanTour, ThePublishedGridEndsARadiusBeyondOpenSides) {
+  Layer layer = layer_of({rectangle(0, 0, 60, 40)}, 5);
+  layer.allowed = {rectangle(0, -1000, 1060, 1040)};
+  TourGridOptions options;
+  options.published = true;
+  options.pitch = 0.5;
+  std::size_t points = 0;
+  const auto passes = plan_tour(layer, options,
+                                [&](const TourTask& task) {
+                                  points = task.points.size();
+                                  return in_order(task);
+                                },
+                                {});
+  // From the wall's 5 mm to 65 mm, from -5 to 45 mm.
+  EXPECT_EQ(points, 13u * 11u);
+  ASSERT_EQ(passes.passes.size(), 1u);
+  EXPECT_EQ(passes.passes[0].path.front().from, (Vec2{5, -5}));
+  // So that rapids of the layer below rise above what is left here.
+  EXPECT_GT(passes.residual, 0);
+}
+
 TEST(PlanTour, NothingWhereTheCutterDoesNotFit) {
   EXPECT_TRUE(plan_tour(layer_of({rectangle(0, 0, 20, 5)}, 4), {}, in_order, {}).passes.empty());
 }

@@ -274,22 +274,6 @@ bool goes_before(const Feature& a, const Feature& b) {
   return turn_of(a) == 3 ? area_within(a) < area_within(b) : a.floor_z > b.floor_z;
 }
 
-/// The block that outlines of the role stock bound, down to their depth, else that of the deepest feature.
-void set_stock(Part& part, const std::vector<ShapedGroup>& groups, const std::vector<Feature>& features,
-               const ReadOptions& options) {
-  for (const ShapedGroup& shaped : groups) {
-    if (shaped.group.role != LayerRole::kStock || shaped.regions.empty()) continue;
-    Stock stock;
-    stock.plan = box(shaped.regions);
-    stock.z_top = options.top ? *options.top : shaped.group.top.value_or(0);
-    stock.z_bottom = features.front().floor_z;
-    for (const Feature& feature : features) stock.z_bottom = std::min(stock.z_bottom, feature.floor_z);
-    if (shaped.group.depth)
-      stock.z_bottom = stock.z_top - checked_depth(*shaped.group.depth, shaped.group.where);
-    part.stock = stock;
-  }
-}
-
 /// Areas of all groups but islands and what is ignored.
 std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const ReadOptions& options,
                                        Diagnostics& diagnostics) {

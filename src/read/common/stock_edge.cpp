@@ -1,10 +1,23 @@
 #include "read/common/stock_edge.h"
 
+#include <algorithm>
+
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
+#include "read/common/drawing.h"
 
 namespace clearcut::read {
 namespace {
+
+/// Depth of a V-carving by the sharpest usual bit, 20 degrees, over its depth by one of 90 degrees, tan 45 / tan 10.
+constexpr double kSharpest = 5.67;
+
+/// mm; how deep the feature may become when its cutter is chosen.
+double lowest_of(const Feature& feature) {
+  if (!feature.carving) return feature.floor_z;
+  const double deepest = kSharpest * (feature.top_z - feature.floor_z);
+  return feature.top_z - std::min(deepest, feature.carving->limit.value_or(deepest));
+}
 
 bool reaches_edge(const Feature& feature, const Box& stock, const Tolerances& tol) {
   const Box reach = box(feature.target), inner = stock.grown(-tol.join_gap / 2);
@@ -30,6 +43,21 @@ void open_at_stock_edge(Part& part, const Tolerances& tol) {
     feature.allowed = unite(feature.allowed, {beside}, tol);
     feature.target = intersect(feature.target, {stock}, tol);
     if (feature.kind == FeatureKind::kClosedPocket) feature.kind = FeatureKind::kOpenPocket;
+  }
+}
+
+void set_stock(Part& part, const std::vector<ShapedGroup>& groups, const std::vector<Feature>& features,
+               const ReadOptions& options) {
+  for (const ShapedGroup& shaped : groups) {
+    if (shaped.group.role != LayerRole::kStock || shaped.regions.empty()) continue;
+    Stock stock;
+    stock.plan = box(shaped.regions);
+    stock.z_top = options.top ? *options.top : shaped.group.top.value_or(0);
+    stock.z_bottom = features.front().floor_z;
+    for (const Feature& feature : features) stock.z_bottom = std::min(stock.z_bottom, lowest_of(feature));
+    if (shaped.group.depth)
+      stock.z_bottom = stock.z_top - checked_depth(*shaped.group.depth, shaped.group.where);
+    part.stock = stock;
   }
 }
 

@@ -14,11 +14,6 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kCurves{"LINE",   "ARC",        "CIRCLE",  "ELLIPSE",
                                                   "SPLINE", "LWPOLYLINE", "POLYLINE"};
-constexpr double kDegree = kPi / 180;
-
-Vec2 point(const DxfDocument& document, const DxfEntity& entity, int x) {
-  return {document.required(entity, x), document.required(entity, x + 10)};
-}
 
 Path mapped(const Path& path, const Affine& map) {
   Path out;
@@ -26,27 +21,21 @@ Path mapped(const Path& path, const Affine& map) {
   return out;
 }
 
-double radius_of(const DxfDocument& document, const DxfEntity& entity) {
-  const double radius = document.required(entity, 40);
-  if (!(radius >= 0)) document.fail(entity.line, "a radius below 0; correct the file");
-  return radius;
-}
-
 Path arc_path(const DxfDocument& document, const DxfEntity& entity) {
-  const Vec2 center = point(document, entity, 10);
+  const Vec2 center = document.point(entity, 10);
   const double radius = radius_of(document, entity);
   const double start = document.required(entity, 50), end = document.required(entity, 51);
   double sweep = std::fmod(end - start, 360.0);
   if (sweep <= 1e-9) sweep += 360;
   if (radius == 0) return {};
   if (sweep >= 360 - 1e-9) return full_circle(center, radius);
-  const Vec2 from = center + direction_of(start * kDegree) * radius;
-  const Vec2 to = center + direction_of((start + sweep) * kDegree) * radius;
+  const Vec2 from = center + direction_of(Radians::of_degrees(start).radians()) * radius;
+  const Vec2 to = center + direction_of(Radians::of_degrees(start + sweep).radians()) * radius;
   return {Edge::arc(from, to, center, Turn::kCounterClockwise)};
 }
 
 Path ellipse_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
-  const Vec2 major = point(document, entity, 11);
+  const Vec2 major = document.point(entity, 11);
   const double ratio = document.required(entity, 40);
   if (!(norm(major) > 0) || !(ratio > 0))
     document.fail(entity.line, "an ellipse without width; correct the file");
@@ -57,7 +46,7 @@ Path ellipse_path(const DxfDocument& document, const DxfEntity& entity, const Af
   double sweep = std::fmod(end - start, 2 * kPi);
   if (sweep <= 1e-9) sweep += 2 * kPi;
   Path path;
-  append_elliptical(map(point(document, entity, 10)), map.linear(major),
+  append_elliptical(map(document.point(entity, 10)), map.linear(major),
                     map.linear(left_of(major) * (side * ratio)), start, sweep, kCurveTolerance, path);
   return path;
 }
@@ -90,7 +79,7 @@ std::vector<BulgeVertex> old_vertices(const DxfDocument& document, std::span<con
   std::vector<BulgeVertex> vertices;
   for (const DxfEntity& vertex : entities) {
     if (document.integer(vertex, 70, 0) & kSplineFrame) continue;
-    vertices.push_back({point(document, vertex, 10), document.number(vertex, 42, 0)});
+    vertices.push_back({document.point(vertex, 10), document.number(vertex, 42, 0)});
   }
   return vertices;
 }
@@ -107,6 +96,12 @@ std::optional<Path> polyline_path(const DxfDocument& document, const DxfEntity& 
 }
 
 }  // namespace
+
+double radius_of(const DxfDocument& document, const DxfEntity& entity) {
+  const double radius = document.required(entity, 40);
+  if (!(radius >= 0)) document.fail(entity.line, "a radius below 0; correct the file");
+  return radius;
+}
 
 bool is_curve(std::string_view dxf_type) {
   return std::find(kCurves.begin(), kCurves.end(), dxf_type) != kCurves.end();
@@ -132,10 +127,10 @@ std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& e
   RawCurve curve;
   curve.source = std::string(entity.type) + " at line " + std::to_string(entity.line);
   if (entity.type == "LINE") {
-    curve.edges = mapped({Edge::line(point(document, entity, 10), point(document, entity, 11))}, map);
+    curve.edges = mapped({Edge::line(document.point(entity, 10), document.point(entity, 11))}, map);
   } else if (entity.type == "CIRCLE") {
     const double radius = radius_of(document, entity);
-    if (radius > 0) curve.edges = mapped(full_circle(point(document, entity, 10), radius), map * *own);
+    if (radius > 0) curve.edges = mapped(full_circle(document.point(entity, 10), radius), map * *own);
     curve.closed = true;
   } else if (entity.type == "ARC") {
     curve.edges = mapped(arc_path(document, entity), map * *own);

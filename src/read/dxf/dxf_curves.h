@@ -17,6 +17,9 @@ bool is_curve(std::string_view dxf_type);
 /// when it is not parallel to the plane.
 std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& entity);
 
+/// Of a circle or an arc, mm >= 0. Throws  InputError for a radius below 0.
+double radius_of(const DxfDocument& document, const DxfEntity& entity);
+
 /// The curve of `entity` under `map` (drawing to mm); `vertices` are the VERTEX entities of a POLYLINE.
 /// Nothing for meshes, tilted entities and splines without points. Throws InputError "file:line:
 /// ..." for damaged entities.

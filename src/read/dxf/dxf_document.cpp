@@ -156,6 +156,10 @@ double DxfDocument::required(const DxfEntity& entity, int code) const {
   return number(*group);
 }
 
+Vec2 DxfDocument::point(const DxfEntity& entity, int x_code) const {
+  return {required(entity, x_code), required(entity, x_code + 10)};
+}
+
 int DxfDocument::integer(const DxfEntity& entity, int code, int otherwise) const {
   const double value = number(entity, code, otherwise);
   return std::abs(value) < 1e9 ? static_cast<int>(value) : otherwise;

@@ -48,6 +48,8 @@ struct DxfDocument {
   /// Throws  also when the group is missing.
   double required(const DxfEntity& entity, int code) const;
   int integer(const DxfEntity& entity, int code, int otherwise) const;
+  /// Of the groups `x_code` and `x_code` + 10. Throws  as required() does.
+  Vec2 point(const DxfEntity& entity, int x_code) const;
   [[noreturn]] void fail(int line, const std::string& what) const;
 };
 

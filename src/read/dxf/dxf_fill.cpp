@@ -7,9 +7,9 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
-#include "read/common/b_spline.h"
 #include "read/common/curve_fit.h"
 #include "read/dxf/dxf_curves.h"
+#include "read/dxf/dxf_spline.h"
 
 namespace clearcut::read {
 namespace {
@@ -105,23 +105,16 @@ class HatchReader {
     enum { kLine = 1, kCircular = 2, kElliptical = 3, kSpline = 4 };
     switch (document_.integer(edge, kEdge, 0)) {
       case kLine:
-        return line(point(edge, 10), point(edge, 11));
-      case kCircular: {
-        const double radius = document_.required(edge, 40);
-        if (!(radius >= 0)) document_.fail(edge.line, "a radius below 0; correct the file");
-        return elliptical(edge, {radius, 0}, 1);
-      }
+        return line(document_.point(edge, 10), document_.point(edge, 11));
+      case kCircular:
+        return elliptical(edge, {radius_of(document_, edge), 0}, 1);
       case kElliptical:
-        return elliptical(edge, point(edge, 11), document_.required(edge, 40));
+        return elliptical(edge, document_.point(edge, 11), document_.required(edge, 40));
       case kSpline:
-        return spline(edge);
+        return spline_by_poles(document_, edge, {.degree = 94, .weight = 42}, map_).value_or(Path{});
       default:
         document_.fail(edge.line, "a boundary of a HATCH is no line, arc, ellipse or spline; explode it");
     }
-  }
-
-  Vec2 point(const DxfEntity& edge, int x) const {
-    return {document_.required(edge, x), document_.required(edge, x + 10)};
   }
 
   Path line(Vec2 from, Vec2 to) const {
@@ -140,40 +133,17 @@ class HatchReader {
     const double start = parameter(from, ratio);
     const double sweep = turn >= 360 - 1e-9 ? 2 * kPi : positive(parameter(from + turn, ratio) - start);
     Path path;
-    append_elliptical(map_(point(edge, 10)), map_.linear(major), map_.linear(left_of(major) * (ratio * side)),
-                      start, sweep, kCurveTolerance, path);
+    append_elliptical(map_(document_.point(edge, 10)), map_.linear(major),
+                      map_.linear(left_of(major) * (ratio * side)), start, sweep, kCurveTolerance, path);
     return path;
   }
 
   /// Of an ellipse, from the angle under which its place is seen from the centre, degrees.
   static double parameter(double degrees, double ratio) {
-    return base::atan2(base::sin(degrees * kPi / 180) / ratio, base::cos(degrees * kPi / 180));
+    const double angle = Radians::of_degrees(degrees).radians();
+    return base::atan2(base::sin(angle) / ratio, base::cos(angle));
   }
   static double positive(double angle) { return angle > 0 ? angle : angle + 2 * kPi; }
-
-  Path spline(const DxfEntity& edge) const {
-    BSpline spline;
-    spline.degree = document_.integer(edge, 94, 3);
-    std::vector<Vec2> points;
-    std::vector<double> weights;
-    for (const DxfGroup& group : edge.groups) {
-      if (group.code == 40) spline.knots.push_back(document_.number(group));
-      if (group.code == 10) points.push_back({document_.number(group), 0});
-      if (group.code == 20 && !points.empty()) points.back().y = document_.number(group);
-      if (group.code == 42) weights.push_back(document_.number(group));
-    }
-    if (!weights.empty() && weights.size() != points.size())
-      document_.fail(edge.line, "a spline without all its weights");
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const double w = weights.empty() ? 1 : weights[i];
-      spline.poles.push_back({map_(points[i]) * w, w});
-    }
-    const std::string fault = fault_of(spline);
-    if (!fault.empty()) document_.fail(edge.line, "a spline with " + fault + "; the file is damaged here");
-    Path path;
-    append_spline(spline, kCurveTolerance, path);
-    return path;
-  }
 
   const DxfDocument& document_;
   const DxfEntity& hatch_;
@@ -185,7 +155,7 @@ Path corners_path(const DxfDocument& document, const DxfEntity& entity, const Af
   std::vector<Vec2> corners;
   for (const int x : {10, 11, 13, 12}) {
     if (!entity.find(x)) continue;
-    const Vec2 corner = map({document.required(entity, x), document.required(entity, x + 10)});
+    const Vec2 corner = map(document.point(entity, x));
     if (corners.empty() || corner != corners.back()) corners.push_back(corner);
   }
   Path path;

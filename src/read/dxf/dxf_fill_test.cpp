@@ -39,6 +39,16 @@ Part read(const std::string& text, ReadOptions options = {}) {
   return read_dxf(text, "hatched.dxf", options);
 }
 
+/// Layer D5 is a pocket, so that its fills are outlines.
+ReadOptions fills_asked() {
+  ReadOptions asked;
+  LayerRule rule;
+  rule.pattern = "D5";
+  rule.role = LayerRole::kPocket;
+  asked.layer_rules.push_back(rule);
+  return asked;
+}
+
 double area_of(const Part& part) {
   double sum = 0;
   for (const Feature& feature : part.features) sum += area(feature.target);
@@ -118,17 +128,18 @@ TEST(DxfFill, BesideLinesOfOtherLayersSomebodyHasToAsk) {
   EXPECT_NEAR(area_of(part), 100, 1e-9);
   EXPECT_THAT(left_out(part),
               testing::HasSubstr("--op pocket:LAYER reads the boundaries of fills): 1 HATCH on layer D5"));
-  ReadOptions asked;
-  LayerRule rule;
-  rule.pattern = "D5";
-  rule.role = LayerRole::kPocket;
-  asked.layer_rules.push_back(rule);
-  EXPECT_NEAR(area_of(read(text, asked)), 200, 1e-9);
-  EXPECT_EQ(left_out(read(text, asked)), "");
+  EXPECT_NEAR(area_of(read(text, fills_asked())), 200, 1e-9);
+  EXPECT_EQ(left_out(read(text, fills_asked())), "");
+}
+
+TEST(DxfFill, DamageInDecorationRefusesNoDrawing) {
+  const std::string damaged = kHatch + " 91 1 92 1 93 1 72 9 10 0 20 0" + kEnd;
+  EXPECT_THAT(left_out(read(drawing(kLines + damaged))), testing::HasSubstr("1 HATCH on layer D5"));
+  EXPECT_THROW(read(drawing(kLines + damaged), fills_asked()), InputError);
 }
 
 TEST(DxfFill, FewerPathsThanTheFileCountsAreNotRead) {
-  const Part part = read(drawing(kLines + kHatch + " 91 3" + kSquare + kEnd));
+  const Part part = read(drawing(kLines + kHatch + " 91 3" + kSquare + kEnd), fills_asked());
   EXPECT_NEAR(area_of(part), 100, 1e-9);
   EXPECT_THAT(left_out(part), testing::HasSubstr("1 HATCH without boundary on layer D5"));
 }

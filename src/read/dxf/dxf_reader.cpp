@@ -224,16 +224,15 @@ class Collector {
     return role->second != LayerRole::kIgnore;
   }
 
-  /// Whether fills are outlines is known when all is read.
+  /// What fills an area; whether its boundary is an outline is known when all is read.
+  struct Fill {
+    const DxfEntity* entity;
+    Affine map;
+    std::string layer;
+  };
+
   void keep_fill(const DxfEntity& entity, const Affine& map, const std::string& layer) {
-    auto curves = boundaries_of(document_, entity, map);
-    if (!curves) {
-      leave_out(std::string(entity.type) + " without boundary", layer);
-    } else if (is_wanted(layer)) {
-      for (RawCurve& curve : *curves) curve.compound = Compound{compounds_, false};
-      ++compounds_;
-      fills_[capitals(layer)].push_back({std::string(entity.type), layer, std::move(*curves)});
-    }
+    if (is_wanted(layer)) fills_[capitals(layer)].push_back({&entity, map, layer});
   }
 
   /// The boundaries of fills are outlines where their layer holds no lines, if the layer says what it is for or there are no
@@ -244,17 +243,28 @@ class Collector {
     for (auto& [key, fills] : fills_) {
       const bool beside_lines = by_layer_.count(key) > 0 && has_curves(groups_[by_layer_.at(key)]);
       const bool taken = !beside_lines && (!lines || new_group(fills.front().layer).says_role);
-      for (Fill& fill : fills) {
+      for (const Fill& fill : fills) {
+        const std::string type(fill.entity->type);
         if (taken) {
-          auto& curves = group_of(fill.layer).curves;
-          std::move(fill.curves.begin(), fill.curves.end(), std::back_inserter(curves));
+          take_fill(fill);
         } else if (beside_lines) {
-          leave_out(fill.type, fill.layer);
+          leave_out(type, fill.layer);
         } else {
-          ++fills_not_read_[fill.type + " on layer " + fill.layer];
+          ++fills_not_read_[type + " on layer " + fill.layer];
         }
       }
     }
+  }
+
+  void take_fill(const Fill& fill) {
+    auto boundaries = boundaries_of(document_, *fill.entity, fill.map);
+    if (!boundaries) return leave_out(std::string(fill.entity->type) + " without boundary", fill.layer);
+    auto& curves = group_of(fill.layer).curves;
+    for (RawCurve& curve : *boundaries) {
+      curve.compound = Compound{compounds_, false};
+      curves.push_back(std::move(curve));
+    }
+    ++compounds_;
   }
 
   /// Whether heights differ along a curve.
@@ -318,7 +328,7 @@ class Collector {
     const int columns = std::max(1, document_.integer(entity, 70, 1)),
               rows = std::max(1, document_.integer(entity, 71, 1));
     const double dx = document_.number(entity, 44, 0), dy = document_.number(entity, 45, 0);
-    const Affine turn = Affine::rotation(document_.number(entity, 50, 0) * kPi / 180);
+    const Affine turn = Affine::rotation(Radians::of_degrees(document_.number(entity, 50, 0)).radians());
     const Affine place =
         *own * Affine::translation({document_.required(entity, 10), document_.required(entity, 20)});
     const Affine scale = Affine::scaling(document_.number(entity, 41, 1), document_.number(entity, 42, 1)) *
@@ -337,11 +347,6 @@ class Collector {
   const ReadOptions& options_;
   const double unit_;
   Diagnostics& diagnostics_;
-  struct Fill {
-    std::string type;
-    std::string layer;
-    std::vector<RawCurve> curves;
-  };
   std::vector<DrawnGroup> groups_;
   std::map<std::string, std::size_t> by_layer_;
   std::map<std::string, LayerRole> roles_;

@@ -213,8 +213,7 @@ TEST(Dxf, HiddenAndPaperEntitiesAreNotMilledButCounted) {
                "", 4, " 0 LAYER 2 OFF 62 -7 70 0 0 LAYER 2 FROZEN 62 7 70 1"));
   EXPECT_NEAR(all_area(part), 100, 1e-9);
   EXPECT_EQ(said(part, Severity::kSkipped, "1 FROZEN, 1 OFF"), 1);
-  EXPECT_EQ(said(part, Severity::kSkipped,
-                 "1 CIRCLE of the paper layout on layer D5, 1 HATCH without boundary on layer D5"),
+  EXPECT_EQ(said(part, Severity::kSkipped, "1 CIRCLE of the paper layout on layer D5, 1 HATCH on layer D5"),
             1);
   EXPECT_EQ(said(part, Severity::kSkipped, "(--text outlines draws them): 2 TEXT on layer D5"), 1);
 }

@@ -17,17 +17,18 @@ std::vector<Vec2> points_of(const DxfDocument& document, const DxfEntity& entity
   return points;
 }
 
-BSpline read_spline(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
+BSpline read_spline(const DxfDocument& document, const DxfEntity& entity, const SplineCodes& codes,
+                    const Affine& map) {
   BSpline spline;
-  spline.degree = document.integer(entity, 71, 3);
+  spline.degree = document.integer(entity, codes.degree, 3);
   const std::vector<Vec2> points = points_of(document, entity, 10);
   std::vector<double> weights;
   for (const DxfGroup& group : entity.groups) {
     if (group.code == 40) spline.knots.push_back(document.number(group));
-    if (group.code == 41) weights.push_back(document.number(group));
+    if (group.code == codes.weight) weights.push_back(document.number(group));
   }
   if (!weights.empty() && weights.size() != points.size()) {
-    document.fail(entity.line, "SPLINE with " + std::to_string(weights.size()) + " weights for " +
+    document.fail(entity.line, "a spline with " + std::to_string(weights.size()) + " weights for " +
                                    std::to_string(points.size()) +
                                    " control points; the file is damaged here");
   }
@@ -59,14 +60,20 @@ std::optional<Path> path_through_points(const DxfDocument& document, const DxfEn
 
 }  // namespace
 
-std::optional<Path> spline_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
-  const BSpline spline = read_spline(document, entity, map);
-  if (spline.poles.empty()) return path_through_points(document, entity, map);
+std::optional<Path> spline_by_poles(const DxfDocument& document, const DxfEntity& entity,
+                                    const SplineCodes& codes, const Affine& map) {
+  const BSpline spline = read_spline(document, entity, codes, map);
+  if (spline.poles.empty()) return std::nullopt;
   const std::string fault = fault_of(spline);
-  if (!fault.empty()) document.fail(entity.line, "SPLINE with " + fault + "; the file is damaged here");
+  if (!fault.empty()) document.fail(entity.line, "a spline with " + fault + "; the file is damaged here");
   Path path;
   append_spline(spline, kCurveTolerance, path);
   return path;
+}
+
+std::optional<Path> spline_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
+  const auto path = spline_by_poles(document, entity, {.degree = 71, .weight = 41}, map);
+  return path ? path : path_through_points(document, entity, map);
 }
 
 }  // namespace clearcut::read

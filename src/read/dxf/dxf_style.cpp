@@ -81,7 +81,7 @@ DxfTextStyle style_of(const DxfDocument& document, const DxfEntity& entity) {
   DxfTextStyle out;
   out.face = told_face(document, style).value_or(face_of_font(std::string(style.text(3))));
   if (const double factor = document.number(style, 41, 1); factor > 0) out.width_factor = factor;
-  out.oblique = document.number(style, 50, 0) * kPi / 180;
+  out.oblique = Radians::of_degrees(document.number(style, 50, 0)).radians();
   return out;
 }
 

@@ -10,10 +10,9 @@
 namespace clearcut::read {
 namespace {
 
-constexpr double kRadiansPerDegree = kPi / 180;
-
-Vec2 place(const DxfDocument& document, const DxfEntity& entity, int code) {
-  return {document.required(entity, code), document.required(entity, code + 10)};
+/// Radians; the file has degrees.
+double angle_at(const DxfDocument& document, const DxfEntity& entity, int code) {
+  return Radians::of_degrees(document.number(entity, code, 0)).radians();
 }
 
 Affine sheared(double angle) {
@@ -47,13 +46,20 @@ Vec2 held(const Face& face, double width, int across, int along) {
 
 /// From the text's own axes to the drawing's. The point and direction of an MTEXT are of the drawing, not of its own coordinates.
 Affine mtext_axes(const DxfDocument& document, const DxfEntity& entity, bool from_below) {
-  Vec2 along = direction_of(document.number(entity, 50, 0) * kRadiansPerDegree);
+  Vec2 along = direction_of(angle_at(document, entity, 50));
   if (from_below) along.x = -along.x;
   if (entity.find(11)) along = {document.number(entity, 11, 1), document.number(entity, 21, 0)};
   if (!(norm(along) > 0)) document.fail(entity.line, "a text without direction; correct the file");
   along = along / norm(along);
-  const Vec2 up = from_below ? -left_of(along) : left_of(along), at = place(document, entity, 10);
+  const Vec2 up = from_below ? -left_of(along) : left_of(along), at = document.point(entity, 10);
   return {along.x, along.y, up.x, up.y, at.x, at.y};
+}
+
+/// Text that is written backwards or upside down.
+Affine flip_of(const DxfDocument& document, const DxfEntity& entity) {
+  constexpr int kBackward = 2, kUpsideDown = 4;
+  const int mirrored = document.integer(entity, 71, 0);
+  return Affine::scaling(mirrored & kBackward ? -1 : 1, mirrored & kUpsideDown ? -1 : 1);
 }
 
 /// The style with the font that the text itself names first.
@@ -87,17 +93,6 @@ std::optional<std::vector<RawCurve>> DxfLettering::letters_of(const DxfEntity& e
   return loops.take(std::string(entity.type) + " at line " + std::to_string(entity.line), compound);
 }
 
-namespace {
-
-/// Text that is written backwards or upside down.
-Affine flip_of(const DxfDocument& document, const DxfEntity& entity) {
-  constexpr int kBackward = 2, kUpsideDown = 4;
-  const int mirrored = document.integer(entity, 71, 0);
-  return Affine::scaling(mirrored & kBackward ? -1 : 1, mirrored & kUpsideDown ? -1 : 1);
-}
-
-}  // namespace
-
 TextLoops DxfLettering::text(const DxfEntity& entity, const Affine& map) {
   const DxfWords words = words_of_text(entity.text(1));
   for (const std::string& code : words.ignored) ++ignored_[code];
@@ -107,13 +102,13 @@ TextLoops DxfLettering::text(const DxfEntity& entity, const Affine& map) {
             along = document_.integer(entity, entity.type == "ATTRIB" ? 74 : 73, 0);
   const bool between = across == kAligned || across == kFit;
   const bool has_second = entity.find(11) && entity.find(21);
-  Vec2 at = place(document_, entity, (across != 0 || along != 0) && has_second && !between ? 11 : 10);
-  double turn = document_.number(entity, 50, 0) * kRadiansPerDegree;
+  Vec2 at = document_.point(entity, (across != 0 || along != 0) && has_second && !between ? 11 : 10);
+  double turn = angle_at(document_, entity, 50);
   double size = height_of(entity) / face.cap_height();  // of an em
   double stretch = document_.number(entity, 41, 1);
   if (!(stretch > 0)) stretch = 1;
   if (between && has_second && line.width > 0) {
-    const Vec2 way = place(document_, entity, 11) - at;
+    const Vec2 way = document_.point(entity, 11) - at;
     if (norm(way) > 0) {
       turn = angle_of(way);
       (across == kAligned ? size : stretch) =
@@ -123,8 +118,7 @@ TextLoops DxfLettering::text(const DxfEntity& entity, const Affine& map) {
   TextLoops loops;
   loops.add(face, line,
             map * Affine::translation(at) * Affine::rotation(turn) * flip_of(document_, entity) *
-                sheared(document_.number(entity, 51, 0) * kRadiansPerDegree) *
-                Affine::scaling(size * stretch, size) *
+                sheared(angle_at(document_, entity, 51)) * Affine::scaling(size * stretch, size) *
                 Affine::translation(-held(face, line.width, across, along)));
   return loops;
 }

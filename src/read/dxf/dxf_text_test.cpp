@@ -8,20 +8,10 @@
 #include "base/error.h"
 #include "read/dxf/dxf_reader.h"
 #include "read/dxf/dxf_style.h"
+#include "read/lettering/test_font.h"
 
 namespace clearcut::read {
 namespace {
-
-bool has_font() {
-  try {
-    return Face({{"DejaVu Sans"}}).family() == "DejaVu Sans";
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-#define NEEDS_THE_FONT \
-  if (!has_font()) GTEST_SKIP() << "DejaVu Sans (fonts-dejavu-core) cannot be read"
 
 /// Groups as words; "~" in a value is a blank.
 std::string groups(std::string words) {

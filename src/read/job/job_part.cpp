@@ -17,8 +17,6 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{256} << 20;
-
 /// Command line before job.
 ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (over.unit) options.unit = over.unit;
@@ -335,7 +333,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   if (job.stock) options.solid.stock = requested(*job.stock);
   for (const LibraryTool& tool : tools_of(job).tools)
     if (tool.tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.tool.diameter);
-  const std::string text = read_file(job.part_file.string(), kLargestFile);
+  const std::string text = read_file(job.part_file.string(), kLargestPart);
   Part part = read_part_text(text, job.part_file.string(), options);
   if (options.overview && part.features.empty()) return part;
   if (job.stock && !is_step_solid(text)) {

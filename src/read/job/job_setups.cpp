@@ -7,6 +7,7 @@
 #include "base/files/file.h"
 #include "base/text/format.h"
 #include "read/moved_part.h"
+#include "read/read_part.h"
 #include "read/step_solid/step_solid.h"
 
 namespace clearcut::read {
@@ -14,7 +15,6 @@ namespace {
 
 /// mm. Blocks whose sides differ by less are the same.
 constexpr double kSameSize = 0.01;
-constexpr std::size_t kLargestPartFile = std::size_t{256} << 20;
 
 const std::vector<std::string> kOfPart{"file",  "unit",     "depth",        "top",       "layers",
                                        "scale", "join_gap", "open_curves",  "find_arcs", "up",
@@ -102,16 +102,15 @@ JobStock stated(const Stock& stock) {
   return out;
 }
 
+[[noreturn]] void refuse(const JobFile& setup, const std::string& what) {
+  throw InputError(setup.file, "set-up " + std::to_string(setup.setup_number) + ": " + what);
+}
+
 SetupPlace own_turn(const JobFile& setup) {
   const auto place = place_with_up(setup.read.solid.up, setup.read.solid.turn_deg);
   if (!place)
-    throw InputError(setup.file, "set-up " + std::to_string(setup.setup_number) + ": up = \"" +
-                                     setup.read.solid.up + "\"; among set-ups name +Z, -Z, +X, -X, +Y or -Y");
+    refuse(setup, "up = \"" + setup.read.solid.up + "\"; among set-ups name +Z, -Z, +X, -X, +Y or -Y");
   return *place;
-}
-
-[[noreturn]] void refuse(const JobFile& setup, const std::string& what) {
-  throw InputError(setup.file, "set-up " + std::to_string(setup.setup_number) + ": " + what);
 }
 
 /// Reads set-ups one after the other of one block.
@@ -145,7 +144,7 @@ class SetupReader {
       refuse(setup,
              "the block would stand aslant; turn it by 90 degrees, 180 or 270 against the first set-up");
     const Stock expected = moved(block, from_first);
-    const bool is_solid = is_step_solid(read_file(setup.part_file.string(), kLargestPartFile));
+    const bool is_solid = is_step_solid(read_file(setup.part_file.string(), kLargestPart));
     Part part = is_solid ? of_solid(setup, expected, sources, published)
                          : of_drawing(setup, expected, block, sources, published);
     if (!is_solid) {

@@ -323,8 +323,7 @@ class SvgCollector {
 
   /// Strokes of a group are one area; that of a filled shape is one with its fill, whose curves come last in the group.
   void add_stroke(const pugi::xml_node& node, const Inherited& own, bool filled, DrawnGroup& group) {
-    const double diagonal = base::hypot(own.view.width, own.view.height) / std::sqrt(2.0);
-    const Pen pen = own.style.pen(diagonal);
+    const Pen pen = own.style.pen(own.view.diagonal());
     if (!(pen.width > 0)) {
       ++hidden_[std::string(local_name(node)) + " with a stroke without width"];
     } else if (filled && own.style.fill_rule == "evenodd") {

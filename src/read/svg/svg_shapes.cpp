@@ -96,6 +96,10 @@ SvgPathData rectangle(const pugi::xml_node& node, const SvgViewSize& view, const
 
 }  // namespace
 
+double SvgViewSize::diagonal() const {
+  return base::hypot(width, height) / std::sqrt(2.0);
+}
+
 std::string_view local_name(const pugi::xml_node& node) {
   const std::string_view name = node.name();
   const std::size_t colon = name.find(':');
@@ -117,7 +121,7 @@ SvgPathData svg_shape(const pugi::xml_node& node, const SvgViewSize& view, const
   if (name == "line") return line(node, view, map);
   if (name == "polygon") return points_of(node, true, map);
   if (name == "polyline") return points_of(node, false, map);
-  const double diagonal = base::hypot(view.width, view.height) / std::sqrt(2.0);
+  const double diagonal = view.diagonal();
   const Vec2 center{svg_attribute(node, "cx", view.width, 0), svg_attribute(node, "cy", view.height, 0)};
   if (name == "circle") {
     const double r = svg_attribute(node, "r", diagonal, 0);

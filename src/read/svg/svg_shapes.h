@@ -17,6 +17,9 @@ namespace clearcut::read {
 struct SvgViewSize {
   double width = 0;
   double height = 0;
+
+  /// What percentages of neither width nor height are of: the diagonal over the root of two.
+  double diagonal() const;
 };
 
 /// The name of an element without its namespace prefix.

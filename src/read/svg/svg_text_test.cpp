@@ -4,21 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "read/lettering/test_font.h"
 #include "read/svg/svg_reader.h"
 
 namespace clearcut::read {
 namespace {
-
-bool has_font() {
-  try {
-    return Face({{"DejaVu Sans"}}).family() == "DejaVu Sans";
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-#define NEEDS_THE_FONT \
-  if (!has_font()) GTEST_SKIP() << "DejaVu Sans (fonts-dejavu-core) cannot be read"
 
 Part part_of(const std::string& content, bool outlines = true) {
   ReadOptions options;

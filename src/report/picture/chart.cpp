@@ -13,6 +13,16 @@ namespace clearcut::report {
 namespace {
 
 constexpr double kPage = 800, kPanel = 360, kLeft = 80, kRight = 150, kTop = 46, kBottom = 56;
+/// Names of curves stand this far to the right of the frame; a letter is about so wide.
+constexpr double kNameGap = 12, kLetter = 7;
+
+/// Wide enough for the longest name of a curve.
+double page_width(const std::vector<ChartPanel>& panels) {
+  std::size_t longest = 0;
+  for (const ChartPanel& panel : panels)
+    for (const ChartCurve& curve : panel.curves) longest = std::max(longest, curve.name.size());
+  return kPage - kRight + std::max(kRight, kNameGap + kLetter * static_cast<double>(longest));
+}
 
 /// Values to places on the page.
 struct Scale {
@@ -163,7 +173,7 @@ class Panel {
     svg_.leaf(
         "polyline",
         {{"points", points(curve.y, false)}, {"fill", "none"}, {"stroke", color}, {"stroke-width", "1.6"}});
-    words(x_.to + 12, y_.to + 12 + 16 * place, curve.name, "start", color.c_str());
+    words(x_.to + kNameGap, y_.to + 12 + 16 * place, curve.name, "start", color.c_str());
   }
 
   void draw_histogram() {
@@ -223,13 +233,13 @@ std::vector<double> round_ticks(double low, double high, int count) {
 }
 
 std::string chart_svg(const std::vector<ChartPanel>& panels) {
-  const double height = kPanel * static_cast<double>(panels.size());
+  const double height = kPanel * static_cast<double>(panels.size()), page = page_width(panels);
   SvgWriter svg;
   svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"viewBox", "0 0 " + svg_number(kPage) + " " + svg_number(height)},
-                   {"width", svg_number(kPage)},
+                   {"viewBox", "0 0 " + svg_number(page) + " " + svg_number(height)},
+                   {"width", svg_number(page)},
                    {"font-family", "sans-serif"}});
-  svg.leaf("rect", {{"width", svg_number(kPage)}, {"height", svg_number(height)}, {"fill", "white"}});
+  svg.leaf("rect", {{"width", svg_number(page)}, {"height", svg_number(height)}, {"fill", "white"}});
   double top = 0;
   for (const ChartPanel& panel : panels) {
     Panel(svg, panel, top).draw();

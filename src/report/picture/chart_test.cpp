@@ -43,5 +43,12 @@ TEST(Chart, DrawsABoxPerGroupACurvePerNameAndBars) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+/// Names of curves are not cut off at the right.
+TEST(Chart, IsAsWideAsItsLongestNameNeeds) {
+  const auto page = [](const std::string& name) { return chart_svg({{.curves = {{name, {1, 2}, {1, 2}}}}}); };
+  EXPECT_NE(page("length").find("viewBox=\"0 0 800 360\""), std::string::npos);
+  EXPECT_NE(page("engagement, 1 / deviation").find("viewBox=\"0 0 837 360\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace clearcut::report

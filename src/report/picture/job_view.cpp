@@ -57,10 +57,7 @@ int feature_of(const Part& part, const Section& section) {
 }
 
 const Tool* tool_of(const Part& part, const Section& section) {
-  for (const Tool& tool : part.tools) {
-    if (tool.number == section.tool_number) return &tool;
-  }
-  return nullptr;
+  return tool_numbered(part.tools, section.tool_number);
 }
 
 std::vector<const FeatureFindings*> findings_of(const Part& part, const Findings& findings, int feature) {

@@ -166,8 +166,7 @@ std::vector<Sweep> earlier_sweeps_at(const Job& job, double z, const Box& seen, 
   ByDiameter by_diameter;
   if (!job.earlier) return {};
   for (const Section& section : job.earlier->sections)
-    if (!section.carried_below || *section.carried_below >= top)
-      add_sweeps(job, section, z, seen, by_diameter);
+    if (section.counts_below(top)) add_sweeps(job, section, z, seen, by_diameter);
   return sweeps_of(by_diameter);
 }
 

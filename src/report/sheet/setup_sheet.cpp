@@ -143,12 +143,6 @@ class Sheet {
     for (int i = 0; i < 3; ++i) page_.close();
   }
 
-  const Tool* tool_numbered(int number) const {
-    const auto found = std::find_if(part_.tools.begin(), part_.tools.end(),
-                                    [number](const Tool& tool) { return tool.number == number; });
-    return found == part_.tools.end() ? nullptr : &*found;
-  }
-
   void tools() {
     page_.words("h2", "Tools");
     heading({{"T", false},
@@ -160,7 +154,7 @@ class Sheet {
              {"Stickout, at least", true},
              {"Time", true}});
     for (const int called : tools_called(toolpath_)) {
-      const Tool* const tool = tool_numbered(called);
+      const Tool* const tool = tool_numbered(part_.tools, called);
       const std::string name = "T" + std::to_string(called);
       if (tool == nullptr) {
         row({name, "not described", "", "", "", "", "", ""}, 2);

@@ -13,6 +13,8 @@ namespace clearcut::report {
 struct HtmlOptions {
   Machine machine;      ///< for the time of each move
   std::string program;  ///< text of the program that was checked; shown line by line when Move::line is known
+  const Toolpath* earlier =
+      nullptr;  ///< what was cut before: nothing of it is left when the page begins to play
 };
 
 /// Shape   a well-formed HTML page (also XML) that takes material away move by move, shaded by depth, true to

@@ -119,6 +119,25 @@ Json section_head(const Part& part, const Section& section, int first) {
   return json;
 }
 
+/// All that was cut before.
+Json earlier_json(const Part& part, const Toolpath* earlier) {
+  if (earlier == nullptr) return nullptr;
+  MoveColumns columns;
+  Json json;
+  json["sections"] = Json::array();
+  for (const Section& section : earlier->sections) {
+    if (tool_of(part, section) == nullptr) continue;
+    Json head = section_head(part, section, columns.count());
+    const bool is_open = section.counts_below(part.top_z());
+    head["below"] = is_open ? Json(nullptr) : number(*section.carried_below);
+    json["sections"].push_back(std::move(head));
+    for (const Move& move : section.moves)
+      if (drawable_move(move) && !is_rapid(move.kind)) columns.add(move, 0);
+  }
+  columns.write(json);
+  return json;
+}
+
 void write_moves(const Job& job, const Machine& machine, Json& json) {
   MoveColumns columns;
   const std::vector<float>& engagement = job.findings.move_engagement_deg;
@@ -315,6 +334,7 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   for (const Condition& one : findings.conditions) json["conditions"].push_back(condition_json(one));
   json["figures"] = figures_json(findings.all);
   write_moves(job, options.machine, json);
+  json["earlier"] = earlier_json(part, options.earlier);
   json["program"] = lines_of(options.program);
 
   std::string text;

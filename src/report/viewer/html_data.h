@@ -20,6 +20,8 @@ namespace clearcut::report {
 ///         the last one ended; arcs [[move, cx, cy, turn]]: centre in um from the start of the move, turn +1
 ///         counter-clockwise; feeds [[move, mm/min]] where the feed changes;
 ///         engagement: degrees, the largest on each move, or null; force: N, likewise.
+/// Earlier null, or sections and columns of moves as above: what was cut before the program begins. Sections have below: the height of the
+///         ceiling under which all is hollow, or null where they are open from above.
 std::string html_data(const Part& part, const Toolpath& toolpath, const Findings& findings,
                       const HtmlOptions& options);
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
@@ -215,6 +216,26 @@ TEST(Html, WhatTheViewInSpaceDrawsOfStockAndToolsIsThere) {
   EXPECT_EQ(job["tools"][0]["f"], 12);
   part.stock.reset();
   EXPECT_TRUE(Json::parse(html_data(part, {}, {}, {}))["stock_z"].is_null());
+}
+
+TEST(Html, WhatWasCutBeforeIsThereWithItsCeiling) {
+  const Part part = sample::part();
+  EXPECT_TRUE(Json::parse(html_data(part, sample::toolpath(), sample::findings(), {}))["earlier"].is_null());
+  Toolpath earlier = sample::toolpath();
+  HtmlOptions shown;
+  shown.earlier = &earlier;
+  const auto read = [&] { return Json::parse(html_data(part, {}, {}, shown))["earlier"]; };
+  std::size_t cuts = 0;
+  for (const Section& section : earlier.sections)
+    cuts += static_cast<std::size_t>(std::count_if(section.moves.begin(), section.moves.end(),
+                                                   [](const Move& move) { return !is_rapid(move.kind); }));
+  EXPECT_GT(cuts, 0U);
+  EXPECT_EQ(decoded(read()).size(), cuts);
+  EXPECT_TRUE(read()["sections"][0]["below"].is_null());
+  for (Section& section : earlier.sections) section.carried_below = part.top_z();
+  EXPECT_TRUE(read()["sections"][0]["below"].is_null()) << "reaches up to the top";
+  for (Section& section : earlier.sections) section.carried_below = part.top_z() - 1;
+  EXPECT_DOUBLE_EQ(read()["sections"][0]["below"].get<double>(), part.top_z() - 1);
 }
 
 TEST(Html, ConditionsAreThere) {

@@ -5,6 +5,7 @@ const scale = CELLS / Math.max(wx1 - wx0, wy1 - wy0);  // cells per mm
 const width = Math.max(1, Math.ceil((wx1 - wx0) * scale)), height = Math.max(1, Math.ceil((wy1 - wy0) * scale));
 const depth = Math.max(job.top - job.bottom, 1e-6);
 const NOTHING = -1e30;  // the height where there is no stock
+const ceilings = new Float32Array(earlier ? width * height : 0);  // of hollows that an earlier set-up cut from below
 const heights = new Float32Array(width * height);  // row by row from the greatest y; at the middles of the cells
 const relief = newCanvas(), overlay = by('overlay');
 const reliefContext = relief.getContext('2d');
@@ -22,9 +23,40 @@ const [sx0, sy0, sx1, sy1] = job.stock || job.world;
 const block = { x0: Math.max(0, Math.round((sx0 - wx0) * scale)), x1: Math.min(width, Math.round((sx1 - wx0) * scale)),
   y0: Math.max(0, Math.round((wy1 - sy1) * scale)), y1: Math.min(height, Math.round((wy1 - sy0) * scale)) };
 
-function fullStock() {
+function fillBlock() {
   heights.fill(NOTHING);
   for (let y = block.y0; y < block.y1; ++y) heights.fill(job.top, y * width + block.x0, y * width + block.x1);
+}
+
+/** Cuts what was cut before, of the sections with that ceiling. */
+function cutEarlier(below) {
+  for (let i = 0; i < earlier.kind.length; ++i)
+    if (job.earlier.sections[earlier.section[i]].below === below) cut(i, 0, 1, earlier);
+}
+
+/** Notes where all is hollow under a ceiling: cutting down to it opens the hollow. */
+function noteHollows() {
+  const found = new Float32Array(heights.length).fill(-Infinity);
+  ceilings.fill(-Infinity);
+  for (const below of new Set(job.earlier.sections.map(section => section.below))) {
+    if (below === null) continue;
+    fillBlock();
+    cutEarlier(below);
+    for (let k = 0; k < heights.length; ++k) if (heights[k] !== NOTHING && heights[k] < below) found[k] = Math.max(found[k], below);
+  }
+  ceilings.set(found);
+}
+
+/** The heights before the first move: the block less what was cut before. */
+let stockHeights = null;
+function fullStock() {
+  if (!stockHeights) {
+    if (earlier) noteHollows();
+    fillBlock();
+    if (earlier) cutEarlier(null);
+    stockHeights = heights.slice();
+  }
+  heights.set(stockHeights);
   under.move = -1;
 }
 
@@ -63,13 +95,13 @@ function taken(box) {
   return w > 0 && h > 0 ? { x0, y0, w, h } : null;
 }
 
-/** Plan of move i between fractions f and g in cells; rows grow downwards, which turns arcs the other way. */
-function stripOf(i, f, g) {
-  const p = pointAt(i, f), q = pointAt(i, g), column = x => (x - wx0) * scale - 0.5, row = y => (wy1 - y) * scale - 0.5;
+/** Plan of move i of m between fractions f and g in cells; rows grow downwards, which turns arcs the other way. */
+function stripOf(i, f, g, m) {
+  const p = pointAt(i, f, m), q = pointAt(i, g, m), column = x => (x - wx0) * scale - 0.5, row = y => (wy1 - y) * scale - 0.5;
   const strip = { ax: column(p.x), ay: row(p.y), bx: column(q.x), by: row(q.y), arc: null };
-  if (moves.turn[i] !== 0) {
-    const arc = arcOf(i), from = -(arc.a + arc.sweep * f), to = -(arc.a + arc.sweep * g), back = to < from;
-    strip.arc = { x: column(moves.cx[i]), y: row(moves.cy[i]), r: arc.r * scale, from: back ? to : from, sweep: Math.abs(to - from) };
+  if (m.turn[i] !== 0) {
+    const arc = arcOf(i, m), from = -(arc.a + arc.sweep * f), to = -(arc.a + arc.sweep * g), back = to < from;
+    strip.arc = { x: column(m.cx[i]), y: row(m.cy[i]), r: arc.r * scale, from: back ? to : from, sweep: Math.abs(to - from) };
   }
   return strip;
 }
@@ -93,8 +125,10 @@ function boxOf(strip) {
  */
 function lower(k, distance, z, end) {
   let h = z;
-  if (distance <= end.full) h += end.above[Math.round(distance * FINE)];
-  else if (distance < end.full + 1) h += end.lip + (job.top - z - end.lip) * (distance - end.full);
+  if (distance <= end.full) {
+    h += end.above[Math.round(distance * FINE)];
+    if (earlier && h <= ceilings[k]) h = NOTHING;
+  } else if (distance < end.full + 1) h += end.lip + (job.top - z - end.lip) * (distance - end.full);
   else return;
   if (h < heights[k]) heights[k] = h;
 }
@@ -138,27 +172,27 @@ function cutArc(strip, z, end) {
   }
 }
 
-/** Takes away what move i cuts between fractions f and g. Slopes go down in steps, each as deep as its lower end. */
-function cut(i, f, g) {
-  const tool = job.sections[moves.section[i]].tool;
-  if (tool < 0 || Math.min(moves.z0[i], moves.z1[i]) >= job.top || g <= f) return;
-  const end = ends[tool], drop = Math.abs(moves.z1[i] - moves.z0[i]);
-  const vertical = moves.x0[i] === moves.x1[i] && moves.y0[i] === moves.y1[i] && moves.turn[i] === 0;
+/** Takes away what move i of m cuts between fractions f and g. Slopes go down in steps, each as deep as its lower end. */
+function cut(i, f, g, m = moves) {
+  const tool = m.tools[m.section[i]];
+  if (tool < 0 || Math.min(m.z0[i], m.z1[i]) >= job.top || g <= f) return;
+  const end = ends[tool], drop = Math.abs(m.z1[i] - m.z0[i]);
+  const vertical = m.x0[i] === m.x1[i] && m.y0[i] === m.y1[i] && m.turn[i] === 0;
   const pieces = vertical ? 1 : Math.min(100, Math.max(1, Math.ceil(drop / 0.05)));
   for (let k = 0; k < pieces; ++k) {
     const a = Math.max(f, k / pieces), b = Math.min(g, (k + 1) / pieces);
     if (b <= a) continue;
-    const strip = stripOf(i, a, b), z = Math.min(pointAt(i, a).z, pointAt(i, b).z);
+    const strip = stripOf(i, a, b, m), z = Math.min(pointAt(i, a, m).z, pointAt(i, b, m).z);
     if (z >= job.top) continue;
     if (strip.arc) cutArc(strip, z, end);
     else cutLine(strip, z, end);
   }
-  soil(reachOfMove(i));
+  soil(reachOfMove(i, m));
 }
 
-/** The cells that move i may change. */
-function reachOfMove(i) {
-  const box = boxOf(stripOf(i, 0, 1)), reach = ends[job.sections[moves.section[i]].tool].full + 2;
+/** The cells that move i of m may change. */
+function reachOfMove(i, m = moves) {
+  const box = boxOf(stripOf(i, 0, 1, m)), reach = ends[m.tools[m.section[i]]].full + 2;
   return { x0: box.x0 - reach, y0: box.y0 - reach, x1: box.x1 + reach, y1: box.y1 + reach };
 }
 
@@ -168,7 +202,7 @@ const under = { move: -1, box: null, heights: null };
 
 function cutPart(i, f) {
   putBack();
-  if (job.sections[moves.section[i]].tool < 0 || f <= 0) return;
+  if (moves.tools[moves.section[i]] < 0 || f <= 0) return;
   const changed = { ...reachOfMove(i) }, box = taken(changed);
   if (!box) return;
   under.move = i; under.box = box;

@@ -303,7 +303,7 @@ class CoverageProof {
   /// mm; how far p lies outside everything that was swept; negative inside.
   double excess_at(Vec2 p) const {
     double least = kInfinite;
-    for (const auto& [radius, tree] : trees_) least = std::min(least, tree.nearest(p).distance - radius);
+    for (const auto& [radius, tree] : trees_) least = std::min(least, tree.distance_to(p) - radius);
     const Box box = target_.box();
     return std::min(least, base::hypot(box.width(), box.height()));
   }

@@ -9,7 +9,9 @@
 #include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "geometry/spatial/box_tree.h"
 #include "verify/blend.h"
+#include "verify/coverage/within_stock.h"
 
 namespace clearcut::verify {
 namespace {
@@ -74,13 +76,41 @@ bool counts_at(const CheckedMove& checked, double z, const Around& target, const
   return path.grown(checked.radius() + 2 * tol.uncut).overlaps(target.box);
 }
 
+/// The moves of a program, found by where they run.
+class MovesByPlace {
+ public:
+  MovesByPlace(const std::vector<CheckedMove>& moves, const Tolerances& tol) : moves_(moves) {
+    tree_.build(static_cast<std::uint32_t>(moves.size()), [&](std::uint32_t i) {
+      const CheckedMove& checked = moves[i];
+      const Edge& path = checked.move->path;
+      const Box box = checked.move->is_vertical() ? Box{path.from, path.from} : path.box();
+      return checked.feeds() && checked.tool ? box.grown(checked.radius() + 2 * tol.uncut) : Box{};
+    });
+  }
+
+  const std::vector<CheckedMove>& all() const { return moves_; }
+
+  /// The numbers of all moves that may count near the target, and of some that do not, ascending.
+  std::vector<std::size_t> near(const Around& target) const {
+    std::vector<std::size_t> numbers;
+    tree_.descend([&](const Box& box) { return box.overlaps(target.box); },
+                  [&](std::uint32_t i) { numbers.push_back(i); });
+    return numbers;
+  }
+
+ private:
+  const std::vector<CheckedMove>& moves_;
+  BoxTree tree_;
+};
+
 /// What feed moves sweep at a level. Tips up to tol.uncut above it count. Only moves within 2 tol.uncut of
 /// the target count, because what farther ones leave is thick.
-std::vector<Swath> swaths_at(double level, const Around& target, const std::vector<CheckedMove>& moves,
-                             const Tolerances& tol) {
+std::vector<Swath> swaths_at(double level, const Around& target, const MovesByPlace& moves,
+                             const std::vector<std::size_t>& near, const Tolerances& tol) {
   const double z = level + tol.uncut;
   std::vector<Swath> swaths;
-  for (const CheckedMove& checked : moves) {
+  for (const std::size_t i : near) {
+    const CheckedMove& checked = moves.all()[i];
     if (counts_at(checked, z, target, tol)) append_swaths(checked, z, level, swaths);
   }
   return swaths;
@@ -88,10 +118,11 @@ std::vector<Swath> swaths_at(double level, const Around& target, const std::vect
 
 /// mm; how far the control may leave the paths of these moves at most: it rounds corners, or runs another
 /// arc.
-double liberty_at(double z, const Around& target, const std::vector<CheckedMove>& moves,
-                  const Tolerances& tol) {
+double liberty_at(double z, const Around& target, const MovesByPlace& by_place,
+                  const std::vector<std::size_t>& near, const Tolerances& tol) {
+  const std::vector<CheckedMove>& moves = by_place.all();
   double most = 0;
-  for (std::size_t i = 0; i < moves.size(); ++i) {
+  for (const std::size_t i : near) {
     if (!counts_at(moves[i], z, target, tol)) continue;
     most = std::max(most, moves[i].doubt);
     if (i > 0 && moves[i].path_tolerance > most)
@@ -101,10 +132,11 @@ double liberty_at(double z, const Around& target, const std::vector<CheckedMove>
 }
 
 /// mm; how far above the level the highest level move lies that is taken to have cut it.
-double height_above(double level, const Around& target, const std::vector<CheckedMove>& moves,
-                    const Tolerances& tol) {
+double height_above(double level, const Around& target, const MovesByPlace& moves,
+                    const std::vector<std::size_t>& near, const Tolerances& tol) {
   double most = 0;
-  for (const CheckedMove& checked : moves) {
+  for (const std::size_t i : near) {
+    const CheckedMove& checked = moves.all()[i];
     const bool counts = checked.is_flat() && counts_at(checked, level + tol.uncut, target, tol);
     if (counts) most = std::max(most, checked.low_z() - level);
   }
@@ -155,20 +187,27 @@ class WorkCheck {
  public:
   WorkCheck(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
             const VerifyOptions& options)
-      : part_(part), finished_(finished), program_(program), options_(options) {}
+      : part_(part),
+        finished_(finished),
+        program_(program),
+        options_(options),
+        moves_(program.moves, options.tol) {}
 
   void check_level(const FeatureWork& work, LevelCoverage& level) const {
     if (work.smallest_radius <= 0) return;
     const Tolerances& tol = options_.tol;
     const Feature& feature = part_.features[work.feature];
+    const Regions in_stock =
+        within_stock(feature.target, part_.stock ? std::optional(part_.stock->plan) : std::nullopt);
     CoverageQuestion question;
     question.part = &finished_;
-    question.target = &feature.target;
+    question.target = &in_stock;
     question.z = level.z + tol.gouge;
     const Around target(feature);
-    question.swaths = swaths_at(level.z, target, program_.moves, tol);
-    question.path_tolerance = liberty_at(level.z + tol.uncut, target, program_.moves, tol);
-    question.above = height_above(level.z, target, program_.moves, tol);
+    const std::vector<std::size_t> near = moves_.near(target);
+    question.swaths = swaths_at(level.z, target, moves_, near, tol);
+    question.path_tolerance = liberty_at(level.z + tol.uncut, target, moves_, near, tol);
+    question.above = height_above(level.z, target, moves_, near, tol);
     level.any_cut = !question.swaths.empty();
     bool first = true;
     for (const FinestWork& finest : finest_works(part_, work, level.z, tol)) {
@@ -201,6 +240,7 @@ class WorkCheck {
   const FinishedPart& finished_;
   const CheckedProgram& program_;
   const VerifyOptions& options_;
+  const MovesByPlace moves_;
 };
 
 void refine(FeatureWork& work, const Operation& operation, double radius, double flat) {

@@ -12,6 +12,14 @@ constexpr double kResidualRounding = 1e-9;
 
 }  // namespace
 
+WallResidual::WallResidual(const CoverageQuestion& question) : question_(question) {
+  if (question.allowance <= 0) return;
+  const Box near = box(*question.target).grown(question.allowance);
+  for (const Wall& outline : question.part->outlines_beyond()) {
+    if (outline.stands_at(question.z) && outline.edge.box().overlaps(near)) beyond_.push_back(outline);
+  }
+}
+
 bool WallResidual::holds(Vec2 p) const {
   if (!may_be()) return false;
   const double draft = question_.part->greatest_draft_offset();
@@ -23,7 +31,9 @@ bool WallResidual::holds(Vec2 p) const {
                           question_.allowance + question_.part->draft_offset(walls[i], question_.z, p));
     return false;
   });
-  return found;
+  return found || std::any_of(beyond_.begin(), beyond_.end(), [&](const Wall& outline) {
+           return distance(outline.edge, p) < question_.allowance;
+         });
 }
 
 bool WallResidual::holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, double reach) const {
@@ -34,7 +44,9 @@ bool WallResidual::holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, 
     found = found || (walls[i].stands_at(question_.z) && wall_holds(walls[i], polygon, center, reach));
     return false;
   });
-  return found;
+  return found || std::any_of(beyond_.begin(), beyond_.end(), [&](const Wall& outline) {
+           return wall_holds(outline, polygon, center, reach);
+         });
 }
 
 bool WallResidual::wall_holds(const Wall& wall, const ConvexPolygon& polygon, Vec2 center,

@@ -1,6 +1,8 @@
 // The material that has to stay on walls: the allowance, and what stands inside the outline of walls with draft.
 #pragma once
 
+#include <vector>
+
 #include "verify/coverage/convex.h"
 #include "verify/coverage/coverage.h"
 
@@ -9,7 +11,7 @@ namespace clearcut::verify {
 /// That material at the height of a question. Keeps a reference to the question.
 class WallResidual {
  public:
-  explicit WallResidual(const CoverageQuestion& question) : question_(question) {}
+  explicit WallResidual(const CoverageQuestion& question);
 
   /// Whether there may be any.
   bool may_be() const { return question_.allowance > 0 || question_.part->greatest_draft_offset() > 0; }
@@ -22,6 +24,7 @@ class WallResidual {
   bool wall_holds(const Wall& wall, const ConvexPolygon& polygon, Vec2 center, double reach) const;
 
   const CoverageQuestion& question_;
+  std::vector<Wall> beyond_;  ///< outlines beside the stock whose allowance may reach into it
 };
 
 }  // namespace clearcut::verify

@@ -101,21 +101,16 @@ class GougeCheck {
   void check(const Edge& path, double z_from, double z_to, bool free_start) {
     const double low = std::min(z_from, z_to);
     if (low >= part_.top_z()) return;
-    const double span = std::abs(z_to - z_from);
     const std::optional<Gouge> found = level_.check(path, low, free_start);
     if (!found) return;
-    // Walls with draft are nearer at the lowest tip than at earlier ones, so the piece is divided before it
-    // is reported.
-    const bool may_be_drafted =
-        part_.greatest_draft_offset() > 0 && span > kDraftError && path.from != path.to;
-    if (may_be_drafted && path.length() > kDraftError) {
-      const Vec2 middle = path.at(0.5);
+    const Vec2 middle = path.at(0.5);
+    const bool is_divided =
+        overstates_draft(path, z_from, z_to, *found) && middle != path.from && middle != path.to;
+    if (is_divided) {
       const double z = (z_from + z_to) / 2;
-      if (middle != path.from && middle != path.to) {
-        check(path.part(0, 0.5), z_from, z, free_start);
-        check(path.part(0.5, 1), z, z_to, false);
-        return;
-      }
+      check(path.part(0, 0.5), z_from, z, free_start);
+      check(path.part(0.5, 1), z, z_to, false);
+      return;
     }
     if (!worst_ || found->depth > worst_->depth) worst_ = found;
   }
@@ -123,6 +118,17 @@ class GougeCheck {
   std::optional<Gouge> worst() const { return worst_; }
 
  private:
+  /// Walls with draft are nearer at the lowest tip than at earlier ones: a gouge found with the lowest tip all along is too deep,
+  /// unless the cutter cuts as deep where it is lowest indeed, as on a helix about a cone.
+  bool overstates_draft(const Edge& path, double z_from, double z_to, const Gouge& found) {
+    const double span = std::abs(z_to - z_from);
+    if (!(part_.greatest_draft_offset() > 0) || span <= kDraftError || path.length() <= kDraftError)
+      return false;
+    const Vec2 lowest = z_from < z_to ? path.from : path.to;
+    const std::optional<Gouge> there = level_.check(Edge::line(lowest, lowest), found.z, false);
+    return found.depth - (there ? there->depth : 0) > kDraftError;
+  }
+
   const FinishedPart& part_;
   LevelJudge level_;
   std::optional<Gouge> worst_;

@@ -59,6 +59,17 @@ class EdgeTree {
     return nearest(p, limit, [](int) { return true; });
   }
 
+  /// mm from p to the nearest edge; infinite where there is none. Faster than nearest() where no limit is known and the edges
+  /// near p are not among the first: boxes near p are opened first.
+  double distance_to(Vec2 p) const {
+    double best = std::numeric_limits<double>::infinity();
+    const auto may_be_nearer = [&](const Box& b) { return squared_distance(b, p) < best * best; };
+    tree_.descend_nearest_first(p, may_be_nearer, [&](std::uint32_t i) {
+      if (may_be_nearer(boxes_[i])) best = std::min(best, clearcut::distance(edges_[i], p));
+    });
+    return best;
+  }
+
   /// Winding number around p of all edges, which have to form closed loops. Cost O(log n + edges above and below p within
   /// the boxes around it).
   int winding(Vec2 p) const;

@@ -42,5 +42,22 @@ TEST(EdgeTree, CountsTurnsAsTheEdgesOneByOneDo) {
   }
 }
 
+TEST(EdgeTree, TheDistanceIsThatOfTheNearest) {
+  Random random(11);
+  std::vector<Edge> edges;
+  for (int i = 0; i < 400; ++i) {
+    const Vec2 p{30 * random.between(0, 1), 30 * random.between(0, 1)};
+    edges.push_back(Edge::line(p, p + Vec2{random.between(0, 3), 1}));
+  }
+  const EdgeTree tree(edges);
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 p{random.between(-5, 40), random.between(-5, 40)};
+    double least = 1e9;
+    for (const Edge& edge : edges) least = std::min(least, distance(edge, p));
+    EXPECT_EQ(tree.distance_to(p), least) << i;
+  }
+  EXPECT_EQ(EdgeTree().distance_to({}), std::numeric_limits<double>::infinity());
+}
+
 }  // namespace
 }  // namespace clearcut::verify

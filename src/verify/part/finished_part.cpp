@@ -210,6 +210,8 @@ void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
   const double left = height_beside(middle + aside, index, true);
   const double right = height_beside(middle - aside, index, false);
   if (is_drafted_at(shape, piece)) return add_drafted_wall(piece, shape, left, right);
+  if (left == kNothing && right == kNothing && shape.feature >= 0)
+    beyond_.push_back({piece, shape.floor, shape.top, shape.feature});
   if (left < right) walls_.push_back({piece, left, right, shape.feature});
   if (right < left) walls_.push_back({piece.reversed(), right, left, shape.feature});
 }

@@ -47,6 +47,9 @@ class FinishedPart {
   double top_z() const { return top_z_; }
   const std::vector<Wall>& walls() const { return walls_; }
   const EdgeTree& wall_tree() const { return tree_; }
+  /// Outlines of features beside the stock, where nothing stands: what an allowance leaves on a wall it leaves on these, too, as
+  /// far as it reaches into the stock.
+  const std::vector<Wall>& outlines_beyond() const { return beyond_; }
   /// All heights of floors and tops, ascending.
   const std::vector<double>& heights() const { return heights_; }
   /// mm; the greatest distance of a wall with draft from its outline, at any height.
@@ -98,7 +101,7 @@ class FinishedPart {
   double height_beside(Vec2 p, int own, bool inside_own) const;
 
   std::vector<Shape> shapes_;
-  std::vector<Wall> walls_;
+  std::vector<Wall> walls_, beyond_;
   EdgeTree tree_;
   std::vector<double> heights_;
   double top_z_ = 0;

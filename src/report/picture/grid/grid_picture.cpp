@@ -59,10 +59,8 @@ void draw_squares(SvgWriter& svg, const PointTable& table, bool reduced_only) {
 }
 
 double radius_of(const ElementJob& job, int tool_number) {
-  for (const auto& tool : job.tools) {
-    if (tool.number == tool_number) return tool.radius();
-  }
-  return 0;
+  const Tool* const tool = tool_numbered(job.tools, tool_number);
+  return tool ? tool->radius() : 0;
 }
 
 /// Everything the tool passes over, and the line of its centre.

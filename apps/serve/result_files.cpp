@@ -1,0 +1,66 @@
+#include "serve/result_files.h"
+
+#include <algorithm>
+#include <array>
+#include <regex>
+
+namespace clearcut::serve {
+namespace {
+
+constexpr const char* kPage = "text/html; charset=utf-8";
+constexpr const char* kText = "text/plain; charset=utf-8";
+constexpr std::array<ResultKind, 6> kKinds{
+    {{"program", "program", ".ngc", kText, "The program for the controller", true},
+     {"certificate", "certificate", ".json", "application/json", "The certificate", true},
+     {"report", "report", ".html", kPage, "The page that plays the machining", true},
+     {"picture", "picture", ".svg", "image/svg+xml", "The picture", true},
+     {"setup-sheet", "setup-sheet", ".html", kPage, "The page for the machine", false},
+     {"text", "text", ".txt", kText, "What the command prints", false}}};
+
+/// "-2" of "program-2"; "" of "program".
+std::string_view number_in(const ResultKind& kind, std::string_view name) {
+  return name.substr(std::string_view(kind.name).size());
+}
+
+bool is_setup_number(std::string_view text) {
+  static const std::regex number("-[1-9][0-9]?");
+  return std::regex_match(text.begin(), text.end(), number);
+}
+
+}  // namespace
+
+std::span<const ResultKind> result_kinds() {
+  return kKinds;
+}
+
+const ResultKind* kind_of_result(std::string_view name) {
+  for (const ResultKind& kind : kKinds) {
+    if (!name.starts_with(kind.name)) continue;
+    const std::string_view number = number_in(kind, name);
+    if (number.empty() || (kind.is_numbered && is_setup_number(number))) return &kind;
+  }
+  return nullptr;
+}
+
+std::string file_of_result(const ResultKind& kind, std::string_view name) {
+  return std::string(kind.stem) + std::string(number_in(kind, name)) + kind.ending;
+}
+
+std::vector<std::string> results_in(const std::filesystem::path& folder) {
+  const auto is_there = [&](const ResultKind& kind, const std::string& name) {
+    std::error_code absent;
+    return std::filesystem::exists(folder / file_of_result(kind, name), absent);
+  };
+  std::vector<std::string> names;
+  for (const ResultKind& kind : kKinds) {
+    if (is_there(kind, kind.name)) names.emplace_back(kind.name);
+    for (int setup = 1; kind.is_numbered; ++setup) {
+      const std::string name = std::string(kind.name) + "-" + std::to_string(setup);
+      if (!is_there(kind, name)) break;
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+}  // namespace clearcut::serve

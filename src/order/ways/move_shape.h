@@ -1,0 +1,18 @@
+// What an objective asks of one move.
+#pragma once
+
+#include "geometry/vec2.h"
+
+namespace clearcut::order {
+
+/// Everything an objective asks of the move a -> b.
+struct MoveShape {
+  double length = 0;       ///< in the problem's metric
+  Vec2 leaves;             ///< direction at a, not normalised
+  Vec2 arrives;            ///< direction at b
+  int inner_turns = 0;     ///< turns of a legal detour between its ends
+  double inner_angle = 0;  ///< degrees
+  bool straight = true;
+};
+
+}  // namespace clearcut::order

@@ -1,0 +1,55 @@
+#include "verify/coverage/within_stock.h"
+
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "verify/test_program.h"
+
+namespace clearcut::verify {
+namespace {
+
+using testing::circle_loop;
+using testing::rectangle;
+
+const Box kStock{{0, 0}, {40, 40}};
+
+TEST(WithinStock, WhatLiesInItStaysAsItIs) {
+  const Regions square = rectangle(0, 10, 20, 40);
+  EXPECT_EQ(within_stock(square, kStock).front().outer(), square.front().outer());
+  EXPECT_EQ(within_stock(square, std::nullopt).size(), 1u);
+}
+
+TEST(WithinStock, ADiscAcrossTheEdgeIsHalved) {
+  const Regions disc{Region::from_valid_loops(circle_loop({20, 0}, 10), {})};
+  const Regions half = within_stock(disc, kStock);
+  ASSERT_EQ(half.size(), 1u);
+  EXPECT_NEAR(area(half), kPi * 50, 1e-9);
+  EXPECT_TRUE(contains(half, {20, 1}));
+  EXPECT_FALSE(contains(half, {20, -1}));
+}
+
+TEST(WithinStock, AcrossACornerAQuarterIsLeft) {
+  const Regions ring{Region::from_valid_loops(circle_loop({40, 40}, 10), {circle_loop({40, 40}, 5)})};
+  const Regions quarter = within_stock(ring, kStock);
+  EXPECT_NEAR(area(quarter), kPi * 75 / 4, 1e-9);
+  EXPECT_TRUE(contains(quarter, {34, 36}));
+  EXPECT_FALSE(contains(quarter, {38, 38}));
+}
+
+TEST(WithinStock, WhatLiesBesideItIsNothing) {
+  EXPECT_TRUE(within_stock(rectangle(50, 0, 60, 10), kStock).empty());
+  EXPECT_TRUE(within_stock({Region::from_valid_loops(circle_loop({55, 55}, 4), {})}, kStock).empty());
+}
+
+/// Two teeth of a comb whose back lies beyond the edge.
+TEST(WithinStock, WhatHangsTogetherBeyondTheEdgeMayFallApart) {
+  const std::vector<Vec2> comb{{10, -5}, {30, -5}, {30, 8}, {25, 8}, {25, -2}, {15, -2}, {15, 8}, {10, 8}};
+  const Regions teeth = within_stock({Region::from_valid_loops(loop_from_points(comb), {})}, kStock);
+  EXPECT_NEAR(area(teeth), 2 * 5 * 8, 1e-9);
+  EXPECT_TRUE(contains(teeth, {12, 4}));
+  EXPECT_TRUE(contains(teeth, {28, 4}));
+  EXPECT_FALSE(contains(teeth, {20, 4}));
+}
+
+}  // namespace
+}  // namespace clearcut::verify
