@@ -7,7 +7,7 @@ include(GNUInstallDirs)
 option(CLEARCUT_SHARED_LIBRARY "Build libclearcut.so beside the archive" OFF)
 
 function(clearcut_add_library)
-  set(objects "")
+  set(objects ${CLEARCUT_ELEMENTARY_OBJECT})
   foreach(module ${ARGN})
     get_target_property(kind clearcut_${module} TYPE)
     if(kind STREQUAL "STATIC_LIBRARY")

@@ -16,7 +16,6 @@ endfunction()
 clearcut_web_source(clipper libpolyclipping-*/cpp/clipper.cpp)
 clearcut_web_source(pugixml pugixml-*/src/pugixml.cpp)
 clearcut_web_source(fmt_source fmtlib-*/src/format.cc)
-clearcut_web_source(glibc_sin glibc-*/sysdeps/ieee754/dbl-64/s_sin.c)
 
 file(MAKE_DIRECTORY ${web_include})
 foreach(name boost fmt nlohmann toml++ CLI fast_float polyclipping pugixml.hpp pugiconfig.hpp)
@@ -41,21 +40,6 @@ set_source_files_properties(${CLEARCUT_WEB_FOLDER}/sha256.c PROPERTIES
   COMPILE_OPTIONS "-I${emscripten_root}/system/lib/libc/musl/src/crypt")
 target_compile_options(clearcut_web_packages PRIVATE -ffp-contract=off -w)
 
-# The command's sine and its kin, so that programs are the command's: emscripten's C library rounds 3 to 18 % of their values
-# the other way. Its exp, log and pow are the same already.
-cmake_path(GET glibc_sin PARENT_PATH glibc_math)
-set(glibc_headers ${PROJECT_BINARY_DIR}/libm)
-file(MAKE_DIRECTORY ${glibc_headers})
-foreach(name math_private fenv_private math-underflow libm-alias-double libm-alias-finite math-barriers fix-int-fp-convert-zero
-        math-svid-compat math-use-builtins math-narrow-eval nan-high-order-bit)
-  file(TOUCH ${glibc_headers}/${name}.h)  # libm_names.h says all that is needed of them
-endforeach()
-set(glibc_sources s_sin s_tan s_atan e_atan2 e_asin e_hypot e_log10 branred sincostab)
-list(TRANSFORM glibc_sources PREPEND ${glibc_math}/)
-list(TRANSFORM glibc_sources APPEND .c)
-target_sources(clearcut_web_packages PRIVATE ${glibc_sources})
-set_source_files_properties(${glibc_sources} PROPERTIES
-  COMPILE_OPTIONS "-fno-builtin;-include;${CLEARCUT_WEB_FOLDER}/libm_names.h;-I${glibc_headers};-I${glibc_math}")
 foreach(name fmt::fmt pugixml::pugixml PkgConfig::polyclipping OpenSSL::Crypto)
   add_library(${name} ALIAS clearcut_web_packages)
 endforeach()

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
@@ -20,7 +21,7 @@ constexpr std::array kKinds{"convex", "acute", "concave", "arcs", "islands"};
 using Corners = std::vector<Vec2>;
 
 Vec2 direction(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+  return {base::cos(angle), base::sin(angle)};
 }
 
 std::vector<double> sorted_angles(Random& random, std::size_t count) {
@@ -34,7 +35,7 @@ Corners convex(Random& random) {
   const double a = random.between(20, 80), b = random.between(20, 80);
   Corners corners;
   for (const double angle : sorted_angles(random, 3 + random.below(9))) {
-    corners.push_back({a * std::cos(angle), b * std::sin(angle)});
+    corners.push_back({a * base::cos(angle), b * base::sin(angle)});
   }
   return corners;
 }
@@ -46,7 +47,7 @@ Corners acute(Random& random) {
   const std::size_t count = 2 + random.below(4);
   for (std::size_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const double bulge = 1 + random.between(0, 0.25) * std::sin(kPi * share);
+    const double bulge = 1 + random.between(0, 0.25) * base::sin(kPi * share);
     corners.push_back(direction(share * angle) * (reach * bulge));
   }
   return corners;
@@ -68,10 +69,10 @@ SideList sides_of(const Corners& corners) {
   SideList list;
   list.start = corners.front();
   const Vec2 along = loop.front().tangent_at(0);
-  list.orientation = std::atan2(along.y, along.x);
+  list.orientation = base::atan2(along.y, along.x);
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Vec2 in = loop[i].tangent_at(1), out = loop[(i + 1) % loop.size()].tangent_at(0);
-    list.sides.push_back({loop[i].length(), kPi - std::atan2(cross(in, out), dot(in, out)), 0});
+    list.sides.push_back({loop[i].length(), kPi - base::atan2(cross(in, out), dot(in, out)), 0});
   }
   return list;
 }

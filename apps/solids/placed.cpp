@@ -15,6 +15,7 @@
 #include <gp_Trsf.hxx>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 
@@ -98,7 +99,7 @@ gp_Trsf raising(const TopoDS_Shape& shape, const std::string& up, const std::str
 
 gp_Trsf about_vertical(double degrees) {
   const double quarters = degrees / 90;
-  double sine = std::sin(degrees * kPi / 180), cosine = std::cos(degrees * kPi / 180);
+  double sine = base::sin(degrees * kPi / 180), cosine = base::cos(degrees * kPi / 180);
   if (quarters == std::round(quarters)) {
     sine = std::round(sine);
     cosine = std::round(cosine);

@@ -22,6 +22,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "bodies.h"
@@ -66,8 +67,8 @@ Path circular(const gp_Circ& circle, double first, double last) {
   const auto turn = circle.Axis().Direction().Z() > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
   const auto at = [&](double t) {
     const gp_XYZ p = circle.Location().XYZ() +
-                     circle.XAxis().Direction().XYZ() * (circle.Radius() * std::cos(t)) +
-                     circle.YAxis().Direction().XYZ() * (circle.Radius() * std::sin(t));
+                     circle.XAxis().Direction().XYZ() * (circle.Radius() * base::cos(t)) +
+                     circle.YAxis().Direction().XYZ() * (circle.Radius() * base::sin(t));
     return Vec2{p.X(), p.Y()};
   };
   const double middle = (first + last) / 2;

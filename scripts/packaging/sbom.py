@@ -14,8 +14,8 @@ import sys
 from datetime import datetime, timezone
 from pathlib import Path
 
-# Packages of headers alone: their code lies in our binaries.
-COMPILED_IN = ("libboost1.74-dev", "libcli11-dev", "nlohmann-json3-dev", "pybind11-dev")
+# Packages of headers alone, and musl, of which functions are taken: their code lies in our binaries.
+COMPILED_IN = ("libboost1.74-dev", "libcli11-dev", "musl-dev", "nlohmann-json3-dev", "pybind11-dev")
 TOOLS = ("g++-12", "cmake", "ninja-build")
 # Copyright files name licences in Debian's way.
 SPDX = {

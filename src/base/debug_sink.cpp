@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/files/file.h"
 #include "base/text/format.h"
 #include "base/text/xml_text.h"
@@ -55,7 +56,7 @@ void SvgFrames::line(double x0, double y0, double x1, double y1, std::string_vie
 
 void SvgFrames::arc(double x0, double y0, double x1, double y1, double cx, double cy, bool counter_clockwise,
                     std::string_view color) {
-  const double radius = std::hypot(x0 - cx, y0 - cy);
+  const double radius = base::hypot(x0 - cx, y0 - cy);
   if ((x0 == x1 && y0 == y1) || !take(x0, y0) || !take(x1, y1)) return;
   if (!std::isfinite(cx) || !std::isfinite(cy)) {
     ++skipped_;

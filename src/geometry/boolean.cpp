@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/unite_all.h"
@@ -145,7 +146,7 @@ Piece piece_of(IntPoint p, IntPoint q, const Sources& sources) {
   const int arc = sources.edge_of(p, q);
   if (arc < 0) return {p, q};
   const Vec2 center = sources.edge(arc).center, a = from_grid(p) - center, b = from_grid(q) - center;
-  return {p, q, arc, arc, std::atan2(cross(a, b), dot(a, b))};
+  return {p, q, arc, arc, base::atan2(cross(a, b), dot(a, b))};
 }
 
 /// Whether the piece took the next one in.

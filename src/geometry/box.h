@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/elementary.h"
 #include "geometry/vec2.h"
 
 namespace clearcut::inline geometry {
@@ -36,7 +37,7 @@ struct Box {
   double distance_to(Vec2 p) const {
     const double dx = std::max({min.x - p.x, 0.0, p.x - max.x});
     const double dy = std::max({min.y - p.y, 0.0, p.y - max.y});
-    return std::hypot(dx, dy);
+    return base::hypot(dx, dy);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/units.h"
 
 namespace clearcut::inline geometry {
@@ -14,10 +15,6 @@ constexpr double kTouch = 1e-9;
 constexpr double kTouchPerRadius = 1e-15;
 /// Below this bulge the sagitta is under the rounding of the centre: a line is the more exact curve.
 constexpr double kStraightBulge = 1e-8;
-
-double fast_norm(Vec2 a) {
-  return std::sqrt(norm_squared(a));
-}
 
 /// Radius of the circle through the middle between the two ends' radii, by one square root.
 double circle_radius(const Edge& arc) {
@@ -41,7 +38,7 @@ bool in_wedge(const Edge& arc, Vec2 v) {
 double sweep_of(const Edge& arc) {
   const Vec2 u = arc.from - arc.center;
   const double sine = cross(u, arc.to - arc.from);
-  const double angle = std::atan2(sine, dot(u, arc.to - arc.center));
+  const double angle = base::atan2(sine, dot(u, arc.to - arc.center));
   if (arc.turn == Turn::kCounterClockwise) return angle >= 0 ? angle : angle + 2 * kPi;
   return angle <= 0 ? angle : angle - 2 * kPi;
 }
@@ -50,7 +47,7 @@ double sweep_of(const Edge& arc) {
 double angle_from_start(const Edge& arc, Vec2 v) {
   const Vec2 u = arc.from - arc.center;
   const double sign = arc.turn == Turn::kCounterClockwise ? 1.0 : -1.0;
-  const double angle = sign * std::atan2(cross(u, v - u), dot(u, v));
+  const double angle = sign * base::atan2(cross(u, v - u), dot(u, v));
   return angle >= 0 ? angle : angle + 2 * kPi;
 }
 
@@ -58,7 +55,7 @@ double angle_from_start(const Edge& arc, Vec2 v) {
 /// lose nothing near it.
 Vec2 turned_point(const Edge& arc, double angle) {
   const Vec2 u = arc.from - arc.center;
-  const double s = std::sin(angle / 2), c = std::cos(angle / 2);
+  const double s = base::sin(angle / 2), c = base::cos(angle / 2);
   return arc.from + u * (-2 * s * s) + left_of(u) * (2 * s * c);
 }
 
@@ -66,7 +63,7 @@ Nearest nearest_on_line(const Edge& line, Vec2 p) {
   const Vec2 d = line.to - line.from;
   const double t = std::clamp(dot(p - line.from, d) / norm_squared(d), 0.0, 1.0);
   const Vec2 q = t == 1.0 ? line.to : line.from + d * t;
-  return {q, fast_norm(p - q), t};
+  return {q, norm(p - q), t};
 }
 
 Nearest nearer_end(const Edge& edge, Vec2 p) {
@@ -78,7 +75,7 @@ Nearest nearer_end(const Edge& edge, Vec2 p) {
 double touch_of(const Edge& a, const Edge& b) {
   double touch = kTouch;
   for (const Edge* edge : {&a, &b}) {
-    if (edge->is_arc()) touch = std::max(touch, kTouchPerRadius * fast_norm(edge->from - edge->center));
+    if (edge->is_arc()) touch = std::max(touch, kTouchPerRadius * norm(edge->from - edge->center));
   }
   return touch;
 }
@@ -90,7 +87,7 @@ void add_if_on_both(Vec2 p, const Edge& a, const Edge& b, double touch, std::vec
 void line_line_candidates(const Edge& a, const Edge& b, std::vector<Vec2>& out) {
   const Vec2 u = a.to - a.from, v = b.to - b.from;
   const double det = cross(u, v);
-  if (std::abs(det) <= 1e-14 * fast_norm(u) * fast_norm(v)) return;
+  if (std::abs(det) <= 1e-14 * norm(u) * norm(v)) return;
   out.push_back(a.from + u * (cross(b.from - a.from, v) / det));
 }
 
@@ -108,7 +105,7 @@ void line_circle_candidates(const Edge& line, const Edge& arc, std::vector<Vec2>
 void circle_circle_candidates(const Edge& a, const Edge& b, std::vector<Vec2>& out) {
   const double ra = circle_radius(a), rb = circle_radius(b);
   const Vec2 between = b.center - a.center;
-  const double d = fast_norm(between);
+  const double d = norm(between);
   if (d <= kTouch) return;
   const Vec2 u = between / d;
   // Difference of squares factored: radii may be huge against their difference.
@@ -163,7 +160,7 @@ double Edge::length() const {
 }
 
 double Edge::bulge() const {
-  return std::tan(sweep() / 4);
+  return base::tan(sweep() / 4);
 }
 
 Vec2 Edge::at(double t) const {
@@ -206,7 +203,7 @@ double Edge::signed_area() const {
   if (!is_arc()) return triangle;
   const double s = sweep(), s2 = s * s;
   // s - sin(s) by its series where the difference would cancel.
-  const double bow = std::abs(s) < 0.1 ? s * s2 / 6 * (1 - s2 / 20 * (1 - s2 / 42)) : s - std::sin(s);
+  const double bow = std::abs(s) < 0.1 ? s * s2 / 6 * (1 - s2 / 20 * (1 - s2 / 42)) : s - base::sin(s);
   const double r = radius();
   return triangle + 0.5 * r * r * bow;
 }
@@ -215,7 +212,7 @@ Nearest nearest(const Edge& edge, Vec2 p) {
   if (!edge.is_arc()) return nearest_on_line(edge, p);
   const Vec2 v = p - edge.center;
   if (!in_wedge(edge, v)) return nearer_end(edge, p);
-  const double d = fast_norm(v), r = circle_radius(edge);
+  const double d = norm(v), r = circle_radius(edge);
   if (d == 0) return {edge.from, r, 0.0};
   const double t = angle_from_start(edge, v) / std::abs(sweep_of(edge));
   // A direction on the very start may come out just short of a full turn.
@@ -227,7 +224,7 @@ Vec2 nearest_point(const Edge& edge, Vec2 p) {
   if (!edge.is_arc()) return nearest_on_line(edge, p).point;
   const Vec2 v = p - edge.center;
   if (!in_wedge(edge, v)) return nearer_end(edge, p).point;
-  const double d = fast_norm(v);
+  const double d = norm(v);
   return d == 0 ? edge.from : edge.center + v * (circle_radius(edge) / d);
 }
 
@@ -235,12 +232,12 @@ double distance(const Edge& edge, Vec2 p) {
   if (!edge.is_arc()) {
     const Vec2 d = edge.to - edge.from, w = p - edge.from;
     const double along = dot(w, d), length_squared = norm_squared(d);
-    if (along <= 0) return fast_norm(w);
-    if (along >= length_squared) return fast_norm(p - edge.to);
+    if (along <= 0) return norm(w);
+    if (along >= length_squared) return norm(p - edge.to);
     return std::abs(cross(d, w)) / std::sqrt(length_squared);
   }
   const Vec2 v = p - edge.center;
-  if (in_wedge(edge, v)) return std::abs(fast_norm(v) - circle_radius(edge));
+  if (in_wedge(edge, v)) return std::abs(norm(v) - circle_radius(edge));
   return std::sqrt(std::min(norm_squared(p - edge.from), norm_squared(p - edge.to)));
 }
 
@@ -288,7 +285,7 @@ void append_flattened(const Edge& edge, double chord, std::vector<Vec2>& out) {
   if (edge.is_arc()) {
     const double sweep = edge.sweep(), r = edge.radius();
     // 2 acos((r - e) / r) = 4 asin(sqrt(e / 2r)), without the cancellation; never over a quarter turn.
-    const double step = std::min(4 * std::asin(std::sqrt(std::min(chord / (2 * r), 0.5))), kPi / 2);
+    const double step = std::min(4 * base::asin(std::sqrt(std::min(chord / (2 * r), 0.5))), kPi / 2);
     const int chords = static_cast<int>(std::ceil(std::abs(sweep) / step - 1e-9));
     for (int i = 1; i < chords; ++i) out.push_back(turned_point(edge, sweep * i / chords));
   }

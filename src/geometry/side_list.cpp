@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 
@@ -10,7 +11,7 @@ namespace clearcut::inline geometry {
 namespace {
 
 Vec2 direction(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+  return {base::cos(angle), base::sin(angle)};
 }
 
 /// The arc that turns from `heading` by `turn`, left where that is positive.
@@ -24,7 +25,7 @@ Edge corner_arc(Vec2 from, double heading, double turn, double radius) {
 }  // namespace
 
 double tangent_length(const Side& corner) {
-  return corner.radius * std::abs(std::tan((kPi - corner.angle) / 2));
+  return corner.radius * std::abs(base::tan((kPi - corner.angle) / 2));
 }
 
 double arc_length(const Side& corner) {

@@ -1,7 +1,7 @@
 // Points and directions of the plane, in mm.
 #pragma once
 
-#include <cmath>
+#include "base/elementary.h"
 
 namespace clearcut::inline geometry {
 
@@ -26,7 +26,7 @@ constexpr double cross(Vec2 a, Vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 inline double norm(Vec2 a) {
-  return std::hypot(a.x, a.y);
+  return base::hypot(a.x, a.y);
 }
 constexpr double norm_squared(Vec2 a) {
   return dot(a, a);
@@ -43,13 +43,13 @@ constexpr Vec2 left_of(Vec2 a) {
   return {-a.y, a.x};
 }
 inline Vec2 direction_of(double radians) {
-  return {std::cos(radians), std::sin(radians)};
+  return {base::cos(radians), base::sin(radians)};
 }
 inline double angle_of(Vec2 a) {
-  return std::atan2(a.y, a.x);
+  return base::atan2(a.y, a.x);
 }
 inline Vec2 rotated(Vec2 a, double radians) {
-  const double c = std::cos(radians), s = std::sin(radians);
+  const double c = base::cos(radians), s = base::sin(radians);
   return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 constexpr Vec2 lerp(Vec2 a, Vec2 b, double t) {

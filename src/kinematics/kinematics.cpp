@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "base/error.h"
 
 namespace clearcut::kinematics {
@@ -49,7 +50,7 @@ double nominal_speed(const Move& move, double plan, const Machine& machine) {
 Run run_of(const Move& move, const Machine& machine) {
   Run run;
   run.plan = move.path.length();
-  run.length = std::hypot(run.plan, move.z_to - move.z_from);
+  run.length = base::hypot(run.plan, move.z_to - move.z_from);
   if (run.length <= 0) return run;
   run.top = nominal_speed(move, run.plan, machine);
   if (move.is_vertical()) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace clearcut::link {
 namespace {
 
@@ -63,7 +65,7 @@ void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, 
 /// A helix with as many turns as the entry angle needs, at least one, so that the whole depth is met nowhere
 /// at once. It ends at the start of the pass.
 std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const LinkOptions& options) {
-  const double asked = (place.z_above - place.z) / (circle.radius * std::tan(options.entry_angle.radians()));
+  const double asked = (place.z_above - place.z) / (circle.radius * base::tan(options.entry_angle.radians()));
   const double turned = std::max(2 * kPi, asked);
   std::vector<Move> moves;
   append_turns(circle, place.start, turned, place.z_above, place.z, options, moves);
@@ -73,7 +75,7 @@ std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const Lin
 
 /// A ramp along the ring, edge by edge, up to where the depth is reached.
 std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& options) {
-  const double slope = std::tan(options.entry_angle.radians());
+  const double slope = base::tan(options.entry_angle.radians());
   const double around = length(*place.ring), stroke = (place.z_above - place.z) / slope;
   if (!(stroke > 0) || stroke > kMostRounds * around) return std::nullopt;
   Entry entry{{}, EntryKind::kRamp, std::fmod(stroke, around)};
@@ -104,7 +106,7 @@ std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& area, con
 }
 
 std::vector<Move> ramp(const EntryPlace& place, Vec2 end, const LinkOptions& options) {
-  const double per_stroke = distance(place.start, end) * std::tan(options.entry_angle.radians());
+  const double per_stroke = distance(place.start, end) * base::tan(options.entry_angle.radians());
   const double drop = place.z_above - place.z;
   const int pairs = std::max(1, static_cast<int>(std::ceil(drop / (2 * per_stroke))));
   std::vector<Move> moves;

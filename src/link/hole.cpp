@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "link/moves.h"
 
 namespace clearcut::link {
@@ -75,7 +76,7 @@ bool can_bore(const HoleWork& hole, double tool_radius) {
 Section bore_hole(const HoleWork& hole, double stepdown, const LinkOptions& options) {
   const double radius = hole.radius - options.tool_radius;
   const double top = hole.z_top + kBoreHeight;
-  const double drop = std::min(stepdown, 2 * kPi * radius * std::tan(options.entry_angle.radians()));
+  const double drop = std::min(stepdown, 2 * kPi * radius * base::tan(options.entry_angle.radians()));
   const bool climbs = (options.direction == CutDirection::kClimb) == options.spindle_clockwise;
   const Turn turn = climbs ? Turn::kCounterClockwise : Turn::kClockwise;
   const int turns = std::max(1, static_cast<int>(std::ceil((top - hole.z) / drop - 1e-9)));

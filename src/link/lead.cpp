@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "geometry/route/legal_area.h"
 
@@ -95,11 +96,11 @@ class LeadSearch {
   }
 
   std::optional<Edge> line(const Place& place, double size, double side, Radians angle, bool in) const {
-    const Vec2 ahead = place.heading * ((in ? -1 : 1) * std::cos(angle.radians()));
+    const Vec2 ahead = place.heading * ((in ? -1 : 1) * base::cos(angle.radians()));
     const Vec2 off =
-        place.point + (ahead + left_of(place.heading) * (side * std::sin(angle.radians()))) * size;
+        place.point + (ahead + left_of(place.heading) * (side * base::sin(angle.radians()))) * size;
     if (!area_.holds_line(off, place.point)) return std::nullopt;
-    const double off_wall = kLeastOff * size * std::sin(angle.radians());
+    const double off_wall = kLeastOff * size * base::sin(angle.radians());
     if (off_wall > kJoint && !holds_disc(legal_, off, off_wall)) return std::nullopt;  // near another wall
     return in ? Edge::line(off, place.point) : Edge::line(place.point, off);
   }

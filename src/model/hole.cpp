@@ -8,6 +8,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace clearcut::inline model {
 
 namespace {
@@ -143,7 +145,7 @@ double minor_diameter(const Thread& thread) {
 /// ISO 965-1: 433 P - 190 P^1.22 um up to a pitch of 0.8 mm, 230 P^0.7 um above.
 double minor_tolerance(const Thread& thread) {
   const double p = thread.pitch;
-  return (p <= 0.8 ? 433 * p - 190 * std::pow(p, 1.22) : 230 * std::pow(p, 0.7)) / 1000;
+  return (p <= 0.8 ? 433 * p - 190 * base::pow(p, 1.22) : 230 * base::pow(p, 0.7)) / 1000;
 }
 
 double root_diameter(const Thread& thread) {
@@ -154,7 +156,7 @@ double root_diameter(const Thread& thread) {
 /// ISO 965-1: es = -(15 + 11 P) um, Td = 180 P^(2/3) - 3.15 / sqrt(P) um.
 double crest_tolerance(const Thread& thread) {
   const double p = thread.pitch;
-  return (15 + 11 * p + 180 * std::pow(p, 2.0 / 3) - 3.15 / std::sqrt(p)) / 1000;
+  return (15 + 11 * p + 180 * base::pow(p, 2.0 / 3) - 3.15 / std::sqrt(p)) / 1000;
 }
 
 double approach_beside(const Thread& thread) {

@@ -1,6 +1,6 @@
 #include "model/move.h"
 
-#include <cmath>
+#include "base/elementary.h"
 
 namespace clearcut::inline model {
 
@@ -27,7 +27,7 @@ const char* name_of(MoveKind kind) {
 }
 
 double Move::length() const {
-  return std::hypot(path.length(), z_to - z_from);
+  return base::hypot(path.length(), z_to - z_from);
 }
 
 double feed_length(const Section& section) {

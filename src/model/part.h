@@ -170,6 +170,7 @@ struct Part {
   /// Whether anything says what is to be made. Where not, there are a stock and tools alone: what a program cuts away is neither
   /// asked for nor forbidden.
   bool is_shape_stated = true;
+  bool is_solid = false;              ///< read from a solid, so that what is seen from its sides agrees
   std::optional<Stock> stock;         ///< absent: solid everywhere outside the features (outline files)
   std::optional<double> clearance_z;  ///< security plane, absolute; absent: stock top + 10
   std::vector<Tool> tools;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/elementary.h"
 #include "base/units.h"
 
 namespace clearcut::inline model {
@@ -51,7 +52,7 @@ Rows times(const Rows& a, const Rows& b) {
 
 /// Quarter turns are exact.
 Rows about_vertical(double degrees) {
-  double sine = std::sin(degrees * kPi / 180), cosine = std::cos(degrees * kPi / 180);
+  double sine = base::sin(degrees * kPi / 180), cosine = base::cos(degrees * kPi / 180);
   if (degrees / 90 == std::round(degrees / 90)) sine = std::round(sine), cosine = std::round(cosine);
   return {{{cosine, -sine, 0}, {sine, cosine, 0}, {0, 0, 1}}};
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace clearcut::inline model {
 
 namespace {
@@ -55,7 +57,7 @@ bool is_conical(const Tool& tool) {
 }
 
 double flank_slope(const Tool& tool) {
-  return std::tan(tool.tip_angle.value_or(Radians{}).radians() / 2);
+  return base::tan(tool.tip_angle.value_or(Radians{}).radians() / 2);
 }
 
 double cone_height(const Tool& tool) {
@@ -73,7 +75,7 @@ double radius_at(const Tool& tool, double height) {
 
 double point_length(const Tool& tool) {
   if (tool.kind != ToolKind::kDrill) return 0;
-  return tool.radius() / std::tan(tool.tip_angle.value_or(Radians::of_degrees(kUsualPoint)).radians() / 2);
+  return tool.radius() / base::tan(tool.tip_angle.value_or(Radians::of_degrees(kUsualPoint)).radians() / 2);
 }
 
 bool makes_holes(const Tool& tool) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/elementary.h"
 #include "base/units.h"
 
 namespace clearcut::order {
@@ -10,11 +11,11 @@ namespace clearcut::order {
 double turn_angle(Vec2 in, Vec2 out) {
   // atan2 tells 0 from -0, and would answer a half turn for some coincident points.
   if (in == Vec2{} || out == Vec2{}) return 0;
-  return std::abs(std::atan2(cross(in, out), dot(in, out))) * (180.0 / kPi);
+  return std::abs(base::atan2(cross(in, out), dot(in, out))) * (180.0 / kPi);
 }
 
 bool is_turn(Vec2 in, Vec2 out) {
-  static const double kSlope = std::tan(kTurnThresholdDegrees * kPi / 180.0);
+  static const double kSlope = base::tan(kTurnThresholdDegrees * kPi / 180.0);
   const double d = dot(in, out);
   const double c = std::abs(cross(in, out));
   return d > 0 ? c > kSlope * d : c > 0 || d < 0;

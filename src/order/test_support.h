@@ -1,7 +1,6 @@
 // What the tests of ordering share: instances with known optima, reference instances where they are, random problems.
 #pragma once
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/random.h"
 #include "base/units.h"
 #include "order/problem.h"
@@ -56,7 +56,7 @@ inline KnownInstance known_curve(const std::string& name, int n, double wave) {
     std::swap(place[static_cast<std::size_t>(i - 1)], place[random.below(static_cast<std::uint64_t>(i))]);
   for (std::size_t i = 0; i < tour.size(); ++i) {
     const double t = 2 * kPi * static_cast<double>(i) / n;
-    points[static_cast<std::size_t>(place[i])] = direction_of(t) * 10000 * (1 + wave * std::cos(5 * t));
+    points[static_cast<std::size_t>(place[i])] = direction_of(t) * 10000 * (1 + wave * base::cos(5 * t));
     tour[i] = place[i];
   }
   return known_instance(name, points, tour);

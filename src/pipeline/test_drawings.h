@@ -2,10 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "pipeline/check.h"
 #include "pipeline/run.h"
@@ -33,7 +33,7 @@ inline std::string circle(const std::string& layer, Vec2 center, double radius) 
 
 inline std::string rounded_box(const std::string& layer, double x0, double y0, double x1, double y1,
                                double r) {
-  const double quarter = std::tan(kPi / 8);
+  const double quarter = base::tan(kPi / 8);
   return outline(layer, {{{x0 + r, y0}},
                          {{x1 - r, y0}, quarter},
                          {{x1, y0 + r}},

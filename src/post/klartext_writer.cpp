@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/inch.h"
 #include "base/text/format.h"
 #include "post/comment.h"
@@ -276,7 +277,7 @@ void KlartextWriter::write_line(const Ticks& to, bool rapid, MmPerMin feed) {
 /// Signed angle about the origin in degrees, from `start` to `end` over the side it turns to.
 double swept_degrees(Vec2 start, Vec2 end, Turn turn) {
   const double side = turn == Turn::kCounterClockwise ? 1 : -1;
-  const double angle = side * std::atan2(cross(start, end), dot(start, end));
+  const double angle = side * base::atan2(cross(start, end), dot(start, end));
   return side * (angle > 0 ? angle : angle + 2 * kPi) * 180 / kPi;
 }
 

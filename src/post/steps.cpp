@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/inch.h"
 
 namespace clearcut::post {
@@ -36,7 +37,7 @@ struct PrintedArc {
   double end_radius() const { return norm(end - center); }
   double mismatch() const { return std::abs(start_radius() - end_radius()); }
   double angle_to(Vec2 direction) const {
-    const double angle = side * std::atan2(cross(-center, direction), dot(-center, direction));
+    const double angle = side * base::atan2(cross(-center, direction), dot(-center, direction));
     return angle >= 0 ? angle : angle + 2 * kPi;
   }
   double sweep() const { return angle_to(end - center); }
@@ -92,7 +93,7 @@ void append_line(Ticks to, Ticks& at, std::vector<Step>& out) {
 
 void append_chords(const Move& move, const StepRules& rules, Ticks& at, std::vector<Step>& out) {
   const double radius = move.path.radius();
-  const double step = 2 * std::acos(std::max(0.0, 1 - rules.chord / radius));
+  const double step = 2 * base::acos(std::max(0.0, 1 - rules.chord / radius));
   const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(move.path.sweep()) / step)));
   for (int k = 1; k < chords; ++k) {
     const double t = static_cast<double>(k) / chords;
@@ -133,7 +134,7 @@ void append_arc(const Move& move, const StepRules& rules, int halvings, Ticks& a
 }  // namespace
 
 double largest_deviation(const PrintGrid& grid) {
-  return std::hypot(allowed_aside(grid), grid.step() * std::sqrt(0.5));
+  return base::hypot(allowed_aside(grid), grid.step() * std::sqrt(0.5));
 }
 
 /// Controls check an arc's radii in their own unit: 0.002 mm or 0.0002 inch.

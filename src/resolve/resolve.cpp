@@ -1,8 +1,8 @@
 #include "resolve/resolve.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "resolve/names.h"
 #include "resolve/prepare.h"
@@ -131,7 +131,7 @@ void take_style(ResolvedStep& step, const Tool& tool, const PlanOptions& options
   if (step.stepover.is_given()) return;
   step.stepover = {trimmed(kMachinistStepover, 2)};
   sources.set("stepover", kMachinist);
-  step.aimed_engagement_deg = std::acos(1 - 2 * kMachinistStepover) * 180 / kPi;
+  step.aimed_engagement_deg = base::acos(1 - 2 * kMachinistStepover) * 180 / kPi;
 }
 
 void resolve_published(ResolvedStep& step, const Workingstep& planned, const PlanOptions& options) {

@@ -1,13 +1,12 @@
 #include "stock/at_depth.h"
 
-#include <cmath>
-
+#include "base/elementary.h"
 #include "geometry/clearance.h"
 
 namespace clearcut::stock {
 
 Regions at_depth(const Regions& regions, Radians wall_slope, double below_top, const Tolerances& tol) {
-  const double draft = below_top * std::tan(wall_slope.radians());
+  const double draft = below_top * base::tan(wall_slope.radians());
   if (draft <= 0) return regions;
   return inset(regions, draft, tol);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/elementary.h"
 #include "base/units.h"
 
 namespace clearcut::stock {
@@ -67,7 +68,7 @@ EngagementArcs::EngagementArcs(Vec2 center, double radius, Vec2 ahead, Part part
 
 double EngagementArcs::Span::width() const {
   const double angle =
-      std::atan2(cross(from.direction(), to.direction()), dot(from.direction(), to.direction()));
+      base::atan2(cross(from.direction(), to.direction()), dot(from.direction(), to.direction()));
   return is_wide() && angle <= 0 ? angle + 2 * kPi : std::max(angle, 0.0);
 }
 
@@ -316,7 +317,7 @@ void EngagementArcs::bound_rest() {
 AngleSet EngagementArcs::angles() const {
   const auto angle = [](const End& end) {
     const Vec2 direction = direction_of(end.order);
-    return std::atan2(direction.y, direction.x);
+    return base::atan2(direction.y, direction.x);
   };
   AngleInterval found[kCapacity];
   for (int i = 0; i < count_; ++i) found[i] = {angle(items_[i].from), angle(items_[i].to)};

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace clearcut::verify {
 namespace {
 
@@ -18,7 +20,7 @@ bool may_round(const CheckedMove& checked) {
 
 double turn_between(const Move& before, const Move& after) {
   const Vec2 in = before.path.tangent_at(1), out = after.path.tangent_at(0);
-  return std::abs(std::atan2(cross(in, out), dot(in, out)));
+  return std::abs(base::atan2(cross(in, out), dot(in, out)));
 }
 
 bool is_corner(const CheckedMove& before, const CheckedMove& after) {
@@ -30,7 +32,7 @@ bool is_corner(const CheckedMove& before, const CheckedMove& after) {
 /// The piece of a move from one point to another that replaces its end: an arc stays as curved as it was, because its chord
 /// would cut off more than a control that keeps the tolerance.
 Edge bent(const Edge& path, Vec2 from, Vec2 to) {
-  return path.is_arc() ? Edge::from_bulge(from, to, std::tan(path.sweep() / 4)) : Edge::line(from, to);
+  return path.is_arc() ? Edge::from_bulge(from, to, base::tan(path.sweep() / 4)) : Edge::line(from, to);
 }
 
 }  // namespace
@@ -42,8 +44,8 @@ std::optional<std::array<Move, 2>> rounded_corner(const CheckedMove& before, con
   // The circle that touches both moves and passes the corner at the tolerance, on at most half of each move.
   const double half = (kPi - turn_between(a, b)) / 2;
   const double legs = std::min(a.path.length(), b.path.length()) / 2;
-  const double sine = std::max(std::sin(half), 1e-6);
-  const double along = std::min(legs, tolerance * std::cos(half) / std::max(1 - sine, 1e-9));
+  const double sine = std::max(base::sin(half), 1e-6);
+  const double along = std::min(legs, tolerance * base::cos(half) / std::max(1 - sine, 1e-9));
   if (along <= kSamePlace) return std::nullopt;
   const double ta = 1 - along / a.path.length(), tb = along / b.path.length();
   const Vec2 leave = a.path.at(ta), join = b.path.at(tb), corner = a.path.to;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace clearcut::verify {
 namespace {
 
@@ -10,7 +12,7 @@ namespace {
 constexpr double kTurn = 0.1;
 
 double degrees_between(Vec2 a, Vec2 b) {
-  return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / kPi;
+  return std::abs(base::atan2(cross(a, b), dot(a, b))) * 180 / kPi;
 }
 
 void add_lengths(Figures& figures, const CheckedMove& checked) {

@@ -1,8 +1,8 @@
 #include "verify/verify.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "verify/blend.h"
 #include "verify/checked_move.h"
@@ -88,7 +88,7 @@ void judge_shaped_liberty(const Finished& finished, const std::vector<CheckedMov
   const double off = std::max({checked.doubt, checked.path_tolerance, before});
   if (off <= 0) return;
   // Off its path in any direction of space, also downwards, a flank comes nearer sideways by this at most.
-  const double aside = off * std::hypot(1.0, flank_slope(*checked.tool));
+  const double aside = off * base::hypot(1.0, flank_slope(*checked.tool));
   Tool wider = *checked.tool;
   wider.diameter += 2 * aside;
   wider.tip_diameter += 2 * aside;
@@ -124,7 +124,7 @@ void judge_liberties(const Finished& finished, const std::vector<CheckedMove>& a
 double lower_bound_of(const FeatureWork& work, const Feature& feature) {
   double perimeter = 0;
   for (const Region& region : feature.target) perimeter += length(region.edges());
-  const double draft = std::tan(feature.wall_slope.radians()) * (feature.top_z - feature.floor_z);
+  const double draft = base::tan(feature.wall_slope.radians()) * (feature.top_z - feature.floor_z);
   const double left = (work.allowance_side + draft) * perimeter;
   const Coverage& floor = work.floor.coverage;
   const double area = floor.target_mm2 - floor.unreachable_mm2 - left;

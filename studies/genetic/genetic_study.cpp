@@ -11,6 +11,7 @@
 #include <map>
 #include <mutex>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/progress.h"
@@ -219,7 +220,7 @@ Moments moments(const std::vector<double>& values) {
 
 /// Eq. 4.11 the other way round: how many runs make the error of the mean 1 % of it.
 double runs_for_one_per_cent(const Moments& m) {
-  return m.mean > 0 ? std::max(1.0, std::ceil(std::pow(kZ * m.deviation / (0.01 * m.mean), 2))) : 1;
+  return m.mean > 0 ? std::max(1.0, std::ceil(base::pow(kZ * m.deviation / (0.01 * m.mean), 2))) : 1;
 }
 
 std::string metric_name(StudyMetric metric) {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/clearance.h"
@@ -62,7 +62,7 @@ Region acute_convex() {
 /// Five corners, the sharpest of 30 degrees as the paper's (figure 10 prints its rho), scaled to the inscribed radius
 /// of the paper.
 Region inscribed_polygon(const Tolerances& tol) {
-  const std::vector<Vec2> corners{{0, 0}, {120, 0}, {95, 40}, {72, 72 * std::tan(kPi / 6)}};
+  const std::vector<Vec2> corners{{0, 0}, {120, 0}, {95, 40}, {72, 72 * base::tan(kPi / 6)}};
   return scaled(corners, kInscribed / Clearance(scaled(corners, 1), tol).max());
 }
 

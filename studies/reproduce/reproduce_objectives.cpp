@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/units.h"
 #include "pipeline/tour/engagement_model.h"
@@ -182,7 +183,7 @@ void add_histogram(report::TextTable& table, const plan::tour::TourTask& task, i
 
 /// A row beside a row at this distance has the target's share of the leading half in material.
 double matching_pitch(int target) {
-  return kObjectivesMill * (1 - std::cos(kPi * target / 100)) / 2;
+  return kObjectivesMill * (1 - base::cos(kPi * target / 100)) / 2;
 }
 
 void add_engagement(report::TextTable& table, const plan::tour::TourTask& task, int target) {

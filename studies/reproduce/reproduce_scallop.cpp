@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include "base/elementary.h"
 #include "base/error.h"
 #include "pipeline/run.h"
 #include "studies/fishhead.h"
@@ -39,7 +38,7 @@ FeatureFindings planned(double asked) {
 double equal_layers_scallop(std::size_t layers) {
   const Part part = sloped_pocket();
   const Feature& pocket = part.features.front();
-  return (pocket.top_z - pocket.floor_z) / static_cast<double>(layers) * std::sin(kSlope);
+  return (pocket.top_z - pocket.floor_z) / static_cast<double>(layers) * base::sin(kSlope);
 }
 
 }  // namespace

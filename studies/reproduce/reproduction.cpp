@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace clearcut::studies {
 
 const char* name_of(Agreement agreement) {
@@ -13,7 +15,7 @@ const char* name_of(Agreement agreement) {
 }
 
 Cell beside(double ours, double printed, int decimals, const std::string& reason) {
-  const bool same = std::abs(ours - printed) < 0.5 * std::pow(10.0, -decimals);
+  const bool same = std::abs(ours - printed) < 0.5 * base::pow(10.0, -decimals);
   const Agreement agreement = same             ? Agreement::kAgrees
                               : reason.empty() ? Agreement::kDiffers
                                                : Agreement::kExplained;
@@ -57,7 +59,7 @@ std::string Reproduction::summary() const {
 }
 
 double cut_to(double value, int decimals) {
-  const double scale = std::pow(10.0, decimals);
+  const double scale = base::pow(10.0, decimals);
   return std::floor(value * scale + 1e-9) / scale;
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "base/units.h"
-#include "geometry/spatial/fast_norm.h"
 
 namespace clearcut::inline geometry {
 namespace {
@@ -67,7 +67,7 @@ void LegalPaths::add_wrap(const Edge& arc) {
   const double step = Radians::of_degrees(kWrapDegrees).radians();
   for (int count = std::max(1, static_cast<int>(std::ceil(sweep / step))); count <= kMostTangents;
        count *= 2) {
-    const double reach = radius / std::cos(sweep / count / 2);
+    const double reach = radius / base::cos(sweep / count / 2);
     std::vector<Vec2> wrap;
     for (int i = 0; i < count; ++i) {
       wrap.push_back(arc.center + unit(arc.at((i + 0.5) / count) - arc.center) * reach);
@@ -93,7 +93,7 @@ std::vector<std::size_t> LegalPaths::corners_within(Vec2 a, Vec2 b, double reach
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const Vec2 off = corners_[i] - middle;
     if (std::abs(off.x) > reach / 2 || std::abs(off.y) > reach / 2) continue;
-    if (fast_norm(corners_[i] - a) + fast_norm(b - corners_[i]) <= reach) found.push_back(i);
+    if (norm(corners_[i] - a) + norm(b - corners_[i]) <= reach) found.push_back(i);
   }
   return found;
 }
@@ -120,7 +120,7 @@ std::optional<std::vector<Vec2>> LegalPaths::path_within(const End& a, const End
   length[count] = 0;
   std::vector<double> left;  // at least so far to b
   left.reserve(count + 2);
-  for (const Vec2 p : places) left.push_back(fast_norm(b.point - p));
+  for (const Vec2 p : places) left.push_back(norm(b.point - p));
   for (;;) {
     // What is farther than a way that is known leads to no shorter one.
     const double most = std::min(reach, length[count + 1] * (1 + kRounding));
@@ -134,7 +134,7 @@ std::optional<std::vector<Vec2>> LegalPaths::path_within(const End& a, const End
     if (length[at] + left[at] > most) continue;
     for (std::size_t j = 0; j < count + 2; ++j) {
       if (done[j]) continue;
-      const double on = length[at] + fast_norm(places[j] - places[at]);
+      const double on = length[at] + norm(places[j] - places[at]);
       if (on >= length[j] || on + left[j] > most || !sees(at, j)) continue;
       length[j] = on;
       before[j] = at;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/elementary.h"
 #include "geometry/spatial/cell_grid.h"
 
 namespace clearcut::inline geometry::voronoi {
@@ -66,7 +67,7 @@ class Finder {
     for (const Segment& s : segments_) {
       low = {std::min(low.x, s.from.x), std::min(low.y, s.from.y)};
       high = {std::max(high.x, s.from.x), std::max(high.y, s.from.y)};
-      total += std::hypot(double{1} * s.to.x - s.from.x, double{1} * s.to.y - s.from.y);
+      total += base::hypot(double{1} * s.to.x - s.from.x, double{1} * s.to.y - s.from.y);
     }
     const double width = double{1} * high.x - low.x, height = double{1} * high.y - low.y;
     const double n = static_cast<double>(segments_.size());

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/spatial/fast_norm.h"
-
 namespace clearcut::inline geometry::voronoi {
 namespace {
 
 Vec2 left_normal(const Edge& line) {
   const Vec2 d = line.to - line.from;
-  return left_of(d) / fast_norm(d);
+  return left_of(d) / norm(d);
 }
 
 std::optional<Vec2> nearer(Vec2 p, Vec2 q, Vec2 guess) {
@@ -35,7 +33,7 @@ std::optional<Vec2> line_meets_circle(const OffsetCurve& line, const OffsetCurve
 std::optional<Vec2> circle_meets_circle(const OffsetCurve& a, const OffsetCurve& b, Vec2 guess,
                                         double slack) {
   const Vec2 between = b.point - a.point;
-  const double d = fast_norm(between);
+  const double d = norm(between);
   if (d < 1e-9 || d > a.radius + b.radius + slack || d < std::abs(a.radius - b.radius) - slack)
     return std::nullopt;
   const Vec2 u = between / d;
@@ -69,7 +67,7 @@ CommonNormal normal_of_line_and_round(const Element& line, const Element& round)
 CommonNormal normal_of_rounds(const Element& a, const Element& b) {
   if (a.wall != Wall::kConcave && b.wall == Wall::kConcave) return normal_of_rounds(b, a);
   const Vec2 between = b.edge.center - a.edge.center;
-  const double d = fast_norm(between);
+  const double d = norm(between);
   if (d < 1e-9) return {};
   const Vec2 u = between / d;
   CommonNormal normal{u, {}, {}};
@@ -105,12 +103,12 @@ Element Element::of_point(Vec2 p) {
 }
 
 double distance(const Element& element, Vec2 p) {
-  return element.is_point() ? fast_norm(p - element.edge.from) : clearcut::distance(element.edge, p);
+  return element.is_point() ? norm(p - element.edge.from) : clearcut::distance(element.edge, p);
 }
 
 Vec2 away_from(const Element& element, Vec2 p) {
   const Vec2 foot = element.is_point() ? element.edge.from : nearest_point(element.edge, p);
-  const double d = fast_norm(p - foot);
+  const double d = norm(p - foot);
   return d > 0 ? (p - foot) / d : Vec2{};
 }
 

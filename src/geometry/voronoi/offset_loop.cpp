@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/units.h"
-#include "geometry/spatial/fast_norm.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {
@@ -21,7 +21,7 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 d = b - a;
   const double length_squared = norm_squared(d);
   const double t = length_squared > 0 ? std::clamp(dot(p - a, d) / length_squared, 0.0, 1.0) : 0.0;
-  return fast_norm(p - (a + d * t));
+  return norm(p - (a + d * t));
 }
 
 /// An arc's centre moved along its chord until both ends are equally far; a line where no arc is left.
@@ -38,8 +38,8 @@ Edge centred(Edge arc) {
 Edge exact_edge(const OffsetCurve& curve, Vec2 from, Vec2 to) {
   if (curve.straight) return Edge::line(from, to);
   const Edge arc = Edge::arc(from, to, curve.point, curve.turn);
-  const double off_from = std::abs(fast_norm(from - curve.point) - curve.radius);
-  const double off_to = std::abs(fast_norm(to - curve.point) - curve.radius);
+  const double off_from = std::abs(norm(from - curve.point) - curve.radius);
+  const double off_to = std::abs(norm(to - curve.point) - curve.radius);
   return off_from <= kOnCurve && off_to <= kOnCurve ? arc : centred(arc);
 }
 
@@ -145,7 +145,7 @@ class Assembler {
   bool is_shrunken(const Element& arc) const {
     const double left = arc.radius - d_, half = std::abs(arc.edge.sweep()) / 2;
     if (left <= kOneJoint) return true;
-    return left < slack_ && half < kPi / 2 && left * (1 / std::cos(half) - 1) < slack_ / 2;
+    return left < slack_ && half < kPi / 2 && left * (1 / base::cos(half) - 1) < slack_ / 2;
   }
 
   /// Concave arcs whose offset has (almost) shrunk to their centre.
@@ -159,13 +159,13 @@ class Assembler {
   /// Distance between the offsets of two edges at their common vertex, > 0 where an arc about it joins them.
   double opening(const Edge& before, const Edge& after) const {
     const Vec2 a = before.tangent_at(1), b = after.tangent_at(0);
-    return -d_ * std::atan2(cross(a, b), dot(a, b));
+    return -d_ * base::atan2(cross(a, b), dot(a, b));
   }
 
   /// Place of the offset beside the vertex where edge b follows edge a.
   Vec2 beside_vertex(const Element& a, const Element& b) const {
     const Vec2 n = left_of(a.edge.tangent_at(1)) + left_of(b.edge.tangent_at(0));
-    return a.edge.to + n * (d_ / fast_norm(n));
+    return a.edge.to + n * (d_ / norm(n));
   }
 
   /// Whether a joint opens by less than an arc worth writing, or closes, by a small angle: rounding hides no
@@ -208,9 +208,9 @@ class Assembler {
   /// Whether the joint before piece i lies beside the common vertex and not where the two edges meet again.
   bool starts_beside_vertex(std::size_t i) const {
     const Element &a = before(i), &b = after(i);
-    const double to_vertex = fast_norm(piece(i).guess - beside_vertex(a, b));
+    const double to_vertex = norm(piece(i).guess - beside_vertex(a, b));
     const auto met = meeting_near(offset_curve(a, d_), offset_curve(b, d_), piece(i).guess, slack_);
-    return !met || to_vertex <= fast_norm(*met - piece(i).guess) + opening(a.edge, b.edge);
+    return !met || to_vertex <= norm(*met - piece(i).guess) + opening(a.edge, b.edge);
   }
 
   /// One element all round: an island that is a point, or an arc that is all but closed. Others are an
@@ -247,7 +247,7 @@ class Assembler {
     if (here.at_node) return slack_;
     // Sites within some error of an arc turn from it by up to the root of that.
     const double root = here.mended ? 2 * std::sqrt(diagram_.sites.error * d_) : 0;
-    return 0.5 * fast_norm(here.high - here.low) + 20 * slack_ + root;
+    return 0.5 * norm(here.high - here.low) + 20 * slack_ + root;
   }
 
   Vec2 joint(std::size_t i) const { return *piece(i).joint; }
@@ -276,7 +276,7 @@ class Assembler {
       const bool last = i + 1 == pieces_.size();
       Vec2 to = joint(i + 1);
       if (last && !loop.empty()) to = loop.front().from;
-      if (fast_norm(to - from) <= kOneJoint) {
+      if (norm(to - from) <= kOneJoint) {
         if (last && !loop.empty()) close(loop, to);
         continue;
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "base/work_budget.h"
@@ -96,9 +97,9 @@ Edge with_ends(const Edge& edge, Vec2 from, Vec2 to) {
 void append_tangents(const Edge& edge, double error, std::vector<Vec2>& out) {
   if (edge.is_arc()) {
     const double sweep = edge.sweep(), r = edge.radius();
-    const double widest = std::min(std::acos(1 / (1 + error / r)), kPi / 6);
+    const double widest = std::min(base::acos(1 / (1 + error / r)), kPi / 6);
     const int count = static_cast<int>(std::ceil(std::abs(sweep) / (2 * widest)));
-    const double half = sweep / (2 * count), reach = 1 / std::cos(half);
+    const double half = sweep / (2 * count), reach = 1 / base::cos(half);
     const Vec2 u = (edge.from - edge.center) * reach;
     for (int i = 0; i < count; ++i) out.push_back(edge.center + rotated(u, (2 * i + 1) * half));
   }

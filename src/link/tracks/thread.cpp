@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "link/moves.h"
 
 namespace clearcut::link {
@@ -49,9 +50,9 @@ class ThreadPath {
     if (!thread_.external) return step() / 4;
     const double half = thread_.aside / 2;
     const double along =
-        std::acos(std::max(-1.0, 1 - (thread_.crest - thread_.radius) / half));  // of the half circle
+        base::acos(std::max(-1.0, 1 - (thread_.crest - thread_.radius) / half));  // of the half circle
     const double seen =
-        std::atan2(half * std::sin(along), distance(wall_, thread_.center) + half * (1 - std::cos(along)));
+        base::atan2(half * base::sin(along), distance(wall_, thread_.center) + half * (1 - base::cos(along)));
     return step() * seen / (2 * along);
   }
 

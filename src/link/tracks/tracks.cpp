@@ -1,10 +1,10 @@
 #include "link/tracks/tracks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 
+#include "base/elementary.h"
 #include "link/moves.h"
 
 namespace clearcut::link {
@@ -86,7 +86,7 @@ class TrackLinker {
     if (piece.z_from <= piece.z_to) return options_.feed;
     const double down = piece.z_from - piece.z_to + 2 * kRounded;
     const double along = std::max(0.0, piece.path.length() - 3 * kRounded);
-    const double share = down / std::hypot(along, down);
+    const double share = down / base::hypot(along, down);
     return std::min(options_.feed, options_.plunge_feed * (1 / share));
   }
 

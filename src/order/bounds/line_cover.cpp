@@ -9,6 +9,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/elementary.h"
+
 namespace clearcut::order {
 
 namespace {
@@ -85,7 +87,7 @@ class LineCover {
   /// x (D - x) / 572 on x pitches with shorter ones, which need a step of 572 / |p| beside them.
   int most_on_bent() const {
     constexpr double kProduct = 572;  // 1 / 0.1 degrees
-    const double across = std::hypot(lattice_.columns() - 1, lattice_.rows() - 1);
+    const double across = base::hypot(lattice_.columns() - 1, lattice_.rows() - 1);
     if (across * across < kProduct) return 0;
     return static_cast<int>(across / std::sqrt(kProduct) + across * across / (4 * kProduct)) + 2;
   }
@@ -160,7 +162,7 @@ class LineCover {
     std::vector<double> share(lines_.size()), sum(directions_.size(), 0.0);
     for (std::size_t d = 0; d < directions_.size(); ++d) {
       for (std::size_t l = directions_[d].first; l < directions_[d].end; ++l)
-        sum[d] += share[l] = std::exp(sharpness * (line_weight_[l] / heaviest_ - 1));
+        sum[d] += share[l] = base::exp(sharpness * (line_weight_[l] / heaviest_ - 1));
     }
     const double total = std::accumulate(sum.begin(), sum.end(), 0.0);
     for (std::size_t d = 0; d < directions_.size(); ++d) {
@@ -174,7 +176,7 @@ class LineCover {
     if (most <= 0) return;
     double largest = 0;
     for (std::size_t v = 0; v < weight_.size(); ++v) {
-      weight_[v] *= std::exp(-0.1 * step * load_[v] / most);
+      weight_[v] *= base::exp(-0.1 * step * load_[v] / most);
       largest = std::max(largest, weight_[v]);
     }
     for (double& weight : weight_) weight /= largest;

@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "base/disjoint_sets.h"
+#include "base/elementary.h"
 #include "order/near/kd_tree.h"
 
 namespace clearcut::order {
@@ -287,7 +288,7 @@ double held_karp_bound(const LengthModel& model, std::span<const int> tour, int 
     magnitude += 2 * std::abs(p);
   }
   // Sums of doubles are off by less than this; the bound must not be.
-  value -= 1e-14 * magnitude * std::log2(static_cast<double>(model.size()) + 2);
+  value -= 1e-14 * magnitude * base::log2(static_cast<double>(model.size()) + 2);
   return model.length(model.rounded_up(value));
 }
 

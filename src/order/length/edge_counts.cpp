@@ -1,7 +1,8 @@
 #include "order/length/edge_counts.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/elementary.h"
 
 namespace clearcut::order {
 
@@ -46,7 +47,7 @@ void EdgeCounts::apply(const std::vector<EdgeChange>& changes) {
 
 double EdgeCounts::entropy_change(const std::vector<EdgeChange>& changes, int population) const {
   const auto term = [population](int count) {
-    return count <= 0 ? 0.0 : -count * std::log(static_cast<double>(count) / population);
+    return count <= 0 ? 0.0 : -count * base::log(static_cast<double>(count) / population);
   };
   double sum = 0;
   for (const EdgeChange& c : changes) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "geometry/box.h"
 
@@ -66,8 +67,8 @@ void LengthModel::choose_scale(const Problem& problem) {
   for (const Vec2 p : points_) box.add(p);
   // Sums of n edges stay below 2^50, so that they and their doubles are exact; detours may be 100 times
   // longer.
-  const double longest_sum = std::max(std::hypot(box.width(), box.height()), 1e-100) * (size_ + 1.0);
-  scale_ = std::exp2(std::floor(50 - std::log2(longest_sum)));
+  const double longest_sum = std::max(base::hypot(box.width(), box.height()), 1e-100) * (size_ + 1.0);
+  scale_ = std::ldexp(1.0, static_cast<int>(std::floor(50 - base::log2(longest_sum))));
 }
 
 void LengthModel::build_candidates(int count) {
@@ -101,7 +102,7 @@ void LengthModel::add_extra_node(const Problem& problem) {
   for (const Cost c : candidate_costs_) longest = std::max(longest, c);
   Box box;
   for (const Vec2 p : points_) box.add(p);
-  longest = std::max(longest, to_cost(std::hypot(box.width(), box.height())));
+  longest = std::max(longest, to_cost(base::hypot(box.width(), box.height())));
   premium_per_end_ = fixed_ends_ == 0 ? 0 : longest * (size_ + 1);
   extra_ = size_++;
   points_.push_back({});

@@ -1,9 +1,9 @@
 #include "order/length/length_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "order/length/chained_search.h"
 #include "order/length/population.h"
@@ -29,7 +29,7 @@ struct Plan {
 
 /// Seconds of one core per tour in a population: measured on the reference instances, see docs/tour.md.
 double seconds_per_individual(int n) {
-  return 0.019 * std::pow(n / 2392.0, 1.75);
+  return 0.019 * base::pow(n / 2392.0, 1.75);
 }
 
 /// Rough starts keep more edges to choose from, good ones save generations on large instances; on a few points

@@ -1,8 +1,8 @@
 #include "pipeline/selection/selection.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/work_budget.h"
@@ -25,7 +25,7 @@ constexpr double kFewEdges = 150;
 bool is_worthwhile(const StrategyEntry& strategy, const ClearedSize& known, double least_s, double best_s,
                    double radius) {
   if (strategy.is_small_enough && !strategy.is_small_enough(known, radius)) return false;
-  const double size = std::pow(std::max(1.0, static_cast<double>(known.edges) / kFewEdges), 0.125);
+  const double size = base::pow(std::max(1.0, static_cast<double>(known.edges) / kFewEdges), 0.125);
   return best_s > strategy.margin * size * least_s;
 }
 

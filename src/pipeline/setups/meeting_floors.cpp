@@ -74,6 +74,7 @@ std::vector<Condition> meeting_floors(const std::vector<MachinedSetup>& earlier,
                                       const Part& next, const Tolerances& tol) {
   std::vector<Condition> conditions;
   for (std::size_t i = 0; i < earlier.size(); ++i) {
+    if (earlier[i].part.is_solid && next.is_solid) continue;
     const SetupPlace back = between(place, earlier[i].place);
     if (!keeps_verticals(back) || !turns_over(back)) continue;
     FeaturesFromBelow(next, back, tol).meet(earlier[i], i + 1, conditions);

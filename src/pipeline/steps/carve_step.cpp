@@ -1,9 +1,9 @@
 #include "pipeline/steps/carve_step.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
+#include "base/elementary.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/rectangle.h"
@@ -28,7 +28,7 @@ Regions cleared_before(int workingstep, const Region& region, const ResolvedPlan
   const Part& part = plan.part;
   const Workingstep& own = part.workplan[static_cast<std::size_t>(workingstep)];
   const Feature& feature = feature_of(part, own);
-  const double foot = (feature.top_z - feature.floor_z) * std::tan(feature.wall_slope.radians());
+  const double foot = (feature.top_z - feature.floor_z) * base::tan(feature.wall_slope.radians());
   Regions cleared;
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "geometry/route/legal_area.h"
 #include "stock/material.h"
@@ -304,7 +305,7 @@ std::unique_ptr<EngagementModel> exact_engagement(EngagementTask task) {
 }
 
 double engagement_cost(double deviation) {
-  return deviation <= 0 ? -deviation : std::expm1(5 * deviation);
+  return deviation <= 0 ? -deviation : base::expm1(5 * deviation);
 }
 
 double inverse_engagement_cost(double deviation) {

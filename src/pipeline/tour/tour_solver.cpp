@@ -6,6 +6,7 @@
 #include <limits>
 #include <stop_token>
 
+#include "base/elementary.h"
 #include "base/progress.h"
 #include "order/genetic/genetic.h"
 #include "order/solve.h"
@@ -36,7 +37,7 @@ class MachineTime final : public order::Objective {
     const auto shape = moves.shape(a, b);
     if (shape.inner_turns == 0) return shape.length / speed_;
     const double bend = Radians::of_degrees(shape.inner_angle / shape.inner_turns).radians();
-    return shape.length / speed_ + shape.inner_turns * lost_at(std::cos(bend));
+    return shape.length / speed_ + shape.inner_turns * lost_at(base::cos(bend));
   }
   double corner(const order::Moves& moves, int a, int b, int c) const override {
     const auto [in, out] = moves.directions(a, b, c);

@@ -1,8 +1,8 @@
 #include "plan/adaptive/adaptive.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.h"
 #include "base/progress.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
@@ -64,8 +64,8 @@ struct InnerAreas {
 
 /// mm; thickness of the residual that stays on a wall between two cuts that end there.
 double residual_between_cuts(double radius, double limit) {
-  const double step = radius * (1 - std::cos(limit));
-  return std::max(0.16 * step * step / radius, radius * (1 - std::cos(limit / 3)));
+  const double step = radius * (1 - base::cos(limit));
+  return std::max(0.16 * step * step / radius, radius * (1 - base::cos(limit / 3)));
 }
 
 /// How often cuts may begin from above, when no clear link leads to where they begin.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "geometry/route/legal_area.h"
 #include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
@@ -40,8 +41,8 @@ class FrontOutline {
  public:
   FrontOutline(const Region& legal, double tool_radius, double limit)
       : area_({legal}), radius_(tool_radius), limit_(limit) {
-    const double wall_engagement = std::acos(1 - kWallShare * (1 - std::cos(limit)));
-    taper_ = std::min(kSteepestTaper, kTaperShare * std::tan(limit - wall_engagement));
+    const double wall_engagement = base::acos(1 - kWallShare * (1 - base::cos(limit)));
+    taper_ = std::min(kSteepestTaper, kTaperShare * base::tan(limit - wall_engagement));
   }
 
   Loop around(const Loop& loop) {
@@ -63,11 +64,11 @@ class FrontOutline {
 
   /// mm; the widest cut that a cutter running along the edge can take within the limit.
   double widest_cut(const Edge& edge) const {
-    const double straight = radius_ * (1 - std::cos(limit_));
+    const double straight = radius_ * (1 - base::cos(limit_));
     if (edge.turn != Turn::kCounterClockwise) return straight;
     // Inside an arc: the width between the circle that the cutter leaves and the one before it.
-    const double across = radius_ * std::sin(limit_), along = edge.radius() + radius_ * std::cos(limit_);
-    return std::clamp(edge.radius() + radius_ - std::hypot(along, across), 0.0, straight);
+    const double across = radius_ * base::sin(limit_), along = edge.radius() + radius_ * base::cos(limit_);
+    return std::clamp(edge.radius() + radius_ - base::hypot(along, across), 0.0, straight);
   }
 
   void place_points(const Loop& loop) {
@@ -92,7 +93,7 @@ class FrontOutline {
     for (std::size_t e = 0; e < loop.size(); ++e) {
       const Vec2 before = loop[(e + loop.size() - 1) % loop.size()].tangent_at(1),
                  after = loop[e].tangent_at(0);
-      const double turn = std::atan2(cross(before, after), dot(before, after));
+      const double turn = base::atan2(cross(before, after), dot(before, after));
       if (std::abs(turn) > kCornerTurn) keep_corner(at, RadiusShares::kCornerReach * radius_);
       at += loop[e].length();
     }

@@ -1,7 +1,6 @@
 #include "plan/adaptive/entry.h"
 
-#include <cmath>
-
+#include "base/elementary.h"
 #include "plan/adaptive/adaptive.h"
 #include "plan/common/layers.h"
 
@@ -21,7 +20,7 @@ Strategy make(const StrategyRequest& request) {
 }
 
 double least_length(const ClearedSize& size, double radius) {
-  return size.reached_mm2 / (radius * (1 - std::cos(AdaptiveOptions{}.engagement.radians())));
+  return size.reached_mm2 / (radius * (1 - base::cos(AdaptiveOptions{}.engagement.radians())));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace clearcut::plan::adaptive {
 namespace {
 
@@ -91,9 +93,9 @@ double EntryRegionFinder::hole_at(Vec2 place) const {
 /// Whether the disc is worth an entry: clearing it by a spiral is shorter than by arcs, which have to return, by
 /// about 0.4 of the spiral's length; the entry costs a helix and a retract.
 bool EntryRegionFinder::is_worth_entry(const Disc& disc) const {
-  const double step = radius_ * (1 - std::cos(limit_));
+  const double step = radius_ * (1 - base::cos(limit_));
   const double spiral = kPi * disc.radius * disc.radius / step;
-  const double helix = 2 * depth_ / std::tan(3 * kPi / 180) + 40;
+  const double helix = 2 * depth_ / base::tan(3 * kPi / 180) + 40;
   return 0.4 * spiral > helix;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/work_budget.h"
 #include "plan/adaptive/parameters.h"
 
@@ -165,7 +166,7 @@ bool RemainingStock::is_free(const Edge& path, double residual) const {
 bool RemainingStock::is_legal(const Edge& path) const {
   if (!path.is_arc()) return legal_.holds_line(path.from, path.to);
   const int pieces = static_cast<int>(std::abs(path.sweep()) / kLegalTurn) + 1;
-  const double half = path.sweep() / (2 * pieces), out = 1 / std::cos(half);
+  const double half = path.sweep() / (2 * pieces), out = 1 / base::cos(half);
   for (int i = 0; i < pieces; ++i) {
     const Vec2 a = path.at(static_cast<double>(i) / pieces), b = path.at((i + 1.0) / pieces),
                corner = path.center + rotated(a - path.center, half) * out;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
@@ -21,7 +22,7 @@ constexpr double kRounding = 1e-9;
 
 double step_for(const Feature& feature, const Operation& operation, double tool_radius) {
   const double step = operation.stepdown.value_or(tool_radius);
-  const double draft = std::sin(feature.wall_slope.radians());
+  const double draft = base::sin(feature.wall_slope.radians());
   if (!operation.scallop || *operation.scallop <= 0 || draft <= 0) return step;
   return std::min(step, *operation.scallop / draft);
 }

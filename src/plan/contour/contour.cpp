@@ -13,9 +13,9 @@
 #include "plan/contour/contour.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "geometry/boolean.h"
 #include "geometry/route/legal_area.h"
@@ -82,7 +82,7 @@ double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring
                     std::all_of(target.islands().begin(), target.islands().end(), islands_clear);
   if (!face) return kReachBesideWalls * radius + layer.rounded;
   if (face_ring == FaceRing::kOnEdge) return radius;
-  return radius - 0.98 * radius * std::sin(smallest_angle(target) / 2);
+  return radius - 0.98 * radius * base::sin(smallest_angle(target) / 2);
 }
 
 /// The area in which rings are planned: `allowed` without what lies far beyond the target's open sides.

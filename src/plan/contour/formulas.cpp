@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "plan/contour/contour.h"
 
@@ -14,7 +14,7 @@ constexpr double kSameAngle = 1e-6;
 
 double interior_angle(const Edge& before, const Edge& after) {
   const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
-  return kPi - std::atan2(cross(in, out), dot(in, out));
+  return kPi - base::atan2(cross(in, out), dot(in, out));
 }
 
 struct Corner {
@@ -46,19 +46,19 @@ bool first_is_single(const std::vector<Corner>& sorted) {
 }  // namespace
 
 double kappa(double alpha) {
-  return (std::sin(alpha / 2) + 1) / 2;
+  return (base::sin(alpha / 2) + 1) / 2;
 }
 
 double rho(double alpha, double radius, double w) {
-  return (radius - w) * std::sin(alpha / 2) / (2 * radius) + 0.5;
+  return (radius - w) * base::sin(alpha / 2) / (2 * radius) + 0.5;
 }
 
 double residual_size(double alpha, double radius, double overlap) {
-  return (radius - 2 * radius * overlap) / std::sin(alpha / 2) - radius;
+  return (radius - 2 * radius * overlap) / base::sin(alpha / 2) - radius;
 }
 
 double passage_length(double step, double alpha) {
-  return step / std::sin(alpha / 2);
+  return step / base::sin(alpha / 2);
 }
 
 double smallest_angle(const Region& contour) {

@@ -1,12 +1,12 @@
 #include "plan/contour/passages.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "geometry/route/legal_area.h"
 
@@ -40,7 +40,7 @@ Place nearest_place(const Path& ring, Vec2 p) {
 
 double angle_before(const Path& ring, std::size_t edge) {
   const Vec2 in = ring[edge == 0 ? ring.size() - 1 : edge - 1].tangent_at(1), out = ring[edge].tangent_at(0);
-  return kPi - std::atan2(cross(in, out), dot(in, out));
+  return kPi - base::atan2(cross(in, out), dot(in, out));
 }
 
 /// The corner with the smallest interior angle; where the ring begins if it has none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 
@@ -15,11 +16,11 @@ constexpr double kVanished = 1e-9;
 constexpr double kParallel = 1e-9;
 
 double cot_half(double angle) {
-  return std::cos(angle / 2) / std::sin(angle / 2);
+  return base::cos(angle / 2) / base::sin(angle / 2);
 }
 
 Vec2 direction(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+  return {base::cos(angle), base::sin(angle)};
 }
 
 /// Computes one step from a contour to the next.
@@ -94,8 +95,8 @@ class Stepper {
     if (std::abs(angle - kPi) < kParallel || angle > 2 * kPi - kParallel) return SideOffsetEnd::kBeyond;
     const double sharp =
         side.length + before.radius * cot_half(before.angle) + side.radius * cot_half(side.angle);
-    const double meet_before = sharp * std::sin(kPi - side.angle) / std::sin(angle);
-    const double meet_after = sharp * std::sin(kPi - before.angle) / std::sin(angle);
+    const double meet_before = sharp * base::sin(kPi - side.angle) / base::sin(angle);
+    const double meet_after = sharp * base::sin(kPi - before.angle) / base::sin(angle);
     const double cut_before = before.radius * cot_half(before.angle),
                  cut_after = side.radius * cot_half(side.angle);
     before.length += cut_before + meet_before;

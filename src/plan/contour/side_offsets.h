@@ -18,9 +18,9 @@
 // vanishes before it: both are reported as kBeyond.
 #pragma once
 
-#include <cmath>
 #include <vector>
 
+#include "base/elementary.h"
 #include "geometry/side_list.h"
 
 namespace clearcut::plan::contour {
@@ -85,7 +85,7 @@ PublishedLength published_length(const SideList& outline, double radius, double 
     inwards = step(result.angles.back());
     level += inwards;
     next = offset_sides(contour, inwards, ReflexCorners::kMitred);
-    if (next.end == SideOffsetEnd::kContour) result.passages += inwards / std::sin(result.angles.back() / 2);
+    if (next.end == SideOffsetEnd::kContour) result.passages += inwards / base::sin(result.angles.back() / 2);
   }
   result.beyond = next.end == SideOffsetEnd::kBeyond;
   result.total += result.passages;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/elementary.h"
+
 namespace clearcut::plan::grid {
 namespace {
 
@@ -14,7 +16,7 @@ constexpr double kRounding = 1e-9;      // mm; smaller differences come from rou
 /// Angle in [0, 2 pi) from `start` to `p` about the arc's centre, in the arc's direction.
 double swept_to(const Edge& arc, Vec2 p) {
   const Vec2 a = arc.from - arc.center, b = p - arc.center;
-  const double turned = std::atan2(cross(a, b), dot(a, b)) * (arc.turn == Turn::kClockwise ? -1 : 1);
+  const double turned = base::atan2(cross(a, b), dot(a, b)) * (arc.turn == Turn::kClockwise ? -1 : 1);
   return turned < 0 ? turned + 2 * kPi : turned;
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "base/elementary.h"
+
 namespace clearcut::plan::grid {
 namespace {
 
@@ -15,7 +17,7 @@ double squared(double v) {
 }
 
 double apart(Square a, Square b) {
-  return std::hypot(a.column - b.column, a.row - b.row);
+  return base::hypot(a.column - b.column, a.row - b.row);
 }
 
 bool adjacent(Square a, Square b) {

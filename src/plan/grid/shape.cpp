@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "plan/grid/interpolate.h"
 
@@ -43,7 +44,7 @@ std::optional<Edge> core_of_arc(const DesignElement& element, double tool_radius
   const Edge arc = arc_of(element);
   const double radius = arc.radius();
   if (tool_radius >= radius) return std::nullopt;
-  const double trim = 2 * std::asin(tool_radius / (2 * radius)) / std::abs(arc.sweep());
+  const double trim = 2 * base::asin(tool_radius / (2 * radius)) / std::abs(arc.sweep());
   if ((1 - 2 * trim) * arc.length() < kSamePoint) return std::nullopt;
   return arc.part(trim, 1 - trim);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "geometry/spatial/cell_grid.h"
 
@@ -336,7 +337,7 @@ Path with_round_corners(const Path& path, double radius, const std::function<boo
   std::vector<std::optional<Edge>> arcs(path.size());
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const Vec2 in = path[i].tangent_at(1), out = path[i + 1].tangent_at(0);
-    const double turn = std::atan2(std::abs(cross(in, out)), dot(in, out));
+    const double turn = base::atan2(std::abs(cross(in, out)), dot(in, out));
     if (turn < kNoCorner || turn > kPi - kNoCorner || sharp(path[i].to)) continue;
     for (double r = radius; r > radius / 5; r /= 2) {
       const auto found = fillet(path[i], path[i + 1], r);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
 #include "geometry/vec2.h"
 
 namespace clearcut::read {
@@ -14,7 +15,7 @@ struct Affine {
   static Affine translation(Vec2 by) { return {1, 0, 0, 1, by.x, by.y}; }
   static Affine scaling(double x, double y) { return {x, 0, 0, y, 0, 0}; }
   static Affine rotation(double radians) {
-    const double cosine = std::cos(radians), sine = std::sin(radians);
+    const double cosine = base::cos(radians), sine = base::sin(radians);
     return {cosine, sine, -sine, cosine, 0, 0};
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/units.h"
 
 namespace clearcut::read {
@@ -24,8 +25,8 @@ Edge arc_along(Vec2 from, Vec2 tangent, Vec2 to) {
   if (std::abs(aside) <= kFlat) return Edge::line(from, to);
   // tan(half the sweep / 2) by the half-angle formula: exact where the arc is flat.
   const double along = dot(chord, tangent);
-  const double half = std::atan2(aside, along);
-  return Edge::from_bulge(from, to, std::tan(half / 2));
+  const double half = base::atan2(aside, along);
+  return Edge::from_bulge(from, to, base::tan(half / 2));
 }
 
 /// Direction of the curve at t, from one or both sides.
@@ -117,7 +118,7 @@ void append_fitted(const ParametricCurve& curve, double tolerance, Path& out) {
 }
 
 void append_elliptical(Vec2 center, Vec2 u, Vec2 v, double start, double sweep, double tolerance, Path& out) {
-  const auto at = [&](double angle) { return center + u * std::cos(angle) + v * std::sin(angle); };
+  const auto at = [&](double angle) { return center + u * base::cos(angle) + v * base::sin(angle); };
   const double size = norm(u) + norm(v);
   const bool circular =
       std::abs(norm(u) - norm(v)) <= 1e-9 * size && std::abs(dot(u, v)) <= 1e-9 * size * size;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "read/common/curve_fit.h"
 #include "read/dxf/dxf_curves.h"
@@ -140,7 +141,7 @@ class HatchReader {
   /// Of an ellipse, from the angle under which its place is seen from the centre, degrees.
   static double parameter(double degrees, double ratio) {
     const double angle = Radians::of_degrees(degrees).radians();
-    return std::atan2(std::sin(angle) / ratio, std::cos(angle));
+    return base::atan2(base::sin(angle) / ratio, base::cos(angle));
   }
   static double positive(double angle) { return angle > 0 ? angle : angle + 2 * kPi; }
 

@@ -1,8 +1,8 @@
 #include "read/dxf/dxf_text.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "read/dxf/dxf_curves.h"
 #include "read/dxf/dxf_style.h"
@@ -16,7 +16,7 @@ double angle_at(const DxfDocument& document, const DxfEntity& entity, int code) 
 }
 
 Affine sheared(double angle) {
-  return {1, 0, std::tan(angle), 1, 0, 0};
+  return {1, 0, base::tan(angle), 1, 0, 0};
 }
 
 /// Without what follows "Embedded Object", which repeats the codes with other meanings.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/units.h"
@@ -208,7 +209,7 @@ SideList side_list_of(const Draft& draft, const std::string& file) {
     list.sides[i].length = std::max(0.0, straight);
   }
   const double first = tangent_length(given.back());
-  list.start = list.start + Vec2{std::cos(list.orientation), std::sin(list.orientation)} * first;
+  list.start = list.start + Vec2{base::cos(list.orientation), base::sin(list.orientation)} * first;
   return list;
 }
 

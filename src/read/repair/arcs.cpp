@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "read/repair/clean.h"
 #include "read/repair/mends.h"
@@ -83,7 +84,7 @@ class Finder {
       const Vec2 u = line.from - arc.center, v = line.to - arc.center;
       if (std::abs(norm(v) - radius) > kArcVertexTolerance) return false;
       if (std::abs(norm((u + v) / 2.0) - radius) > kArcChordTolerance) return false;
-      const double step = turn * std::atan2(cross(u, v), dot(u, v));
+      const double step = turn * base::atan2(cross(u, v), dot(u, v));
       if (!(step > 0)) return false;
       sweep += step;
     }

@@ -423,6 +423,7 @@ Part read_step_solid(std::string_view text, const std::string& file_name, const 
     });
   }
   Part part = finder.part(how.stock.has_value());
+  part.is_solid = true;
   if (options.unit || options.depth || options.top || !options.layers.empty()) {
     part.diagnostics.warn(file_name,
                           "unit, depth, top and layers given as options are for drawings; not used here");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "read/stepnc/refusal.h"
 
@@ -18,7 +19,7 @@ double depth_of(const Node& feature) {
   if (!surface.is_any("PLANE", "ELEMENTARY_SURFACE"))
     surface.fail("the floor is not a plane and cannot be machined yet; give a PLANE");
   const Frame frame = frame_of(surface.needed_ref(1, "position"));
-  if (std::hypot(frame.z.x, frame.z.y) > kFlatFloor)
+  if (base::hypot(frame.z.x, frame.z.y) > kFlatFloor)
     surface.fail("the floor is not level and cannot be machined yet; machine it in a set-up in which it is");
   return frame.origin.z;
 }
@@ -200,7 +201,7 @@ std::optional<double> floor_diameter(const Node& feature, double diameter, doubl
   if (!taper->is("ANGLE_TAPER"))
     taper->fail("not a taper that can be read; give a DIAMETER_TAPER or an ANGLE_TAPER");
   const double angle = context.draft_angle(taper->needed_number(0, "angle"));
-  return diameter - 2 * depth * std::tan(angle);
+  return diameter - 2 * depth * base::tan(angle);
 }
 
 /// A hole that narrows is a round pocket with drafted walls.
@@ -213,7 +214,7 @@ void read_taper(const Node& feature, double diameter, Draft& draft, Context& con
   if (*floor <= 0 || depth <= 0)
     feature.fail("its taper comes to a point above the floor; correct the taper or the depth");
   draft.kind = FeatureKind::kClosedPocket;
-  draft.wall_slope = Radians::of(std::atan((diameter - *floor) / 2 / depth));
+  draft.wall_slope = Radians::of(base::atan((diameter - *floor) / 2 / depth));
   draft.hole_diameter.reset();
 }
 

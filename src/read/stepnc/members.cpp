@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 
@@ -49,7 +50,7 @@ Vec3 moved(Vec3 v, Vec2 by) {
 }
 
 Vec3 rotated(Vec3 v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const double c = base::cos(angle), s = base::sin(angle);
   return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
 }
 

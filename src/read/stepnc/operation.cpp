@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "read/stepnc/parts.h"
 #include "read/stepnc/refusal.h"
@@ -312,7 +313,7 @@ std::string lower(std::string text) {
 void read_strokes(const Node& strategy, Operation& operation, Context& context) {
   if (const auto direction = strategy.sound_ref(2)) {
     const Vec3 along = axis_of(*direction);
-    if (along.x != 0 || along.y != 0) operation.feed_direction = Radians::of(std::atan2(along.y, along.x));
+    if (along.x != 0 || along.y != 0) operation.feed_direction = Radians::of(base::atan2(along.y, along.x));
   }
   if (strategy.is_any("UNIDIRECTIONAL_MILLING", "UNIDIRECTIONAL"))
     return context.note("strokes in one direction alone are not made; they are cut to and fro", strategy);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "read/common/units.h"
 
@@ -30,8 +31,8 @@ std::optional<Affine> transform_named(std::string_view name, const std::vector<d
     return Affine::translation({n[1], n[2]}) * Affine::rotation(n[0] * degree) *
            Affine::translation({-n[1], -n[2]});
   }
-  if (name == "skewX" && n.size() == 1) return Affine{1, 0, std::tan(n[0] * degree), 1, 0, 0};
-  if (name == "skewY" && n.size() == 1) return Affine{1, std::tan(n[0] * degree), 0, 1, 0, 0};
+  if (name == "skewX" && n.size() == 1) return Affine{1, 0, base::tan(n[0] * degree), 1, 0, 0};
+  if (name == "skewY" && n.size() == 1) return Affine{1, base::tan(n[0] * degree), 0, 1, 0, 0};
   return std::nullopt;
 }
 

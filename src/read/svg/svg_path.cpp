@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "read/common/curve_fit.h"
 #include "read/svg/svg_numbers.h"
@@ -63,7 +64,7 @@ CenterArc center_arc(Vec2 from, Vec2 to, double rx, double ry, double tilt, bool
   arc.u = direction_of(tilt) * rx;
   arc.v = left_of(direction_of(tilt)) * ry;
   arc.start = angle_of(first);
-  arc.sweep = std::atan2(cross(first, last), dot(first, last));
+  arc.sweep = base::atan2(cross(first, last), dot(first, last));
   if (positive && arc.sweep < 0) arc.sweep += 2 * kPi;
   if (!positive && arc.sweep > 0) arc.sweep -= 2 * kPi;
   return arc;

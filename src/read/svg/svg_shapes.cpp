@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/units.h"
 #include "read/common/curve_fit.h"
 #include "read/svg/svg_numbers.h"
@@ -96,7 +97,7 @@ SvgPathData rectangle(const pugi::xml_node& node, const SvgViewSize& view, const
 }  // namespace
 
 double SvgViewSize::diagonal() const {
-  return std::hypot(width, height) / std::sqrt(2.0);
+  return base::hypot(width, height) / std::sqrt(2.0);
 }
 
 std::string_view local_name(const pugi::xml_node& node) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "report/picture/palette.h"
 #include "report/picture/svg_writer.h"
@@ -28,8 +29,8 @@ struct Scale {
   double low = 0, high = 1, from = 0, to = 1;
   bool log = false;
   double operator()(double value) const {
-    const double a = log ? std::log10(low) : low, b = log ? std::log10(high) : high;
-    const double v = log ? std::log10(value) : value;
+    const double a = log ? base::log10(low) : low, b = log ? base::log10(high) : high;
+    const double v = log ? base::log10(value) : value;
     return from + (to - from) * (b > a ? (v - a) / (b - a) : 0.5);
   }
 };
@@ -221,7 +222,7 @@ double quantile(std::vector<double> values, double q) {
 std::vector<double> round_ticks(double low, double high, int count) {
   if (!(high > low) || count < 1) return {};
   const double rough = (high - low) / count;
-  const double power = std::pow(10, std::floor(std::log10(rough)));
+  const double power = base::pow(10, std::floor(base::log10(rough)));
   double step = 10 * power;
   for (const double factor : {5.0, 2.0, 1.0}) {
     if (factor * power >= rough) step = factor * power;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "report/picture/palette.h"
 #include "report/text.h"
@@ -16,7 +17,7 @@ constexpr double kLeastShown = 0.0005;  // mm: less prints as zero
 
 /// 1, 2 or 5 times a power of ten, at most `most`.
 double round_length(double most) {
-  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  const double power = base::pow(10.0, std::floor(base::log10(most)));
   for (const double factor : {5.0, 2.0}) {
     if (factor * power <= most) return factor * power;
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/text/xml_text.h"
@@ -45,7 +46,7 @@ void PathData::line_to(Vec2 p) {
 
 void PathData::arc_to(const Edge& arc) {
   const double sweep = std::abs(arc.sweep()), radius = arc.radius();
-  if (radius * (1 - std::cos(sweep / 2)) < kSmallestSagitta) return line_to(arc.to);
+  if (radius * (1 - base::cos(sweep / 2)) < kSmallestSagitta) return line_to(arc.to);
   if (sweep > kLongestArc) {
     arc_to(arc.part(0, 0.5));
     return arc_to(arc.part(0.5, 1));

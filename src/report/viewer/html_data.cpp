@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/elementary.h"
 #include "kinematics/kinematics.h"
 #include "report/condition_json.h"
 #include "report/picture/job_view.h"
@@ -24,7 +25,7 @@ constexpr int kDecimals = 6;
 
 Json number(double value, int decimals = kDecimals) {
   if (!std::isfinite(value) || std::abs(value) > 1e12) return nullptr;
-  const double scale = std::pow(10.0, decimals);
+  const double scale = base::pow(10.0, decimals);
   return std::round(value * scale) / scale + 0.0;
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "model/work_material.h"
 #include "stock/round_hole.h"
@@ -88,7 +89,7 @@ Suggestion suggestion_for(const WorkMaterial& work, const Tool& tool) {
 /// How much thinner than the feed per tooth the chip is where the cutter is engaged by less than a quarter turn.
 double thinning(const std::optional<double>& engagement_deg) {
   if (!engagement_deg || *engagement_deg >= 90) return 1;
-  return std::min(kMostThinning, 1 / std::sin(*engagement_deg * kPi / 180));
+  return std::min(kMostThinning, 1 / base::sin(*engagement_deg * kPi / 180));
 }
 
 /// W at `rpm` that a cut may take; absent where the machine does not state it.
@@ -105,7 +106,7 @@ std::optional<double> allowed_power(const Machine& machine, double rpm) {
 /// mm/min; the feed at which a cut of `section` mm2 takes `power`, its mean chip being `chip` times the feed.
 /// P = k h^-m A v / 60000 with h = chip v gives v^(1 - m) = 60000 P chip^m / (k A).
 double feed_at_power(const WorkMaterial& work, double power, double section, double chip) {
-  return std::pow(power * 60000 * std::pow(chip, work.mc) / (work.kc11 * section), 1 / (1 - work.mc));
+  return base::pow(power * 60000 * base::pow(chip, work.mc) / (work.kc11 * section), 1 / (1 - work.mc));
 }
 
 class Filler {

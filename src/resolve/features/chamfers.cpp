@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
@@ -205,7 +206,7 @@ void refuse_thin_top(const Part& part, int index, const Tolerances& tol) {
     const Vec2 at = box(met).center();
     throw InputError(feature.name,
                      fmt::format("it is {} mm wide at the top and meets {} at x {} y {}; use less depth",
-                                 trimmed(feature.chamfer->depth * std::tan(feature.wall_slope.radians()), 3),
+                                 trimmed(feature.chamfer->depth * base::tan(feature.wall_slope.radians()), 3),
                                  other.name, trimmed(at.x, 2), trimmed(at.y, 2)));
   }
 }

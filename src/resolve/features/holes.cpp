@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
@@ -225,7 +226,7 @@ class HoleShaper {
                                    trimmed(2 * inner, 3), trimmed(hole.diameter, 3)));
     feature.floor_z = feature.top_z - (hole.diameter / 2 - inner) / slope;
     // Within a hole it leaves no wall of its own.
-    feature.wall_slope = lies_in_a_hole(feature) ? Radians{} : Radians::of(std::atan(slope));
+    feature.wall_slope = lies_in_a_hole(feature) ? Radians{} : Radians::of(base::atan(slope));
   }
 
   /// mm; radius of the widest hole on the same centre that goes deeper than a cone about it; 0 without one.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "verify/coverage/chamfered_wall.h"
 #include "verify/faults/shaped_cutter.h"
@@ -77,7 +78,7 @@ class CarvingCheck {
     slope_ = flank_slope(carver_);
     tip_ = carver_.tip_diameter / 2;
     widest_ = tip_ + (feature_.top_z - feature_.floor_z) * slope_;
-    across_ = slope_ / std::hypot(1.0, slope_);
+    across_ = slope_ / base::hypot(1.0, slope_);
     for (const Region& region : feature_.target) {
       judge_loop(region.outer());
       for (const Loop& island : region.islands()) judge_loop(island);
@@ -110,7 +111,7 @@ class CarvingCheck {
   /// Checks the directions all round a corner that points into the carving.
   void judge_corner(const Edge& before, const Edge& after) {
     const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
-    const double turn = std::atan2(cross(in, out), dot(in, out));
+    const double turn = base::atan2(cross(in, out), dot(in, out));
     if (turn >= -kSmooth) return;
     const double from = angle_of(left_of(in));
     const int steps = std::max(1, static_cast<int>(std::ceil(-turn * widest_ / kRaySpacing)));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "verify/faults/shaped_cutter.h"
 #include "verify/part/edge_tree.h"
 
@@ -23,7 +24,7 @@ class ChamferCheck {
         feature_(part.features[static_cast<std::size_t>(work.feature)]),
         tol_(tol),
         work_(work),
-        slope_(std::tan(feature_.wall_slope.radians())),
+        slope_(base::tan(feature_.wall_slope.radians())),
         line_(std::vector<Edge>(feature_.chamfer->line)) {
     const Box here = line_.box();
     for (const CheckedMove& checked : program.moves) {
@@ -82,7 +83,7 @@ class ChamferCheck {
 
   void judge_place(Vec2 foot, Vec2 into_solid) {
     if (!is_wall(foot)) return;
-    const double square = slope_ / std::hypot(1.0, slope_);
+    const double square = slope_ / base::hypot(1.0, slope_);
     for (const double share : kAcross) {
       const Vec2 p = foot + into_solid * (share * width());
       const double z = feature_.floor_z + line_.nearest(p).distance / slope_;

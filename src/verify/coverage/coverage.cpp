@@ -1,10 +1,10 @@
 #include "verify/coverage/coverage.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 
+#include "base/elementary.h"
 #include "verify/coverage/swath_cover.h"
 #include "verify/coverage/wall_residual.h"
 #include "verify/part/legal_centers.h"
@@ -305,12 +305,12 @@ class CoverageProof {
     double least = kInfinite;
     for (const auto& [radius, tree] : trees_) least = std::min(least, tree.distance_to(p) - radius);
     const Box box = target_.box();
-    return std::min(least, std::hypot(box.width(), box.height()));
+    return std::min(least, base::hypot(box.width(), box.height()));
   }
 
   /// mm; a cell small enough to distinguish what a cutter reaches from what it nearly reaches.
   double smallest_cell() const {
-    return std::min(question_.flat / 4, tol_.uncut / 8 * std::exp2(leaves_ / kLeavesPerSize));
+    return std::min(question_.flat / 4, tol_.uncut / 8 * base::exp2(leaves_ / kLeavesPerSize));
   }
 
   /// Records that what lies at most `excess` mm outside a swath is at most twice as wide.

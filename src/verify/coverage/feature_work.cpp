@@ -6,6 +6,7 @@
 #include <span>
 #include <stop_token>
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "geometry/spatial/box_tree.h"
@@ -261,7 +262,7 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
   Scallop scallop{0, work.scallop, feature.top_z};
   double above = feature.top_z;
   const auto add_level = [&](double z) {
-    const double step = (above - z) * std::sin(feature.wall_slope.radians());
+    const double step = (above - z) * base::sin(feature.wall_slope.radians());
     if (step > scallop.height_mm) scallop.height_mm = step, scallop.z = z;
     above = z;
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "base/units.h"
 
 namespace clearcut::verify {
@@ -77,7 +78,7 @@ ConvexPolygon rest_after_arc(const ConvexPolygon& cell, const Edge& arc, double 
 
 double sagitta(const Edge& edge) {
   if (!edge.is_arc()) return 0;
-  return edge.radius() * (1 - std::cos(std::min(std::abs(edge.sweep()) / 2, kPi)));
+  return edge.radius() * (1 - base::cos(std::min(std::abs(edge.sweep()) / 2, kPi)));
 }
 
 double distance_to_chord(const Edge& edge, Vec2 p) {
@@ -152,7 +153,7 @@ void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out
     if (!edge.is_arc() || part.from == part.to) continue;
     // Each half of the arc lies inside the triangle of its ends and the point where the tangents there meet.
     for (const Edge& half : {part.part(0, 0.5), part.part(0.5, 1)}) {
-      const double quarter = std::tan(half.sweep() / 4);
+      const double quarter = base::tan(half.sweep() / 4);
       if (half.from == half.to || std::abs(half.sweep()) > 2.5) continue;
       const Vec2 middle = half.at(0.5), chord = (half.from + half.to) / 2.0;
       out.push_back(half.from);

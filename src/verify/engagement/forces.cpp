@@ -9,7 +9,8 @@
 #include "verify/engagement/forces.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "base/elementary.h"
 
 namespace clearcut::verify {
 namespace {
@@ -25,7 +26,7 @@ constexpr std::size_t kMostWalls = 3000;
 double width_of_cut(const stock::CutterEngagement& contact, double radius) {
   double width = 0;
   for (const stock::AngleInterval& arc : contact.angles.intervals())
-    width += radius * (std::sin(arc.from + arc.width()) - std::sin(arc.from));
+    width += radius * (base::sin(arc.from + arc.width()) - base::sin(arc.from));
   return std::max(0.0, width);
 }
 
@@ -62,11 +63,11 @@ void add_forces(CheckedMove& checked, const CutSample& sample, const WorkMateria
   const double per_tooth = feed / (checked.rpm * checked.tool->teeth);
   const double width = width_of_cut(sample.contact, radius);
   const double chip = std::max(kThinnestChip, per_tooth * width / (radius * sample.contact.angle));
-  const double specific = material.kc11 * std::pow(chip, -material.mc);
-  const double speed = kPi * 2 * radius * checked.rpm / 1000;                      // m/min
-  const double power = specific * sample.axial * width * feed / 60000;             // W
-  const double force = power * 60 / speed;                                         // N
-  const double life = std::pow(material.taylor_c / speed, 1 / material.taylor_n);  // min
+  const double specific = material.kc11 * base::pow(chip, -material.mc);
+  const double speed = kPi * 2 * radius * checked.rpm / 1000;                       // m/min
+  const double power = specific * sample.axial * width * feed / 60000;              // W
+  const double force = power * 60 / speed;                                          // N
+  const double life = base::pow(material.taylor_c / speed, 1 / material.taylor_n);  // min
   load.energy_j += specific * sample.axial * width * sample.length / 1000;
   load.removed_mm3 += sample.axial * width * sample.length;
   load.wear += sample.length / feed * sample.contact.angle / (2 * kPi) / life;

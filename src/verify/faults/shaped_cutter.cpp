@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
+
 namespace clearcut::verify {
 namespace {
 
@@ -18,7 +20,7 @@ double nearest_height(const Wall& wall, const Tool& tool, double z, double low, 
   // A flank steeper than the wall comes nearest at low, else at its upper end; a rounding where it is as steep.
   if (is_conical(tool))
     return flank_slope(tool) <= wall.slope ? low : std::clamp(z + cone_height(tool), low, high);
-  const double touch = tool.corner_radius * (1 - wall.slope / std::hypot(1.0, wall.slope));
+  const double touch = tool.corner_radius * (1 - wall.slope / base::hypot(1.0, wall.slope));
   return std::clamp(z + touch, low, high);
 }
 

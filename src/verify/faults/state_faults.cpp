@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "verify/faults/faults.h"
 
@@ -108,7 +109,7 @@ class StateCheck {
     if (!checked.tool->center_cutting && checked.slope() > steepest_of(checked) * (1 + kSpeedRounding)) {
       return fault(FaultKind::kPlungeTooFast, checked, checked.move->length(),
                    "A cutter that may not plunge enters material at " +
-                       trimmed(std::atan(checked.slope()) * 180 / kPi, 2) + " degrees");
+                       trimmed(base::atan(checked.slope()) * 180 / kPi, 2) + " degrees");
     }
     return plunge_feed(checked);
   }
@@ -243,7 +244,7 @@ class StateCheck {
     double steepest = kSteepestEntry;
     for (const Workingstep& step : part_.workplan) {
       if (step.operation.entry_angle && drives(step, checked))
-        steepest = std::max(steepest, std::tan(step.operation.entry_angle->radians()));
+        steepest = std::max(steepest, base::tan(step.operation.entry_angle->radians()));
     }
     return steepest;
   }
@@ -268,7 +269,7 @@ class StateCheck {
       return std::nullopt;
     const auto most = plunge_feed_of(checked);
     const double slope = checked.slope(), feed = checked.move->feed.mm_per_min();
-    const double down = std::isinf(slope) ? feed : feed * slope / std::hypot(1, slope);
+    const double down = std::isinf(slope) ? feed : feed * slope / base::hypot(1, slope);
     if (!most || down <= *most * (1 + kSpeedRounding) + 0.01) return std::nullopt;
     return fault(FaultKind::kPlungeTooFast, checked, checked.move->length(),
                  "Goes down into material at " + trimmed(down, 1) +

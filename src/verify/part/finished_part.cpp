@@ -1,9 +1,9 @@
 #include "verify/part/finished_part.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "verify/part/trimmed_curve.h"
 
 namespace clearcut::verify {
@@ -24,7 +24,7 @@ Vec2 left_normal_at_middle(const Edge& edge) {
 
 /// The edges of a chamfer's strip that lie away from the wall to be chamfered: only there the strip's wall has draft.
 EdgeTree drafted_edges(const Feature& feature) {
-  const double half = feature.chamfer->depth * std::tan(feature.wall_slope.radians()) / 2;
+  const double half = feature.chamfer->depth * base::tan(feature.wall_slope.radians()) / 2;
   const EdgeTree line(std::vector<Edge>(feature.chamfer->line));
   std::vector<Edge> edges;
   for (const Region& region : feature.allowed) {
@@ -74,7 +74,7 @@ void FinishedPart::add_feature(const Feature& feature, int index) {
   shape.box = shape.outline.box();
   shape.floor = feature.floor_z;
   shape.top = feature.top_z;
-  shape.slope = std::tan(feature.wall_slope.radians());
+  shape.slope = base::tan(feature.wall_slope.radians());
   shape.single = feature.allowed.size() <= 1;
   if (feature.chamfer) shape.drafted = drafted_edges(feature);
   greatest_draft_offset_ = std::max(greatest_draft_offset_, (shape.top - shape.floor) * shape.slope);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "base/units.h"
 
 namespace clearcut::verify {
@@ -114,8 +115,8 @@ void TrimmedCurve::add_arc_cuts(const Edge& wall, double d) {
   // half that angle, up to a common factor.
   const auto add = [&](Vec2 v, double sine_squared, double cosine_squared) {
     if (sine_squared < 0 || cosine_squared < 0) return;
-    const double middle = std::atan2(cross(start, v), dot(start, v));
-    const double half = 2 * std::atan2(std::sqrt(sine_squared), std::sqrt(cosine_squared));
+    const double middle = base::atan2(cross(start, v), dot(start, v));
+    const double half = 2 * base::atan2(std::sqrt(sine_squared), std::sqrt(cosine_squared));
     for (const double angle : {middle - half, middle + half}) {
       const double turned = std::fmod(sweep_ > 0 ? angle : -angle, 2 * kPi);
       cuts_.push_back((turned < 0 ? turned + 2 * kPi : turned) / std::abs(sweep_));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/elementary.h"
 #include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
@@ -60,7 +61,7 @@ constexpr double kEnoughAlong = 0.8;
 
 /// The angle from u to v in radians, positive to the left.
 double angle_between(Vec2 u, Vec2 v) {
-  return std::atan2(cross(u, v), dot(u, v));
+  return base::atan2(cross(u, v), dot(u, v));
 }
 
 /// Builds the path round one corner. Distances: mm from the corner along its first (0) or second wall (1).
@@ -176,10 +177,10 @@ class CornerCuts {
     if (side_ == 1 && --straight_ == 0 && go_back()) return true;
     const double most = cut_[1 - side_];
     if (spiral_arcs_[side_] > 0) {
-      if (const auto spiral = spiral_across(-std::log(kLeastGain))) return go(*spiral);
+      if (const auto spiral = spiral_across(-base::log(kLeastGain))) return go(*spiral);
     }
     const auto arc = arc_across();
-    const double gain = arc ? std::log(most / arc->to) : 0;
+    const double gain = arc ? base::log(most / arc->to) : 0;
     if (gain < kGoodGain) {
       if (const auto spiral = spiral_across(gain / kArcShare)) return go(*spiral);
     }
@@ -229,7 +230,7 @@ class CornerCuts {
     Vec2 pole;
     Vec2 ray;  ///< from the pole to the beginning, mm
     double limit = 0;
-    double radius(double turn) const { return norm(ray) * std::exp(-turn / std::tan(limit)); }
+    double radius(double turn) const { return norm(ray) * base::exp(-turn / base::tan(limit)); }
   };
 
   /// A spiral to the other wall; nothing if the logarithm of (distance before / after) is less than `least`.
@@ -244,7 +245,7 @@ class CornerCuts {
     for (; margin_ < std::size(kMargins); ++margin_) {
       const Spiral spiral{pole, here() - pole, limit_ - kMargins[margin_]};
       const double to = end_of(spiral);
-      if (std::log(cut_[other] / to) < least) break;
+      if (base::log(cut_[other] / to) < least) break;
       const double whole = angle(spiral.ray, at(other, to) - pole);
       for (arcs = std::max(arcs, static_cast<int>(whole / kWidestSpiralTurn) + 1);
            arcs <= whole / kLeastSpiralTurn + 1; ++arcs) {
@@ -348,7 +349,7 @@ class CornerCuts {
   }
 
   /// mm from the end of the cut on the first wall to the line of the second wall.
-  double aside() const { return cut_[0] * std::sin(turn_); }
+  double aside() const { return cut_[0] * base::sin(turn_); }
 
   /// Whether the cut along the second wall may begin on the first wall, leaving a wedge.
   bool may_end_on_first(double residual) const {
@@ -358,7 +359,7 @@ class CornerCuts {
   /// mm; thickness of what stays in the corner.
   double left() const {
     const double a = cut_[0], b = cut_[1];
-    return a * b * std::sin(turn_) / std::sqrt(a * a + b * b + 2 * a * b * std::cos(turn_));
+    return a * b * base::sin(turn_) / std::sqrt(a * a + b * b + 2 * a * b * base::cos(turn_));
   }
 
   static Edge arc_along(Vec2 from, Vec2 heading, Vec2 to) {
@@ -399,7 +400,7 @@ std::optional<double> first_visited(const Wall& wall, double s, double sign,
 
 double arc_gain(double turn, double limit) {
   const double chord = 2 * (turn - limit) / 3;
-  return std::sin(chord) / std::sin(turn - chord);
+  return base::sin(chord) / base::sin(turn - chord);
 }
 
 std::vector<Corner> corners_of(const Walls& walls, double limit) {

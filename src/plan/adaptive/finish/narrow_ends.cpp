@@ -1,8 +1,8 @@
 // The part of AdaptiveFinish for narrow ends: trochoidal steps along stretches of wall, and straight cuts where those
 // lead no farther.
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.h"
 #include "plan/adaptive/corners/trochoidal.h"
 #include "plan/adaptive/finish/finish.h"
 #include "plan/adaptive/parameters.h"
@@ -124,7 +124,7 @@ void AdaptiveFinish::cut_stretch(const WallStretch& place) {
     if (share > 0) stretch.insert(stretch.begin(), Edge::line(approach_point, p));
     return path_.cut(stretch, *link);
   }
-  if (const auto link = path_.link_to(p, radius_ * (1 - std::cos(limit_))); link && !path_.empty()) {
+  if (const auto link = path_.link_to(p, radius_ * (1 - base::cos(limit_))); link && !path_.empty()) {
     // Through residuals, and therefore at the cutting feed.
     Path lead;
     for (const LinkMove& move : *link) lead.push_back(move.edge(lead.empty() ? path_.at() : lead.back().to));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
@@ -75,7 +76,7 @@ class Strides {
   Strides(const CutterState& from, const CandidateArc& candidate, double stride)
       : at_{from.point, candidate.kink == 0 ? from.heading : rotated(from.heading, candidate.kink)} {
     const double half = candidate.curvature * stride / 2;
-    half_turn_ = {std::cos(half), std::sin(half)};
+    half_turn_ = {base::cos(half), base::sin(half)};
     chord_ = std::abs(half) < kFlatTurn ? stride : 2 * half_turn_.y / candidate.curvature;
   }
 
@@ -177,7 +178,7 @@ std::optional<CandidateArc> ArcAimer::aim(const CutterState& from, double length
   const double rightmost = std::max(-1 / (kRightTurn * radius_), -kMostTurn / length);
   const double leftmost = std::min(1 / from.tightest, kMostTurn / length);
   double right = rightmost, left = leftmost;  // curvatures with too much and with too little engagement
-  const double slope = length + length * length / (2 * radius_ * std::sin(limit_));
+  const double slope = length + length * length / (2 * radius_ * base::sin(limit_));
   CandidateArc candidate{std::clamp(guess, right, left), length};
   std::optional<CandidateArc> best;
   for (int i = 0; i < 8; ++i) {
@@ -206,7 +207,7 @@ std::optional<CandidateArc> ArcAimer::aim(const CutterState& from, double length
 /// too.
 std::optional<CandidateArc> ArcAimer::bend(const CutterState& from, CandidateArc candidate) const {
   if (from.engagement < limit_ - kMostRise) return std::nullopt;
-  const double whole = candidate.length, half = whole / 2, q = 1 / (radius_ * std::sin(limit_));
+  const double whole = candidate.length, half = whole / 2, q = 1 / (radius_ * base::sin(limit_));
   for (int i = 0; i < kMostBends; ++i) {
     const double at_half = engagement_after(from, candidate, half) - limit_ - EngagementTolerance::kPeak,
                  at_end = engagement_after(from, candidate, whole) - limit_ - EngagementTolerance::kPeak;
@@ -280,13 +281,13 @@ ArcAimer::Fit ArcAimer::cross(const CutterState& from, double curvature, Crossin
   CandidateArc& candidate = crossing.candidate;
   candidate = {curvature, length_inside(from, {curvature, longest}), 0, true};
   if (candidate.length >= longest) return Fit::kMissesWall;
-  const double full = 1 - std::cos(limit_);
+  const double full = 1 - base::cos(limit_);
   const int samples = static_cast<int>(candidate.length / (kSampleAcross * radius_)) + 3;
   Strides strides(from, candidate, candidate.length / samples);
   for (int i = 1; i < samples; ++i) {
     const double engagement = engagement_at(strides.next());
     if (engagement > limit_ + EngagementTolerance::kLongExcess) return Fit::kExceeds;
-    crossing.lost += std::max(0.0, 1 - (1 - std::cos(engagement)) / full) * candidate.length / (samples - 1);
+    crossing.lost += std::max(0.0, 1 - (1 - base::cos(engagement)) / full) * candidate.length / (samples - 1);
   }
   return Fit::kFits;
 }
@@ -357,14 +358,14 @@ bool ArcAimer::leaves_wall(const CutterState& from, const CandidateArc& candidat
 double ArcAimer::length_off(const CutterState& from, const CandidateArc& candidate) const {
   if (!from.off_wall) return 0;
   // After a length x the cutter is x slope + x^2 curvature / 2 off the wall.
-  const double slope = std::sin(*from.off_wall + candidate.kink), aside = kOffWall * radius_,
+  const double slope = base::sin(*from.off_wall + candidate.kink), aside = kOffWall * radius_,
                root = slope * slope + 2 * candidate.curvature * aside;
   const double rate = root < 0 ? 0 : slope + std::sqrt(root);
   return rate > 0 ? 2 * aside / rate : 0;
 }
 
 double ArcAimer::turn_off(double radius) const {
-  return std::min(kLargestOff, std::acos(std::max(-1.0, 1 - kOffWall * radius_ / radius)));
+  return std::min(kLargestOff, base::acos(std::max(-1.0, 1 - kOffWall * radius_ / radius)));
 }
 
 }  // namespace clearcut::plan::adaptive

@@ -1,8 +1,8 @@
 #include "plan/adaptive/trace/tracer.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "base/elementary.h"
 #include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
@@ -148,7 +148,7 @@ double Tracer::end_of_cut(double cut_until) const {
 Tracer::Next Tracer::depart(double s_clear, double s_over) {
   const double first = place_.s;
   s_over = last_within(s_clear, s_over);
-  const double natural = radius_ * (1 + std::cos(limit_)) / 2;
+  const double natural = radius_ * (1 + base::cos(limit_)) / 2;
   double best = first, best_radius = 0;
   for (double radius = natural; radius > kLeastTurn * radius_; radius *= kTighterTurn) {
     const double s = latest_departure(s_clear, s_over, radius, best);

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "geometry/spatial/box_tree.h"
 #include "geometry/spatial/cell_grid.h"
 #include "plan/contour/skeleton/symmetric_matrix.h"
@@ -79,8 +80,8 @@ struct BandMinimiser::Impl {
     for (int i = 0; i < pull.steps; ++i) {
       const double share = static_cast<double>(i) / pull.steps;
       tension_ = pull.tension;
-      stiffness_ = pull.soft / job_.radius * std::pow(kStiffest / pull.soft, share);
-      step(pull.reach * job_.radius * std::pow(pull.last_reach, share));
+      stiffness_ = pull.soft / job_.radius * base::pow(kStiffest / pull.soft, share);
+      step(pull.reach * job_.radius * base::pow(pull.last_reach, share));
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/inch.h"
 #include "read/gcode/control/canned_cycles.h"
 #include "read/gcode/control/place_words.h"
@@ -89,7 +90,9 @@ void MotionWords::straight(const Block& block, bool rapid) {
   if (rapid) return control_.builder.rapid(to, control_.line);
   double squared = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (to[axis]) squared += std::pow(*to[axis] - control_.builder.position()[axis].value_or(*to[axis]), 2);
+    if (!to[axis]) continue;
+    const double way = *to[axis] - control_.builder.position()[axis].value_or(*to[axis]);
+    squared += way * way;
   }
   control_.builder.feed(to, control_.feed_for(std::sqrt(squared), block), control_.line);
 }
@@ -151,7 +154,7 @@ void MotionWords::plan_arc(const Block& block, const ArcShape& shape, double z_t
   const double z_from = control_.builder.known(2, control_.line);
   const double round = shape.sweep * distance(shape.from, shape.center);
   const double apart = std::abs(distance(shape.from, shape.center) - distance(shape.to, shape.center));
-  const MmPerMin feed = control_.feed_for(std::hypot(round, z_to - z_from), block);
+  const MmPerMin feed = control_.feed_for(base::hypot(round, z_to - z_from), block);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
     control_.builder.arc(edges[k], std::lerp(z_from, z_to, t), feed, control_.line, apart);

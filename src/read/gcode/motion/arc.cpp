@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/units.h"
@@ -24,7 +25,7 @@ Vec2 recentered(Vec2 from, Vec2 to, Vec2 center) {
 
 double swept(Vec2 from, Vec2 to, Vec2 center, Turn turn) {
   const double side = turn == Turn::kCounterClockwise ? 1.0 : -1.0;
-  const double angle = side * std::atan2(cross(from - center, to - from), dot(from - center, to - center));
+  const double angle = side * base::atan2(cross(from - center, to - from), dot(from - center, to - center));
   return angle > 0 ? angle : angle + 2 * kPi;
 }
 

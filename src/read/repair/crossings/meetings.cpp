@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 
@@ -158,7 +159,7 @@ class Search {
     constexpr double kSame = 1e-7;      // radians
     constexpr double kSameBend = 1e-6;  // 1/mm
     const auto turn = [](Vec2 from, Vec2 to) {
-      const double angle = std::atan2(cross(from, to), dot(from, to));
+      const double angle = base::atan2(cross(from, to), dot(from, to));
       return angle < 0 ? angle + 2 * kPi : angle;
     };
     const double to_back = turn(way.ahead.direction, way.back.direction);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "base/units.h"
 #include "read/common/b_spline.h"
@@ -254,7 +255,7 @@ Edge arc_through(Vec2 a, Vec2 b, Vec2 center, double radius, Turn turn) {
   const double half = distance(a, b) / 2;
   // Beyond 120 degrees the center is badly determined by the radius: keep it where it was, on the bisector.
   const bool by_radius =
-      half < radius * std::sin(kPi / 3) && (along > 0) == (turn == Turn::kCounterClockwise);
+      half < radius * base::sin(kPi / 3) && (along > 0) == (turn == Turn::kCounterClockwise);
   const double height = by_radius ? std::copysign(std::sqrt(radius * radius - half * half), along) : along;
   return Edge::arc(a, b, middle + normal * height, turn);
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace clearcut::read::stepnc {
 
 namespace {
@@ -21,7 +23,7 @@ Vec3 cross3(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 double norm3(Vec3 a) {
-  return std::hypot(a.x, a.y, a.z);
+  return std::sqrt(dot3(a, a));
 }
 
 /// Unit vector, exact where `v` is along an axis; `otherwise` where it has no direction.
@@ -107,7 +109,7 @@ bool is_upright(const Frame& frame) {
   return frame.z.z > 0 && is_planar(frame);
 }
 bool is_planar(const Frame& frame) {
-  return std::hypot(frame.z.x, frame.z.y) < kParallel;
+  return base::hypot(frame.z.x, frame.z.y) < kParallel;
 }
 
 PlanarMap planar_map(const Frame& frame) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/units.h"
 
 namespace clearcut::read::stepnc {
@@ -48,7 +49,7 @@ Loop ngon_loop(const Node& profile, Context& context) {
   context.spend(static_cast<std::size_t>(sides), profile);
   const double step = 2 * kPi / sides;
   double radius = positive_length(profile, 1, "diameter") / 2;
-  if (profile.flag(3) == true) radius /= std::cos(step / 2);
+  if (profile.flag(3) == true) radius /= base::cos(step / 2);
   std::vector<Vec2> corners;
   for (int k = 0; k < static_cast<int>(sides); ++k)
     corners.push_back(radius * direction_of(-kPi / 2 - step / 2 + step * k));

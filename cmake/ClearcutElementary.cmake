@@ -1,0 +1,25 @@
+# Elementary functions that are the same on every processor (src/base/elementary.h): musl's, plain C, which Debian's musl-dev
+# holds compiled for this machine and which emscripten's C library has as they are. They are taken out of musl's library under
+# names of their own, clearcut_musl_sin for sin, so that no other function of it comes along and the C library's stay themselves.
+set(CLEARCUT_ELEMENTARY sin cos tan asin acos atan atan2 exp exp2 expm1 log log2 log10 pow)
+
+if(EMSCRIPTEN)
+  list(TRANSFORM CLEARCUT_ELEMENTARY REPLACE "(.+)" "clearcut_musl_\\1=\\1" OUTPUT_VARIABLE definitions)
+  set_source_files_properties(src/base/elementary.cpp PROPERTIES COMPILE_DEFINITIONS "${definitions}" COMPILE_OPTIONS -fno-builtin
+    SKIP_PRECOMPILE_HEADERS ON)
+else()
+  # Debian's folder, then those of other distributions.
+  find_file(CLEARCUT_MUSL libc.a NO_DEFAULT_PATH PATHS /usr/lib/${CMAKE_SYSTEM_PROCESSOR}-linux-musl /usr/lib/musl/lib
+    /usr/${CMAKE_SYSTEM_PROCESSOR}-linux-musl/lib64 /usr/${CMAKE_SYSTEM_PROCESSOR}-linux-musl/lib)
+  if(NOT CLEARCUT_MUSL)
+    message(FATAL_ERROR "musl's libc.a is missing, of which sine and its kin are taken; install musl-dev (scripts/setup.sh build) or set CLEARCUT_MUSL")
+  endif()
+  set(CLEARCUT_ELEMENTARY_OBJECT ${PROJECT_BINARY_DIR}/elementary_musl.o)
+  list(TRANSFORM CLEARCUT_ELEMENTARY REPLACE "(.+)" "-u;\\1" OUTPUT_VARIABLE wanted)
+  list(TRANSFORM CLEARCUT_ELEMENTARY REPLACE "(.+)" "--redefine-sym;\\1=clearcut_musl_\\1;-G;clearcut_musl_\\1;-G;\\1" OUTPUT_VARIABLE names)
+  add_custom_command(OUTPUT ${CLEARCUT_ELEMENTARY_OBJECT}
+    COMMAND ${CMAKE_LINKER} -r ${wanted} -o elementary_all.o ${CLEARCUT_MUSL}
+    COMMAND ${CMAKE_OBJCOPY} ${names} elementary_all.o ${CLEARCUT_ELEMENTARY_OBJECT}
+    DEPENDS ${CLEARCUT_MUSL} VERBATIM)
+  set_source_files_properties(${CLEARCUT_ELEMENTARY_OBJECT} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+endif()
