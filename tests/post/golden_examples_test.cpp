@@ -52,9 +52,7 @@ constexpr Example kExamples[] = {
     {"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3},
     {"flange.toml", "flange", std::nullopt, std::nullopt, true},
     {"gland.toml", "gland", std::nullopt, std::nullopt, true},
-    {"inch_plate.dxf", "inch_plate", "endmill:0.25in drill:0.201in", std::nullopt, true},
-    {"inlay_hole.dxf", "inlay_hole", "vbit:60deg:10 endmill:3", 4},
-    {"inlay_plug.dxf", "inlay_plug", "vbit:60deg:10 endmill:3", 4}};
+    {"inch_plate.dxf", "inch_plate", "endmill:0.25in drill:0.201in", std::nullopt, true}};
 constexpr Example kFivePockets{"five_pockets.toml", "five_pockets", std::nullopt, std::nullopt};
 
 struct Case {
