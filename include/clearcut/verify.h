@@ -1,4 +1,4 @@
-// Judging programs, whoever wrote them: read_program() gives the moves, check_program() what they do to a part.
+// Checking programs, whoever wrote them: read_program() gives the moves, check_program() what they do to a part.
 #pragma once
 
 #include "clearcut/part.h"

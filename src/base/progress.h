@@ -11,7 +11,7 @@ namespace clearcut::inline base {
 /// What a plan is busy with.
 enum class Stage {
   kPlanning,   ///< candidates: one strategy on one workingstep each
-  kCertifying  ///< judging the program that was written; planning may follow where it is not clean
+  kCertifying  ///< checking the program that was written; planning may follow where it is not clean
 };
 
 /// How far a plan has come.

@@ -1,4 +1,4 @@
-// Judging any program against a part, whoever wrote it.
+// Checking any program against a part, whoever wrote it.
 #pragma once
 
 #include <optional>

@@ -54,7 +54,7 @@ bool has_external_threads(const Part& part) {
                      [](const Feature& feature) { return feature.kind == FeatureKind::kExternalThread; });
 }
 
-void judge_gouges(const Finished& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
+void check_gouges(const Finished& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
   const CheckedMove* before = nullptr;  // the last move, if it is known to end outside the part
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) {
@@ -82,7 +82,7 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
 }
 
 /// Adds the gouge of a cone that the control may run off its path.
-void judge_shaped_liberty(const Finished& finished, const std::vector<CheckedMove>& all, CheckedMove& checked,
+void check_shaped_liberty(const Finished& finished, const std::vector<CheckedMove>& all, CheckedMove& checked,
                           const Tolerances& tol) {
   const double before = &checked == all.data() ? 0 : (&checked - 1)->path_tolerance;
   const double off = std::max({checked.doubt, checked.path_tolerance, before});
@@ -97,12 +97,12 @@ void judge_shaped_liberty(const Finished& finished, const std::vector<CheckedMov
 }
 
 /// Adds the gouges that the control may make within its tolerance: at rounded corners, on arcs of another radius.
-void judge_liberties(const Finished& finished, const std::vector<CheckedMove>& all,
+void check_liberties(const Finished& finished, const std::vector<CheckedMove>& all,
                      std::span<CheckedMove> moves, const Tolerances& tol) {
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) continue;
     if (is_conical(*checked.tool)) {
-      judge_shaped_liberty(finished, all, checked, tol);
+      check_shaped_liberty(finished, all, checked, tol);
       continue;
     }
     if (checked.doubt > 0)
@@ -170,7 +170,7 @@ class FindingsBuilder {
       findings_.faults.push_back(std::move(fault));
     findings_.all = figures_of(all, part_.top_z());
     for (std::size_t i = 0; i < by_step.size(); ++i) add_feature(static_cast<int>(i), by_step[i]);
-    for (const FeatureWork& work : works_) judge_coverage(work);
+    for (const FeatureWork& work : works_) check_coverage(work);
     for (const CarvingWork& work : carvings_) add_carving(work);
     sort_worst_first(findings_.faults);
     set_clean();
@@ -211,7 +211,7 @@ class FindingsBuilder {
       findings_.faults.push_back(std::move(fault));
   }
 
-  void judge_coverage(const FeatureWork& work) {
+  void check_coverage(const FeatureWork& work) {
     const Feature& feature = part_.features[work.feature];
     const LevelCoverage& worst = worst_level(work);
     FeatureFindings& found = findings_.features[work.last_workingstep];
@@ -284,13 +284,13 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
     const std::span<CheckedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
     tasks.push_back(
         [all = Finished{finished, with_threads ? &*with_threads : nullptr}, &options, &program, chunk] {
-          judge_gouges(all, chunk, options.tol);
-          judge_liberties(all, program.moves, chunk, options.tol);
+          check_gouges(all, chunk, options.tol);
+          check_liberties(all, program.moves, chunk, options.tol);
         });
   }
   for (CarvingWork& work : carvings)
-    tasks.push_back([&part, &program, &options, &work] { judge_carving(part, program, options.tol, work); });
-  judge_works(part, finished, program, options, works, std::move(tasks));
+    tasks.push_back([&part, &program, &options, &work] { check_carving(part, program, options.tol, work); });
+  check_works(part, finished, program, options, works, std::move(tasks));
   if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   if (findings.all.load)

@@ -80,10 +80,10 @@ class CarvingCheck {
     widest_ = tip_ + (feature_.top_z - feature_.floor_z) * slope_;
     across_ = slope_ / base::hypot(1.0, slope_);
     for (const Region& region : feature_.target) {
-      judge_loop(region.outer());
-      for (const Loop& island : region.islands()) judge_loop(island);
+      check_loop(region.outer());
+      for (const Loop& island : region.islands()) check_loop(island);
     }
-    judge_floor();
+    check_floor();
   }
 
  private:
@@ -95,27 +95,27 @@ class CarvingCheck {
     work_.worst_z = z;
   }
 
-  void judge_loop(const Loop& loop) {
+  void check_loop(const Loop& loop) {
     const Edge* before = &loop.back();
     for (const Edge& edge : loop) {
-      judge_corner(*before, edge);
+      check_corner(*before, edge);
       const int steps = std::max(1, static_cast<int>(std::ceil(edge.length() / kRaySpacing)));
       for (int i = 0; i <= steps; ++i) {
         const double t = static_cast<double>(i) / steps;
-        judge_ray(edge.at(t), left_of(edge.tangent_at(t)));
+        check_ray(edge.at(t), left_of(edge.tangent_at(t)));
       }
       before = &edge;
     }
   }
 
   /// Checks the directions all round a corner that points into the carving.
-  void judge_corner(const Edge& before, const Edge& after) {
+  void check_corner(const Edge& before, const Edge& after) {
     const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
     const double turn = base::atan2(cross(in, out), dot(in, out));
     if (turn >= -kSmooth) return;
     const double from = angle_of(left_of(in));
     const int steps = std::max(1, static_cast<int>(std::ceil(-turn * widest_ / kRaySpacing)));
-    for (int i = 0; i <= steps; ++i) judge_ray(after.from, direction_of(from + turn * i / steps));
+    for (int i = 0; i <= steps; ++i) check_ray(after.from, direction_of(from + turn * i / steps));
   }
 
   /// mm; radius of the largest circle that touches the outline at b, has its centre towards n, and holds no outline.
@@ -135,7 +135,7 @@ class CarvingCheck {
     return radius;
   }
 
-  void judge_ray(Vec2 b, Vec2 n) {
+  void check_ray(Vec2 b, Vec2 n) {
     const double radius = circle_from(b, n);
     if (radius <= tip_) return;  // out of the tip's reach
     const Vec2 middle = b + n * radius;
@@ -158,10 +158,10 @@ class CarvingCheck {
     return outline_.winding(p) != 0 ? d : -d;
   }
 
-  void judge_floor() {
+  void check_floor() {
     const Box whole = outline_.box();
     const double half = std::max(whole.width(), whole.height()) / 2;
-    judge_cell(whole.center(), half);
+    check_cell(whole.center(), half);
   }
 
   bool is_near_a_mill(Vec2 p, double reach) const {
@@ -170,7 +170,7 @@ class CarvingCheck {
     return found;
   }
 
-  void judge_cell(Vec2 p, double half) {
+  void check_cell(Vec2 p, double half) {
     const double diagonal = half * std::sqrt(2.0), foot = widest_ - tip_;
     const double inside = depth_into(p);
     if (inside + diagonal < foot) return;
@@ -182,7 +182,7 @@ class CarvingCheck {
       return keep(p, std::min(over, foot / slope_), feature_.floor_z, 0);
     if (diagonal > kSmallestCell) {
       for (const Vec2 way : {Vec2{-0.5, -0.5}, Vec2{0.5, -0.5}, Vec2{-0.5, 0.5}, Vec2{0.5, 0.5}})
-        judge_cell(p + way * half, half / 2);
+        check_cell(p + way * half, half / 2);
       return;
     }
     if (inside < foot + tol_.uncut || in_a_mills_way(p, 0)) return;
@@ -224,10 +224,10 @@ std::vector<CarvingWork> carvings_of(const Part& part) {
   return works;
 }
 
-void judge_carving(const Part& part, const CheckedProgram& program, const Tolerances& tol,
+void check_carving(const Part& part, const CheckedProgram& program, const Tolerances& tol,
                    CarvingWork& work) {
   if (part.features[static_cast<std::size_t>(work.feature)].chamfer)
-    return judge_chamfer(part, program, tol, work);
+    return check_chamfer(part, program, tol, work);
   CarvingCheck check(part, program, tol, work);
   if (!work.any_cut) return;
   if (part.features[static_cast<std::size_t>(work.feature)].profile) {

@@ -35,9 +35,9 @@ std::vector<CarvingWork> carvings_of(const Part& part);
 /// Chamfer    See chamfered_wall.h.
 ///
 /// Cost O(length of the outline / 0.002 mm * moves near).
-void judge_carving(const Part& part, const CheckedProgram& program, const Tolerances& tol, CarvingWork& work);
+void check_carving(const Part& part, const CheckedProgram& program, const Tolerances& tol, CarvingWork& work);
 
-/// The faults of a feature that judge_carving has checked.
+/// The faults of a feature that check_carving has checked.
 std::vector<Fault> faults_of_carving(const Feature& feature, const CarvingWork& work, const Tolerances& tol);
 
 }  // namespace clearcut::verify

@@ -51,7 +51,7 @@ class ChamferCheck {
       const int steps = std::max(1, static_cast<int>(std::ceil(edge.length() / kSpacing)));
       for (int i = 0; i <= steps; ++i) {
         const double t = static_cast<double>(i) / steps;
-        judge_place(edge.at(t), left_of(edge.tangent_at(t)) * out);
+        check_place(edge.at(t), left_of(edge.tangent_at(t)) * out);
       }
     }
   }
@@ -81,7 +81,7 @@ class ChamferCheck {
     return found;
   }
 
-  void judge_place(Vec2 foot, Vec2 into_solid) {
+  void check_place(Vec2 foot, Vec2 into_solid) {
     if (!is_wall(foot)) return;
     const double square = slope_ / base::hypot(1.0, slope_);
     for (const double share : kAcross) {
@@ -110,7 +110,7 @@ class ChamferCheck {
 
 }  // namespace
 
-void judge_chamfer(const Part& part, const CheckedProgram& program, const Tolerances& tol,
+void check_chamfer(const Part& part, const CheckedProgram& program, const Tolerances& tol,
                    CarvingWork& work) {
   ChamferCheck check(part, program, tol, work);
   if (work.any_cut) check.check();

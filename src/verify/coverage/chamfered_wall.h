@@ -10,6 +10,6 @@ namespace clearcut::verify {
 /// tol.uncut square to the plane. Where no cutter has reached the wall, as in sharp corners, there is no edge to chamfer.
 ///
 /// Cost O(length of the line / 0.02 mm * moves near).
-void judge_chamfer(const Part& part, const CheckedProgram& program, const Tolerances& tol, CarvingWork& work);
+void check_chamfer(const Part& part, const CheckedProgram& program, const Tolerances& tol, CarvingWork& work);
 
 }  // namespace clearcut::verify

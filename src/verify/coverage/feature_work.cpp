@@ -302,7 +302,7 @@ std::vector<FeatureWork> works_of(const Part& part) {
   return works;
 }
 
-void judge_works(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
+void check_works(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
                  const VerifyOptions& options, std::vector<FeatureWork>& works, Tasks beside) {
   const WorkCheck check(part, finished, program, options);
   const auto add_layer_tasks = [&](FeatureWork& work, Tasks& tasks) {

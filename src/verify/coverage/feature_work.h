@@ -43,7 +43,7 @@ std::vector<FeatureWork> works_of(const Part& part);
 
 /// Checks all features on up to options.threads threads, together with `beside`, independent tasks for the
 /// same threads. The result does not depend on the number of threads.
-void judge_works(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
+void check_works(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
                  const VerifyOptions& options, std::vector<FeatureWork>& works,
                  std::vector<std::function<void()>> beside);
 

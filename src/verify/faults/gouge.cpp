@@ -28,9 +28,9 @@ Vec2 nearest_place(const Edge& path, const Edge& wall) {
   return path.at(best_t);
 }
 
-class LevelJudge {
+class LevelCheck {
  public:
-  LevelJudge(const FinishedPart& part, double radius, double slack)
+  LevelCheck(const FinishedPart& part, double radius, double slack)
       : part_(part), radius_(radius), slack_(slack) {}
 
   /// The deepest gouge of a path whose tip is at z all along.
@@ -130,7 +130,7 @@ class GougeCheck {
   }
 
   const FinishedPart& part_;
-  LevelJudge level_;
+  LevelCheck level_;
   std::optional<Gouge> worst_;
 };
 

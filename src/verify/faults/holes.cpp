@@ -34,13 +34,13 @@ class HoleCheck {
 
   std::vector<Fault> check() {
     if (hole_.kind == HoleKind::kTapped) {
-      judge_tap();
+      check_tap();
     } else if (hole_.kind == HoleKind::kThreadMilled) {
-      judge_thread();
+      check_thread();
     } else if (hole_.kind == HoleKind::kSpotted || hole_.kind == HoleKind::kCountersunk) {
-      judge_cone();
+      check_cone();
     } else {
-      judge_point();
+      check_point();
     }
     return std::move(faults_);
   }
@@ -67,7 +67,7 @@ class HoleCheck {
   }
 
   /// A drill leaves a cone at the end of its hole. Tools with flat ends are checked by the proof of coverage.
-  void judge_point() {
+  void check_point() {
     double full = std::numeric_limits<double>::infinity();
     int line = 0;
     bool drilled = false;
@@ -84,7 +84,7 @@ class HoleCheck {
             trimmed(hole_.full_z, 3));
   }
 
-  void judge_cone() {
+  void check_cone() {
     double widest = -1, tip = 0;
     int line = 0;
     for (const std::size_t i : upright_) {
@@ -106,7 +106,7 @@ class HoleCheck {
            tool.left_hand == hole_.thread->left_hand;
   }
 
-  void judge_tap() {
+  void check_tap() {
     double lowest = std::numeric_limits<double>::infinity();
     for (const std::size_t i : upright_) {
       const CheckedMove& checked = at(i);
@@ -117,10 +117,10 @@ class HoleCheck {
         continue;
       }
       lowest = std::min(lowest, checked.low_z());
-      judge_feed(checked);
+      check_feed(checked);
       const bool down = checked.move->z_to < checked.move->z_from;
-      judge_turn(checked, down);
-      if (down) judge_way_out(i);
+      check_turn(checked, down);
+      if (down) check_way_out(i);
     }
     if (std::isinf(lowest)) return add_missing("no tap " + hole_.thread->name + " comes down on its axis");
     if (lowest > feature_.floor_z + options_.tol.uncut)
@@ -133,7 +133,7 @@ class HoleCheck {
     return checked.control ? checked.control->spindle_rpm : checked.rpm;
   }
 
-  void judge_feed(const CheckedMove& checked) {
+  void check_feed(const CheckedMove& checked) {
     const double wanted = checked.tool->pitch * rpm_of(checked), feed = checked.move->feed.mm_per_min();
     if (std::abs(feed - wanted) <= kFeedShare * wanted) return;
     add(FaultKind::kTapping, std::abs(feed - wanted) / std::max(1.0, rpm_of(checked)), checked.move->z_to,
@@ -144,7 +144,7 @@ class HoleCheck {
   }
 
   /// Into the hole a tap must turn as its hand asks; out of it the other way, by a spindle word or by its cycle.
-  void judge_turn(const CheckedMove& checked, bool down) {
+  void check_turn(const CheckedMove& checked, bool down) {
     if (!checked.control || (!down && turned_by_cycle(checked))) return;
     const SpindleState into =
         hole_.thread->left_hand ? SpindleState::kCounterClockwise : SpindleState::kClockwise;
@@ -168,7 +168,7 @@ class HoleCheck {
   }
 
   /// The move after the one down has to be the feed out.
-  void judge_way_out(std::size_t down) {
+  void check_way_out(std::size_t down) {
     const bool feeds_out = down + 1 < program_.moves.size() && at(down + 1).feeds() &&
                            at(down + 1).move->is_vertical() && at(down + 1).move->z_to >= feature_.top_z;
     if (feeds_out) return;
@@ -176,7 +176,7 @@ class HoleCheck {
         "the tap does not come out at its feed right after it went in");
   }
 
-  void judge_thread() {
+  void check_thread() {
     if (mills_.empty())
       return add_missing(hole_.external ? "no thread mill works about it" : "no thread mill works in it");
     for (const ThreadDefect& defect : defects_of_thread(feature_, mills_)) {

@@ -25,9 +25,9 @@ double whole_turns_off(double height, double pitch) {
   return height - pitch * std::round(height / pitch);
 }
 
-class ThreadJudge {
+class ThreadCheck {
  public:
-  explicit ThreadJudge(const Feature& feature)
+  explicit ThreadCheck(const Feature& feature)
       : hole_(*feature.hole), top_(feature.top_z), pitch_(hole_.thread->pitch) {
     minor_radius_ = hole_.diameter / 2 - 5 * std::sqrt(3.0) / 16 * pitch_;
     slack_ = kPitchShare * pitch_ + kThreadHeightSlack;
@@ -160,7 +160,7 @@ class ThreadJudge {
 
 std::vector<ThreadDefect> defects_of_thread(const Feature& feature,
                                             const std::vector<const CheckedMove*>& moves) {
-  return ThreadJudge(feature).check(moves);
+  return ThreadCheck(feature).check(moves);
 }
 
 }  // namespace clearcut::verify
