@@ -59,7 +59,7 @@ RunFigures planned(const Part& part, const char* objective, bool is_published, s
   return figures;
 }
 
-std::string in_words(const RunFigures& figures) {
+std::string published_in_words(const RunFigures& figures) {
   const double* all = figures.data() + figures.size() - kQuantities;
   return fmt::format("{:.0f} mm of feed, {:.0f} turns, {:.0f} deg, {:.0f} s", all[0], all[3], all[4], all[5]);
 }
@@ -99,7 +99,7 @@ void add_travel(Reproduction& result, const Travel& travel, const Part& part, Ta
     const std::string name =
         fmt::format("{}, {}, seed {}", travel.name, is_published ? "published" : "ours", seed);
     return runs.run(
-        name, [&] { return planned(part, travel.objective, is_published, seed); }, in_words);
+        name, [&] { return planned(part, travel.objective, is_published, seed); }, published_in_words);
   };
   runs.tell(fmt::format("{}, printed: {:.0f} mm of feed, {}", travel.name, travel.feed,
                         travel.turns > 0 ? fmt::format("{:.0f} turns", travel.turns)

@@ -98,7 +98,7 @@ RunFigures run_once(const order::Problem& problem, const Row& row, order::Geneti
   return {result.value, static_cast<double>(result.children), result.seconds};
 }
 
-std::string in_words(const RunFigures& figures) {
+std::string tour_in_words(const RunFigures& figures) {
   return fmt::format("{:g} after {:.0f} individuals, {:.1f} s", figures[0], figures[1], figures[2]);
 }
 
@@ -111,7 +111,7 @@ std::vector<RunFigures> all_runs(const order::Problem& problem, const Row& row, 
     const std::string name =
         fmt::format("{} {}, {}, seed {}", row.problem, row.objective, method, options.seed);
     results[static_cast<std::size_t>(i)] = runs.run(
-        name, [&] { return run_once(problem, row, options); }, in_words);
+        name, [&] { return run_once(problem, row, options); }, tour_in_words);
   });
   return results;
 }
