@@ -10,7 +10,7 @@
 namespace clearcut::cli {
 namespace {
 
-constexpr int kDigits = 3;
+constexpr int kOverviewDigits = 3;
 
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -79,9 +79,9 @@ std::string batch_csv(const std::vector<BatchRow>& rows) {
   std::string csv = "name,part,verdict,time_s,feed_mm,rapid_mm,uncut_mm,gouge_mm,faults,message\n";
   for (const auto& row : rows)
     csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_cell(row.name), csv_cell(row.part), row.verdict,
-                       trimmed(row.time_s, kDigits), trimmed(row.feed_mm, kDigits),
-                       trimmed(row.rapid_mm, kDigits), trimmed(row.uncut_mm, 6), trimmed(row.gouge_mm, 6),
-                       row.faults, csv_cell(row.message));
+                       trimmed(row.time_s, kOverviewDigits), trimmed(row.feed_mm, kOverviewDigits),
+                       trimmed(row.rapid_mm, kOverviewDigits), trimmed(row.uncut_mm, 6),
+                       trimmed(row.gouge_mm, 6), row.faults, csv_cell(row.message));
   return csv;
 }
 
