@@ -1,6 +1,5 @@
 #include "serve/result_files.h"
 
-#include <algorithm>
 #include <array>
 #include <regex>
 
@@ -10,17 +9,12 @@ namespace {
 constexpr const char* kPage = "text/html; charset=utf-8";
 constexpr const char* kText = "text/plain; charset=utf-8";
 constexpr std::array<ResultKind, 6> kKinds{
-    {{"program", "program", ".ngc", kText, "The program for the controller", true},
-     {"certificate", "certificate", ".json", "application/json", "The certificate", true},
-     {"report", "report", ".html", kPage, "The page that plays the machining", true},
-     {"picture", "picture", ".svg", "image/svg+xml", "The picture", true},
-     {"setup-sheet", "setup-sheet", ".html", kPage, "The page for the machine", false},
-     {"text", "text", ".txt", kText, "What the command prints", false}}};
-
-/// "-2" of "program-2"; "" of "program".
-std::string_view number_in(const ResultKind& kind, std::string_view name) {
-  return name.substr(std::string_view(kind.name).size());
-}
+    {{"program", ".ngc", kText, "The program for the controller", true},
+     {"certificate", ".json", "application/json", "The certificate", true},
+     {"report", ".html", kPage, "The page that plays the machining", true},
+     {"picture", ".svg", "image/svg+xml", "The picture", true},
+     {"setup-sheet", ".html", kPage, "The page for the machine", false},
+     {"text", ".txt", kText, "What the command prints", false}}};
 
 bool is_setup_number(std::string_view text) {
   static const std::regex number("-[1-9][0-9]?");
@@ -36,14 +30,14 @@ std::span<const ResultKind> result_kinds() {
 const ResultKind* kind_of_result(std::string_view name) {
   for (const ResultKind& kind : kKinds) {
     if (!name.starts_with(kind.name)) continue;
-    const std::string_view number = number_in(kind, name);
+    const std::string_view number = name.substr(std::string_view(kind.name).size());
     if (number.empty() || (kind.is_numbered && is_setup_number(number))) return &kind;
   }
   return nullptr;
 }
 
 std::string file_of_result(const ResultKind& kind, std::string_view name) {
-  return std::string(kind.stem) + std::string(number_in(kind, name)) + kind.ending;
+  return std::string(name) + kind.ending;
 }
 
 std::vector<std::string> results_in(const std::filesystem::path& folder) {

@@ -10,8 +10,7 @@
 namespace clearcut::serve {
 
 struct ResultKind {
-  const char* name;    ///< in addresses
-  const char* stem;    ///< of its file
+  const char* name;    ///< in addresses, and of its file
   const char* ending;  ///< of its file, with the dot
   const char* type;    ///< media type
   const char* what;    ///< in a sentence
