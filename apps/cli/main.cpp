@@ -17,19 +17,12 @@
 #include "commands/commands.h"
 #include "memory/memory_limit.h"
 #include "terminal/help_text.h"
+#include "terminal/output.h"
 #include "terminal/terminal.h"
 
 namespace {
 
 using namespace clearcut::cli;
-
-/// One line, whatever the message held.
-void complain(std::string message) {
-  for (auto& c : message) {
-    if (c == '\n') c = ' ';
-  }
-  std::fprintf(stderr, "clearcut: %s\n", message.c_str());
-}
 
 /// What was wrong with the arguments, in one line.
 std::string about(const CLI::ParseError& error, const CLI::App& app,

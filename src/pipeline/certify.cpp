@@ -246,7 +246,6 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   result.toolpath = std::move(read.toolpath);
   result.control = std::move(read.control);
   result.findings = check(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
-  add_not_machined(result.part.diagnostics, result.findings);
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {

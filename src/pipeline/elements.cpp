@@ -6,6 +6,7 @@
 
 #include "base/text/format.h"
 #include "geometry/clearance.h"
+#include "model/results/not_machined.h"
 #include "order/solve.h"
 #include "pipeline/certify.h"
 #include "pipeline/selection/strategies.h"
@@ -175,6 +176,7 @@ ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& 
   result.plan.values = plan.values;
   const Toolpath planned = toolpath_of(visits, plan);
   certify(result.plan, planned, plan);
+  add_not_machined(result.plan.part.diagnostics, result.plan.findings);
   sign(result.plan, planned, plan);
   return result;
 }

@@ -383,6 +383,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     meter.add();
   } while (retry_unclean(selection, result));
   add_conditions_of_part(result.part, plan, result.findings);
+  add_not_machined(result.part.diagnostics, result.findings);
   explain_rounded_places(result, plan);
   sign(result, toolpath, plan);
   report_notes(selection, works, plan, result.part);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "base/files/file.h"
 #include "post/post.h"
@@ -53,6 +54,16 @@ struct Drawn {
     job = folder.file("job.toml", setups + kTool);
   }
 };
+
+TEST(Setups, AreAllInWhatInfoSays) {
+  const Drawn drawn;
+  const auto json = nlohmann::json::parse(run_clearcut({"info", drawn.job, "--json"}).out);
+  ASSERT_EQ(json.at("setups").size(), 2U);
+  const auto second = nlohmann::json::parse(run_clearcut({"info", drawn.job, "--setup", "2", "--json"}).out);
+  EXPECT_EQ(json["setups"][1], second);
+  EXPECT_NE(json["setups"][0], second);
+  EXPECT_THAT(run_clearcut({"info", drawn.job}).out, HasSubstr("\nset-up 2 of 2\n"));
+}
 
 TEST(Setups, EachHasItsProgramAndAllHaveOneVerdict) {
   const Drawn drawn;

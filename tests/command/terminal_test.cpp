@@ -186,16 +186,6 @@ TEST(Json, SaysWhatAPartHolds) {
   EXPECT_TRUE(json.at("asks").empty());
 }
 
-TEST(Json, SaysWhatEverySetUpHolds) {
-  const std::string job = kExamples + "two_sided.toml";
-  const auto json = nlohmann::json::parse(run_clearcut({"info", job, "--json"}).out);
-  ASSERT_EQ(json.at("setups").size(), 2U);
-  const auto second = nlohmann::json::parse(run_clearcut({"info", job, "--setup", "2", "--json"}).out);
-  EXPECT_EQ(json["setups"][1], second);
-  EXPECT_NE(json["setups"][0], second);
-  EXPECT_THAT(run_clearcut({"info", job}).out, HasSubstr("\nset-up 2 of 2\n"));
-}
-
 TEST(Tables, FitTheWidthAskedForAndStayWholeInPipes) {
   const ScratchFolder folder;
   const auto part = folder.file("square.json", kSquare);

@@ -109,7 +109,7 @@ class Batch {
       const auto fields = ranks::unpack(text);
       note(index_of(name), {row_of_fields(ranks::unpack(fields.at(1))), fields.at(0) == "kept"});
     };
-    work.say = [](const std::string& text) { std::fprintf(stderr, "clearcut: %s\n", text.c_str()); };
+    work.say = complain;
     work.threads = jobs_;
     const ranks::Outcome outcome = ranks::distribute(all, work);
     chosen_ = rows_;

@@ -122,7 +122,7 @@ ranks::Outcome run_on_ranks(const StudyCommand& command, const studies::GeneticS
     file.append(lines);
     show_progress(command, ++done, total);
   };
-  work.say = [](const std::string& text) { std::fprintf(stderr, "clearcut: %s\n", text.c_str()); };
+  work.say = complain;
   work.threads = command.threads.value_or(1);
   work.ahead = work.threads;
   return ranks::distribute(all, work);

@@ -2,6 +2,7 @@
 
 #include <clearcut/error.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdio>
@@ -68,6 +69,11 @@ void print_warnings(const Diagnostics& diagnostics) {
 void print_line(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (text.empty() || text.back() != '\n') std::fputc('\n', stdout);
+}
+
+void complain(std::string message) {
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::fprintf(stderr, "clearcut: %s\n", message.c_str());
 }
 
 void print_table(const TextTable& table, bool as_markdown) {

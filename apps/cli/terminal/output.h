@@ -15,6 +15,8 @@ void print(const Diagnostics& diagnostics, bool verbose);
 /// The same of warnings alone: beside an error that ends the command.
 void print_warnings(const Diagnostics& diagnostics);
 void print_line(const std::string& text);
+/// On standard error with the program's name before it, as one line whatever the message holds.
+void complain(std::string message);
 /// As wide as the terminal, or for a Markdown page.
 void print_table(const TextTable& table, bool as_markdown = false);
 

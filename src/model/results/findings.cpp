@@ -3,6 +3,16 @@
 #include <algorithm>
 
 namespace clearcut::inline model {
+namespace {
+
+/// Of an area: what areas of arcs and offsets may be wrong by.
+constexpr double kAreaError = 1e-4;
+
+}  // namespace
+
+bool is_nothing_in_reach(double unreachable_mm2, double whole_mm2) {
+  return unreachable_mm2 >= (1 - kAreaError) * whole_mm2;
+}
 
 const char* name_of(FaultKind kind) {
   switch (kind) {

@@ -145,6 +145,9 @@ struct Findings {
   std::vector<float> move_force_n = {};
 };
 
+/// Whether so much of an area is out of a cutter's reach, mm2, that the rest is no more than the error of areas.
+bool is_nothing_in_reach(double unreachable_mm2, double whole_mm2);
+
 /// CLEAN: no fault, and nothing is open. CONDITIONAL: no fault as long as the open conditions hold. FAULTY: a fault.
 enum class Verdict : unsigned char { kClean, kConditional, kFaulty };
 /// "CLEAN", "CONDITIONAL", "FAULTY".

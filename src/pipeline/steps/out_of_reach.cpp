@@ -10,9 +10,8 @@
 namespace clearcut::pipeline {
 namespace {
 
-constexpr double kShare = 0.02;     // of the feature's area
-constexpr double kCorners = 1.0;    // mm2
-constexpr double kWholly = 0.9999;  // of the feature's area: nothing of it is in reach
+constexpr double kShare = 0.02;   // of the feature's area
+constexpr double kCorners = 1.0;  // mm2
 constexpr double kSameArea = 1e-9;
 constexpr int kHalvings = 10;  // of the range of diameters that is searched
 /// mm. Smaller cutters are not proposed.
@@ -44,15 +43,10 @@ double largest_that_reaches(const Feature& feature, double below, const Toleranc
   return std::floor(low * 100) / 100;
 }
 
-bool is_all_out_of_reach(double left, double whole) {
-  return left >= kWholly * whole;
-}
-
-/// That no cutter fits into a feature is a condition, which somebody may accept, and no fault of the program. Faults of what the
-/// file itself leaves out have no size; they stay.
+/// That no cutter fits into a feature is a condition, which somebody may accept, and no fault of the program.
 void withdraw_fault(FeatureFindings& found, Findings& findings) {
   const auto is_its = [&](const Fault& fault) {
-    return fault.kind == FaultKind::kNothingCut && fault.feature == found.name && fault.size > 0;
+    return fault.kind == FaultKind::kNothingCut && fault.feature == found.name;
   };
   if (std::erase_if(findings.faults, is_its) == 0) return;
   found.figures.clean = true;
@@ -82,7 +76,7 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
                              " mm2 has " + trimmed(fits, 2) + " mm"
                        : "; no cutter of 0.1 mm or more reaches it";
     }
-    const bool little = left <= std::max(kShare * whole, kCorners) && !is_all_out_of_reach(left, whole);
+    const bool little = left <= std::max(kShare * whole, kCorners) && !is_nothing_in_reach(left, whole);
     conditions.push_back({"out-of-reach", text, 0, little ? "at most 2 percent or 1 mm2" : ""});
   }
   return conditions;
@@ -93,7 +87,7 @@ void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings
   for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
   for (FeatureFindings& found : findings.features) {
     const double whole = area(feature_of(part, found).target);
-    if (is_all_out_of_reach(found.figures.unreachable_mm2, whole)) withdraw_fault(found, findings);
+    if (is_nothing_in_reach(found.figures.unreachable_mm2, whole)) withdraw_fault(found, findings);
   }
   accept_conditions(findings, plan.accept);
 }

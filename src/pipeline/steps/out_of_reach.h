@@ -17,7 +17,8 @@ namespace clearcut::pipeline {
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol);
 
 /// Adds these conditions and those of the plan to the findings: the part is not all that was asked for until they are met or
-/// accepted. They take the place of the faults that nothing is cut where no cutter fits.
+/// accepted. They take the place of the faults that nothing is cut where no cutter fits; what is not machined for other
+/// reasons is added after them.
 void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings);
 
 }  // namespace clearcut::pipeline

@@ -223,7 +223,8 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
   const LevelCoverage& floor = work.floor;
   const Coverage& bottom = floor.coverage;
   const Vec2 middle = feature.target.empty() ? Vec2{} : box(feature.target).center();
-  const bool unreachable = !bottom.reachable || bottom.unreachable_mm2 >= bottom.target_mm2 * 0.9999;
+  const bool unreachable =
+      !bottom.reachable || is_nothing_in_reach(bottom.unreachable_mm2, bottom.target_mm2);
   if (!floor.any_cut || unreachable) {
     const std::string why =
         work.smallest_flat <= 0
