@@ -4,6 +4,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/rectangle.h"
+#include "geometry/unite_all.h"
 
 namespace clearcut::inline geometry {
 namespace {
@@ -33,12 +34,11 @@ Region dilated(const Region& region, double d, const Tolerances& tol) {
 
 Regions dilate(const Regions& regions, double d, const Tolerances& tol) {
   CLEARCUT_ASSERT(d >= 0);
-  Regions all;
-  for (const Region& region : regions) {
-    const Regions grown{dilated(region, d, tol)};
-    all = all.empty() ? grown : unite(all, grown, tol);
-  }
-  return all;
+  Regions grown;
+  for (const Region& region : regions) grown.push_back(dilated(region, d, tol));
+  if (grown.size() == 2) return unite({grown[0]}, {grown[1]}, tol);
+  // One by one many would take quadratic time.
+  return grown.size() < 2 ? grown : unite_all(grown, tol);
 }
 
 }  // namespace clearcut::inline geometry

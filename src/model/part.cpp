@@ -36,6 +36,8 @@ const char* name_of(FeatureKind kind) {
       return "chamfer";
     case FeatureKind::kExternalThread:
       return "external_thread";
+    case FeatureKind::kIsolation:
+      return "isolation";
   }
   return "feature";
 }

@@ -32,6 +32,7 @@ enum class FeatureKind {
   kEngraving,
   kVCarving,       ///< as deep as a cone's width at the top allows
   kChamfer,        ///< the edge of a wall broken by a cone
+  kIsolation,      ///< a band about pieces that stay and are to be parted from each other
   kExternalThread  ///< about a boss
 };
 const char* name_of(FeatureKind kind);

@@ -29,8 +29,9 @@ enum class LayerRole {
   kEngrave,  ///< the cutter's centre on the line; lines may be open
   kChamfer,
   kFace,
-  kStock,  ///< the block that it is made of
-  kVCarve  ///< carved with a V-bit between the outlines
+  kStock,   ///< the block that it is made of
+  kVCarve,  ///< carved with a V-bit between the outlines
+  kIsolate  ///< what is drawn stays, and a band about every piece of it is milled: copper of a circuit board
 };
 
 /// What the user says about the layers (DXF) or colours (SVG, "#ff0000") that match a pattern; goes before
@@ -43,6 +44,7 @@ struct LayerRule {
   std::optional<double> top;    ///< mm
   bool asked = false;           ///< as an option: has to match, and other rules say what it leaves open
   std::optional<HoleRequest> hole = {};
+  std::optional<double> width = {};  ///< mm; of the band about what is isolated
 };
 
 /// A closed outline of a drawing as a person sees it.
@@ -100,6 +102,7 @@ struct ReadOptions {
   std::optional<double> join_gap;     ///< mm; overrules tol.join_gap
   bool ask_if_unclear = false;  ///< drawings of unclear meaning or odd size are refused with what to say
   double scale = 1;             ///< of drawings, after units
+  bool mirror = false;          ///< drawings are mirrored left to right: seen from below
   bool scale_is_right = false;  ///< the size was stated: it is not questioned
   /// Filled in where given; then no depth is needed, and what is unclear or open is listed instead of refused.
   DrawingOverview* overview = nullptr;

@@ -6,6 +6,8 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
+#include "read/board/excellon_reader.h"
+#include "read/board/gerber_reader.h"
 #include "read/common/foreign_files.h"
 #include "read/common/text.h"
 #include "read/dxf/dxf_reader.h"
@@ -19,7 +21,7 @@
 namespace clearcut::read {
 namespace {
 
-enum class Kind { kStep, kDxf, kSvg, kJson, kEdges, kJob, kUnknown };
+enum class Kind { kStep, kDxf, kSvg, kJson, kEdges, kJob, kGerber, kExcellon, kUnknown };
 
 Kind kind_of_extension(const std::string& extension) {
   for (const char* step : {".P21", ".STP", ".STEP", ".STPNC", ".238"}) {
@@ -30,6 +32,12 @@ Kind kind_of_extension(const std::string& extension) {
   if (extension == ".JSON") return Kind::kJson;
   if (extension == ".EDGES") return Kind::kEdges;
   if (extension == ".TOML") return Kind::kJob;
+  for (const char* gerber : {".GBR", ".GER", ".PHO", ".GTL", ".GBL", ".GTS", ".GBS", ".GTO", ".GBO", ".GTP",
+                             ".GBP", ".GKO", ".GML", ".GM1", ".GM2", ".GM3", ".CMP", ".SOL"}) {
+    if (extension == gerber) return Kind::kGerber;
+  }
+  if (extension == ".DRL" || extension == ".XLN" || extension == ".EXC" || extension == ".XNC")
+    return Kind::kExcellon;
   return Kind::kUnknown;
 }
 
@@ -40,6 +48,9 @@ Kind kind_of_content(std::string_view text) {
   if (first == std::string_view::npos) return Kind::kUnknown;
   if (head.substr(first, 12) == "ISO-10303-21") return Kind::kStep;
   if (head[first] == '{') return Kind::kJson;
+  if (head.substr(first, 3) == "M48") return Kind::kExcellon;
+  if (head.find("%FSLA") != std::string_view::npos || head.find("%FSTA") != std::string_view::npos)
+    return Kind::kGerber;
   if (head.find("<svg") != std::string_view::npos) return Kind::kSvg;
   if (head.find("SECTION") != std::string_view::npos) return Kind::kDxf;
   return Kind::kUnknown;
@@ -110,6 +121,14 @@ Part snapped(Part part) {
   return part;
 }
 
+void refuse_to_mirror(Kind kind, const std::string& file_name, const ReadOptions& options) {
+  const bool is_drawing = kind == Kind::kDxf || kind == Kind::kSvg || kind == Kind::kGerber ||
+                          kind == Kind::kExcellon || kind == Kind::kJob;
+  if (options.mirror && !is_drawing)
+    throw InputError(
+        file_name, "only drawings are mirrored (DXF, SVG, Gerber, Excellon); turn a solid over with --up -Z");
+}
+
 Part read_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
   refuse_foreign_content(text, file_name);
   Kind kind = kind_of_extension(capitals(std::filesystem::path(file_name).extension().string()));
@@ -118,6 +137,7 @@ Part read_text(std::string_view text, const std::string& file_name, const ReadOp
     kind = kind_of_content(text);
   }
   refuse_what_is_no_text(text, file_name);
+  refuse_to_mirror(kind, file_name, options);
   switch (kind) {
     case Kind::kStep:
       if (is_step_solid(text)) return read_step_solid(text, file_name, options);
@@ -128,6 +148,10 @@ Part read_text(std::string_view text, const std::string& file_name, const ReadOp
       return read_svg(text, file_name, options);
     case Kind::kJson:
       return read_outline_json(text, file_name, options);
+    case Kind::kGerber:
+      return read_gerber(text, file_name, options);
+    case Kind::kExcellon:
+      return read_excellon(text, file_name, options);
     case Kind::kEdges:
       return read_edges(text, file_name, options);
     case Kind::kJob:

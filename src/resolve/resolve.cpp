@@ -220,7 +220,9 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
     ResolvedStep step = resolve_step(plan.part, planned, options);
     step.strategy = strategy.value;
     step.stepover = stepover.value;
-    step.is_direction_asked = is_asked(own.find("direction"));
+    // Foil tears where a cutter leaves it the wrong way.
+    const bool is_foil = feature_of(plan.part, planned).kind == FeatureKind::kIsolation;
+    step.is_direction_asked = is_foil || is_asked(own.find("direction"));
     take_style(step, tool_of(plan.part, planned), options, own);
     resolve_strokes(step, planned.operation, options);
     plan.steps.push_back(std::move(step));

@@ -76,7 +76,7 @@ TEST(ReadPart, ContentDecidesWhereTheNameDoesNot) {
 TEST(Corpus, EveryFileIsReadOrRefused) {
   const fs::path corpus = fs::path(CLEARCUT_SOURCE_DIR) / "tests" / "corpus";
   int read = 0, refused = 0;
-  for (const char* kind : {"outline", "dxf", "svg", "edges"}) {
+  for (const char* kind : {"outline", "dxf", "svg", "edges", "gerber", "excellon"}) {
     ASSERT_TRUE(fs::is_directory(corpus / kind)) << kind;
     for (const auto& entry : fs::directory_iterator(corpus / kind)) {
       try {

@@ -90,6 +90,7 @@ ReadOptions PlanArguments::read_options() const {
   for (const auto& text : operations_) options.layer_rules.push_back(rule_of_option(text, "--op"));
   if (scale_) options.scale = *scale_;
   options.scale_is_right = scale_.has_value();
+  options.mirror = mirror_;
   if (join_gap_) options.join_gap = join_gap_;
   if (open_curves_) {
     options.open_curves = *open_curves_ == "skip" ? OpenCurves::kSkip : OpenCurves::kRefuse;

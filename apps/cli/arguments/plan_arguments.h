@@ -121,6 +121,7 @@ class PlanArguments {
   std::vector<std::string> layers_;
   std::vector<std::string> operations_;
   std::optional<double> scale_;
+  bool mirror_ = false;
   std::optional<double> join_gap_;
   std::optional<std::string> open_curves_;
   std::optional<std::string> strokes_;

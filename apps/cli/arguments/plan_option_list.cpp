@@ -34,6 +34,7 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
       ->transform(as_length());
   command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm")->transform(as_length());
   add_drawing_options(command);
+  command.add_flag("--mirror", mirror_, "Mirror a drawing left to right, as it looks from below");
   command.option_defaults()->group("Solids");
   command.add_option(
       "--up", solid_.up,
@@ -52,7 +53,8 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
   command.add_option(
       "--op", operations_,
       "KIND:SELECTION, what outlines of a drawing are for: pocket, profile, inside, drill, engrave, "
-      "vcarve, chamfer, face, island or ignore, with a depth as in profile_d6; the selection is a layer, a "
+      "vcarve, isolate, chamfer, face, island or ignore, with a depth as in profile_d6; the selection is a "
+      "layer, a "
       "colour, outer "
       "or numbers of `info` (repeatable)");
   command

@@ -41,7 +41,8 @@ struct ResolvedStep {
   bool spindle_clockwise = true;
   bool coolant = false;
   CutDirection direction = CutDirection::kClimb;
-  bool is_direction_asked = false;  ///< by the user or a job: "auto" tries nothing that cuts both ways
+  bool is_direction_asked =
+      false;  ///< by the user, a job or the work: "auto" tries nothing that cuts both ways
   double stepdown = 0;
   double allowance_side = 0, allowance_floor = 0;
   EntryKind entry = EntryKind::kPlunge;

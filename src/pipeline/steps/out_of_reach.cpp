@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/text/format.h"
 #include "geometry/boolean.h"
+#include "geometry/rectangle.h"
 #include "resolve/left_over.h"
 
 namespace clearcut::pipeline {
@@ -16,6 +18,8 @@ constexpr double kSameArea = 1e-9;
 constexpr int kHalvings = 10;  // of the range of diameters that is searched
 /// mm. Smaller cutters are not proposed.
 constexpr double kSmallest = 0.1;
+/// mm within a piece's edge: where it is looked for.
+constexpr double kInside = 1e-3;
 
 double allowed_to_stay(double area) {
   return std::min(kShare * area, kCorners);
@@ -53,6 +57,68 @@ void withdraw_fault(FeatureFindings& found, Findings& findings) {
   findings.all.clean = findings.faults.empty();
 }
 
+/// A point within each piece.
+std::vector<Vec2> points_in(const Regions& pieces) {
+  std::vector<Vec2> points;
+  for (const Region& piece : pieces) {
+    const Edge& side = piece.outer().front();
+    points.push_back(side.at(0.5) + left_of(side.tangent_at(0.5)) * kInside);
+  }
+  return points;
+}
+
+/// The smallest of the loops about a point; null where there is none.
+const Loop* innermost_about(Vec2 point, const std::vector<std::pair<Box, const Loop*>>& loops) {
+  const Loop* best = nullptr;
+  for (const auto& [box, loop] : loops) {
+    if (!box.contains(point) || !contains(*loop, point)) continue;
+    if (!best || std::abs(signed_area(*loop)) < std::abs(signed_area(*best))) best = loop;
+  }
+  return best;
+}
+
+/// How many groups of pieces a cutter can part: those that stand within one island of what it sweeps hang together.
+std::size_t parted_by(const Feature& feature, const std::vector<Vec2>& pieces, double diameter,
+                      const Tolerances& tol) {
+  const Regions swept = resolve::swept(feature.allowed, diameter / 2, 0, 0, tol);
+  std::vector<std::pair<Box, const Loop*>> islands;
+  for (const Region& region : swept)
+    for (const Loop& island : region.islands()) islands.emplace_back(box(island), &island);
+  std::set<const Loop*> standing;
+  for (const Vec2 piece : pieces) standing.insert(innermost_about(piece, islands));
+  return standing.size();
+}
+
+/// mm, in whole hundredths; 0 when none does.
+double largest_that_parts(const Feature& feature, const std::vector<Vec2>& pieces, double below,
+                          const Tolerances& tol) {
+  double low = kSmallest, high = below;
+  if (high <= low || parted_by(feature, pieces, low, tol) < pieces.size()) return 0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    (parted_by(feature, pieces, middle, tol) == pieces.size() ? low : high) = middle;
+  }
+  return std::floor(low * 100) / 100;
+}
+
+/// That pieces to be isolated stay joined, if they do: a short circuit, however small the area is.
+std::optional<Condition> not_parted(const Feature& feature, const FeatureFindings& found,
+                                    const Tolerances& tol) {
+  const std::vector<Vec2> pieces =
+      points_in(subtract({rectangular_region(box(feature.target))}, feature.allowed, tol));
+  const std::size_t parted = parted_by(feature, pieces, found.tool_diameter, tol);
+  if (parted == pieces.size()) return std::nullopt;
+  const double fits = largest_that_parts(feature, pieces, found.tool_diameter, tol);
+  return Condition{"not-parted",
+                   feature.name + ": the " + std::to_string(pieces.size()) +
+                       " pieces that stay are parted into " + std::to_string(parted) +
+                       ", because gaps are narrower than T" + std::to_string(found.tool_number) + " (" +
+                       trimmed(found.tool_diameter, 3) + " mm); " +
+                       (fits > 0 ? "a cutter of " + trimmed(fits, 2) + " mm parts them all"
+                                 : "no cutter of 0.1 mm or more parts them all"),
+                   0, ""};
+}
+
 const Feature& feature_of(const Part& part, const FeatureFindings& found) {
   return part
       .features[static_cast<std::size_t>(part.workplan[static_cast<std::size_t>(found.workingstep)].feature)];
@@ -64,13 +130,16 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
   std::vector<Condition> conditions;
   for (const FeatureFindings& found : findings.features) {
     const Feature& feature = feature_of(part, found);
+    if (feature.kind == FeatureKind::kIsolation) {
+      if (auto joined = not_parted(feature, found, tol)) conditions.push_back(std::move(*joined));
+    }
     const double whole = area(feature.target), left = found.figures.unreachable_mm2;
     if (left <= allowed_to_stay(whole)) continue;
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +
                        trimmed(found.tool_diameter, 3) + " mm)";
-    // The area of a profile depends on its cutter, that of drafted walls on the depth.
-    if (!feature.profile && feature.wall_slope.radians() == 0) {
+    // The area of a profile depends on its cutter, that of drafted walls on the depth; of pieces it matters whether they are parted.
+    if (!feature.profile && feature.kind != FeatureKind::kIsolation && feature.wall_slope.radians() == 0) {
       const double fits = largest_that_reaches(feature, found.tool_diameter, tol);
       text += fits > 0 ? "; the largest cutter that reaches all but " + trimmed(allowed_to_stay(whole), 2) +
                              " mm2 has " + trimmed(fits, 2) + " mm"

@@ -190,6 +190,7 @@ class FeatureWriter {
       case FeatureKind::kEngraving:
         return outside_profile();
       case FeatureKind::kOpenPocket:
+      case FeatureKind::kIsolation:
         break;
     }
     return open_pocket();

@@ -8,8 +8,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
-#include "geometry/clearance.h"
-#include "geometry/rectangle.h"
+#include "read/common/features/area_features.h"
 #include "read/common/holes/drawn_holes.h"
 #include "read/common/outline_roles.h"
 #include "read/common/stock_edge.h"
@@ -21,9 +20,6 @@
 
 namespace clearcut::read {
 namespace {
-
-/// mm. Chamfers without a depth.
-constexpr double kEdgeBreak = 0.2;
 
 /// What the options say goes before what the file says.
 double depth_of(const DrawnGroup& group, const ReadOptions& options, Diagnostics& diagnostics) {
@@ -46,16 +42,6 @@ RepairOptions repair_options(const DrawnGroup& group, const ReadOptions& options
   out.may_be_empty = out.open_curves == OpenCurves::kSkip;
   out.find_arcs = options.find_arcs.value_or(true);
   return out;
-}
-
-/// What all features of a group have in common.
-Feature blank_feature(const DrawnGroup& group, double depth, const ReadOptions& options) {
-  Feature feature;
-  feature.name = group.name == "0" ? name_of(group.role) : group.name;
-  feature.source = group.name;
-  feature.top_z = options.top ? *options.top : group.top.value_or(0);
-  feature.floor_z = feature.top_z - depth;
-  return feature;
 }
 
 Feature feature_of(const DrawnGroup& group, Region region, double depth, const ReadOptions& options) {
@@ -182,50 +168,6 @@ void unite_overlapping_layers(std::vector<ShapedGroup>& groups, const ReadOption
   }
 }
 
-/// Facing: the cutter may leave the area on all sides.
-Feature face_of(const DrawnGroup& group, const Region& region, double depth, const ReadOptions& options) {
-  Feature feature = blank_feature(group, depth, options);
-  feature.kind = FeatureKind::kPlanarFace;
-  feature.target = {Region::from_valid_loops(region.outer(), {})};
-  feature.allowed = {rectangular_region(region.box().grown(kOpenReach))};
-  return feature;
-}
-
-/// Without a depth as deep as the bit's cone asks for; until a bit is chosen that of a cone of 90 degrees.
-Feature carving_of(const DrawnGroup& group, Region region, const ReadOptions& options) {
-  const std::optional<double> asked = options.depth ? options.depth : group.depth;
-  VCarving carving;
-  if (asked) carving.limit = checked_depth(*asked, group.where);
-  const double widest = Clearance(region, options.tol).max();
-  Feature feature = blank_feature(group, std::min(widest, carving.limit.value_or(widest)), options);
-  feature.kind = FeatureKind::kVCarving;
-  feature.target = {std::move(region)};
-  feature.allowed = feature.target;
-  carving.start = group.start;
-  feature.carving = carving;
-  return feature;
-}
-
-/// Along every outline of the group; on which side its wall stands is found with the cutters.
-void add_chamfers(const ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
-                  std::vector<Feature>& out) {
-  // --depth is that of pockets.
-  if (!shaped.group.depth) diagnostics.note(shaped.group.where, "no depth given: edges are broken by 0.2 mm");
-  const double depth = checked_depth(shaped.group.depth.value_or(kEdgeBreak), shaped.group.where);
-  for (const Region& region : shaped.regions) {
-    std::vector<Loop> loops{region.outer()};
-    loops.insert(loops.end(), region.islands().begin(), region.islands().end());
-    for (Loop& loop : loops) {
-      Feature feature = blank_feature(shaped.group, depth, options);
-      feature.kind = FeatureKind::kChamfer;
-      feature.target = feature.allowed =
-          stock::kerf_of({ProfileSide::kOn, loop, true, 0, {}}, depth, options.tol);
-      feature.chamfer = Chamfer{std::move(loop), depth, true, {}, 0, 0};
-      out.push_back(std::move(feature));
-    }
-  }
-}
-
 void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
                         std::vector<Feature>& out) {
   if (shaped.regions.empty() && shaped.lines.empty()) return;
@@ -242,14 +184,15 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
     case LayerRole::kEngrave:
       for (const Region& region : shaped.regions) {
         shaped.lines.push_back(region.outer());
-        for (const Loop& island : region.islands()) shaped.lines.push_back(island);
+        shaped.lines.insert(shaped.lines.end(), region.islands().begin(), region.islands().end());
       }
       for (const Path& line : shaped.lines)
         out.push_back(profile_of(shaped.group, line, ProfileSide::kOn, depth, options));
       return;
+    case LayerRole::kIsolate:
+      return out.push_back(isolation_of(shaped, depth, options, diagnostics));
     case LayerRole::kFace:
-      for (const Region& region : shaped.regions)
-        out.push_back(face_of(shaped.group, region, depth, options));
+      for (const Region& one : shaped.regions) out.push_back(face_of(shaped.group, one, depth, options));
       return;
     default:
       for (Region& region : shaped.regions)
@@ -294,6 +237,28 @@ std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const Re
   return all;
 }
 
+Vec2 mirrored(Vec2 p) {
+  return {-p.x, p.y};
+}
+
+/// Left to right; loops keep their sense.
+void mirror(std::vector<DrawnGroup>& groups) {
+  for (DrawnGroup& group : groups) {
+    for (RawCurve& curve : group.curves) {
+      for (Edge& edge : curve.edges) {
+        edge = {mirrored(edge.from), mirrored(edge.to), mirrored(edge.center),
+                static_cast<Turn>(-static_cast<int>(edge.turn))};
+      }
+      curve.edges = reversed(curve.edges);
+    }
+  }
+}
+
+bool have_several_floors(const std::vector<Feature>& features) {
+  return std::any_of(features.begin(), features.end(),
+                     [&](const Feature& feature) { return feature.floor_z < features.front().floor_z; });
+}
+
 /// In the words of the reader; "" for none.
 std::string what_was_left_out(const Diagnostics& diagnostics) {
   std::string all;
@@ -317,11 +282,15 @@ std::optional<double> circle_diameter(const Region& region, const Tolerances& to
   return 2 * first.radius();
 }
 
-double checked_depth(double depth, const std::string& place) {
-  if (!(depth > 0) || depth > kLargestCoordinate) {
-    throw InputError(place, "the depth is " + short_number(depth) + " mm; it must be above 0");
+double checked_length(double length, const std::string& what, const std::string& place) {
+  if (!(length > 0) || length > kLargestCoordinate) {
+    throw InputError(place, "the " + what + " is " + short_number(length) + " mm; it must be above 0");
   }
-  return depth;
+  return length;
+}
+
+double checked_depth(double depth, const std::string& place) {
+  return checked_length(depth, "depth", place);
 }
 
 void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group) {
@@ -340,6 +309,7 @@ void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, D
     }
     if (rule.depth && !depth) group.depth = rule.depth, depth = true;
     if (rule.top && !top) group.top = rule.top, top = true;
+    if (rule.width) group.width = rule.width;
     if (!rule.asked) return;
   }
 }
@@ -397,6 +367,7 @@ void report_left_out(Diagnostics& diagnostics, const std::string& file, const Le
 }
 
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options) {
+  if (options.mirror) mirror(groups);
   std::vector<std::string> layers;
   for (const DrawnGroup& group : groups) layers.push_back(group.name);
   const Regions islands = islands_of(groups, options, part.diagnostics);
@@ -409,7 +380,8 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   for (ShapedGroup& one : shaped) {
     const LayerRole role = one.group.role;
     if (role == LayerRole::kStock || role == LayerRole::kIgnore || role == LayerRole::kProfile) continue;
-    const bool stands = role == LayerRole::kChamfer || is_external_thread(one.group);
+    const bool stands =
+        role == LayerRole::kChamfer || role == LayerRole::kIsolate || is_external_thread(one.group);
     if (!islands.empty() && !stands && near_any(islands, one.regions))
       one.regions = subtract(one.regions, islands, options.tol);
     add_group_features(one, options, part.diagnostics, features);
@@ -421,9 +393,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   }
   std::stable_sort(features.begin(), features.end(), goes_before);
   set_stock(part, shaped, features, options);
-  const bool several_floors = std::any_of(features.begin(), features.end(), [&](const Feature& feature) {
-    return feature.floor_z < features.front().floor_z;
-  });
+  const bool several_floors = have_several_floors(features);
   add_features(part, std::move(features));
   open_at_stock_edge(part, options.tol);
   // A deep pocket within a shallow one begins on its floor.

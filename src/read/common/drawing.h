@@ -20,11 +20,12 @@ struct LayerMeaning {
   std::optional<double> depth;  ///< in units of the drawing
   std::optional<double> top;    ///< in units of the drawing
   std::optional<double> start;  ///< of V-carving, likewise
+  std::optional<double> width;  ///< of isolation, likewise
   std::optional<HoleRequest> hole;
 };
 /// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
 /// holes (see hole_words.h), "PROFILE", "CUTOUT" or "OUTSIDE" what is cut out along its outside, "INSIDE" along its inside, "ENGRAVE" or "ON" a
-/// line to follow, "VCARVE" what a V-bit carves (its depth is a limit), "CHAMFER" or "DEBURR" edges to break, "FACE", "STOCK", "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
+/// line to follow, "VCARVE" what a V-bit carves (its depth is a limit), "ISOLATE" what stays with a band about it milled, as wide as "W0.4" says, "CHAMFER" or "DEBURR" edges to break, "FACE", "STOCK", "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
 /// anything but letters.
 LayerMeaning meaning_of_layer(std::string_view name);
 /// Whether `name` matches `pattern`: case is ignored, * stands for anything.
@@ -39,6 +40,7 @@ struct DrawnGroup {
   std::optional<double> depth;                 ///< mm
   std::optional<double> top;                   ///< mm
   double start = 0;                            ///< mm; of V-carving: how far down its outline is as drawn
+  std::optional<double> width = {};            ///< mm; of the band about what is isolated
   std::optional<LayerRule> broken_edges = {};  ///< its outlines get a chamfer besides
   std::optional<HoleRequest> hole = {};
   std::vector<RawCurve> curves;
@@ -65,6 +67,8 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
 /// The diameter when the region is one full circle.
 std::optional<double> circle_diameter(const Region& region, const Tolerances& tol);
 
+/// `length`, mm, that `what` names; throws InputError at `place` unless it lies above 0 and below a kilometre.
+double checked_length(double length, const std::string& what, const std::string& place);
 /// `depth`, mm; throws InputError at `place` unless it lies above 0 and below a kilometre.
 double checked_depth(double depth, const std::string& place);
 

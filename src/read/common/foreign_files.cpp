@@ -21,9 +21,6 @@ constexpr Foreign kPage{"a page for printing",
                         "open it in Inkscape and save the outlines as SVG, or export DXF"};
 constexpr Foreign kPicture{"a picture of dots",
                            "trace it in Inkscape (Path > Trace Bitmap) and save it as SVG"};
-constexpr Foreign kGerber{"a Gerber layer", "export the layer of the board as DXF or SVG"};
-constexpr Foreign kExcellon{"an Excellon drill file",
-                            "export the holes of the board as DXF: circles on a layer whose name has DRILL"};
 constexpr Foreign kBoard{"a design of a circuit board", "export its edge and holes as DXF or SVG"};
 constexpr Foreign kDwg{"a DWG drawing", "save it as DXF"};
 constexpr Foreign kIges{"an IGES file", "export the solid as STEP, or the drawing as DXF"};
@@ -38,23 +35,20 @@ struct Named {
   const Foreign* kind;
 };
 constexpr std::array kNamed{
-    Named{".3MF", &kMesh},        Named{".STL", &kMesh},        Named{".OBJ", &kMesh},
-    Named{".AMF", &kMesh},        Named{".PLY", &kMesh},        Named{".ZIP", &kZip},
-    Named{".PDF", &kPage},        Named{".EPS", &kPage},        Named{".PS", &kPage},
-    Named{".AI", &kPage},         Named{".PNG", &kPicture},     Named{".JPG", &kPicture},
-    Named{".JPEG", &kPicture},    Named{".BMP", &kPicture},     Named{".GIF", &kPicture},
-    Named{".TIF", &kPicture},     Named{".TIFF", &kPicture},    Named{".GBR", &kGerber},
-    Named{".GTL", &kGerber},      Named{".GBL", &kGerber},      Named{".GKO", &kGerber},
-    Named{".GM1", &kGerber},      Named{".DRL", &kExcellon},    Named{".XLN", &kExcellon},
-    Named{".BRD", &kBoard},       Named{".KICAD_PCB", &kBoard}, Named{".DWG", &kDwg},
-    Named{".IGS", &kIges},        Named{".IGES", &kIges},       Named{".FCSTD", &kCad},
-    Named{".F3D", &kCad},         Named{".F3Z", &kCad},         Named{".SLDPRT", &kCad},
-    Named{".SLDASM", &kCad},      Named{".IPT", &kCad},         Named{".PRT", &kCad},
-    Named{".X_T", &kCad},         Named{".X_B", &kCad},         Named{".SAT", &kCad},
-    Named{".3DM", &kCad},         Named{".SKP", &kCad},         Named{".CDR", &kDesign},
-    Named{".AFDESIGN", &kDesign}, Named{".SCAD", &kScad},       Named{".NGC", &kProgram},
-    Named{".NC", &kProgram},      Named{".GCODE", &kProgram},   Named{".TAP", &kProgram},
-    Named{".H", &kProgram}};
+    Named{".3MF", &kMesh},        Named{".STL", &kMesh},     Named{".OBJ", &kMesh},
+    Named{".AMF", &kMesh},        Named{".PLY", &kMesh},     Named{".ZIP", &kZip},
+    Named{".PDF", &kPage},        Named{".EPS", &kPage},     Named{".PS", &kPage},
+    Named{".AI", &kPage},         Named{".PNG", &kPicture},  Named{".JPG", &kPicture},
+    Named{".JPEG", &kPicture},    Named{".BMP", &kPicture},  Named{".GIF", &kPicture},
+    Named{".TIF", &kPicture},     Named{".TIFF", &kPicture}, Named{".BRD", &kBoard},
+    Named{".KICAD_PCB", &kBoard}, Named{".DWG", &kDwg},      Named{".IGS", &kIges},
+    Named{".IGES", &kIges},       Named{".FCSTD", &kCad},    Named{".F3D", &kCad},
+    Named{".F3Z", &kCad},         Named{".SLDPRT", &kCad},   Named{".SLDASM", &kCad},
+    Named{".IPT", &kCad},         Named{".PRT", &kCad},      Named{".X_T", &kCad},
+    Named{".X_B", &kCad},         Named{".SAT", &kCad},      Named{".3DM", &kCad},
+    Named{".SKP", &kCad},         Named{".CDR", &kDesign},   Named{".AFDESIGN", &kDesign},
+    Named{".SCAD", &kScad},       Named{".NGC", &kProgram},  Named{".NC", &kProgram},
+    Named{".GCODE", &kProgram},   Named{".TAP", &kProgram},  Named{".H", &kProgram}};
 
 struct Signature {
   std::string_view start;
@@ -69,7 +63,6 @@ constexpr std::array kSignatures{Signature{"PK\x03\x04", &kZip},
                                  Signature{"II*", &kPicture},
                                  Signature{"AC10", &kDwg},
                                  Signature{"(kicad_pcb", &kBoard},
-                                 Signature{"M48", &kExcellon},
                                  Signature{"solid ", &kMesh}};
 
 [[noreturn]] void refuse(const Foreign& kind, const std::string& file_name) {
@@ -90,8 +83,7 @@ const Foreign* kind_of_content(std::string_view text) {
   const std::string_view start = text.substr(first, 4096);
   for (const Signature& signature : kSignatures)
     if (start.substr(0, signature.start.size()) == signature.start) return signature.kind;
-  // %FSLAX46Y46*% says how a Gerber file's numbers are written; every one has it.
-  return start.find("%FSLA") == std::string_view::npos ? nullptr : &kGerber;
+  return nullptr;
 }
 
 }  // namespace

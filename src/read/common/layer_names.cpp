@@ -104,6 +104,7 @@ std::optional<LayerRole> role_of_word(std::string_view word) {
   }
   if (word == "INSIDE") return LayerRole::kInside;
   if (word == "VCARVE" || word == "CARVE") return LayerRole::kVCarve;
+  if (word == "ISOLATE" || word == "ISOLATION") return LayerRole::kIsolate;
   if (word == "ENGRAVE") return LayerRole::kEngrave;
   if (word == "CHAMFER" || word == "CHAMFERS" || word == "DEBURR") return LayerRole::kChamfer;
   if (word == "FACE") return LayerRole::kFace;
@@ -132,6 +133,9 @@ LayerMeaning meaning_of_layer(std::string_view name) {
     }
     if (word == "START") {
       if (const auto start = leading_number(rest)) meaning.start = std::abs(*start);
+    }
+    if (word == "W") {
+      if (const auto width = leading_number(rest)) meaning.width = std::abs(*width);
     }
     if (word == "TOP") {
       if (const auto top = leading_number(rest)) meaning.top = top;

@@ -15,12 +15,13 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::array<std::pair<const char*, LayerRole>, 11> kRoleNames{{{"pocket", LayerRole::kPocket},
+constexpr std::array<std::pair<const char*, LayerRole>, 12> kRoleNames{{{"pocket", LayerRole::kPocket},
                                                                         {"profile", LayerRole::kProfile},
                                                                         {"inside", LayerRole::kInside},
                                                                         {"drill", LayerRole::kHole},
                                                                         {"engrave", LayerRole::kEngrave},
                                                                         {"vcarve", LayerRole::kVCarve},
+                                                                        {"isolate", LayerRole::kIsolate},
                                                                         {"chamfer", LayerRole::kChamfer},
                                                                         {"face", LayerRole::kFace},
                                                                         {"island", LayerRole::kIsland},
@@ -122,6 +123,7 @@ void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::v
   moved.group.depth = rule.depth || *rule.role == LayerRole::kChamfer ? rule.depth : first.depth;
   moved.group.top = rule.top ? rule.top : first.top;
   moved.group.hole = rule.hole;
+  moved.group.width = rule.width ? rule.width : first.width;
   std::vector<Loop> loops;
   for (const std::size_t i : chosen) {
     loops.push_back(outlines[i].loop);
@@ -270,6 +272,7 @@ LayerRule rule_named(const std::string& kind, const std::string& place) {
   rule.role = meaning.role;
   rule.depth = meaning.depth;
   rule.top = meaning.top;
+  rule.width = meaning.width;
   rule.hole = meaning.hole;
   rule.asked = true;
   return rule;

@@ -298,6 +298,7 @@ class Collector {
     if (meaning.depth) group.depth = *meaning.depth * unit_;
     if (meaning.top) group.top = *meaning.top * unit_;
     if (meaning.start) group.start = *meaning.start * unit_;
+    if (meaning.width) group.width = *meaning.width * unit_;
     group.hole = scaled(meaning.hole, unit_);
     apply_rules(options_.layer_rules, layer, group);
     return group;

@@ -152,6 +152,7 @@ void read_part_section(DataSection section, JobFile& job) {
   read.layers = section.texts("layers");
   read.find_arcs = section.flag("find_arcs");
   if (const auto gap = section.not_negative("join_gap")) read.tol.join_gap = *gap;
+  read.mirror = section.flag("mirror").value_or(false);
   if (const auto scale = section.positive("scale")) read.scale = *scale, read.scale_is_right = true;
   if (read.tol.join_gap > 10 || read.tol.join_gap < 1e-6)
     section.fail_at("join_gap", "must lie between 1e-6 and 10 mm");
@@ -172,7 +173,7 @@ LayerRule layer_rule(DataSection section) {
   if (!name) section.fail("name is missing; add name = \"POCKET*\"");
   rule.pattern = *name;
   const auto role = section.choice("role", {"pocket", "island", "hole", "ignore", "profile", "inside",
-                                            "engrave", "chamfer", "face", "stock", "vcarve"});
+                                            "engrave", "chamfer", "face", "stock", "vcarve", "isolate"});
   if (role) rule.role = static_cast<LayerRole>(*role);
   if (const auto hole = section.text("hole")) {
     // In the words of layers: "tap_m6_thru".
@@ -185,6 +186,7 @@ LayerRule layer_rule(DataSection section) {
   }
   if (const auto depth = section.positive("depth")) rule.depth = depth;
   rule.top = coordinate(section, "top");
+  rule.width = section.positive("width");
   section.refuse_unknown();
   return rule;
 }

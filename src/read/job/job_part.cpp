@@ -33,6 +33,7 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   options.overview = over.overview;
   if (over.scale_is_right) options.scale = over.scale;
   options.scale_is_right = options.scale_is_right || over.scale_is_right;
+  options.mirror = options.mirror || over.mirror;
   if (over.find_arcs) options.find_arcs = over.find_arcs;
   if (!over.solid.up.empty()) options.solid.up = over.solid.up;
   if (over.solid.turn_deg != 0) options.solid.turn_deg = over.solid.turn_deg;

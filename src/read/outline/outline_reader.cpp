@@ -166,13 +166,13 @@ FeatureKind kind_of(const Context& context, const DataValue& outline) {
   for (const FeatureKind kind :
        {FeatureKind::kClosedPocket, FeatureKind::kOpenPocket, FeatureKind::kPlanarFace, FeatureKind::kSlot,
         FeatureKind::kStep, FeatureKind::kRoundHole, FeatureKind::kOutsideProfile,
-        FeatureKind::kInsideProfile, FeatureKind::kEngraving}) {
+        FeatureKind::kInsideProfile, FeatureKind::kEngraving, FeatureKind::kIsolation}) {
     if (name == name_of(kind)) return kind;
   }
   context.fail(*outline.find("kind"),
                "unknown kind '" + printable(name) +
                    "'; use closed_pocket, open_pocket, planar_face, slot, step, round_hole, "
-                   "outside_profile, inside_profile or engraving");
+                   "outside_profile, inside_profile, engraving or isolation");
 }
 
 Regions regions_of(const Context& context, const DataValue& outline, double unit) {

@@ -7,16 +7,12 @@
 
 #include "geometry/edge.h"
 #include "read/common/affine.h"
+#include "read/common/strokes/subpath.h"
 
 namespace clearcut::read {
 
-struct SvgSubpath {
-  Path edges;
-  bool closed = false;  ///< by z
-};
-
 struct SvgPathData {
-  std::vector<SvgSubpath> subpaths;
+  std::vector<Subpath> subpaths;
   bool half_point = false;  ///< a list of points ends after an x
   std::string error;        ///< "" or what is wrong and where; the subpaths before it are good
 };

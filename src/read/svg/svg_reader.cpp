@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "read/common/drawing.h"
+#include "read/common/strokes/stroke.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/lettering/lettering.h"
@@ -16,7 +17,6 @@
 #include "read/svg/svg_numbers.h"
 #include "read/svg/svg_page.h"
 #include "read/svg/svg_shapes.h"
-#include "read/svg/svg_stroke.h"
 #include "read/svg/svg_style.h"
 #include "read/svg/svg_text.h"
 
@@ -36,7 +36,7 @@ struct Inherited {
   bool chosen = false;  ///< a group around it is among the chosen layers
   std::optional<LayerRole> role;
   std::optional<HoleRequest> hole;
-  std::optional<double> depth, top;  ///< mm
+  std::optional<double> depth, top, width;  ///< mm
 };
 
 class SvgCollector {
@@ -248,7 +248,7 @@ class SvgCollector {
     // Every shape has an id; only one that says a role is more than a number.
     if (name != "g" && !meaning.says_role) return;
     own.layer = label;
-    if (meaning.says_role) own.role = meaning.role, own.hole = meaning.hole;
+    if (meaning.says_role) own.role = meaning.role, own.hole = meaning.hole, own.width = meaning.width;
     if (meaning.depth) own.depth = meaning.depth;
     if (meaning.top) own.top = meaning.top;
     own.chosen =
@@ -362,7 +362,7 @@ class SvgCollector {
     if (data.subpaths.empty()) ++not_read_[std::string(local_name(node)) + " without size"];
     std::optional<Compound> compound;
     if (filled) compound = Compound{compounds_++, own.style.fill_rule != "evenodd"};
-    for (SvgSubpath& subpath : data.subpaths) {
+    for (Subpath& subpath : data.subpaths) {
       RawCurve curve;
       curve.edges = std::move(subpath.edges);
       curve.closed = filled || subpath.closed;
@@ -381,6 +381,7 @@ class SvgCollector {
     group.depth = own.depth;
     group.top = own.top;
     group.hole = own.hole;
+    group.width = own.width;
     apply_rules(options_.layer_rules, own.layer, group);
     apply_rules(options_.layer_rules, normal_color(color), group);
     const auto key = std::make_tuple(group.name, group.role, group.depth, group.top);

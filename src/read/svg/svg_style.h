@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "read/common/strokes/stroke.h"
 #include "read/svg/svg_font.h"
-#include "read/svg/svg_stroke.h"
 
 namespace clearcut::read {
 

@@ -1,4 +1,4 @@
-#include "read/svg/svg_stroke.h"
+#include "read/common/strokes/stroke.h"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ class Stroker {
  public:
   explicit Stroker(const Pen& pen) : pen_(pen), half_(pen.width / 2) {}
 
-  void draw(const SvgSubpath& line) {
+  void draw(const Subpath& line) {
     const Path& edges = line.edges;
     if (edges.empty()) return;
     for (const Edge& edge : edges) band(edge);
@@ -110,14 +110,14 @@ class Stroker {
 
 }  // namespace
 
-std::vector<Path> stroke_pieces(const std::vector<SvgSubpath>& lines, const Pen& pen) {
+std::vector<Path> stroke_pieces(const std::vector<Subpath>& lines, const Pen& pen) {
   Stroker stroker(pen);
-  for (const SvgSubpath& line : lines) stroker.draw(line);
+  for (const Subpath& line : lines) stroker.draw(line);
   return stroker.take();
 }
 
 std::vector<Path> stroke_pieces(const Affine& map, Pen pen,
-                                const std::function<std::vector<SvgSubpath>(const Affine&)>& lines) {
+                                const std::function<std::vector<Subpath>(const Affine&)>& lines) {
   if (map.is_similarity()) {
     pen.width *= std::sqrt(std::abs(map.determinant()));
     return stroke_pieces(lines(map), pen);

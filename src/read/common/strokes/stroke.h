@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "geometry/edge.h"
-#include "read/svg/svg_path.h"
+#include "read/common/affine.h"
+#include "read/common/strokes/subpath.h"
 
 namespace clearcut::read {
 
@@ -23,11 +24,11 @@ struct Pen {
 /// Counter-clockwise loops whose union, by the nonzero rule, is what the pen covers along the lines: a band for each edge, a
 /// wedge or disc at each corner, a cap at each open end. Exact for lines and arcs. Cost O(edges).
 /// Source: SVG 1.1, section 11.4.
-std::vector<Path> stroke_pieces(const std::vector<SvgSubpath>& lines, const Pen& pen);
+std::vector<Path> stroke_pieces(const std::vector<Subpath>& lines, const Pen& pen);
 
 /// The same for lines drawn under `map`, which stretches the pen, too; `lines(m)` are the lines under the map m. Where circles
 /// become ellipses within kCurveTolerance mm.
 std::vector<Path> stroke_pieces(const Affine& map, Pen pen,
-                                const std::function<std::vector<SvgSubpath>(const Affine&)>& lines);
+                                const std::function<std::vector<Subpath>(const Affine&)>& lines);
 
 }  // namespace clearcut::read

@@ -1,0 +1,34 @@
+// What a Gerber file draws with: standard apertures and those that its macros describe.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "read/board/drawn.h"
+
+namespace clearcut::read {
+
+/// About the origin, mm.
+struct Aperture {
+  std::vector<Drawn> shape;        ///< empty where it has no size
+  std::optional<double> diameter;  ///< of a full circle: lines and arcs can be drawn with it
+  std::optional<Vec2> size;        ///< of a full rectangle: lines can be drawn with it
+};
+
+/// A macro's blocks: comments, variables, primitives.
+using Macros = std::map<std::string, std::vector<std::string>>;
+
+/// What apertures are made with.
+struct ApertureContext {
+  const Macros& macros;
+  double mm = 1;  ///< per unit of the file
+  RepairOptions repair;
+};
+
+/// "C,0.2", "R,1X0.5", "O,1X0.5X0.3", "P,2X6X30", "NAME,1X2". Throws InputError at context.repair.where.
+/// Source: Ucamco, The Gerber Layer Format Specification, revision 2022.02, sections 4.4 and 4.5.
+Aperture aperture_of(const std::string& definition, const ApertureContext& context);
+
+}  // namespace clearcut::read

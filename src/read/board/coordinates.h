@@ -1,0 +1,27 @@
+// Coordinates as the files of circuit boards write them: digits without a decimal point, and zeros left out.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace clearcut::read {
+
+struct CoordinateFormat {
+  int whole = 3;                   ///< digits before the point
+  int decimals = 3;                ///< digits after it
+  bool trailing_omitted = false;  ///< zeros at the end are left out; else those at the beginning
+};
+
+/// "-1250" as -1.25 where three digits follow the point; numbers that have a point are what they say. Nothing for what is no number.
+std::optional<double> coordinate(std::string_view text, const CoordinateFormat& format);
+
+/// A number as it stands: "0.8", "-3", ".5".
+std::optional<double> plain_number(std::string_view text);
+
+/// "X100Y-5D01" as X 100, Y -5, D 01. Nothing where anything else stands.
+using Words = std::vector<std::pair<char, std::string_view>>;
+std::optional<Words> words_of(std::string_view text);
+
+}  // namespace clearcut::read
